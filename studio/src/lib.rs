@@ -11,6 +11,8 @@
 // In a browser there is no command line, and nobody asks for what only that needs.
 #![cfg_attr(target_arch = "wasm32", allow(dead_code, unused_imports))]
 
+#[cfg(target_arch = "wasm32")]
+mod browser;
 #[cfg(not(target_arch = "wasm32"))]
 mod chart;
 mod check;

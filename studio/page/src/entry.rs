@@ -20,13 +20,21 @@ pub async fn start(
     text: String,
 ) -> Result<Running, JsValue> {
     let runner = WebRunner::new();
-    let app: AppCreator<'static> = Box::new(move |_| Ok(Box::new(Page::new(&name, &text))));
+    let app: AppCreator<'static> =
+        Box::new(move |made| Ok(Box::new(Page::new(&name, &text, made.egui_ctx.clone()))));
     runner.start(canvas, WebOptions::default(), app).await?;
     Ok(Running(runner))
 }
 
 #[wasm_bindgen]
 impl Running {
+    /// Gives the editor a file that the user has chosen.
+    pub fn take(&self, name: &str, bytes: Vec<u8>) {
+        if let Some(mut page) = self.0.app_mut::<Page>() {
+            page.take(name, bytes);
+        }
+    }
+
     /// What broke the editor, if something did: it does not go on then.
     #[must_use]
     pub fn panic(&self) -> Option<String> {

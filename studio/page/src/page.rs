@@ -1,27 +1,36 @@
 //! The studio in a canvas of a page.
 
-use eframe::egui::Ui;
+use eframe::egui::{Context, Ui};
 use eframe::{App, Frame, web_sys};
 use mech_studio::editor::{Editor, Studio};
 use mech_studio::{Source, Workspace};
+use std::path::Path;
 
 /// The studio in a canvas of a page.
 pub(crate) struct Page {
     studio: Studio,
+    context: Context,
     /// Whether the page knows that a mechanism is seen.
     is_announced: bool,
 }
 
 impl Page {
     /// With a text that has this name.
-    pub(crate) fn new(name: &str, text: &str) -> Self {
+    pub(crate) fn new(name: &str, text: &str, context: Context) -> Self {
         let workspace = Workspace::of(Source::new(name, text));
         // There is no thread that could have something new to show.
         let editor = Editor::new(workspace, || {});
         Self {
             studio: Studio::new(editor),
+            context,
             is_announced: false,
         }
+    }
+
+    /// Gives the editor a file that the user has chosen.
+    pub(crate) fn take(&mut self, name: &str, bytes: Vec<u8>) {
+        self.studio.editor_mut().take_file(Path::new(name), bytes);
+        self.context.request_repaint();
     }
 
     /// Tells the page that a mechanism is seen, so that a program that looks at the page knows when to.

@@ -1,16 +1,12 @@
-//! Files to choose from: in a list, in the system's own dialog, or dropped on the window.
+//! Files to choose from: in a list, or in the system's own dialog.
 
-use super::Editor;
-use super::action::Dialog;
+use super::action::FileUse;
 use eframe::egui;
 use rfd::AsyncFileDialog;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
-
-/// How the names of files end that can be opened.
-const ENDINGS: [&str; 3] = ["mech", "rs", "linkage2"];
 
 /// A name in a folder.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
@@ -20,12 +16,15 @@ enum Entry {
 }
 
 /// Offers what is in the folder that a path names, and the system's own dialog. Returns whether a file was chosen.
-pub(super) fn choose(dialog: &mut Dialog, beside: &Path, ui: &mut egui::Ui) -> bool {
-    let is_saved = !matches!(dialog, Dialog::Open(_));
-    let (Dialog::Open(path) | Dialog::Save(path) | Dialog::Export(_, path)) = dialog;
+pub(super) fn choose(
+    purpose: &FileUse,
+    path: &mut String,
+    beside: &Path,
+    ui: &mut egui::Ui,
+) -> bool {
     let folder = folder_of(path, beside);
-    let mut is_chosen = browse(is_saved, path, &folder, ui);
-    let entries = match entries(&folder) {
+    let mut is_chosen = browse(purpose, path, &folder, ui);
+    let entries = match entries(&folder, purpose.endings().1) {
         Ok(entries) => entries,
         Err(error) => {
             ui.weak(format!("cannot read the folder: {error}"));
@@ -87,8 +86,8 @@ fn present(folder: &Path) -> &Path {
     }
 }
 
-/// The folders in a folder, and then the files that can be opened. What is hidden is left out.
-fn entries(folder: &Path) -> std::io::Result<Vec<Entry>> {
+/// The folders in a folder, and then the files whose names end so. What is hidden is left out.
+fn entries(folder: &Path, endings: &[&str]) -> std::io::Result<Vec<Entry>> {
     let mut entries = Vec::new();
     for entry in fs::read_dir(present(folder))? {
         let entry = entry?;
@@ -97,7 +96,10 @@ fn entries(folder: &Path) -> std::io::Result<Vec<Entry>> {
         };
         let path = entry.path();
         let ending = path.extension().and_then(|ending| ending.to_str());
-        let can_be_opened = ending.is_some_and(|ending| ENDINGS.contains(&ending));
+        let can_be_opened = ending.is_some_and(|ending| {
+            let mut endings = endings.iter();
+            endings.any(|known| known.eq_ignore_ascii_case(ending))
+        });
         let is_hidden = name.starts_with('.');
         if path.is_dir() && !is_hidden {
             entries.push(Entry::Folder(name));
@@ -113,7 +115,7 @@ fn entries(folder: &Path) -> std::io::Result<Vec<Entry>> {
 type Answer = Arc<Mutex<Option<PathBuf>>>;
 
 /// Opens the system's own dialog if that is wanted. Returns whether it has answered.
-fn browse(is_saved: bool, path: &mut String, folder: &Path, ui: &mut egui::Ui) -> bool {
+fn browse(purpose: &FileUse, path: &mut String, folder: &Path, ui: &mut egui::Ui) -> bool {
     let answer: Answer = ui.data_mut(|data| {
         let answer = data.get_temp_mut_or_default::<Answer>(egui::Id::unique("browse"));
         answer.clone()
@@ -123,7 +125,7 @@ fn browse(is_saved: bool, path: &mut String, folder: &Path, ui: &mut egui::Ui) -
         .on_hover_text("opens the system's own dialog")
         .clicked()
     {
-        ask_system(is_saved, folder, answer.clone(), ui.ctx().clone());
+        ask_system(purpose, folder, answer.clone(), ui.ctx().clone());
     }
     let chosen = answer.lock().unwrap_or_else(PoisonError::into_inner).take();
     if let Some(chosen) = &chosen {
@@ -133,8 +135,9 @@ fn browse(is_saved: bool, path: &mut String, folder: &Path, ui: &mut egui::Ui) -
 }
 
 /// Lets the system ask, and waits for its answer beside the window.
-fn ask_system(is_saved: bool, folder: &Path, answer: Answer, window: egui::Context) {
-    let mut dialog = AsyncFileDialog::new().add_filter("mechanisms", &ENDINGS);
+fn ask_system(purpose: &FileUse, folder: &Path, answer: Answer, window: egui::Context) {
+    let (kind, endings) = purpose.endings();
+    let mut dialog = AsyncFileDialog::new().add_filter(kind, endings);
     if let Ok(folder) = std::path::absolute(present(folder)) {
         dialog = dialog.set_directory(folder);
     }
@@ -144,25 +147,11 @@ fn ask_system(is_saved: bool, folder: &Path, answer: Answer, window: egui::Conte
         window.request_repaint();
     };
     // It has to be opened here, and may be waited for elsewhere.
-    if is_saved {
+    if purpose.writes() {
         let asked = dialog.save_file();
         thread::spawn(move || wait(pollster::block_on(asked)));
     } else {
         let asked = dialog.pick_file();
         thread::spawn(move || wait(pollster::block_on(asked)));
-    }
-}
-
-/// Opens the file that is dropped on the window.
-pub(super) fn take_dropped(editor: &mut Editor, context: &egui::Context) {
-    let dropped = context.input(|input| {
-        let dropped = input.raw.dropped_files.iter();
-        let paths: Vec<PathBuf> = dropped.map(|file| file.path().to_owned()).collect();
-        paths
-    });
-    match &dropped[..] {
-        [] => {}
-        [path] => editor.open_file(path),
-        _ => editor.refuse("drop one file at a time"),
     }
 }

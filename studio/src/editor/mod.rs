@@ -8,8 +8,10 @@ mod action;
 mod arrow;
 mod canvas;
 mod curves;
+mod desk;
 mod dragging;
 mod drawing;
+mod dropped;
 mod example;
 mod export;
 #[cfg(not(target_arch = "wasm32"))]

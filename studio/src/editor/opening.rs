@@ -1,38 +1,85 @@
 //! What is opened: files of the language, and what other programs wrote.
 
 use super::Editor;
+use super::action::Dialog;
+use super::example::Example;
 use crate::document::Source;
 use crate::edit::Workspace;
 use crate::failure::Failure;
 use crate::import::{self, FileKind};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-impl Editor {
-    /// Opens a file, if the text may be left.
+/// What is edited when the present text is left.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Destination {
+    /// An empty text.
+    Empty,
+    /// A file, or what a link of PMKS+ holds.
+    File(String),
+    /// A text that is known already, with the name of its file.
+    #[cfg(target_arch = "wasm32")]
+    Text(PathBuf, String),
+    /// An example.
+    Example(&'static Example),
+}
+
+impl Destination {
+    /// A file with its text. On a computer it is the file that counts: it is read again, and watched.
     #[cfg(not(target_arch = "wasm32"))]
-    pub(super) fn open_file(&mut self, path: &Path) {
-        self.open_named(&path.to_string_lossy());
+    pub(super) fn text(path: &Path, _: String) -> Self {
+        Self::File(path.to_string_lossy().into_owned())
     }
 
-    /// Opens a file, or what a link of PMKS+ holds, if the text may be left.
-    pub(super) fn open_named(&mut self, name: &str) {
-        if !self.may_leave() {
-            return;
+    /// A file with its text: a page cannot read it again.
+    #[cfg(target_arch = "wasm32")]
+    pub(super) fn text(path: &Path, text: String) -> Self {
+        Self::Text(path.to_owned(), text)
+    }
+}
+
+/// A text to be edited, and what was lost when it was imported, if it was.
+type Opened = (Workspace, Option<Vec<String>>);
+
+impl Editor {
+    /// Edits another text. If the present one has changes, the user is asked first.
+    pub(super) fn leave_for(&mut self, to: Destination) {
+        // Nothing is lost of what nobody has changed: an example, or what was imported.
+        let workspace = self.workspace();
+        if workspace.is_changed() && !workspace.history().made().is_empty() {
+            self.settings.dialog = Some(Dialog::Leave(to));
+        } else {
+            self.arrive(to);
         }
-        let name = name.trim();
-        if !is_foreign(name) {
-            match Workspace::open(Path::new(name), None) {
-                Ok(workspace) => self.open(workspace),
-                Err(failure) => self.refuse(failure),
+    }
+
+    /// Edits another text, whatever becomes of the present one.
+    pub(super) fn arrive(&mut self, to: Destination) {
+        let opened = match to {
+            Destination::Empty => Ok((Workspace::default(), None)),
+            Destination::File(name) => opened(name.trim()),
+            #[cfg(target_arch = "wasm32")]
+            Destination::Text(path, text) => taken(Source::new(path, text)),
+            Destination::Example(example) => {
+                self.open_example(example);
+                return;
             }
-            return;
-        }
-        match imported(name) {
+        };
+        match opened {
             Ok((workspace, losses)) => {
                 let file = workspace.path().display().to_string();
                 self.open(workspace);
-                self.tell_losses(&file, &losses);
+                if let Some(losses) = losses {
+                    self.tell_losses(&file, &losses);
+                }
             }
+            Err(failure) => self.refuse(failure),
+        }
+    }
+
+    /// Edits another text, if one is wanted and the present one was saved.
+    pub(super) fn arrive_if_done(&mut self, saved: Result<(), Failure>, to: Option<Destination>) {
+        match saved {
+            Ok(()) => to.into_iter().for_each(|to| self.arrive(to)),
             Err(failure) => self.refuse(failure),
         }
     }
@@ -56,40 +103,46 @@ impl Editor {
     }
 }
 
-/// Whether something is of another program: a link, or a file of Linkage.
-fn is_foreign(name: &str) -> bool {
-    let ending = Path::new(name).extension();
-    import::is_link(name) || ending.is_some_and(|ending| ending == "linkage2")
+/// A file, or what a link of PMKS+ holds.
+fn opened(name: &str) -> Result<Opened, Failure> {
+    let path = Path::new(name);
+    if import::is_link(name) {
+        let source = Source::new("link", name);
+        imported(
+            &source,
+            "a link of PMKS+",
+            "Imported",
+            "imported.mech".into(),
+        )
+    } else if is_of_linkage(path) {
+        taken(Source::read(path)?)
+    } else {
+        Ok((Workspace::open(path, None)?, None))
+    }
+}
+
+/// A text with the name of its file. What another program wrote is imported, and stays beside it.
+fn taken(source: Source) -> Result<Opened, Failure> {
+    let path = source.path();
+    if !is_of_linkage(path) {
+        return Ok((Workspace::of(source), None));
+    }
+    let part = |part: Option<&std::ffi::OsStr>| {
+        let part = part.map(|part| part.to_string_lossy().into_owned());
+        part.unwrap_or_default()
+    };
+    let (title, wish) = (part(path.file_name()), part(path.file_stem()));
+    imported(&source, &title, &wish, path.with_extension("mech"))
+}
+
+fn is_of_linkage(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending == "linkage2")
 }
 
 /// The text of what another program wrote, in no file yet, and what is lost.
-fn imported(name: &str) -> Result<(Workspace, Vec<String>), Failure> {
-    let path = Path::new(name);
-    let (source, title, wish) = if import::is_link(name) {
-        (
-            Source::new("link", name),
-            "a link of PMKS+".to_owned(),
-            "Imported".to_owned(),
-        )
-    } else {
-        let part = |part: Option<&std::ffi::OsStr>| {
-            part.map(|part| part.to_string_lossy().into_owned())
-                .unwrap_or_default()
-        };
-        (
-            Source::read(path)?,
-            part(path.file_name()),
-            part(path.file_stem()),
-        )
-    };
-    let found = import::read(&source).map_err(|message| Failure::file(message.text))?;
-    let text = found.text(&title, &import::type_name(&wish)?, FileKind::Mechanism)?;
+fn imported(source: &Source, title: &str, wish: &str, file: PathBuf) -> Result<Opened, Failure> {
+    let found = import::read(source).map_err(|message| Failure::file(message.text))?;
+    let text = found.text(title, &import::type_name(wish)?, FileKind::Mechanism)?;
     let losses = found.omissions.iter().map(ToString::to_string).collect();
-    // A file stays beside that of the other program.
-    let file = if import::is_link(name) {
-        "imported.mech".into()
-    } else {
-        path.with_extension("mech")
-    };
-    Ok((Workspace::unsaved(file, text), losses))
+    Ok((Workspace::unsaved(file, text), Some(losses)))
 }

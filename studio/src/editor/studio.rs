@@ -3,6 +3,7 @@
 use super::Editor;
 use super::action;
 use super::canvas::Canvas;
+use super::dropped::Dropped;
 #[cfg(not(target_arch = "wasm32"))]
 use super::guard::Guard;
 use super::panel;
@@ -17,6 +18,7 @@ pub struct Studio {
     panels: panel::Panels,
     /// The title of the window.
     title: String,
+    dropped: Dropped,
     #[cfg(not(target_arch = "wasm32"))]
     guard: Guard,
 }
@@ -34,6 +36,7 @@ impl Studio {
             line: panel::Line::default(),
             panels: panel::Panels::default(),
             title: String::new(),
+            dropped: Dropped::default(),
             #[cfg(not(target_arch = "wasm32"))]
             guard: Guard::default(),
         }
@@ -75,8 +78,7 @@ impl Studio {
         if editor.player().is_some_and(crate::play::Player::plays) {
             context.request_repaint();
         }
-        #[cfg(not(target_arch = "wasm32"))]
-        super::files::take_dropped(editor, &context);
+        self.dropped.take(editor, &context);
         action::obey_keys(editor, &context);
         let title = title(editor.workspace());
         if title != self.title {
@@ -112,6 +114,9 @@ impl Studio {
         }
         egui::CentralPanel::no_frame().show(ui, |ui| self.canvas.show(editor, ui));
         action::dialogs(editor, &context);
+        if let Some(text) = editor.to_clipboard.take() {
+            context.copy_text(text);
+        }
         #[cfg(not(target_arch = "wasm32"))]
         self.guard.stand(editor, &context);
     }

@@ -68,7 +68,7 @@ impl Editor {
                     self.selection.insert(item);
                 }
             }
-            Some(item) => self.selection = [item].into(),
+            Some(item) => self.selection = self.group_of(item),
             None if adds => {}
             None => self.selection.clear(),
         }
@@ -122,6 +122,11 @@ impl Editor {
         let Some(drawing) = &self.drawing else {
             return;
         };
+        let is_held = |item: &Item| self.desk.is_locked(item);
+        if drawing.on_same_pin(item).iter().any(is_held) {
+            self.refuse(format!("{item} is locked; Edit > Unlock frees it"));
+            return;
+        }
         if let Some(player) = &mut self.player
             && player.plays()
         {
@@ -149,7 +154,7 @@ impl Editor {
             let selected = self.selection.iter();
             let others = selected.flat_map(|one| drawing.handles_of(one));
             for other in others {
-                if !items.contains(&other) {
+                if !items.contains(&other) && !self.desk.is_locked(&other) {
                     items.push(other);
                 }
             }
@@ -298,15 +303,22 @@ impl Editor {
         }
     }
 
-    /// Whether the text may be left: it has no changes that are not written. If it may not, that is told.
-    pub(super) fn may_leave(&mut self) -> bool {
-        // Nothing is lost of what nobody has changed: an example, or what was imported.
-        let workspace = self.workspace();
-        let may = !workspace.is_changed() || workspace.history().made().is_empty();
-        if !may {
-            self.refuse("the text has changes; save them, or undo them, first");
+    /// Puts the text on the clipboard.
+    pub(super) fn copy_text(&mut self) {
+        self.to_clipboard = Some(self.workspace().text().to_owned());
+        self.tell("copied the text");
+    }
+
+    /// Puts an address on the clipboard that opens this text.
+    #[cfg(target_arch = "wasm32")]
+    pub(super) fn copy_link(&mut self) {
+        match crate::browser::link_to(self.workspace().text()) {
+            Ok(link) => {
+                self.to_clipboard = Some(link);
+                self.tell("copied an address that opens this text");
+            }
+            Err(failure) => self.refuse(failure),
         }
-        may
     }
 
     /// Tells why something could not be done.

@@ -1,9 +1,11 @@
 //! The studio, as somebody uses it: through its window's accessible nodes, by mouse and by keys.
 
+mod desk;
 mod dragging;
 mod drawing;
 mod exhibits;
 mod figure_1;
+mod folder;
 mod keyboard;
 mod mistakes;
 mod plots;

@@ -1,52 +1,12 @@
 //! Nothing is lost: not by a crash, not by another program, not by a window that is closed, not by a full disk.
 
+use super::folder::{Folder, TEXT};
 use super::user::User;
 use eframe::egui::Key;
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::path::Path;
 
-const TEXT: &str = "// A crank alone.\nstruct Crank;\nlink crank;\njoint a = revolute(ground, crank) at (0, 0);\nmotor a;\n";
 const THEIRS: &str = "// By somebody else.\nstruct Arm;\nlink arm;\njoint b = revolute(ground, arm) at (1, 0);\nmotor b;\n";
-
-/// A folder of its own with a file, removed at the end.
-struct Folder(PathBuf);
-
-impl Folder {
-    fn new() -> Self {
-        static COUNT: AtomicUsize = AtomicUsize::new(0);
-        let number = COUNT.fetch_add(1, Ordering::Relaxed);
-        let name = format!("mech-safety-{}-{number}", std::process::id());
-        let folder = std::env::temp_dir().join(name);
-        fs::create_dir_all(&folder).expect("a folder");
-        fs::write(folder.join("crank.mech"), TEXT).expect("a file");
-        Self(folder)
-    }
-
-    fn file(&self) -> PathBuf {
-        self.0.join("crank.mech")
-    }
-
-    fn text(&self) -> String {
-        fs::read_to_string(self.file()).expect("a text")
-    }
-
-    fn names(&self) -> Vec<String> {
-        let files = fs::read_dir(&self.0).expect("a folder");
-        let names = files.map(|file| file.expect("a file").file_name());
-        let mut names: Vec<String> = names
-            .map(|name| name.to_string_lossy().into_owned())
-            .collect();
-        names.sort();
-        names
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
 
 /// Draws a bar.
 fn draw(user: &mut User) {
@@ -334,12 +294,13 @@ fn a_file_that_is_dropped_on_the_window_is_opened() {
     let mut user = User::at_file(&folder.file());
     user.drop_file(&other);
     assert_eq!(user.text(), THEIRS);
-    // What is not saved is not left for it.
+    // What is not saved is not left for it without a question.
     draw(&mut user);
     let drawn = user.text().to_owned();
     user.drop_file(&folder.file());
     assert_eq!(user.text(), drawn);
-    assert!(tells(&user, "the text has changes"), "{}", user.said());
+    user.click_on("Discard");
+    assert_eq!(user.text(), TEXT);
 }
 
 #[test]

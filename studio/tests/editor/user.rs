@@ -460,9 +460,24 @@ impl User {
         self.key(Key::Enter);
     }
 
+    /// Types a number into the field of this name.
+    #[track_caller]
+    pub(crate) fn enter_number(&mut self, label: &str, number: &str) {
+        let field = |node: &egui_kittest::kittest::AccessKitNode<'_>| {
+            node.role() == Role::SpinButton
+                && node
+                    .labelled_by()
+                    .any(|by| by.value().as_deref() == Some(label))
+        };
+        self.harness.get_by(field).click();
+        self.harness.run_steps(2);
+        self.fill(number);
+        self.key(Key::Enter);
+    }
+
     /// Names a file where one is asked for.
     #[track_caller]
-    fn fill(&mut self, path: &str) {
+    pub(crate) fn fill(&mut self, path: &str) {
         self.wait(2);
         self.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
         self.wait(1);

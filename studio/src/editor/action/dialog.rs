@@ -1,7 +1,9 @@
 //! What is asked in a window of its own.
 
-use crate::editor::Editor;
+use super::unsaved::{Answer, ask_to_save};
 use crate::editor::export::Export;
+use crate::editor::opening::Destination;
+use crate::editor::{Editor, desk};
 use eframe::egui;
 use eframe::egui::Key;
 use std::path::Path;
@@ -9,33 +11,92 @@ use std::path::Path;
 /// Something that is asked in a window of its own.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Dialog {
-    /// Which file is read.
-    Open(String),
-    /// Where the text is written.
-    Save(String),
-    /// Where something of this kind is written.
-    Export(Export, String),
+    /// Which file this is done with.
+    File(FileUse, String),
+    /// Whether the text is saved before another one is edited.
+    Leave(Destination),
+}
+
+/// What is done with a file.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum FileUse {
+    /// It is read.
+    Open,
+    /// It is put behind the drawing.
+    Picture,
+    /// The text is written to it. Afterwards another one may be edited.
+    Save(Option<Destination>),
+    /// Something of this kind is written to it.
+    Export(Export),
+}
+
+impl FileUse {
+    /// The title of the question, and what its button says.
+    const fn words(&self) -> (&'static str, &'static str) {
+        match self {
+            Self::Open => ("Open a file", "Open"),
+            Self::Picture => ("Put a picture behind the drawing", "Show"),
+            Self::Save(_) => ("Save to a file", "Save"),
+            Self::Export(kind) => (kind.name(), "Write"),
+        }
+    }
+
+    /// A name that could be typed.
+    const fn hint(&self) -> &'static str {
+        match self {
+            Self::Picture => "photo.jpg",
+            Self::Open | Self::Save(_) | Self::Export(_) => "four_bar.mech",
+        }
+    }
+
+    /// Whether the file is written.
+    pub(crate) const fn writes(&self) -> bool {
+        matches!(self, Self::Save(_) | Self::Export(_))
+    }
+
+    /// How the names of files end that it can be done with, and what these are.
+    pub(crate) const fn endings(&self) -> (&'static str, &'static [&'static str]) {
+        match self {
+            Self::Picture => ("pictures", &desk::ENDINGS),
+            Self::Open | Self::Save(_) | Self::Export(_) => {
+                ("mechanisms", &["mech", "rs", "linkage2"])
+            }
+        }
+    }
 }
 
 /// Asks what has to be asked.
 pub(in crate::editor) fn dialogs(editor: &mut Editor, context: &egui::Context) {
-    let Some(mut dialog) = editor.settings.dialog.take() else {
-        return;
-    };
-    let (title, verb) = match dialog {
-        Dialog::Open(_) => ("Open a file", "Open"),
-        Dialog::Save(_) => ("Save to a file", "Save"),
-        Dialog::Export(kind, _) => (kind.name(), "Write"),
-    };
+    match editor.settings.dialog.take() {
+        None => {}
+        Some(Dialog::File(purpose, path)) => ask_for_file(editor, purpose, path, context),
+        Some(Dialog::Leave(to)) => match ask_to_save(editor, context) {
+            None => editor.settings.dialog = Some(Dialog::Leave(to)),
+            Some(Answer::Cancel) => {}
+            Some(Answer::Discard) => editor.arrive(to),
+            Some(Answer::Save) if editor.workspace().is_named() => {
+                let saved = editor.save(None);
+                editor.arrive_if_done(saved, Some(to));
+            }
+            Some(Answer::Save) => {
+                let purpose = FileUse::Save(Some(to));
+                editor.settings.dialog = Some(Dialog::File(purpose, String::new()));
+            }
+        },
+    }
+}
+
+/// Asks which file something is done with.
+fn ask_for_file(editor: &mut Editor, purpose: FileUse, mut path: String, context: &egui::Context) {
+    let (title, verb) = purpose.words();
     #[cfg(not(target_arch = "wasm32"))]
     let beside = editor.workspace().path().parent().map(Path::to_owned);
     let (mut is_done, mut is_given_up) = (false, false);
     egui::Modal::new(egui::Id::unique("dialog")).show(context, |ui| {
         ui.heading(title);
         let label = ui.label("File");
-        let (Dialog::Open(path) | Dialog::Save(path) | Dialog::Export(_, path)) = &mut dialog;
-        let edit = egui::TextEdit::singleline(path)
-            .hint_text("four_bar.mech")
+        let edit = egui::TextEdit::singleline(&mut path)
+            .hint_text(purpose.hint())
             .desired_width(320.0);
         let response = ui.add(edit).labelled_by(label.id);
         if !response.lost_focus() && !is_focus_in(ui) {
@@ -44,11 +105,10 @@ pub(in crate::editor) fn dialogs(editor: &mut Editor, context: &egui::Context) {
         is_done = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
         #[cfg(not(target_arch = "wasm32"))]
         {
-            let is_saved = !matches!(dialog, Dialog::Open(_));
-            let is_chosen =
-                crate::editor::files::choose(&mut dialog, &beside.unwrap_or_default(), ui);
+            let beside = beside.unwrap_or_default();
+            let is_chosen = crate::editor::files::choose(&purpose, &mut path, &beside, ui);
             // A file that is there is not written over by a slip.
-            is_done |= is_chosen && !is_saved;
+            is_done |= is_chosen && !purpose.writes();
         }
         ui.horizontal(|ui| {
             is_done |= ui.button(verb).clicked();
@@ -57,9 +117,9 @@ pub(in crate::editor) fn dialogs(editor: &mut Editor, context: &egui::Context) {
         });
     });
     if is_done {
-        editor.finish(&dialog);
+        editor.use_file(purpose, &path);
     } else if !is_given_up {
-        editor.settings.dialog = Some(dialog);
+        editor.settings.dialog = Some(Dialog::File(purpose, path));
     }
 }
 
@@ -71,14 +131,32 @@ fn is_focus_in(ui: &egui::Ui) -> bool {
 }
 
 impl Editor {
-    /// Does what was asked for.
-    fn finish(&mut self, dialog: &Dialog) {
-        match dialog {
-            Dialog::Open(path) => self.open_named(path),
-            Dialog::Export(kind, path) => self.export(*kind, path),
-            Dialog::Save(path) => {
+    /// Lets the user say which file something is done with.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(in crate::editor) fn ask_for_file(&mut self, purpose: FileUse) {
+        self.settings.dialog = Some(Dialog::File(purpose, String::new()));
+    }
+
+    /// Lets the user say which file something is done with. A page reads what its browser gives it.
+    #[cfg(target_arch = "wasm32")]
+    pub(in crate::editor) fn ask_for_file(&mut self, purpose: FileUse) {
+        if purpose.writes() {
+            self.settings.dialog = Some(Dialog::File(purpose, String::new()));
+        } else {
+            let asked = crate::browser::ask_for_file();
+            self.refuse_failed(asked);
+        }
+    }
+
+    /// Does something with a file.
+    fn use_file(&mut self, purpose: FileUse, path: &str) {
+        match purpose {
+            FileUse::Open => self.leave_for(Destination::File(path.to_owned())),
+            FileUse::Picture => self.show_picture(Path::new(path.trim())),
+            FileUse::Export(kind) => self.export(kind, path),
+            FileUse::Save(to) => {
                 let saved = self.save(Some(Path::new(path)));
-                self.refuse_failed(saved);
+                self.arrive_if_done(saved, to);
             }
         }
     }

@@ -1,11 +1,12 @@
 //! The row of menus.
 
 use super::table::ACTIONS;
-use super::{Action, Dialog, Menu};
+use super::{Action, Dialog, FileUse, Menu};
 use crate::document::PartOffer;
 use crate::editor::Editor;
 use crate::editor::example::EXAMPLES;
 use crate::editor::export::Export;
+use crate::editor::opening::Destination;
 use eframe::egui;
 
 /// The row of menus.
@@ -86,7 +87,7 @@ fn files(editor: &mut Editor, ui: &mut egui::Ui) {
                 .on_hover_text(example.help)
                 .clicked()
             {
-                editor.open_example(example);
+                editor.leave_for(Destination::Example(example));
                 ui.close();
             }
         }
@@ -94,7 +95,8 @@ fn files(editor: &mut Editor, ui: &mut egui::Ui) {
     ui.menu_button("Export", |ui| {
         for kind in Export::ALL {
             if ui.button(kind.name()).clicked() {
-                editor.settings.dialog = Some(Dialog::Export(kind, editor.export_path(kind)));
+                let path = editor.export_path(kind);
+                editor.settings.dialog = Some(Dialog::File(FileUse::Export(kind), path));
                 ui.close();
             }
         }

@@ -5,11 +5,13 @@ mod help;
 mod keys;
 mod menu;
 mod table;
+mod unsaved;
 
-pub(super) use dialog::{Dialog, dialogs};
+pub(super) use dialog::{Dialog, FileUse, dialogs};
 pub(super) use help::help;
 pub(super) use keys::{key_of_tool, obey_keys};
 pub(super) use menu::menu;
+pub(super) use unsaved::{Answer, ask_to_save};
 
 use super::Editor;
 use eframe::egui::KeyboardShortcut;

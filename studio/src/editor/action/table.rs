@@ -1,7 +1,7 @@
 //! The table.
 
-use super::{Action, Dialog, Menu};
-use crate::edit::Workspace;
+use super::{Action, FileUse, Menu};
+use crate::editor::opening::Destination;
 use crate::editor::panel::Panel;
 use crate::editor::settings::Visible;
 use crate::editor::{Editor, Tool};
@@ -10,6 +10,10 @@ use eframe::egui::{Key, KeyboardShortcut, Modifiers};
 
 const fn with_command(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(Modifiers::COMMAND, key)
+}
+
+const fn with_command_and_shift(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), key)
 }
 
 const fn alone(key: Key) -> KeyboardShortcut {
@@ -27,11 +31,7 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "begins with an empty text",
         key: Some(with_command(Key::N)),
         is_possible: ALWAYS,
-        perform: |editor| {
-            if editor.may_leave() {
-                editor.open(Workspace::default());
-            }
-        },
+        perform: |editor| editor.leave_for(Destination::Empty),
     },
     Action {
         menu: Menu::File,
@@ -39,7 +39,7 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "reads a file: of the language, of Linkage, or a link of PMKS+",
         key: Some(with_command(Key::O)),
         is_possible: ALWAYS,
-        perform: |editor| editor.settings.dialog = Some(Dialog::Open(String::new())),
+        perform: |editor| editor.ask_for_file(FileUse::Open),
     },
     Action {
         menu: Menu::File,
@@ -52,7 +52,7 @@ pub(super) const ACTIONS: &[Action] = &[
                 let saved = editor.save(None);
                 editor.refuse_failed(saved);
             } else {
-                editor.settings.dialog = Some(Dialog::Save(String::new()));
+                editor.ask_for_file(FileUse::Save(None));
             }
         },
     },
@@ -60,12 +60,26 @@ pub(super) const ACTIONS: &[Action] = &[
         menu: Menu::File,
         name: "Save as",
         help: "writes the text to a new file",
-        key: Some(KeyboardShortcut::new(
-            Modifiers::COMMAND.plus(Modifiers::SHIFT),
-            Key::S,
-        )),
+        key: Some(with_command_and_shift(Key::S)),
         is_possible: ALWAYS,
-        perform: |editor| editor.settings.dialog = Some(Dialog::Save(String::new())),
+        perform: |editor| editor.ask_for_file(FileUse::Save(None)),
+    },
+    Action {
+        menu: Menu::File,
+        name: "Copy text",
+        help: "puts the text on the clipboard",
+        key: None,
+        is_possible: ALWAYS,
+        perform: Editor::copy_text,
+    },
+    #[cfg(target_arch = "wasm32")]
+    Action {
+        menu: Menu::File,
+        name: "Copy link",
+        help: "puts an address on the clipboard that opens this text",
+        key: None,
+        is_possible: ALWAYS,
+        perform: Editor::copy_link,
     },
     Action {
         menu: Menu::Edit,
@@ -79,10 +93,7 @@ pub(super) const ACTIONS: &[Action] = &[
         menu: Menu::Edit,
         name: "Redo",
         help: "makes it again",
-        key: Some(KeyboardShortcut::new(
-            Modifiers::COMMAND.plus(Modifiers::SHIFT),
-            Key::Z,
-        )),
+        key: Some(with_command_and_shift(Key::Z)),
         is_possible: |editor| !editor.workspace().history().undone().is_empty(),
         perform: Editor::redo,
     },
@@ -120,6 +131,38 @@ pub(super) const ACTIONS: &[Action] = &[
     },
     Action {
         menu: Menu::Edit,
+        name: "Group",
+        help: "lets what is selected be selected together",
+        key: Some(with_command(Key::G)),
+        is_possible: SELECTED,
+        perform: Editor::group_selected,
+    },
+    Action {
+        menu: Menu::Edit,
+        name: "Ungroup",
+        help: "lets it be selected alone again",
+        key: Some(with_command_and_shift(Key::G)),
+        is_possible: SELECTED,
+        perform: Editor::ungroup_selected,
+    },
+    Action {
+        menu: Menu::Edit,
+        name: "Lock",
+        help: "lets the pointer not move what is selected",
+        key: Some(with_command(Key::L)),
+        is_possible: SELECTED,
+        perform: Editor::lock_selected,
+    },
+    Action {
+        menu: Menu::Edit,
+        name: "Unlock",
+        help: "lets the pointer move it again",
+        key: Some(with_command_and_shift(Key::L)),
+        is_possible: SELECTED,
+        perform: Editor::unlock_selected,
+    },
+    Action {
+        menu: Menu::Edit,
         name: "Stop the tool",
         help: "forgets what was picked, and selects again",
         key: Some(alone(Key::Escape)),
@@ -128,6 +171,14 @@ pub(super) const ACTIONS: &[Action] = &[
             editor.choose(Tool::Select);
             editor.selection.clear();
         },
+    },
+    Action {
+        menu: Menu::View,
+        name: "Picture behind",
+        help: "puts a picture behind the drawing, to be traced",
+        key: None,
+        is_possible: ALWAYS,
+        perform: |editor| editor.ask_for_file(FileUse::Picture),
     },
     Action {
         menu: Menu::View,

@@ -46,13 +46,13 @@ impl Canvas {
         background.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "drawing"));
         editor.camera.resize(size_of(rect));
         zoom(editor, &background, ui);
-        self.picture.show(editor, rect, ui);
-        let drawing = editor.seen_drawing().cloned();
-        let handles = drawing.iter().flat_map(Drawing::handles);
         let shown = Shown {
             rect,
             camera: editor.camera.clone(),
         };
+        self.picture.show(editor, &shown, ui);
+        let drawing = editor.seen_drawing().cloned();
+        let handles = drawing.iter().flat_map(Drawing::handles);
         Paint {
             editor,
             shown: &shown,
@@ -221,7 +221,13 @@ impl Canvas {
         } else {
             self.use_tool(editor, &response, Some(handle), shown, ui);
         }
-        let response = response.on_hover_ui(|ui| drop(ui.label(describe(handle))));
+        let is_locked = editor.is_locked(handle.item);
+        let response = response.on_hover_ui(|ui| {
+            ui.label(describe(handle));
+            if is_locked {
+                ui.label("locked");
+            }
+        });
         response.context_menu(|ui| menu(editor, handle, ui));
     }
 

@@ -278,6 +278,9 @@ impl Paint<'_> {
             HandleKind::Point => ring(painter, center, 4.0, color, stroke),
             HandleKind::Line => ring(painter, center, 3.0, fill, stroke),
         }
+        if self.editor.is_locked(handle.item) {
+            padlock(painter, center + Vec2::new(-11.0, -9.0), color);
+        }
         let Some(drawing) = drawing else {
             return;
         };
@@ -523,4 +526,11 @@ mod tests {
             [[0.0, 0.0], [1.0, 0.0]]
         );
     }
+}
+
+/// A small padlock, of something that the pointer cannot move.
+fn padlock(painter: &Painter, center: Pos2, color: Color32) {
+    let body = egui::Rect::from_center_size(center, Vec2::new(8.0, 6.0));
+    painter.circle_stroke(center - Vec2::new(0.0, 3.5), 2.5, Stroke::new(1.2, color));
+    painter.rect_filled(body, 1.0, color);
 }

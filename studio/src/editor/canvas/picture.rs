@@ -1,6 +1,6 @@
 //! The bodies of links, as the mechanism itself paints them.
 
-use super::size_of;
+use super::{Shown, size_of};
 use crate::editor::Editor;
 use crate::play::Revision;
 use eframe::egui;
@@ -23,13 +23,20 @@ struct Subject {
     view: View,
     size: [usize; 2],
     is_dark: bool,
+    /// Whether what is behind the bodies is seen where there are none.
+    is_glass: bool,
 }
 
 impl Picture {
-    /// Shows the bodies, if the mechanism moves and they are wanted; else the paper.
-    pub(super) fn show(&mut self, editor: &mut Editor, rect: Rect, ui: &egui::Ui) {
+    /// Shows the paper, the picture that is traced, and the bodies, if the mechanism moves and they are wanted.
+    pub(super) fn show(&mut self, editor: &mut Editor, shown: &Shown, ui: &egui::Ui) {
+        let rect = shown.rect;
         let paper = palette(editor).rgba(Palette::PAPER);
         ui.painter().rect_filled(rect, 0.0, color(paper));
+        if let Some(backdrop) = &mut editor.desk.backdrop {
+            let painter = ui.painter().with_clip_rect(rect);
+            backdrop.paint(&painter, |place| shown.pixel(place));
+        }
         if editor.shows_bodies()
             && self.paint(editor, rect, ui.ctx()).is_some()
             && let Some(texture) = &self.texture
@@ -56,6 +63,7 @@ impl Picture {
             view: View::new(view.center(), view.scale() * ratio),
             size,
             is_dark: editor.settings.is_dark,
+            is_glass: editor.desk.backdrop.is_some(),
         };
         if self.subject == Some(subject) {
             return Some(());
@@ -73,7 +81,12 @@ impl Picture {
         picture.clear();
         editor.seen_player()?.draw(picture);
         let pixels = picture.pixels().as_flattened();
-        let image = ColorImage::from_rgba_unmultiplied(size, pixels);
+        let mut image = ColorImage::from_rgba_unmultiplied(size, pixels);
+        if subject.is_glass {
+            let paper = color(palette(editor).rgba(Palette::PAPER));
+            let papers = image.pixels.iter_mut().filter(|pixel| **pixel == paper);
+            papers.for_each(|pixel| *pixel = Color32::TRANSPARENT);
+        }
         match &mut self.texture {
             Some(texture) => texture.set(image, TextureOptions::LINEAR),
             None => {

@@ -1,9 +1,9 @@
 //! The question before a window with unsaved changes is closed.
 
 use super::super::Editor;
-use super::super::action::Dialog;
+use super::super::action::{Answer, Dialog, FileUse, ask_to_save};
 use eframe::egui;
-use eframe::egui::{Key, ViewportCommand};
+use eframe::egui::ViewportCommand;
 
 /// The question before a window with unsaved changes is closed.
 #[derive(Default)]
@@ -42,7 +42,7 @@ impl Closing {
     }
 
     fn answer(&mut self, editor: &mut Editor, context: &egui::Context) -> bool {
-        match answer(editor, context) {
+        match ask_to_save(editor, context) {
             None => false,
             Some(Answer::Cancel) => {
                 *self = Self::Not;
@@ -59,7 +59,7 @@ impl Closing {
                 self.close_if_saved(editor, context)
             }
             Some(Answer::Save) => {
-                editor.settings.dialog = Some(Dialog::Save(String::new()));
+                editor.settings.dialog = Some(Dialog::File(FileUse::Save(None), String::new()));
                 *self = Self::Saves;
                 false
             }
@@ -74,40 +74,4 @@ impl Closing {
         }
         is_saved
     }
-}
-
-/// What the user says.
-#[derive(Clone, Copy)]
-enum Answer {
-    Save,
-    Discard,
-    Cancel,
-}
-
-fn answer(editor: &Editor, context: &egui::Context) -> Option<Answer> {
-    let mut given = None;
-    egui::Modal::new(egui::Id::unique("closing")).show(context, |ui| {
-        ui.heading("Save the changes?");
-        let name = editor.workspace().path().file_name().unwrap_or_default();
-        ui.label(format!(
-            "{} has changes that are not saved.",
-            name.display()
-        ));
-        ui.horizontal(|ui| {
-            let answers = [
-                ("Save", Answer::Save),
-                ("Discard", Answer::Discard),
-                ("Cancel", Answer::Cancel),
-            ];
-            for (word, answer) in answers {
-                if ui.button(word).clicked() {
-                    given = Some(answer);
-                }
-            }
-        });
-        if ui.input(|input| input.key_pressed(Key::Escape)) {
-            given = Some(Answer::Cancel);
-        }
-    });
-    given
 }

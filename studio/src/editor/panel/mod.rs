@@ -1,5 +1,6 @@
 //! What stands beside the drawing.
 
+mod behind;
 mod diagnoses;
 mod graph;
 mod help;

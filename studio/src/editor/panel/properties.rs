@@ -1,5 +1,6 @@
 //! The numbers of what is selected.
 
+use super::behind::behind;
 use super::motor::motor;
 use super::shapes::shapes;
 use crate::edit::{Command, Kind};
@@ -16,6 +17,7 @@ pub(in crate::editor) fn properties(editor: &mut Editor, ui: &mut egui::Ui) {
     if selected.is_empty() {
         ui.weak("Nothing is selected. Click a link, a joint or a point.");
         whole(editor, ui);
+        behind(editor, ui);
         return;
     }
     let mut gestures: Vec<Gesture> = Vec::new();
@@ -36,6 +38,7 @@ pub(in crate::editor) fn properties(editor: &mut Editor, ui: &mut egui::Ui) {
                 }
                 ui.separator();
             }
+            behind(editor, ui);
         });
     for gesture in gestures {
         editor.perform(gesture);

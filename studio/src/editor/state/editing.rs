@@ -129,6 +129,8 @@ impl Editor {
         match saving.write() {
             Ok(path) => {
                 self.tell(format!("saved `{}`", path.display()));
+                #[cfg(not(target_arch = "wasm32"))]
+                self.desk.keep(&path)?;
                 Ok(())
             }
             Err(failure) => {

@@ -4,6 +4,7 @@ mod editing;
 mod findings;
 mod playing;
 
+use super::desk::Desk;
 use super::dragging::Dragging;
 use super::drawing::Drawing;
 use super::ghost::Ghost;
@@ -78,6 +79,10 @@ pub struct Editor {
     pub(in crate::editor) ghost: Option<Ghost>,
     /// What is plotted.
     pub(in crate::editor) plotted: Plotted,
+    /// What stands around the text.
+    pub(in crate::editor) desk: Desk,
+    /// What goes to the clipboard next.
+    pub(in crate::editor) to_clipboard: Option<String>,
 }
 
 impl Editor {
@@ -140,8 +145,12 @@ impl Editor {
             under_text: None,
             ghost: None,
             plotted: Plotted::default(),
+            desk: Desk::default(),
+            to_clipboard: None,
         };
         editor.read();
+        #[cfg(not(target_arch = "wasm32"))]
+        editor.lay_desk();
         editor
     }
 

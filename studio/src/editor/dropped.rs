@@ -1,0 +1,66 @@
+//! Files that are dropped on the window, or that the page was given by its browser.
+
+use super::Editor;
+use super::desk::is_picture;
+use super::opening::Destination;
+use eframe::egui;
+use eframe::egui::DroppedFileHandle;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// A file with its bytes, or why they cannot be read.
+type Read = (PathBuf, Result<Vec<u8>, String>);
+
+/// Files that are dropped, from when they are dropped until they are read: a browser takes its time.
+#[derive(Default)]
+pub(super) struct Dropped(Arc<Mutex<Vec<Read>>>);
+
+impl Dropped {
+    /// Takes the file that is dropped on the window.
+    pub(super) fn take(&self, editor: &mut Editor, context: &egui::Context) {
+        let dropped = context.input(|input| input.raw.dropped_files.clone());
+        match &dropped[..] {
+            [] => {}
+            [file] => read(file.clone(), Arc::clone(&self.0), context.clone()),
+            _ => editor.refuse("drop one file at a time"),
+        }
+        let read = std::mem::take(&mut *self.0.lock().unwrap_or_else(PoisonError::into_inner));
+        for (path, bytes) in read {
+            match bytes {
+                Ok(bytes) => editor.take_file(&path, bytes),
+                Err(error) => editor.refuse(format!("cannot read `{}`: {error}", path.display())),
+            }
+        }
+    }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+fn read(file: DroppedFileHandle, to: Arc<Mutex<Vec<Read>>>, context: egui::Context) {
+    let read = (file.path().to_owned(), file.bytes());
+    to.lock().unwrap_or_else(PoisonError::into_inner).push(read);
+    context.request_repaint();
+}
+
+#[cfg(target_arch = "wasm32")]
+fn read(file: DroppedFileHandle, to: Arc<Mutex<Vec<Read>>>, context: egui::Context) {
+    wasm_bindgen_futures::spawn_local(async move {
+        let read = (file.path().to_owned(), file.bytes_async().await);
+        to.lock().unwrap_or_else(PoisonError::into_inner).push(read);
+        context.request_repaint();
+    });
+}
+
+impl Editor {
+    /// Takes a file: a picture goes behind the drawing, a text is edited, if the present one may be left.
+    pub fn take_file(&mut self, path: &Path, bytes: Vec<u8>) {
+        if is_picture(path) {
+            let shown = self.set_backdrop(path, &bytes);
+            self.refuse_failed(shown);
+            return;
+        }
+        match String::from_utf8(bytes) {
+            Ok(text) => self.leave_for(Destination::text(path, text)),
+            Err(_) => self.refuse(format!("`{}` is no text", path.display())),
+        }
+    }
+}
