@@ -67,6 +67,9 @@ impl Studio {
     pub fn show(&mut self, ui: &mut egui::Ui) {
         let editor = &mut self.editor;
         editor.look();
+        if editor.analyse_on() {
+            ui.ctx().request_repaint();
+        }
         let theme = if editor.settings.is_dark {
             egui::Theme::Dark
         } else {

@@ -60,6 +60,12 @@ impl User {
         Self::before_studio(size, Studio::new(editor))
     }
 
+    /// With the page in a browser, which has no threads.
+    pub(crate) fn in_browser() -> Self {
+        let editor = Editor::in_pieces(Workspace::unsaved("test.mech", ""));
+        Self::before_studio([1280.0, 800.0], Studio::new(editor))
+    }
+
     /// Before a file on the disk, which is watched; its text is kept while it is not saved.
     pub(crate) fn at_file(path: &Path) -> Self {
         let workspace = if path.exists() {

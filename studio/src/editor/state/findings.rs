@@ -48,6 +48,13 @@ impl Editor {
         self.give(task);
     }
 
+    /// Does a piece of the analysis, where there is no thread for it. Returns whether there is more to do.
+    pub(in crate::editor) fn analyse_on(&mut self) -> bool {
+        let is_more = self.worker.go_on();
+        self.look();
+        is_more
+    }
+
     /// Takes over what was found out since.
     pub fn look(&mut self) {
         loop {

@@ -94,9 +94,15 @@ impl Editor {
         #[cfg(target_arch = "wasm32")]
         let worker = {
             drop(wake);
-            Worker::immediate()
+            Worker::in_pieces()
         };
         Self::with(workspace, worker)
+    }
+
+    /// One that analyses in pieces, one after each picture, as in a browser.
+    #[must_use]
+    pub fn in_pieces(workspace: Workspace) -> Self {
+        Self::with(workspace, Worker::in_pieces())
     }
 
     /// One that does everything at once, so that nothing has to be waited for.

@@ -1,0 +1,85 @@
+//! What there is to do, in pieces.
+
+use super::{Finding, Task};
+use crate::edit::apply_all;
+use crate::editor::curves::Curves;
+use crate::editor::snapshot::Snapshot;
+use std::collections::VecDeque;
+use std::sync::Arc;
+
+/// What there is to do, in pieces.
+#[derive(Default)]
+pub(in crate::editor) struct Agenda {
+    /// What was given.
+    given: VecDeque<Task>,
+    /// What follows from the last text, when nothing that was given waits.
+    follows: VecDeque<Task>,
+}
+
+impl Agenda {
+    /// With this to do.
+    pub(super) fn of(task: Task) -> Self {
+        Self {
+            given: [task].into(),
+            follows: VecDeque::new(),
+        }
+    }
+
+    /// Notes something to do.
+    pub(super) fn add(&mut self, task: Task) {
+        self.given.push_back(task);
+    }
+
+    /// Whether there is nothing to do.
+    pub(super) fn is_done(&self) -> bool {
+        self.given.is_empty() && self.follows.is_empty()
+    }
+
+    /// Does the next piece, and tells what was found out.
+    pub(super) fn go_on(&mut self) -> Option<Finding> {
+        let task = self.given.pop_front();
+        match task.or_else(|| self.follows.pop_front())? {
+            Task::Try {
+                document,
+                index,
+                gesture,
+            } => match apply_all(&document, index, &gesture.title, &gesture.commands) {
+                Ok(applied) => {
+                    let (document, reading) = (applied.document.clone(), applied.reading.clone());
+                    let snapshot = Arc::new(Snapshot::analysed(document, index, reading));
+                    self.go_on_with(&snapshot);
+                    Some(Finding::Tried(Box::new(Ok((applied, snapshot)))))
+                }
+                Err(refusal) => Some(Finding::Tried(Box::new(Err(refusal)))),
+            },
+            Task::Read { document, index } => {
+                let snapshot = Arc::new(Snapshot::of(document, index));
+                self.go_on_with(&snapshot);
+                Some(Finding::Read(snapshot))
+            }
+            Task::Preview { document, index } => {
+                let snapshot = Arc::new(Snapshot::of(document, index));
+                let played = snapshot.played();
+                Some(Finding::Previewed(snapshot, Box::new(played)))
+            }
+            Task::Export(order) => Some(Finding::Exported(order.fulfil())),
+            Task::Measure { snapshot, wanted } => {
+                Some(Finding::Measured(Box::new(Curves::of(snapshot, wanted))))
+            }
+            Task::Move(snapshot) => {
+                let made = snapshot.played()?;
+                Some(Finding::Moves(snapshot, Box::new(made)))
+            }
+            Task::Mend(snapshot) => {
+                let mendings = snapshot.mendings();
+                Some(Finding::Mended(snapshot, mendings))
+            }
+        }
+    }
+
+    /// What follows from a new text. Nobody waits any more for what follows from an earlier one.
+    fn go_on_with(&mut self, snapshot: &Arc<Snapshot>) {
+        let (moved, mended) = (Task::Move(snapshot.clone()), Task::Mend(snapshot.clone()));
+        self.follows = [moved, mended].into();
+    }
+}

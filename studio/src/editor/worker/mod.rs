@@ -1,0 +1,192 @@
+//! The analysis beside the window: gestures are tried, and texts read, without a stutter.
+//!
+//! A task is done in pieces, so that what the user waits for comes first: what the compiler makes of a text, then the mechanism that is
+//! played, then the repairs. With threads the pieces are done beside the window, in a browser one after each picture.
+
+mod agenda;
+
+use agenda::Agenda;
+
+use super::Gesture;
+use super::curves::{Curves, Wanted};
+use super::export::Order;
+use super::snapshot::{Played, Snapshot};
+use crate::document::Document;
+use crate::edit::{Applied, Refusal};
+use crate::failure::Failure;
+use crate::mend::Mending;
+use std::collections::VecDeque;
+use std::sync::Arc;
+#[cfg(not(target_arch = "wasm32"))]
+use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
+
+/// What there is to do.
+pub(super) enum Task {
+    /// A gesture is tried on a text.
+    Try {
+        document: Document,
+        index: usize,
+        gesture: Gesture,
+    },
+    /// A text is read.
+    Read { document: Document, index: usize },
+    /// A text is read that will be another at once: while something is dragged.
+    Preview { document: Document, index: usize },
+    /// A mechanism is measured.
+    Measure {
+        snapshot: Arc<Snapshot>,
+        wanted: Wanted,
+    },
+    /// A file is written.
+    Export(Box<Order>),
+    /// The mechanism of a snapshot is made, to be played.
+    Move(Arc<Snapshot>),
+    /// The repairs of a snapshot are looked for.
+    Mend(Arc<Snapshot>),
+}
+
+/// What was found out.
+pub(super) enum Finding {
+    /// What a gesture does, and what the compiler makes of that; or why it is refused.
+    Tried(Box<Result<(Applied, Arc<Snapshot>), Refusal>>),
+    /// What the compiler makes of a text.
+    Read(Arc<Snapshot>),
+    /// What the compiler makes of a text while something is dragged, and the mechanism, if it moves.
+    Previewed(Arc<Snapshot>, Box<Option<Result<Played, Failure>>>),
+    /// The mechanism of a snapshot, to be played.
+    Moves(Arc<Snapshot>, Box<Result<Played, Failure>>),
+    /// The repairs of a snapshot.
+    Mended(Arc<Snapshot>, Result<Vec<Mending>, Failure>),
+    /// What was measured.
+    Measured(Box<Curves>),
+    /// What was written, or why nothing was.
+    Exported(Result<String, Failure>),
+}
+
+/// Does tasks: beside the window, in pieces, or at once.
+pub(super) enum Worker {
+    /// At once: for tests, which want to know what comes when.
+    Immediate(VecDeque<Finding>),
+    /// In pieces, of which one is done after each picture: where there are no threads.
+    InPieces {
+        agenda: Agenda,
+        found: VecDeque<Finding>,
+        /// Whether a picture was shown since the last piece.
+        is_shown: bool,
+    },
+    /// In a thread of its own.
+    #[cfg(not(target_arch = "wasm32"))]
+    Thread {
+        tasks: Sender<Task>,
+        findings: Receiver<Finding>,
+    },
+}
+
+impl Worker {
+    /// One that does everything at once.
+    pub(super) const fn immediate() -> Self {
+        Self::Immediate(VecDeque::new())
+    }
+
+    /// One that does a piece after each picture.
+    pub(super) fn in_pieces() -> Self {
+        Self::InPieces {
+            agenda: Agenda::default(),
+            found: VecDeque::new(),
+            is_shown: false,
+        }
+    }
+
+    /// One with a thread of its own, which calls `wake` when it has found something out.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(super) fn beside(wake: impl Fn() + Send + 'static) -> Self {
+        let (tasks, to_do) = channel();
+        let (found, findings) = channel();
+        std::thread::spawn(move || serve(&to_do, &found, wake));
+        Self::Thread { tasks, findings }
+    }
+
+    /// Gives it something to do.
+    pub(super) fn give(&mut self, task: Task) -> Result<(), Failure> {
+        match self {
+            Self::Immediate(found) => {
+                let mut agenda = Agenda::of(task);
+                while !agenda.is_done() {
+                    found.extend(agenda.go_on());
+                }
+                Ok(())
+            }
+            // The first piece is what the user waits for.
+            Self::InPieces {
+                agenda,
+                found,
+                is_shown,
+            } => {
+                agenda.add(task);
+                found.extend(agenda.go_on());
+                *is_shown = false;
+                Ok(())
+            }
+            #[cfg(not(target_arch = "wasm32"))]
+            Self::Thread { tasks, .. } => tasks.send(task).map_err(|_| ended()),
+        }
+    }
+
+    /// Does the next piece between pictures, if it works so, once a picture has shown what the last one found. Returns whether there is more.
+    pub(super) fn go_on(&mut self) -> bool {
+        let Self::InPieces {
+            agenda,
+            found,
+            is_shown,
+        } = self
+        else {
+            return false;
+        };
+        if *is_shown {
+            found.extend(agenda.go_on());
+        }
+        *is_shown = !*is_shown;
+        !agenda.is_done()
+    }
+
+    /// The next of what was found out.
+    pub(super) fn next(&mut self) -> Result<Option<Finding>, Failure> {
+        match self {
+            Self::Immediate(found) | Self::InPieces { found, .. } => Ok(found.pop_front()),
+            #[cfg(not(target_arch = "wasm32"))]
+            Self::Thread { findings, .. } => match findings.try_recv() {
+                Ok(finding) => Ok(Some(finding)),
+                Err(TryRecvError::Empty) => Ok(None),
+                Err(TryRecvError::Disconnected) => Err(ended()),
+            },
+        }
+    }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+fn ended() -> Failure {
+    Failure::internal("the analysis beside the window has ended")
+}
+
+/// Does what comes, until nobody listens any more: the window is closed then.
+#[cfg(not(target_arch = "wasm32"))]
+fn serve(to_do: &Receiver<Task>, found: &Sender<Finding>, wake: impl Fn()) {
+    let mut agenda = Agenda::default();
+    loop {
+        if agenda.is_done() {
+            match to_do.recv() {
+                Ok(task) => agenda.add(task),
+                Err(_) => return,
+            }
+        }
+        while let Ok(task) = to_do.try_recv() {
+            agenda.add(task);
+        }
+        if let Some(finding) = agenda.go_on() {
+            if found.send(finding).is_err() {
+                return;
+            }
+            wake();
+        }
+    }
+}
