@@ -3,6 +3,7 @@
 use crate::document::Document;
 use crate::edit::{self, apply};
 use crate::failure::Failure;
+use crate::text::quoted;
 use std::str::FromStr;
 
 /// A constant or a param and its value, as it is typed: `size=2`.
@@ -39,15 +40,10 @@ impl Assignment {
         };
         let Self { name, value } = self;
         if !listing.constants().any(|known| known == name) {
-            let known: Vec<String> = listing.constants().map(|one| format!("`{one}`")).collect();
-            let known = if known.is_empty() {
-                "it has none".to_owned()
-            } else {
-                format!("it has {}", known.join(", "))
-            };
+            let known = quoted(listing.constants());
             let mechanism = declaration.name.as_deref().unwrap_or("the mechanism");
             return Err(Failure::usage(format!(
-                "`{mechanism}` has no constant or param `{name}`; {known}"
+                "`{mechanism}` has no constant or param `{name}`; it has {known}"
             )));
         }
         let command = edit::Command::Set {

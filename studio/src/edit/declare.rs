@@ -2,7 +2,7 @@
 
 use super::{Change, Command, Expression, Pair, Refusal, Scene};
 use crate::mend::Rewriter;
-use crate::text::{Kind as Lexical, Lexer, Statement, is_of_word};
+use crate::text::{Kind as Lexical, Lexer, Statement, is_of_word, quoted};
 
 /// Where constants stand: before everything that may use them.
 const NUMBERS: [&str; 2] = ["const", "param"];
@@ -117,16 +117,11 @@ pub(super) fn declare(scene: &Scene, command: &Command) -> Result<Change, Refusa
 /// Sets a number by its role.
 pub(super) fn set(scene: &Scene, owner: &str, role: &str, value: &str) -> Result<Change, Refusal> {
     let Some(number) = scene.listing.number(owner, role) else {
-        let numbers = scene.listing.numbers_of(owner);
-        let roles: Vec<String> = numbers.map(|one| format!("`{}`", one.role)).collect();
-        return Err(Refusal::of(if roles.is_empty() {
-            format!("`{owner}` has no numbers here")
-        } else {
-            format!(
-                "`{owner}` has no number `{role}`; it has {}",
-                roles.join(", ")
-            )
-        }));
+        let roles = scene.listing.numbers_of(owner).map(|one| &one.role);
+        let roles = quoted(roles);
+        return Err(Refusal::of(format!(
+            "`{owner}` has no number `{role}`; it has {roles}"
+        )));
     };
     if number.is_pair || role == "color" || role.ends_with(" color") {
         check_fragment(value)?;

@@ -2,6 +2,7 @@
 
 use super::obstacle;
 use crate::failure::Failure;
+use crate::text::quoted;
 use mech_compiler::Compiled;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{JointId, JointKind, Model, MotorId};
@@ -83,15 +84,12 @@ pub(crate) fn read_value(text: &str) -> Result<f64, String> {
 pub(crate) fn motor_of(model: &Model, name: &str) -> Result<MotorId, Failure> {
     let named = |id: &MotorId| model.joint(model.motor(*id).joint).name == name;
     model.motor_ids().find(named).ok_or_else(|| {
-        let names: Vec<String> = model
-            .motors
-            .iter()
-            .map(|motor| format!("`{}`", model.joint(motor.joint).name))
-            .collect();
+        let motors = model.motors.iter();
+        let names = motors.map(|motor| &model.joint(motor.joint).name);
         Failure::usage(format!(
             "`{}` has no motor `{name}`; it has {}",
             model.name,
-            names.join(", ")
+            quoted(names)
         ))
     })
 }

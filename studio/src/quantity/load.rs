@@ -1,6 +1,7 @@
 //! Loads as they are typed.
 
 use crate::failure::Failure;
+use crate::text::quoted;
 use mech_compiler::model::{LoadKind, Model};
 
 /// A load and its numbers, as they are typed: `push=-100,0`.
@@ -38,18 +39,10 @@ pub(super) fn numbers(model: &Model, given: &[Load]) -> Result<Vec<f64>, Failure
     {
         let mut all = model.actions.numbered_loads();
         let Some((first, load)) = all.find(|(_, load)| load.name == *name) else {
-            let names: Vec<String> = loads
-                .iter()
-                .map(|load| format!("`{}`", load.name))
-                .collect();
-            let known = if names.is_empty() {
-                "it has none".to_owned()
-            } else {
-                format!("it has {}", names.join(", "))
-            };
             return Err(Failure::usage(format!(
-                "`{}` has no load `{name}`; {known}",
-                model.name
+                "`{}` has no load `{name}`; it has {}",
+                model.name,
+                quoted(loads.iter().map(|load| &load.name))
             )));
         };
         if values.len() != load.kind.numbers() {

@@ -3,6 +3,7 @@
 use super::kind::{Order, Part, Quantity, Reaction, Subject};
 use crate::failure::Failure;
 use crate::motion::motor_of;
+use crate::text::quoted;
 use mech_compiler::model::{AxisId, AxisKind, JointId, JointKind, LinkId, Model};
 use mech_compiler::plan::Plan;
 
@@ -179,33 +180,26 @@ pub(super) fn has_coordinate(model: &Model, joint: JointId) -> bool {
 }
 
 fn unknown(model: &Model, name: &str) -> Failure {
-    let names = |names: Vec<String>| {
-        let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
-        quoted.join(", ")
-    };
     let points = points(model).filter_map(|id| point_name(model, id));
     let joints = model
         .declared_joints()
-        .map(|joint| model.joint(joint).name.clone());
-    let links = model
-        .declared_links()
-        .map(|link| model.link(link).name.clone());
+        .map(|joint| &model.joint(joint).name);
+    let links = model.declared_links().map(|link| &model.link(link).name);
     Failure::usage(format!(
         "`{}` has no joint, link or point `{name}`; it has joints {}; links {}; points {}",
         model.name,
-        names(joints.collect()),
-        names(links.collect()),
-        names(points.collect())
+        quoted(joints),
+        quoted(links),
+        quoted(points)
     ))
 }
 
 fn unknown_joint(model: &Model, name: &str) -> Failure {
     let joints = model.declared_joints();
-    let joints = joints.map(|joint| format!("`{}`", model.joint(joint).name));
-    let joints: Vec<String> = joints.collect();
+    let joints = joints.map(|joint| &model.joint(joint).name);
     Failure::usage(format!(
         "`{}` has no joint `{name}`; it has {}",
         model.name,
-        joints.join(", ")
+        quoted(joints)
     ))
 }

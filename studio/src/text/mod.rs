@@ -3,6 +3,7 @@
 mod draft;
 mod lexer;
 mod number;
+mod quoted;
 mod statement;
 
 pub use draft::Replacement;
@@ -10,4 +11,5 @@ pub(crate) use draft::{Draft, written};
 pub(crate) use lexer::{Kind, Lexeme, Lexer, is_of_word};
 pub(crate) use number::rounded;
 pub(crate) use number::{shortest, written_like};
+pub(crate) use quoted::quoted;
 pub(crate) use statement::{Statement, statements};
