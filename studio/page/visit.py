@@ -151,6 +151,13 @@ class Visit:
         self.say("Input.dispatchKeyEvent", type="keyDown", text=key["key"], **key)
         self.say("Input.dispatchKeyEvent", type="keyUp", **key)
 
+    def choose(self, path):
+        """Chooses a file where the page asks for one."""
+        root = self.say("DOM.getDocument")["root"]["nodeId"]
+        chooser = self.say("DOM.querySelector", nodeId=root, selector="#file")["nodeId"]
+        self.say("DOM.setFileInputFiles", nodeId=chooser, files=[str(path)])
+        time.sleep(1)
+
     def shoot(self, path):
         picture = self.say("Page.captureScreenshot", format="png")["data"]
         Path(path).write_bytes(base64.b64decode(picture))
@@ -194,6 +201,15 @@ def visit_all(browser, site, folder, shots):
         visit.until_ready()
         visit.shoot(shots / f"{name}.png")
         visit.end()
+
+    # Somebody chooses a mechanism, and then a picture to be traced.
+    visit = Visit(browser, site)
+    visit.until_ready()
+    visit.choose(Path(folder, "page/mechanisms/watt.rs").resolve())
+    visit.shoot(shots / "chosen.png")
+    visit.choose((shots / "exhibit.png").resolve())
+    visit.shoot(shots / "traced.png")
+    visit.end()
 
     # What is not there is told, instead of an empty window.
     visit = Visit(browser, f"{site}?file=nobody.rs")

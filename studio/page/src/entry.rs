@@ -9,19 +9,21 @@ use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 #[wasm_bindgen]
 pub struct Running(WebRunner);
 
-/// Runs the editor in a canvas, with a text that has this name.
+/// Runs the editor in a canvas, with a text that has this name; without a name with an example.
 ///
 /// # Errors
 /// If the browser has no WebGL.
 #[wasm_bindgen]
 pub async fn start(
     canvas: HtmlCanvasElement,
-    name: String,
+    name: Option<String>,
     text: String,
 ) -> Result<Running, JsValue> {
     let runner = WebRunner::new();
-    let app: AppCreator<'static> =
-        Box::new(move |made| Ok(Box::new(Page::new(&name, &text, made.egui_ctx.clone()))));
+    let app: AppCreator<'static> = Box::new(move |made| {
+        let page = Page::new(name.as_deref(), &text, made.egui_ctx.clone());
+        Ok(Box::new(page?))
+    });
     runner.start(canvas, WebOptions::default(), app).await?;
     Ok(Running(runner))
 }

@@ -2,8 +2,8 @@
 
 use eframe::egui::{Context, Ui};
 use eframe::{App, Frame, web_sys};
-use mech_studio::editor::{Editor, Studio};
-use mech_studio::{Source, Workspace};
+use mech_studio::editor::{Editor, Studio, first_example};
+use mech_studio::{Failure, Source, Workspace};
 use std::path::Path;
 
 /// The studio in a canvas of a page.
@@ -15,16 +15,22 @@ pub(crate) struct Page {
 }
 
 impl Page {
-    /// With a text that has this name.
-    pub(crate) fn new(name: &str, text: &str, context: Context) -> Self {
-        let workspace = Workspace::of(Source::new(name, text));
+    /// With a text that has this name; without a name with an example.
+    ///
+    /// # Errors
+    /// If the example cannot be read.
+    pub(crate) fn new(name: Option<&str>, text: &str, context: Context) -> Result<Self, Failure> {
+        let workspace = match name {
+            Some(name) => Workspace::of(Source::new(name, text)),
+            None => first_example()?,
+        };
         // There is no thread that could have something new to show.
         let editor = Editor::new(workspace, || {});
-        Self {
+        Ok(Self {
             studio: Studio::new(editor),
             context,
             is_announced: false,
-        }
+        })
     }
 
     /// Gives the editor a file that the user has chosen.

@@ -7,6 +7,7 @@
 mod action;
 mod arrow;
 mod canvas;
+mod colors;
 mod curves;
 mod desk;
 mod dragging;
@@ -41,6 +42,7 @@ mod worker;
 
 pub use arrow::{Arrow, ArrowKind};
 pub use drawing::{Drawing, Handle, HandleKind};
+pub use example::first_example;
 pub use gesture::Gesture;
 pub use item::Item;
 pub use state::{Editor, Notice};

@@ -1,6 +1,7 @@
 //! What is painted over and under the bodies: the grid, the schematic, paths, handles, and what a tool is about.
 
 use super::Shown;
+use crate::editor::colors::distinct;
 use crate::editor::drawing::{Drawing, Handle, HandleKind};
 use crate::editor::settings::Visible;
 use crate::editor::snap::{Snapped, grid};
@@ -10,16 +11,6 @@ use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Stroke, Vec2};
 use mech_compiler::model::{JointKind, LinkId, ShapeKind};
 use std::collections::HashSet;
 
-/// Colours of links that can be told apart by all readers, by day and by night.
-const COLORS: [Color32; 7] = [
-    Color32::from_rgb(0, 114, 178),
-    Color32::from_rgb(213, 94, 0),
-    Color32::from_rgb(0, 158, 115),
-    Color32::from_rgb(204, 121, 167),
-    Color32::from_rgb(230, 159, 0),
-    Color32::from_rgb(86, 180, 233),
-    Color32::from_rgb(120, 120, 60),
-];
 const PIN: f32 = 6.0;
 
 /// Paints what is seen besides the bodies.
@@ -129,7 +120,7 @@ impl Paint<'_> {
             Color32::GRAY.gamma_multiply(0.3 * strength),
         );
         for (index, link) in drawing.model.declared_links().enumerate() {
-            let color = COLORS[index % COLORS.len()].gamma_multiply(strength);
+            let color = distinct(index).gamma_multiply(strength);
             self.shapes(painter, drawing, link, color.gamma_multiply(0.4));
             if let Some((center, radius)) = drawing.wheel(link) {
                 painter.circle(

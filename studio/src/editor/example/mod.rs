@@ -109,6 +109,15 @@ impl Example {
     }
 }
 
+/// The simplest of all examples, to begin with where nobody has said with what.
+///
+/// # Errors
+/// If its file has no mechanism, which is a mistake of ours.
+pub fn first_example() -> Result<Workspace, Failure> {
+    let [first, ..] = &EXAMPLES;
+    Ok(Workspace::unsaved(first.file, first.text()?))
+}
+
 impl Editor {
     /// Opens an example.
     pub(super) fn open_example(&mut self, example: &Example) {

@@ -1,6 +1,7 @@
 //! Graphs of what moves.
 
 use crate::editor::Editor;
+use crate::editor::colors::distinct;
 use crate::editor::curves::Curves;
 use crate::editor::range::{Basis, MotorRange};
 use crate::quantity::{Table, round_step, tick};
@@ -15,15 +16,6 @@ pub(in crate::editor) struct Plots {
     typed: String,
 }
 
-/// Colours of curves, which all readers can tell apart, by day and by night.
-const COLORS: [Color32; 6] = [
-    Color32::from_rgb(0, 114, 178),
-    Color32::from_rgb(213, 94, 0),
-    Color32::from_rgb(0, 158, 115),
-    Color32::from_rgb(204, 121, 167),
-    Color32::from_rgb(230, 159, 0),
-    Color32::from_rgb(86, 180, 233),
-];
 /// The least height of a graph, in points of the window.
 const LEAST: f32 = 170.0;
 
@@ -252,7 +244,7 @@ fn readings(
 /// The colour of a curve; what is of an earlier text is grey.
 fn color(column: usize, is_present: bool) -> Color32 {
     if is_present {
-        COLORS[(column - 1) % COLORS.len()]
+        distinct(column - 1)
     } else {
         Color32::GRAY.gamma_multiply(0.6)
     }
