@@ -1,9 +1,11 @@
 //! Somebody who uses the studio, and counts the gestures.
 
+mod pointer;
+
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    DroppedFile, Event, Key, Modifiers, PointerButton, Pos2, Rect, TouchDeviceId, TouchId,
-    TouchPhase, Vec2, ViewportCommand, ViewportEvent, ViewportId,
+    DroppedFile, Event, Key, Modifiers, Pos2, Rect, Vec2, ViewportCommand, ViewportEvent,
+    ViewportId,
 };
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -203,107 +205,6 @@ impl User {
         self.gestures += 2;
     }
 
-    /// Taps with a finger.
-    pub(crate) fn tap(&mut self, at: Pos2) {
-        self.touch(TouchPhase::Start, at);
-        self.press(at);
-        self.touch(TouchPhase::End, at);
-        self.release(at);
-        self.harness.event(Event::PointerGone);
-        self.harness.run_steps(2);
-        self.gestures += 1;
-    }
-
-    /// Taps what has this name.
-    #[track_caller]
-    pub(crate) fn tap_on(&mut self, label: &str) {
-        let at = self.place_of(label).center();
-        assert!(
-            self.harness.ctx.content_rect().contains(at),
-            "{label} is not in the window: {at:?}"
-        );
-        self.tap(at);
-    }
-
-    /// Moves a finger over the screen.
-    pub(crate) fn swipe(&mut self, from: Pos2, to: Pos2) {
-        self.touch(TouchPhase::Start, from);
-        self.press(from);
-        for part in [0.3, 0.7, 1.0] {
-            let at = from + part * (to - from);
-            self.touch(TouchPhase::Move, at);
-            self.harness.event(Event::PointerMoved(at));
-            self.harness.run_steps(1);
-        }
-        self.touch(TouchPhase::End, to);
-        self.release(to);
-        self.harness.event(Event::PointerGone);
-        self.harness.run_steps(2);
-        self.gestures += 1;
-    }
-
-    fn touch(&mut self, phase: TouchPhase, pos: Pos2) {
-        self.harness.event(Event::Touch {
-            device_id: TouchDeviceId(0),
-            id: TouchId(0),
-            phase,
-            pos,
-            force: None,
-        });
-    }
-
-    /// Clicks a place of the scene.
-    pub(crate) fn click(&mut self, place: [f64; 2]) {
-        self.mean(&[place]);
-        let at = self.pixel(place);
-        self.press(at);
-        self.release(at);
-        self.gestures += 1;
-    }
-
-    /// Clicks a place of the scene with Shift held.
-    pub(crate) fn click_with_shift(&mut self, place: [f64; 2]) {
-        self.modifiers = Modifiers::SHIFT;
-        self.harness.event(Event::ModifiersChanged(self.modifiers));
-        let at = self.pixel(place);
-        self.press(at);
-        self.release(at);
-        self.modifiers = Modifiers::NONE;
-        self.harness.event(Event::ModifiersChanged(self.modifiers));
-        self.gestures += 1;
-    }
-
-    /// Drags what is at a place of the scene to another.
-    pub(crate) fn move_handle(&mut self, from: [f64; 2], to: [f64; 2]) {
-        self.mean(&[to]);
-        self.press_and_release(from, to);
-    }
-
-    /// Presses at one place of the scene, and releases at another.
-    pub(crate) fn drag(&mut self, from: [f64; 2], to: [f64; 2]) {
-        self.mean(&[from, to]);
-        self.press_and_release(from, to);
-    }
-
-    fn press_and_release(&mut self, from: [f64; 2], to: [f64; 2]) {
-        let [from, to] = [from, to].map(|place| self.pixel(place));
-        self.press(from);
-        for part in [0.3, 0.7, 1.0] {
-            self.harness
-                .event(Event::PointerMoved(from + part * (to - from)));
-            self.harness.run_steps(1);
-        }
-        self.release(to);
-        self.gestures += 1;
-    }
-
-    /// Presses and releases with Alt held: nothing snaps.
-    pub(crate) fn drag_with_alt(&mut self, from: [f64; 2], to: [f64; 2]) {
-        self.harness.event(Event::ModifiersChanged(Modifiers::ALT));
-        self.modifiers = Modifiers::ALT;
-        self.press_and_release(from, to);
-    }
-
     /// Lets the keys go to what has this name.
     pub(crate) fn focus(&mut self, label: &str) {
         self.harness.get_by_label(label).focus();
@@ -315,36 +216,6 @@ impl User {
         self.harness.event(Event::Text(text.to_owned()));
         self.harness.run_steps(2);
         self.gestures += 1;
-    }
-
-    /// Places that are not on the grid are meant exactly: Alt is held.
-    fn mean(&mut self, places: &[[f64; 2]]) {
-        let is_on_grid = |part: &f64| (part * 5.0 - (part * 5.0).round()).abs() < 1e-9;
-        let alt = !places.as_flattened().iter().all(is_on_grid);
-        self.modifiers = if alt { Modifiers::ALT } else { Modifiers::NONE };
-        self.harness.event(Event::ModifiersChanged(self.modifiers));
-        self.harness.run_steps(1);
-    }
-
-    fn press(&mut self, at: Pos2) {
-        self.harness.event(Event::PointerMoved(at));
-        self.harness.run_steps(1);
-        self.button(at, true);
-    }
-
-    fn release(&mut self, at: Pos2) {
-        self.button(at, false);
-        self.harness.run_steps(2);
-    }
-
-    fn button(&mut self, pos: Pos2, pressed: bool) {
-        self.harness.event(Event::PointerButton {
-            pos,
-            button: PointerButton::Primary,
-            pressed,
-            modifiers: self.modifiers,
-        });
-        self.harness.run_steps(1);
     }
 
     /// Presses a key.
@@ -435,16 +306,6 @@ impl User {
     pub(crate) fn scrub(&mut self, value: f64) {
         self.harness.state_mut().editor_mut().scrub(0, value);
         self.harness.run_steps(2);
-    }
-
-    /// Clicks what has this name, at a part of its width and height.
-    #[track_caller]
-    pub(crate) fn click_within(&mut self, label: &str, [x, y]: [f32; 2]) {
-        let rect = self.harness.get_by_label(label).rect();
-        let at = rect.min + Vec2::new(x * rect.width(), y * rect.height());
-        self.press(at);
-        self.release(at);
-        self.gestures += 1;
     }
 
     /// Writes what the menu calls so to a file.

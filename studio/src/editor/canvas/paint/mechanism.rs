@@ -1,0 +1,203 @@
+//! The mechanism without its bodies: bars, plates, springs, and the ranges of motors.
+
+use super::Paint;
+use crate::editor::Item;
+use crate::editor::colors::distinct;
+use crate::editor::drawing::{Drawing, apply};
+use crate::editor::range::Basis;
+use eframe::egui;
+use eframe::egui::{Color32, Painter, Pos2, Stroke, Vec2};
+use mech_compiler::model::{LinkId, ShapeKind};
+
+impl Paint<'_> {
+    /// Links as bars and plates, with the shapes that they declare.
+    pub(super) fn schematic(&self, painter: &Painter, drawing: &Drawing, strength: f32) {
+        self.shapes(
+            painter,
+            drawing,
+            LinkId::GROUND,
+            Color32::GRAY.gamma_multiply(0.3 * strength),
+        );
+        for (index, link) in drawing.model.declared_links().enumerate() {
+            let color = distinct(index).gamma_multiply(strength);
+            self.shapes(painter, drawing, link, color.gamma_multiply(0.4));
+            if let Some((center, radius)) = drawing.wheel(link) {
+                painter.circle(
+                    self.shown.pixel(center),
+                    self.length(radius),
+                    color.gamma_multiply(0.15),
+                    Stroke::new(3.0, color),
+                );
+            }
+            let places = outline(drawing.places_on(link));
+            let points: Vec<Pos2> = places
+                .iter()
+                .map(|place| self.shown.pixel(*place))
+                .collect();
+            match points[..] {
+                [] => {}
+                [only] => drop(painter.circle_filled(only, 9.0, color.gamma_multiply(0.5))),
+                [from, to] => drop(
+                    painter.line_segment([from, to], Stroke::new(8.0, color.gamma_multiply(0.75))),
+                ),
+                _ => {
+                    let stroke = Stroke::new(6.0, color.gamma_multiply(0.75));
+                    painter.add(egui::Shape::convex_polygon(
+                        points,
+                        color.gamma_multiply(0.3),
+                        stroke,
+                    ));
+                }
+            }
+        }
+    }
+
+    /// The shapes that a link declares.
+    pub(super) fn shapes(
+        &self,
+        painter: &Painter,
+        drawing: &Drawing,
+        link: LinkId,
+        color: Color32,
+    ) {
+        let pose = drawing.pose(link);
+        let pixel = |place: &[f64; 2]| self.shown.pixel(apply(pose, *place));
+        for shape in &drawing.model.link(link).shapes {
+            match &shape.kind {
+                ShapeKind::Circle { center, radius } => {
+                    painter.circle_filled(pixel(center), self.length(*radius), color);
+                }
+                ShapeKind::Ring {
+                    center,
+                    radius,
+                    hole,
+                } => {
+                    let [middle, width] = [f64::midpoint(*radius, *hole), radius - hole];
+                    painter.circle_stroke(
+                        pixel(center),
+                        self.length(middle),
+                        Stroke::new(self.length(width), color),
+                    );
+                }
+                ShapeKind::Bar { pins, width } => {
+                    let points = pins.iter().map(pixel).collect();
+                    painter.line(points, Stroke::new(self.length(*width), color));
+                }
+                ShapeKind::Polygon(corners) => {
+                    let points = corners.iter().map(pixel).collect();
+                    painter.add(egui::Shape::closed_line(points, Stroke::new(2.0, color)));
+                }
+                ShapeKind::Figure(_) => {}
+            }
+        }
+    }
+
+    #[expect(clippy::cast_possible_truncation, reason = "a length in pixels")]
+    pub(super) fn length(&self, length: f64) -> f32 {
+        (length * self.shown.scale()) as f32
+    }
+
+    /// Springs, dampers and loads.
+    pub(super) fn actions(&self, painter: &Painter, drawing: &Drawing, visuals: &egui::Visuals) {
+        for (name, ends) in drawing.actions() {
+            let is_selected = self
+                .editor
+                .selection
+                .contains(&Item::Action(name.to_owned()));
+            let color = if is_selected {
+                visuals.selection.stroke.color
+            } else {
+                Color32::from_rgb(110, 70, 160)
+            };
+            let ends = ends.map(|end| self.shown.pixel(end));
+            painter.add(egui::Shape::line(zigzag(ends), Stroke::new(1.5, color)));
+        }
+    }
+
+    /// A green arc about each motor that turns, over the range in which it can.
+    pub(super) fn ranges(&self, painter: &Painter, drawing: &Drawing) {
+        for range in self.editor.ranges.iter().filter(|range| range.turns) {
+            let center = drawing
+                .joint(&range.name)
+                .and_then(|joint| drawing.axis_of_joint(joint));
+            let Some(center) = center.map(|axis| self.shown.pixel(drawing.place(axis))) else {
+                continue;
+            };
+            let [low, high] = range.ends;
+            let point = |part: u32| {
+                let angle = low + (high - low) * f64::from(part) / 64.0;
+                #[expect(clippy::cast_possible_truncation, reason = "a direction")]
+                let [cos, sin] = [angle.cos(), angle.sin()].map(|part| part as f32);
+                center + 20.0 * Vec2::new(cos, -sin)
+            };
+            let green = Color32::from_rgb(30, 150, 60);
+            let width = if range.basis == Basis::Walked {
+                2.0
+            } else {
+                3.5
+            };
+            painter.add(egui::Shape::line(
+                (0..=64).map(point).collect(),
+                Stroke::new(width, green),
+            ));
+        }
+    }
+}
+
+/// The corners of the convex outline of places, in their order.
+pub(super) fn outline(mut places: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    places.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    places.dedup();
+    if places.len() < 3 {
+        return places;
+    }
+    let half = |places: &mut dyn Iterator<Item = [f64; 2]>| {
+        let mut side: Vec<[f64; 2]> = Vec::new();
+        for place in places {
+            while let [.., a, b] = side[..] {
+                let turn = (b[0] - a[0]) * (place[1] - a[1]) - (b[1] - a[1]) * (place[0] - a[0]);
+                if turn > 0.0 {
+                    break;
+                }
+                side.pop();
+            }
+            side.push(place);
+        }
+        side.pop();
+        side
+    };
+    let mut corners = half(&mut places.iter().copied());
+    corners.extend(half(&mut places.iter().rev().copied()));
+    corners
+}
+
+/// A zigzag from one place to another.
+fn zigzag([from, to]: [Pos2; 2]) -> Vec<Pos2> {
+    let along = to - from;
+    let across = 6.0 * along.normalized().rot90();
+    let mut points = vec![from];
+    for number in 0_u8..9 {
+        let part = (f32::from(number) + 1.0) / 10.0;
+        let side = if number % 2 == 0 { across } else { -across };
+        points.push(from + part * along + side);
+    }
+    points.push(to);
+    points
+}
+
+#[cfg(test)]
+mod tests {
+    use super::outline;
+
+    #[test]
+    fn an_outline_has_no_place_that_is_within() {
+        let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
+        let mut all = square.to_vec();
+        all.push([1.0, 1.0]);
+        assert_eq!(outline(all), square);
+        assert_eq!(
+            outline(vec![[1.0, 0.0], [0.0, 0.0]]),
+            [[0.0, 0.0], [1.0, 0.0]]
+        );
+    }
+}
