@@ -7,7 +7,7 @@ use super::words::{Word, words};
 use crate::failure::Failure;
 
 /// What a line asks for; nothing if it is empty or a comment.
-pub(super) fn request(line: &str) -> Result<Option<Request>, Failure> {
+pub(crate) fn request(line: &str) -> Result<Option<Request>, Failure> {
     let line = without_comment(line).trim();
     if line.is_empty() {
         return Ok(None);

@@ -15,7 +15,9 @@ mod words;
 #[cfg(feature = "editor")]
 pub(crate) use completion::complete;
 #[cfg(feature = "editor")]
-pub(crate) use line::help;
+pub(crate) use line::{help, request};
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) use prompt::converse;
+#[cfg(feature = "editor")]
+pub(crate) use request::Request;
 pub(crate) use session::{Session, Turn};

@@ -6,7 +6,7 @@ use crate::failure::Failure;
 
 /// What a line asks for.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Request {
+pub(crate) enum Request {
     /// A change of the mechanism.
     Edit(Command),
     /// A subcommand of `mech`, on the mechanism as it is now.

@@ -159,7 +159,7 @@ impl Order {
     #[cfg(target_arch = "wasm32")]
     fn obey(self) -> Result<String, Failure> {
         Err(Failure::file(
-            "a page in a browser writes texts alone; use `mech edit` on a computer",
+            "a page in a browser exports Rust alone; use `mech edit` on a computer",
         ))
     }
 }

@@ -26,17 +26,18 @@ impl Journal {
         let said = Heard::default();
         let done = session.obey(line, &mut Console::to(said.clone(), said.clone()));
         let said = said.text().trim_end().to_owned();
+        let error = done.as_ref().err().map(ToString::to_string);
+        self.note(line, [Some(said.clone()), error].into_iter().flatten());
+        (done, said)
+    }
+
+    /// Notes a line, and what was answered.
+    pub(crate) fn note(&mut self, line: &str, answers: impl IntoIterator<Item = String>) {
         self.lines.push(line.to_owned());
         self.text += &format!("> {line}\n");
-        for text in [
-            Some(said.clone()),
-            done.as_ref().err().map(ToString::to_string),
-        ] {
-            if let Some(text) = text.filter(|text| !text.is_empty()) {
-                self.text += &format!("{text}\n");
-            }
+        for text in answers.into_iter().filter(|text| !text.is_empty()) {
+            self.text += &format!("{text}\n");
         }
-        (done, said)
     }
 }
 

@@ -117,6 +117,9 @@ impl Studio {
         }
         egui::CentralPanel::no_frame().show(ui, |ui| self.canvas.show(editor, ui));
         action::dialogs(editor, &context);
+        if std::mem::take(&mut editor.is_ending) {
+            context.send_viewport_cmd(egui::ViewportCommand::Close);
+        }
         if let Some(text) = editor.to_clipboard.take() {
             context.copy_text(text);
         }

@@ -211,3 +211,37 @@ fn a_text_without_a_name_gets_one_before_it_is_left() {
     assert_eq!(fs::read_to_string(&path).expect("it is written"), drawn);
     assert_eq!(user.text(), "");
 }
+
+#[test]
+fn lines_save_and_open_with_the_desk() {
+    let folder = Folder::new();
+    fs::write(folder.file(), PAIR).expect("a file");
+    let other = folder.0.join("other.mech");
+    fs::write(&other, TEXT).expect("a file");
+    let mut user = User::at_file(&folder.file());
+    user.click([1.0, 1.0]);
+    user.shortcut(Key::L, false);
+    user.enter("Line", "save");
+    assert!(folder.names().contains(&".crank.mech.desk".to_owned()));
+    let open = |user: &mut User, path: &Path| {
+        user.enter("Line", &format!("open \"{}\"", path.display()));
+    };
+    open(&mut user, &other);
+    assert_eq!(user.text(), TEXT, "{}", user.said());
+    user.click([0.0, 0.0]);
+    user.shortcut(Key::L, false);
+    open(&mut user, &folder.file());
+    user.move_handle([1.0, 1.0], [2.0, 1.0]);
+    assert_eq!(user.text(), PAIR, "what was locked there is so again");
+    assert!(!folder.names().contains(&".other.mech.desk".to_owned()));
+}
+
+#[test]
+fn lines_play_and_quit() {
+    let mut user = User::with_text(TEXT);
+    let plays = |user: &User| user.editor().player().expect("it moves").plays();
+    let before = plays(&user);
+    user.enter("Line", "play");
+    assert_ne!(plays(&user), before);
+    assert!(user.ends_by("quit"));
+}

@@ -55,6 +55,13 @@ impl Editor {
         }
     }
 
+    /// Keeps it beside the file, when the text is written.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(super) fn keep_desk(&mut self) {
+        let kept = self.desk.keep(self.workspace().path());
+        self.refuse_failed(kept);
+    }
+
     /// Whether the pointer cannot move something.
     #[must_use]
     pub fn is_locked(&self, item: &Item) -> bool {

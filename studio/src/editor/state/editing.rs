@@ -1,13 +1,14 @@
 //! What the user does with the text: by tools, by typing, by lines of the dialogue, by steps back and forth.
 
 use super::Editor;
-use crate::dialogue::Turn;
+use crate::dialogue::{Request, Turn, request};
 use crate::edit::{Command, Kind, Workspace};
 use crate::editor::settings::{Settings, View};
 use crate::editor::tool::{Pick, Tool};
 use crate::editor::worker::Worker;
 use crate::editor::{Gesture, Item};
 use crate::failure::Failure;
+use crate::play::Control;
 use std::path::Path;
 
 impl Editor {
@@ -98,12 +99,45 @@ impl Editor {
 
     /// Does what a line of the dialogue says.
     pub fn say(&mut self, line: &str) {
+        match request(line) {
+            Ok(Some(Request::Ask(words))) if words.first().is_some_and(|word| word == "play") => {
+                self.journal.note(line, []);
+                self.obey(Control::PlayOrPause);
+            }
+            Ok(Some(Request::Quit)) => {
+                self.journal.note(line, []);
+                self.is_ending = true;
+            }
+            Ok(Some(Request::Open { .. })) if self.answer(line) => {
+                // Nothing stays of the text before, but what was said.
+                let journal = std::mem::take(&mut self.journal);
+                self.open(self.workspace().clone());
+                self.journal = journal;
+            }
+            #[cfg(not(target_arch = "wasm32"))]
+            Ok(Some(Request::Save(_))) if self.answer(line) => self.keep_desk(),
+            Ok(Some(Request::Open { .. } | Request::Save(_))) => {}
+            // What cannot be understood is told there, too.
+            Ok(_) | Err(_) => {
+                self.answer(line);
+                self.read();
+            }
+        }
+    }
+
+    /// Lets the dialogue answer a line. Returns whether it did what that says.
+    fn answer(&mut self, line: &str) -> bool {
         let (turn, said) = self.journal.obey(line, &mut self.session);
         match turn {
-            Ok(Turn::GoOn | Turn::End) => self.tell(said),
-            Err(failure) => self.refuse(failure),
+            Ok(Turn::GoOn | Turn::End) => {
+                self.tell(said);
+                true
+            }
+            Err(failure) => {
+                self.refuse(failure);
+                false
+            }
         }
-        self.read();
     }
 
     /// Edits another text.
@@ -130,7 +164,7 @@ impl Editor {
             Ok(path) => {
                 self.tell(format!("saved `{}`", path.display()));
                 #[cfg(not(target_arch = "wasm32"))]
-                self.desk.keep(&path)?;
+                self.keep_desk();
                 Ok(())
             }
             Err(failure) => {

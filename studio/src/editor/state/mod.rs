@@ -81,6 +81,8 @@ pub struct Editor {
     pub(in crate::editor) plotted: Plotted,
     /// What stands around the text.
     pub(in crate::editor) desk: Desk,
+    /// Whether somebody wants to close the window by a line.
+    pub(in crate::editor) is_ending: bool,
     /// What goes to the clipboard next.
     pub(in crate::editor) to_clipboard: Option<String>,
 }
@@ -152,6 +154,7 @@ impl Editor {
             ghost: None,
             plotted: Plotted::default(),
             desk: Desk::default(),
+            is_ending: false,
             to_clipboard: None,
         };
         editor.read();

@@ -273,6 +273,14 @@ impl User {
         is_closed && self.close()
     }
 
+    /// Says a line. Returns whether that closes the window.
+    #[track_caller]
+    pub(crate) fn ends_by(&mut self, line: &str) -> bool {
+        self.harness.state_mut().editor_mut().say(line);
+        self.harness.run_steps(1);
+        self.has_said(&ViewportCommand::Close)
+    }
+
     fn has_said(&self, command: &ViewportCommand) -> bool {
         let mut viewports = self.harness.output().viewport_output.values();
         viewports.any(|viewport| viewport.commands.contains(command))

@@ -131,10 +131,10 @@ impl Paint<'_> {
                 center + 20.0 * Vec2::new(cos, -sin)
             };
             let green = Color32::from_rgb(30, 150, 60);
-            let width = if range.basis == Basis::Walked {
-                2.0
-            } else {
+            let width = if range.basis == Basis::Proved {
                 3.5
+            } else {
+                2.0
             };
             painter.add(egui::Shape::line(
                 (0..=64).map(point).collect(),
