@@ -1,5 +1,6 @@
 //! `mech edit`.
 
+use super::CODES;
 use crate::console::Console;
 use crate::edit::Workspace;
 use crate::editor::{Editor, Studio};
@@ -12,7 +13,7 @@ use std::path::PathBuf;
 ///
 /// The text stands beside the drawing, and is the file itself. Without a file it begins with an empty drawing.
 #[derive(Args, Clone, Debug)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = EXAMPLES, after_long_help = [EXAMPLES, "\n\n", CODES].concat())]
 pub(super) struct Edit {
     /// A Rust file with `mechanism!` in it, or a file `.mech` with the inside of one. One that is not there yet is made when it is saved.
     file: Option<PathBuf>,
