@@ -37,6 +37,12 @@ impl Running {
         }
     }
 
+    /// Whether something is lost if the page is left.
+    #[must_use]
+    pub fn has_work(&self) -> bool {
+        self.0.app_mut::<Page>().is_some_and(|page| page.has_work())
+    }
+
     /// What broke the editor, if something did: it does not go on then.
     #[must_use]
     pub fn panic(&self) -> Option<String> {

@@ -39,6 +39,11 @@ impl Page {
         self.context.request_repaint();
     }
 
+    /// Whether something is lost if the page is left.
+    pub(crate) fn has_work(&self) -> bool {
+        self.studio.editor().has_work()
+    }
+
     /// Tells the page that a mechanism is seen, so that a program that looks at the page knows when to.
     fn announce(&mut self) {
         let document = web_sys::window().and_then(|window| window.document());

@@ -2,6 +2,7 @@
 
 use super::CODES;
 use crate::console::Console;
+use crate::document::Source;
 use crate::edit::Workspace;
 use crate::editor::{Editor, Studio};
 use crate::failure::Failure;
@@ -17,7 +18,7 @@ use std::path::PathBuf;
 pub(super) struct Edit {
     /// A Rust file with `mechanism!` in it, or a file `.mech` with the inside of one. One that is not there yet is made when it is saved.
     file: Option<PathBuf>,
-    /// The mechanism, where the file has several: the name of its type.
+    /// The mechanism at first, where the file has several: the name of its type.
     #[arg(short, long, value_name = "NAME")]
     mechanism: Option<String>,
 }
@@ -36,6 +37,7 @@ impl Edit {
         let workspace = match &self.file {
             None => Workspace::default(),
             Some(path) if !path.exists() => Workspace::unsaved(path, ""),
+            Some(path) if self.mechanism.is_none() => Workspace::of(Source::read(path)?),
             Some(path) => Workspace::open(path, self.mechanism.as_deref())?,
         };
         let options = eframe::NativeOptions {

@@ -10,6 +10,8 @@ use std::path::{Path, PathBuf};
 #[derive(Clone, Debug)]
 pub struct Workspace {
     path: PathBuf,
+    /// Whether somebody has said that this is the file. If not, the path is a proposal.
+    is_named: bool,
     /// The file as it was read or written last; none if there is no file yet.
     source: Option<Source>,
     history: History,
@@ -21,6 +23,7 @@ impl Default for Workspace {
     fn default() -> Self {
         Self {
             path: PathBuf::from("untitled.mech"),
+            is_named: false,
             source: None,
             history: History::new(""),
             index: 0,
@@ -29,9 +32,18 @@ impl Default for Workspace {
 }
 
 impl Workspace {
-    /// A text that is in no file yet.
+    /// A text for a file that is not there yet.
     #[must_use]
     pub fn unsaved(path: impl Into<PathBuf>, text: impl Into<String>) -> Self {
+        Self {
+            is_named: true,
+            ..Self::proposed(path, text)
+        }
+    }
+
+    /// A text that is in no file, with a proposal for its name.
+    #[must_use]
+    pub fn proposed(path: impl Into<PathBuf>, text: impl Into<String>) -> Self {
         Self {
             path: path.into(),
             history: History::new(text),
@@ -44,6 +56,7 @@ impl Workspace {
     pub fn of(source: Source) -> Self {
         Self {
             path: source.path().to_owned(),
+            is_named: true,
             history: History::new(source.text()),
             source: Some(source),
             ..Self::default()
@@ -59,6 +72,7 @@ impl Workspace {
         let chosen = document.choose(mechanism)?;
         Ok(Self {
             path: path.to_owned(),
+            is_named: true,
             index: document.index_of(chosen)?,
             history: History::new(document.source().text()),
             source: Some(document.source().clone()),
@@ -151,10 +165,10 @@ impl Workspace {
         saved != self.text()
     }
 
-    /// Whether there is a file with this text, or with an earlier one.
+    /// Whether something is lost if the text is left as it is. What nobody has named or changed can be had again.
     #[must_use]
-    pub const fn has_file(&self) -> bool {
-        self.source.is_some()
+    pub fn has_work(&self) -> bool {
+        self.is_changed() && (self.is_named || !self.history.made().is_empty())
     }
 
     /// The text of the file as it was read or written last; none if there is no file yet.
@@ -170,8 +184,8 @@ impl Workspace {
 
     /// Whether somebody has said which file it is, whether that is there or not.
     #[must_use]
-    pub fn is_named(&self) -> bool {
-        self.has_file() || self.path != Self::default().path
+    pub const fn is_named(&self) -> bool {
+        self.is_named
     }
 
     /// What writes the text: over the file from which it was read, or to one that is not there yet. From then on it counts as written.
@@ -181,13 +195,14 @@ impl Workspace {
     pub(crate) fn save_to(&mut self, path: Option<&Path>) -> Result<Saving, Failure> {
         let path = match path {
             Some(path) => path.to_owned(),
-            None if self.is_named() => self.path.clone(),
+            None if self.is_named => self.path.clone(),
             None => return Err(Failure::usage("the text has no file yet; say `save FILE`")),
         };
         let over = self.source.clone().filter(|_| path == self.path);
         let text = self.text().to_owned();
         self.source = Some(Source::new(&path, text.as_str()));
         self.path.clone_from(&path);
+        self.is_named = true;
         Ok(Saving { path, over, text })
     }
 }

@@ -20,6 +20,8 @@ pub(crate) struct Dragging {
     before: Drawing,
     /// By how much places may be rounded.
     tolerance: f64,
+    /// Where the pointer has led it last, in the scene.
+    pointer: Option<[f64; 2]>,
     /// Where it was asked to go last, as the drag counts.
     to: Option<[f64; 2]>,
     /// What came of that.
@@ -38,7 +40,7 @@ pub(crate) struct Preview {
     /// Whether a text is being read.
     pub(crate) is_awaited: bool,
     /// The edits of the text that was given last.
-    given: Vec<Replacement>,
+    pub(crate) given: Vec<Replacement>,
     /// The mechanism, if it moves.
     pub(crate) player: Option<Player>,
     /// The whole paths of its traced points.
@@ -87,6 +89,7 @@ impl Dragging {
             items,
             before: drawing.clone(),
             tolerance: 1e-6 * drawing.model.size(),
+            pointer: None,
             to: None,
             dragged: None,
             drawing: None,
@@ -97,6 +100,7 @@ impl Dragging {
 
     /// Moves it to a place of the scene. Where it cannot go, it stays where it was last.
     pub(crate) fn move_to(&mut self, place: [f64; 2]) {
+        self.pointer = Some(place);
         // In the frame of a link that is turned, places have many digits; those that nobody sees are left out.
         let to = match self.frame {
             SCENE => place,
@@ -115,6 +119,11 @@ impl Dragging {
             }
             Err(refusal) => self.refusal = Some(refusal),
         }
+    }
+
+    /// What is held, and where the pointer has led it.
+    pub(crate) fn held(self) -> (Vec<Item>, Option<[f64; 2]>) {
+        (self.items, self.pointer)
     }
 
     /// The edits of the text that is to be read next; none while one is being read, or if the last was given.

@@ -246,11 +246,26 @@ impl Drawing {
                 return Some(Item::Action(name.to_owned()));
             }
         }
-        match self.hit(place, reach) {
+        self.item_of(&self.hit(place, reach))
+    }
+
+    /// What was hit, by its name; none if it is the paper.
+    pub(crate) fn item_of(&self, hit: &Hit) -> Option<Item> {
+        match *hit {
             Hit::Joint(joint) => Some(Item::Joint(self.model.joint(joint).name.clone())),
             Hit::Axis(axis) => self.path(axis).map(Item::Axis),
             Hit::Link(link) => Some(Item::Link(self.model.link(link).name.clone())),
             Hit::Paper => None,
+        }
+    }
+
+    /// What is hit where something of this name is; none if it is not there.
+    pub(crate) fn hit_of(&self, item: &Item) -> Option<Hit> {
+        match item {
+            Item::Joint(name) => self.joint(name).map(Hit::Joint),
+            Item::Axis(path) => self.axis(path).map(Hit::Axis),
+            Item::Link(name) => self.link(name).map(Hit::Link),
+            Item::Action(_) => None,
         }
     }
 
@@ -274,12 +289,7 @@ impl Drawing {
             .map(|handle| (distance(place, handle.place), handle.item));
         let near = near.filter(|(away, _)| *away <= reach);
         if let Some((_, item)) = near.min_by(|a, b| a.0.total_cmp(&b.0)) {
-            let hit = match item {
-                Item::Joint(name) => self.joint(name).map(Hit::Joint),
-                Item::Axis(path) => self.axis(path).map(Hit::Axis),
-                Item::Link(_) | Item::Action(_) => None,
-            };
-            if let Some(hit) = hit {
+            if let Some(hit) = self.hit_of(item) {
                 return hit;
             }
         }

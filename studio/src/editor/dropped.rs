@@ -21,6 +21,9 @@ impl Dropped {
         let dropped = context.input(|input| input.raw.dropped_files.clone());
         match &dropped[..] {
             [] => {}
+            _ if editor.settings.dialog.is_some() => {
+                editor.refuse("answer the question first, and then drop the file");
+            }
             [file] => read(file.clone(), Arc::clone(&self.0), context.clone()),
             _ => editor.refuse("drop one file at a time"),
         }
@@ -60,7 +63,7 @@ impl Editor {
         }
         match String::from_utf8(bytes) {
             Ok(text) => self.leave_for(Destination::text(path, text)),
-            Err(_) => self.refuse(format!("`{}` is no text", path.display())),
+            Err(_) => self.refuse(format!("`{}` is not a text file", path.display())),
         }
     }
 }

@@ -64,17 +64,17 @@ impl Export {
         }
     }
 
-    /// How its file ends.
-    const fn ending(self) -> &'static str {
+    /// How its file may end; first, how it does if nobody says otherwise.
+    pub(super) const fn endings(self) -> &'static [&'static str] {
         match self {
-            Self::Picture | Self::GraphPicture => "png",
-            Self::Drawing | Self::MovingDrawing | Self::GraphDrawing => "svg",
-            Self::Gif => "gif",
-            Self::Apng => "apng",
-            Self::Table => "csv",
-            Self::Rust => "rs",
-            Self::Report => "txt",
-            Self::LinkGraph | Self::LoopGraph => "dot",
+            Self::Picture | Self::GraphPicture => &["png"],
+            Self::Drawing | Self::MovingDrawing | Self::GraphDrawing => &["svg"],
+            Self::Gif => &["gif"],
+            Self::Apng => &["apng", "png"],
+            Self::Table => &["csv"],
+            Self::Rust => &["rs"],
+            Self::Report => &["txt"],
+            Self::LinkGraph | Self::LoopGraph => &["dot", "gv"],
         }
     }
 
@@ -169,7 +169,7 @@ impl Editor {
     pub(super) fn export_path(&self, kind: Export) -> String {
         let path = self.workspace().path();
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-        let name = format!("{stem}{}.{}", kind.suffix(), kind.ending());
+        let name = format!("{stem}{}.{}", kind.suffix(), kind.endings()[0]);
         path.with_file_name(name).display().to_string()
     }
 
@@ -180,7 +180,19 @@ impl Editor {
             self.refuse("no file is named");
             return;
         }
-        if Path::new(path) == self.workspace().path() {
+        let ending = Path::new(path).extension().unwrap_or_default();
+        if !kind
+            .endings()
+            .iter()
+            .any(|known| ending.eq_ignore_ascii_case(known))
+        {
+            let ending = kind.endings()[0];
+            self.refuse(format!(
+                "`{path}` is no name for this: write `.{ending}` at its end"
+            ));
+            return;
+        }
+        if is_same(Path::new(path), self.workspace().path()) {
             self.refuse(format!("`{path}` is the file of the text; save it instead"));
             return;
         }
@@ -220,6 +232,14 @@ impl Editor {
             Ok(told) => self.tell(told),
             Err(failure) => self.refuse(failure),
         }
+    }
+}
+
+/// Whether two paths lead to the same file.
+fn is_same(one: &Path, other: &Path) -> bool {
+    match (one.canonicalize(), other.canonicalize()) {
+        (Ok(one), Ok(other)) => one == other,
+        _ => one == other,
     }
 }
 

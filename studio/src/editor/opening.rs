@@ -43,9 +43,7 @@ type Opened = (Workspace, Option<Vec<String>>);
 impl Editor {
     /// Edits another text. If the present one has changes, the user is asked first.
     pub(super) fn leave_for(&mut self, to: Destination) {
-        // Nothing is lost of what nobody has changed: an example, or what was imported.
-        let workspace = self.workspace();
-        if workspace.is_changed() && !workspace.history().made().is_empty() {
+        if self.has_work() {
             self.settings.dialog = Some(Dialog::Leave(to));
         } else {
             self.arrive(to);
@@ -117,7 +115,7 @@ fn opened(name: &str) -> Result<Opened, Failure> {
     } else if is_of_linkage(path) {
         taken(Source::read(path)?)
     } else {
-        Ok((Workspace::open(path, None)?, None))
+        Ok((Workspace::of(Source::read(path)?), None))
     }
 }
 
@@ -144,5 +142,5 @@ fn imported(source: &Source, title: &str, wish: &str, file: PathBuf) -> Result<O
     let found = import::read(source).map_err(|message| Failure::file(message.text))?;
     let text = found.text(title, &import::type_name(wish)?, FileKind::Mechanism)?;
     let losses = found.omissions.iter().map(ToString::to_string).collect();
-    Ok((Workspace::unsaved(file, text), Some(losses)))
+    Ok((Workspace::proposed(file, text), Some(losses)))
 }

@@ -33,6 +33,10 @@ pub(crate) fn whole_paths(
     for place in 0..=PLACES {
         motors[0] = low + (high - low) * f64::from(place) / f64::from(PLACES);
         if machine.move_to(&motors).is_err() {
+            // What comes after a gap is no part of it.
+            if paths.iter().any(|path| !path.is_empty()) {
+                break;
+            }
             continue;
         }
         for (path, spot) in paths.iter_mut().zip(&spots) {

@@ -27,7 +27,7 @@ pub(super) struct Snapping<'d> {
 /// How near the pointer has to be, in pixels.
 pub(super) const REACH: f64 = 11.0;
 /// How near it has to be where nothing else is snapped to.
-const CLOSE: f64 = 3.0;
+pub(super) const CLOSE: f64 = 3.0;
 /// How many places there are between two lines of the grid where nothing is snapped to. More would only give numbers more digits.
 const FINE: f64 = 100.0;
 /// How near to an alignment.

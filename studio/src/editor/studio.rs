@@ -124,7 +124,13 @@ impl Studio {
             context.copy_text(text);
         }
         #[cfg(not(target_arch = "wasm32"))]
-        self.guard.stand(editor, &context);
+        {
+            self.guard.stand(editor, &context);
+            // What is being moved is kept when it is let go.
+            if !context.input(|input| input.pointer.any_down()) {
+                editor.keep_desk();
+            }
+        }
     }
 }
 

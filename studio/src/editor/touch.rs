@@ -132,17 +132,30 @@ impl Editor {
         {
             player.obey(Control::PlayOrPause);
         }
-        let seen_at = self.seen_at();
         let items = if is_alone {
             vec![item.clone()]
         } else {
             self.going_with(drawing, item)
         };
+        self.drag_on(items, None);
+    }
+
+    /// Takes hold of the first of some joints and points, with which the others go, and leads it to where the pointer is.
+    pub(super) fn drag_on(&mut self, items: Vec<Item>, to: Option<[f64; 2]>) {
+        let Some(drawing) = &self.drawing else {
+            return;
+        };
+        let seen_at = self.seen_at();
         let begun = Dragging::begin(drawing, items, seen_at.is_none(), |path| {
             self.drag(path, seen_at)
         });
         match begun {
-            Ok(dragging) => self.dragging = Some(dragging),
+            Ok(dragging) => {
+                self.dragging = Some(dragging);
+                if let Some(to) = to {
+                    self.drag_to(to);
+                }
+            }
             Err(refusal) => self.refuse(refusal),
         }
     }
@@ -231,6 +244,12 @@ impl Editor {
             return;
         };
         let preview = &mut dragging.preview;
+        // One of an earlier drag comes late.
+        if snapshot.document.source().text()
+            != written(self.session.workspace.text(), &preview.given)
+        {
+            return;
+        }
         preview.is_awaited = false;
         let first = snapshot.messages().first();
         preview.fault = first
@@ -276,8 +295,11 @@ impl Editor {
             _ => None,
         });
         self.copied = links.collect();
+        // An empty clipboard is never pasted.
+        self.to_clipboard = Some(self.copied.join(" ")).filter(|names| !names.is_empty());
         match self.copied.len() {
             0 => self.refuse("links are copied; select one"),
+            1 => self.tell("copied a link"),
             count => self.tell(format!("copied {count} links")),
         }
     }
@@ -295,12 +317,12 @@ impl Editor {
             _ => None,
         });
         self.selection = copied.collect();
-        if !copies.is_empty() {
-            self.perform(Gesture::new(
-                format!("paste {} links", copies.len()),
-                copies,
-            ));
-        }
+        let title = match copies.len() {
+            0 => return,
+            1 => "paste a link".to_owned(),
+            count => format!("paste {count} links"),
+        };
+        self.perform(Gesture::new(title, copies));
     }
 
     /// Puts the text on the clipboard.

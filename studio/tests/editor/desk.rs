@@ -67,7 +67,6 @@ fn a_picture_is_put_behind_scaled_kept_and_removed() {
     assert!((width(&user) - 12.0).abs() < 1e-12);
     assert_eq!(user.text(), PAIR, "a picture is no part of the text");
 
-    user.shortcut(Key::S, false);
     assert!(folder.names().contains(&".crank.mech.desk".to_owned()));
     drop(user);
     let mut user = User::at_file(&file);
@@ -77,7 +76,7 @@ fn a_picture_is_put_behind_scaled_kept_and_removed() {
     user.click_on("Properties");
     user.click_on("Remove the picture");
     assert!(user.editor().backdrop().is_none());
-    user.shortcut(Key::S, false);
+    user.wait(1);
     assert_eq!(folder.names(), before, "an empty desk needs no file");
 }
 
@@ -88,7 +87,11 @@ fn what_is_no_picture_is_refused() {
     fs::write(&path, "no picture").expect("a file");
     let mut user = User::at_file(&folder.file());
     user.drop_file(&path);
-    assert!(notice(&user).contains("is no picture"), "{}", user.said());
+    assert!(
+        notice(&user).contains("is not a picture"),
+        "{}",
+        user.said()
+    );
     assert!(user.editor().backdrop().is_none());
     user.drop_file(&picture(&folder.0));
     assert!(user.editor().backdrop().is_some(), "{}", user.said());
@@ -100,12 +103,20 @@ fn a_picture_that_is_gone_is_told() {
     let path = picture(&folder.0);
     let mut user = User::at_file(&folder.file());
     user.drop_file(&path);
-    user.shortcut(Key::S, false);
+    let place = |user: &User| user.editor().backdrop().map(|(_, at, width)| (at, width));
+    let before = place(&user);
     drop(user);
     fs::remove_file(&path).expect("it was there");
-    let user = User::at_file(&folder.file());
+    let mut user = User::at_file(&folder.file());
     assert!(notice(&user).contains("linkage.png"), "{}", user.said());
     assert_eq!(user.text(), TEXT);
+
+    // When it is there again, it stands where it stood, whatever was kept meanwhile.
+    user.click([0.0, 0.0]);
+    user.shortcut(Key::L, false);
+    drop(user);
+    picture(&folder.0);
+    assert_eq!(place(&User::at_file(&folder.file())), before);
 }
 
 #[test]
@@ -157,7 +168,6 @@ fn groups_and_locks_are_kept_with_the_file() {
     user.click_with_shift([1.0, 1.0]);
     user.shortcut(Key::G, false);
     user.shortcut(Key::L, false);
-    user.shortcut(Key::S, false);
     drop(user);
     let mut user = User::at_file(&folder.file());
     user.click([1.0, 1.0]);
@@ -213,7 +223,7 @@ fn a_text_without_a_name_gets_one_before_it_is_left() {
 }
 
 #[test]
-fn lines_save_and_open_with_the_desk() {
+fn a_line_opens_with_the_desk() {
     let folder = Folder::new();
     fs::write(folder.file(), PAIR).expect("a file");
     let other = folder.0.join("other.mech");
@@ -221,15 +231,12 @@ fn lines_save_and_open_with_the_desk() {
     let mut user = User::at_file(&folder.file());
     user.click([1.0, 1.0]);
     user.shortcut(Key::L, false);
-    user.enter("Line", "save");
     assert!(folder.names().contains(&".crank.mech.desk".to_owned()));
     let open = |user: &mut User, path: &Path| {
         user.enter("Line", &format!("open \"{}\"", path.display()));
     };
     open(&mut user, &other);
     assert_eq!(user.text(), TEXT, "{}", user.said());
-    user.click([0.0, 0.0]);
-    user.shortcut(Key::L, false);
     open(&mut user, &folder.file());
     user.move_handle([1.0, 1.0], [2.0, 1.0]);
     assert_eq!(user.text(), PAIR, "what was locked there is so again");
@@ -244,4 +251,23 @@ fn lines_play_and_quit() {
     user.enter("Line", "play");
     assert_ne!(plays(&user), before);
     assert!(user.ends_by("quit"));
+}
+
+#[test]
+fn a_desk_that_cannot_be_read_is_left_as_it_is() {
+    let folder = Folder::new();
+    let desk = folder.0.join(".crank.mech.desk");
+    fs::write(&desk, "{ \"later\": 1 }").expect("a file");
+    let mut user = User::at_file(&folder.file());
+    assert!(
+        notice(&user).contains(".crank.mech.desk"),
+        "{}",
+        user.said()
+    );
+    user.click([0.0, 0.0]);
+    user.shortcut(Key::L, false);
+    assert_eq!(
+        fs::read_to_string(&desk).expect("a file"),
+        "{ \"later\": 1 }"
+    );
 }

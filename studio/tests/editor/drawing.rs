@@ -51,6 +51,17 @@ motor c;
 }
 
 #[test]
+fn links_are_copied_and_pasted() {
+    let mut user = User::new();
+    draw_four_bar(&mut user);
+    user.key(Key::Escape);
+    user.click([-2.0, 0.4]);
+    assert_eq!(user.editor().selection().len(), 1, "{}", user.said());
+    user.copy_and_paste();
+    assert!(user.text().contains("link bar4"), "{}", user.said());
+}
+
+#[test]
 fn a_browser_does_the_same_between_pictures() {
     let mut user = User::in_browser();
     draw_four_bar(&mut user);

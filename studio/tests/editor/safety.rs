@@ -51,6 +51,22 @@ fn a_crash_loses_nothing_that_was_drawn() {
 }
 
 #[test]
+fn another_window_of_the_same_file_keeps_its_own_text() {
+    let folder = Folder::new();
+    let mut one = User::at_file(&folder.file());
+    draw(&mut one);
+    // It has not crashed: the other window does not offer what it keeps.
+    let mut other = User::at_file(&folder.file());
+    assert!(!other.sees("Restore"));
+    draw(&mut other);
+    other.wait(2);
+    let kept = folder.names().into_iter();
+    assert_eq!(kept.filter(|name| name.ends_with(".autosave")).count(), 2);
+    drop((one, other));
+    assert!(User::at_file(&folder.file()).sees("Restore"));
+}
+
+#[test]
 fn what_a_crash_has_left_can_be_discarded() {
     let folder = Folder::new();
     let mut user = User::at_file(&folder.file());
@@ -167,11 +183,13 @@ fn what_cannot_be_saved_keeps_the_window_open() {
 #[test]
 fn a_text_without_a_name_gets_one_before_the_window_is_closed() {
     let folder = Folder::new();
-    let mut user = User::with_file("untitled.mech", "");
+    let mut user = User::without_file();
     draw(&mut user);
     assert!(!user.close());
     assert!(!user.closes_by("Save"));
     let path = folder.0.join("named.mech");
+    // What is proposed is selected.
+    user.wait(2);
     user.type_text(&path.display().to_string());
     assert!(user.closes_by("Save"), "{}", user.said());
     assert_eq!(fs::read_to_string(path).expect("a file"), user.text());
@@ -313,7 +331,10 @@ fn a_document_of_linkage_is_opened_as_a_new_text() {
     user.click_on("four_bar.linkage2");
     assert!(user.editor().drawing().is_some(), "{}", user.said());
     assert!(user.editor().workspace().is_changed());
+    // Nobody has said yet which file it is; one beside the other is proposed.
     user.shortcut(Key::S, false);
+    user.wait(2);
+    user.key(Key::Enter);
     assert!(folder.names().contains(&"four_bar.mech".to_owned()));
     assert_eq!(
         fs::read(&sample).expect("a sample"),

@@ -6,6 +6,7 @@ use crate::editor::opening::Destination;
 use crate::editor::{Editor, desk};
 use eframe::egui;
 use eframe::egui::Key;
+use eframe::egui::text::{CCursor, CCursorRange};
 use std::path::Path;
 
 /// Something that is asked in a window of its own.
@@ -58,9 +59,9 @@ impl FileUse {
     pub(crate) const fn endings(&self) -> (&'static str, &'static [&'static str]) {
         match self {
             Self::Picture => ("pictures", &desk::ENDINGS),
-            Self::Open | Self::Save(_) | Self::Export(_) => {
-                ("mechanisms", &["mech", "rs", "linkage2"])
-            }
+            Self::Open => ("mechanisms", &["mech", "rs", "linkage2"]),
+            Self::Save(_) => ("mechanisms", &["mech", "rs"]),
+            Self::Export(kind) => (kind.name(), kind.endings()),
         }
     }
 }
@@ -79,8 +80,7 @@ pub(in crate::editor) fn dialogs(editor: &mut Editor, context: &egui::Context) {
                 editor.arrive_if_done(saved, Some(to));
             }
             Some(Answer::Save) => {
-                let purpose = FileUse::Save(Some(to));
-                editor.settings.dialog = Some(Dialog::File(purpose, String::new()));
+                editor.settings.dialog = Some(editor.file_dialog(FileUse::Save(Some(to))));
             }
         },
     }
@@ -102,7 +102,13 @@ fn ask_for_file(editor: &mut Editor, purpose: FileUse, mut path: String, context
         if !response.lost_focus() && !is_focus_in(ui) {
             response.request_focus();
         }
-        is_done = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+        if response.gained_focus() {
+            select_all(response.id, &path, ui.ctx());
+        }
+        // What is there already is written over only by a click that says so.
+        let is_there = matches!(purpose, FileUse::Export(_)) && Path::new(path.trim()).is_file();
+        let is_entered = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+        is_done = is_entered && !is_there;
         #[cfg(not(target_arch = "wasm32"))]
         {
             let beside = beside.unwrap_or_default();
@@ -111,7 +117,7 @@ fn ask_for_file(editor: &mut Editor, purpose: FileUse, mut path: String, context
             is_done |= is_chosen && !purpose.writes();
         }
         ui.horizontal(|ui| {
-            is_done |= ui.button(verb).clicked();
+            is_done |= ui.button(if is_there { "Replace" } else { verb }).clicked();
             is_given_up =
                 ui.button("Cancel").clicked() || ui.input(|input| input.key_pressed(Key::Escape));
         });
@@ -121,6 +127,14 @@ fn ask_for_file(editor: &mut Editor, purpose: FileUse, mut path: String, context
     } else if !is_given_up {
         editor.settings.dialog = Some(Dialog::File(purpose, path));
     }
+}
+
+/// Lets what is typed take the place of a name that is proposed.
+fn select_all(field: egui::Id, text: &str, context: &egui::Context) {
+    let mut state = egui::TextEdit::load_state(context, field).unwrap_or_default();
+    let all = CCursorRange::two(CCursor::default(), CCursor::new(text.chars().count()));
+    state.cursor.set_char_range(Some(all));
+    state.store(context, field);
 }
 
 /// Whether the keys go to something in this window of its own.
@@ -134,14 +148,24 @@ impl Editor {
     /// Lets the user say which file something is done with.
     #[cfg(not(target_arch = "wasm32"))]
     pub(in crate::editor) fn ask_for_file(&mut self, purpose: FileUse) {
-        self.settings.dialog = Some(Dialog::File(purpose, String::new()));
+        self.settings.dialog = Some(self.file_dialog(purpose));
+    }
+
+    /// The question which file something is done with. Where the text is saved, the name that it has is proposed.
+    pub(in crate::editor) fn file_dialog(&self, purpose: FileUse) -> Dialog {
+        let path = match purpose {
+            FileUse::Save(_) => self.workspace().path().display().to_string(),
+            FileUse::Export(kind) => self.export_path(kind),
+            FileUse::Open | FileUse::Picture => String::new(),
+        };
+        Dialog::File(purpose, path)
     }
 
     /// Lets the user say which file something is done with. A page reads what its browser gives it.
     #[cfg(target_arch = "wasm32")]
     pub(in crate::editor) fn ask_for_file(&mut self, purpose: FileUse) {
         if purpose.writes() {
-            self.settings.dialog = Some(Dialog::File(purpose, String::new()));
+            self.settings.dialog = Some(self.file_dialog(purpose));
         } else {
             let asked = crate::browser::ask_for_file();
             self.refuse_failed(asked);

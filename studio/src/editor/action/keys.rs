@@ -52,6 +52,10 @@ pub(in crate::editor) fn obey_keys(editor: &mut Editor, context: &egui::Context)
         {
             continue;
         }
+        // The system makes events of these keys.
+        if is_clipboard(&key) {
+            continue;
+        }
         // What a focused button does is its own affair.
         let is_of_button = key.logical_key == Key::Space
             && !editor.is_canvas_focused
@@ -66,9 +70,27 @@ pub(in crate::editor) fn obey_keys(editor: &mut Editor, context: &egui::Context)
     if types {
         return;
     }
+    obey_clipboard(editor, context);
     for tool in Tool::all() {
         if context.input_mut(|input| input.consume_shortcut(&key_of_tool(tool))) {
             editor.choose(tool);
+        }
+    }
+}
+
+/// Whether the system makes an event of a key, instead of telling the key.
+fn is_clipboard(key: &KeyboardShortcut) -> bool {
+    key.modifiers == Modifiers::COMMAND && [Key::C, Key::V].contains(&key.logical_key)
+}
+
+/// Copies and pastes what is drawn.
+fn obey_clipboard(editor: &mut Editor, context: &egui::Context) {
+    let events = context.input(|input| input.events.clone());
+    for event in events {
+        match event {
+            egui::Event::Copy if !editor.selection().is_empty() => editor.copy(),
+            egui::Event::Paste(_) if !editor.copied.is_empty() => editor.paste(),
+            _ => {}
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The row of menus.
 
 use super::table::ACTIONS;
-use super::{Action, Dialog, FileUse, Menu};
+use super::{Action, FileUse, Menu};
 use crate::document::PartOffer;
 use crate::editor::Editor;
 use crate::editor::example::EXAMPLES;
@@ -47,7 +47,7 @@ fn parts(editor: &mut Editor, ui: &mut egui::Ui) {
         let ports = offer.ports.join(", ");
         let response = ui.button(&offer.name);
         if response
-            .on_hover_text(format!("is lent: {ports}"))
+            .on_hover_text(format!("needs links for: {ports}"))
             .clicked()
         {
             editor.propose_part(&offer);
@@ -72,7 +72,9 @@ fn mechanisms(editor: &mut Editor, ui: &mut egui::Ui) {
     let mut chosen = index;
     egui::ComboBox::from_label("mechanism")
         .selected_text(names.get(index).cloned().unwrap_or_default())
-        .show_index(ui, &mut chosen, names.len(), |index| names[index].clone());
+        .show_index(ui, &mut chosen, names.len(), |index| {
+            names.get(index).cloned().unwrap_or_default()
+        });
     if chosen != index {
         editor.choose_mechanism(chosen);
     }
@@ -95,8 +97,7 @@ fn files(editor: &mut Editor, ui: &mut egui::Ui) {
     ui.menu_button("Export", |ui| {
         for kind in Export::ALL {
             if ui.button(kind.name()).clicked() {
-                let path = editor.export_path(kind);
-                editor.settings.dialog = Some(Dialog::File(FileUse::Export(kind), path));
+                editor.ask_for_file(FileUse::Export(kind));
                 ui.close();
             }
         }

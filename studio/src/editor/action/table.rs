@@ -132,7 +132,7 @@ pub(super) const ACTIONS: &[Action] = &[
     Action {
         menu: Menu::Edit,
         name: "Group",
-        help: "lets what is selected be selected together",
+        help: "selects these together from now on",
         key: Some(with_command(Key::G)),
         is_possible: SELECTED,
         perform: Editor::group_selected,
@@ -140,7 +140,7 @@ pub(super) const ACTIONS: &[Action] = &[
     Action {
         menu: Menu::Edit,
         name: "Ungroup",
-        help: "lets it be selected alone again",
+        help: "selects each of them alone again",
         key: Some(with_command_and_shift(Key::G)),
         is_possible: SELECTED,
         perform: Editor::ungroup_selected,
@@ -148,7 +148,7 @@ pub(super) const ACTIONS: &[Action] = &[
     Action {
         menu: Menu::Edit,
         name: "Lock",
-        help: "lets the pointer not move what is selected",
+        help: "keeps the pointer from moving what is selected",
         key: Some(with_command(Key::L)),
         is_possible: SELECTED,
         perform: Editor::lock_selected,

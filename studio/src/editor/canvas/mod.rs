@@ -9,7 +9,7 @@ use super::tool::Pick;
 use super::{Editor, Item, Tool};
 use crate::play::{Camera, Control};
 use eframe::egui;
-use eframe::egui::{Pos2, Rect, Response, Role, Sense, Vec2, WidgetInfo};
+use eframe::egui::{PointerButton, Pos2, Rect, Response, Role, Sense, Vec2, WidgetInfo};
 use paint::Paint;
 use picture::Picture;
 
@@ -23,6 +23,8 @@ pub(super) struct Canvas {
     holds: Holds,
     /// Where the keyboard points, in the scene.
     cross: [f64; 2],
+    /// The tool with which the pointer was pressed last: what it is released with may be another.
+    pressed_with: Tool,
 }
 
 /// What the pointer has taken hold of.
@@ -46,6 +48,9 @@ impl Canvas {
         background.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "drawing"));
         editor.camera.resize(size_of(rect));
         zoom(editor, &background, ui);
+        if ui.input(|input| input.pointer.any_pressed()) {
+            self.pressed_with = editor.tool;
+        }
         let shown = Shown {
             rect,
             camera: editor.camera.clone(),
@@ -128,6 +133,7 @@ impl Canvas {
     fn on_paper(&mut self, editor: &mut Editor, response: &Response, shown: &Shown, ui: &egui::Ui) {
         let modifiers = ui.input(|input| input.modifiers);
         if editor.tool != Tool::Select {
+            self.holds = Holds::Nothing;
             self.use_tool(editor, response, None, shown, ui);
             return;
         }
@@ -139,7 +145,7 @@ impl Canvas {
             let on_link = editor
                 .seen_drawing()
                 .map(|drawing| drawing.hit(place, REACH / shown.scale()));
-            let is_primary = response.drag_started_by(egui::PointerButton::Primary);
+            let is_primary = response.drag_started_by(PointerButton::Primary);
             self.holds = match on_link {
                 Some(Hit::Link(_) | Hit::Joint(_)) if is_primary && editor.player.is_some() => {
                     editor.hold(within(shown.rect, origin));
@@ -240,7 +246,7 @@ impl Canvas {
         ui: &egui::Ui,
     ) {
         let modifiers = ui.input(|input| input.modifiers);
-        if response.drag_started_by(egui::PointerButton::Primary) {
+        if response.drag_started_by(PointerButton::Primary) {
             // What is selected already goes on with all that is.
             if !editor.selection.contains(handle.item) {
                 editor.select(Some(handle.item.clone()), modifiers.shift);
@@ -320,12 +326,19 @@ impl Canvas {
         if let Some(pointer) = pointer {
             self.snapped = Some(meant(editor, shown.place(pointer)));
         }
-        if response.drag_stopped() || response.clicked() {
+        let is_by_pointer = response.drag_stopped() || response.clicked_by(PointerButton::Primary);
+        if is_by_pointer && self.pressed_with != editor.tool {
+            return;
+        }
+        if is_by_pointer || response.clicked() {
             let pick = match (response.interact_pointer_pos().or(pointer), handle) {
-                (Some(pointer), _) => Some(meant(editor, shown.place(pointer)).pick),
+                (Some(pointer), _) if is_by_pointer => {
+                    Some(meant(editor, shown.place(pointer)).pick)
+                }
                 // By the keyboard, or by a reader.
-                (None, Some(handle)) => Some(meant(editor, handle.place).pick),
-                (None, None) => None,
+                (_, Some(handle)) => Some(meant(editor, handle.place).pick),
+                // By the keyboard on the paper: it picks at its cross.
+                (_, None) => None,
             };
             if let Some(pick) = pick {
                 editor.pick(pick);
@@ -413,10 +426,9 @@ fn menu(editor: &mut Editor, handle: Handle, ui: &mut egui::Ui) {
     ui.strong(handle.item.to_string());
     let choose = |editor: &mut Editor, tool: Tool| {
         let place = handle.place;
-        let hit = editor
-            .drawing
-            .as_ref()
-            .map_or(Hit::Paper, |drawing| drawing.hit(place, 1e-9));
+        let drawing = editor.drawing.as_ref();
+        let hit = drawing.and_then(|drawing| drawing.hit_of(handle.item));
+        let hit = hit.unwrap_or(Hit::Paper);
         editor.choose(tool);
         editor.pick(Pick { place, hit });
         editor.tool = Tool::Select;

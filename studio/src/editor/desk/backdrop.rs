@@ -38,6 +38,13 @@ pub(in crate::editor) struct PicturePlace {
 }
 
 impl PicturePlace {
+    /// Whether a picture can be there.
+    pub(in crate::editor) fn is_sound(&self) -> bool {
+        let [x, y] = self.center;
+        let numbers = [x, y, self.width, self.angle, f64::from(self.opacity)];
+        numbers.iter().all(|number| number.is_finite()) && self.width > 0.0
+    }
+
     /// Makes it larger about a place that stays where it is.
     pub(in crate::editor) fn scale_about(&mut self, [x, y]: [f64; 2], factor: f64) {
         let [at, above] = self.center;
@@ -64,7 +71,9 @@ impl Backdrop {
     pub(in crate::editor) fn read(path: &Path, bytes: &[u8]) -> Result<Self, Failure> {
         let picture = image::load_from_memory(bytes).map_err(|error| {
             let path = path.display();
-            Failure::file(format!("`{path}` is no picture that can be read: {error}"))
+            Failure::file(format!(
+                "`{path}` is not a picture that can be read: {error}"
+            ))
         })?;
         let picture = if picture.width().max(picture.height()) > LONGEST {
             picture.thumbnail(LONGEST, LONGEST)

@@ -21,6 +21,9 @@ pub(super) struct Desk {
     locked: BTreeSet<Item>,
     /// What is selected together.
     groups: Vec<BTreeSet<Item>>,
+    /// What is kept of it beside the file.
+    #[cfg(not(target_arch = "wasm32"))]
+    kept: record::Kept,
 }
 
 impl Desk {
@@ -55,11 +58,14 @@ impl Editor {
         }
     }
 
-    /// Keeps it beside the file, when the text is written.
+    /// Keeps it beside the file, if there is one.
     #[cfg(not(target_arch = "wasm32"))]
     pub(super) fn keep_desk(&mut self) {
-        let kept = self.desk.keep(self.workspace().path());
-        self.refuse_failed(kept);
+        if self.workspace().saved().is_some() {
+            let path = self.workspace().path().to_owned();
+            let kept = self.desk.keep(&path);
+            self.refuse_failed(kept);
+        }
     }
 
     /// Whether the pointer cannot move something.
@@ -88,7 +94,7 @@ impl Editor {
         handles.chain(self.selection.iter().cloned()).collect()
     }
 
-    /// Lets the pointer not move what is selected.
+    /// Keeps the pointer from moving what is selected.
     pub(super) fn lock_selected(&mut self) {
         let items = self.selected_with_handles();
         self.desk.locked.extend(items);
@@ -122,11 +128,13 @@ impl Editor {
     pub(super) fn ungroup_selected(&mut self) {
         let items = self.selection.clone();
         self.desk.ungroup(&items);
-        self.tell("no group any more");
+        self.tell("ungrouped");
     }
 
     /// Puts the picture in a file behind the drawing.
     pub(super) fn show_picture(&mut self, path: &Path) {
+        // It is found again from any folder.
+        let path = &std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
         let read = std::fs::read(path)
             .map_err(|error| Failure::file(format!("cannot read `{}`: {error}", path.display())));
         let shown = read.and_then(|bytes| self.set_backdrop(path, &bytes));

@@ -12,12 +12,23 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// What is kept of a desk: `.NAME.desk` beside the file, in JSON.
-#[derive(Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 struct Record {
     picture: Option<(PathBuf, PicturePlace)>,
     locked: BTreeSet<Item>,
     groups: Vec<BTreeSet<Item>>,
+}
+
+/// What is known of the file in which a desk is kept.
+#[derive(Default)]
+pub(super) struct Kept {
+    /// What it says.
+    record: Record,
+    /// The picture that it names and that is not there.
+    missing: Option<(PathBuf, PicturePlace)>,
+    /// Whether it cannot be read. Then it is left as it is.
+    is_broken: bool,
 }
 
 /// The file in which the desk of a text is kept.
@@ -29,18 +40,17 @@ fn beside(path: &Path) -> PathBuf {
 }
 
 impl Desk {
-    /// Keeps it beside the file of its text. An empty one needs no file.
+    /// Keeps it beside the file of its text, if it has changed. An empty one needs no file.
     ///
     /// # Errors
-    /// If the file cannot be written, or not be removed.
-    pub(in crate::editor) fn keep(&self, path: &Path) -> Result<(), Failure> {
+    /// If the file cannot be written, or not be removed. That is told once.
+    pub(in crate::editor) fn keep(&mut self, path: &Path) -> Result<(), Failure> {
+        let record = self.record();
+        if self.kept.is_broken || record == self.kept.record {
+            return Ok(());
+        }
+        self.kept.record = record.clone();
         let file = beside(path);
-        let backdrop = self.backdrop.as_ref();
-        let record = Record {
-            picture: backdrop.map(|backdrop| (backdrop.path.clone(), backdrop.place)),
-            locked: self.locked.clone(),
-            groups: self.groups.clone(),
-        };
         if record != Record::default() {
             let text = serde_json::to_string_pretty(&record);
             let text = text.map_err(|error| Failure::internal(error.to_string()))?;
@@ -52,33 +62,65 @@ impl Desk {
         }
     }
 
+    fn record(&self) -> Record {
+        let backdrop = self.backdrop.as_ref();
+        let shown = backdrop.map(|backdrop| (backdrop.path.clone(), backdrop.place));
+        Record {
+            picture: shown.or_else(|| self.kept.missing.clone()),
+            locked: self.locked.clone(),
+            groups: self.groups.clone(),
+        }
+    }
+
     /// What was kept beside a file, and what of it cannot be read.
     pub(in crate::editor) fn of(path: &Path) -> (Self, Result<(), Failure>) {
+        let mut desk = Self::default();
         let record = match read(&beside(path)) {
             Ok(record) => record,
-            Err(failure) => return (Self::default(), Err(failure)),
-        };
-        let mut desk = Self {
-            backdrop: None,
-            locked: record.locked,
-            groups: record.groups,
-        };
-        let done = record.picture.map_or(Ok(()), |(path, place)| {
-            let bytes = fs::read(&path).map_err(|error| failed(&path, &error))?;
-            let mut backdrop = Backdrop::read(&path, &bytes)?;
-            if place.width > 0.0 {
-                backdrop.place = place;
+            Err(failure) => {
+                desk.kept.is_broken = true;
+                return (desk, Err(failure));
             }
-            desk.backdrop = Some(backdrop);
-            Ok(())
+        };
+        desk.kept.record = record.clone();
+        (desk.locked, desk.groups) = (record.locked, record.groups);
+        let done = record.picture.map_or(Ok(()), |(picture, place)| {
+            match picture_at(&picture, path) {
+                Ok(mut backdrop) => {
+                    backdrop.place = place;
+                    desk.backdrop = Some(backdrop);
+                    Ok(())
+                }
+                Err(failure) => {
+                    desk.kept.missing = Some((picture, place));
+                    Err(failure)
+                }
+            }
         });
         (desk, done)
     }
 }
 
+/// The picture in a file, or in one of this name beside the text, if the folder was moved.
+fn picture_at(picture: &Path, text: &Path) -> Result<Backdrop, Failure> {
+    let moved = text.with_file_name(picture.file_name().unwrap_or_default());
+    let path = if picture.is_file() { picture } else { &moved };
+    let bytes = fs::read(path).map_err(|error| failed(picture, &error))?;
+    Backdrop::read(path, &bytes)
+}
+
 fn read(file: &Path) -> Result<Record, Failure> {
     match fs::read(file) {
-        Ok(bytes) => serde_json::from_slice(&bytes).map_err(|error| failed(file, &error)),
+        Ok(bytes) => {
+            let read = serde_json::from_slice::<Record>(&bytes);
+            let record = read.map_err(|error| failed(file, &error))?;
+            match &record.picture {
+                Some((_, place)) if !place.is_sound() => {
+                    Err(failed(file, &"a picture cannot be there"))
+                }
+                _ => Ok(record),
+            }
+        }
         Err(error) if error.kind() == ErrorKind::NotFound => Ok(Record::default()),
         Err(error) => Err(failed(file, &error)),
     }

@@ -115,7 +115,7 @@ impl Example {
 /// If its file has no mechanism, which is a mistake of ours.
 pub fn first_example() -> Result<Workspace, Failure> {
     let [first, ..] = &EXAMPLES;
-    Ok(Workspace::unsaved(first.file, first.text()?))
+    Ok(Workspace::proposed(first.file, first.text()?))
 }
 
 impl Editor {
@@ -123,7 +123,7 @@ impl Editor {
     pub(super) fn open_example(&mut self, example: &Example) {
         match example.text() {
             Ok(text) => {
-                self.open(Workspace::unsaved(example.file, text));
+                self.open(Workspace::proposed(example.file, text));
                 self.tell(format!("{}: {}", example.name, example.help));
             }
             Err(failure) => self.refuse(failure),

@@ -34,7 +34,7 @@ impl Autosave {
             let moved = self.move_to(place, editor.workspace());
             editor.refuse_failed(moved);
         }
-        if !editor.workspace().is_changed() {
+        if !editor.workspace().has_work() {
             self.forget(editor);
             return;
         }
@@ -58,20 +58,23 @@ impl Autosave {
         self.place = place;
         self.left.clear();
         let removed = self.remove_kept();
-        self.left = left_at(&self.place, workspace.text())?;
-        removed
+        let (left, read) = left_at(&self.place, workspace.text());
+        self.left = left;
+        removed.and(read)
     }
 
     fn write(&mut self, text: &str) -> Result<(), Failure> {
-        let path = match &self.kept {
-            Some(kept) => kept.path.clone(),
+        let path = match &mut self.kept {
+            Some(kept) => {
+                kept.unlock();
+                kept.path.clone()
+            }
             None => self.claim()?,
         };
         let written = output::replace(&path, text.as_bytes());
         match written {
             Ok(()) => {
-                let text = text.to_owned();
-                self.kept = Some(Left { path, text });
+                self.kept = Some(Left::kept(path, text.to_owned()));
                 Ok(())
             }
             Err(failure) if self.kept.is_none() => remove(&path).and(Err(failure)),

@@ -1,7 +1,7 @@
 //! The question before a window with unsaved changes is closed.
 
 use super::super::Editor;
-use super::super::action::{Answer, Dialog, FileUse, ask_to_save};
+use super::super::action::{Answer, FileUse, ask_to_save};
 use eframe::egui;
 use eframe::egui::ViewportCommand;
 
@@ -27,7 +27,7 @@ impl Closing {
 
     /// Asks if there is something to lose. Returns whether nothing has to be kept any more.
     pub(super) fn ask(&mut self, editor: &mut Editor, context: &egui::Context) -> bool {
-        let is_changed = editor.workspace().is_changed();
+        let is_changed = editor.has_work();
         let wants_to_close = context.input(|input| input.viewport().close_requested());
         if wants_to_close && is_changed && !matches!(self, Self::May) {
             context.send_viewport_cmd(ViewportCommand::CancelClose);
@@ -59,7 +59,7 @@ impl Closing {
                 self.close_if_saved(editor, context)
             }
             Some(Answer::Save) => {
-                editor.settings.dialog = Some(Dialog::File(FileUse::Save(None), String::new()));
+                editor.settings.dialog = Some(editor.file_dialog(FileUse::Save(None)));
                 *self = Self::Saves;
                 false
             }
@@ -67,7 +67,7 @@ impl Closing {
     }
 
     fn close_if_saved(&mut self, editor: &Editor, context: &egui::Context) -> bool {
-        let is_saved = !editor.workspace().is_changed();
+        let is_saved = !editor.has_work();
         *self = if is_saved { Self::May } else { Self::Not };
         if is_saved {
             context.send_viewport_cmd(ViewportCommand::Close);

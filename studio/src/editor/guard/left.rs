@@ -4,7 +4,7 @@ use crate::document::Source;
 use crate::edit::Workspace;
 use crate::failure::Failure;
 use std::ffi::OsString;
-use std::fs::{self, File};
+use std::fs::{self, File, TryLockError};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -12,6 +12,34 @@ use std::path::{Path, PathBuf};
 pub(super) struct Left {
     pub(super) path: PathBuf,
     pub(super) text: String,
+    /// The file, which no other window takes as long as it is locked here. A crash unlocks it.
+    lock: Option<File>,
+}
+
+impl Left {
+    /// A text that is kept here from now on.
+    pub(super) fn kept(path: PathBuf, text: String) -> Self {
+        let lock = locked(&path);
+        Self { path, text, lock }
+    }
+
+    /// Unlocks its file, so that another can take its place.
+    pub(super) fn unlock(&mut self) {
+        self.lock = None;
+    }
+}
+
+/// A file, locked against other windows; none if it cannot be, as on some disks.
+fn locked(path: &Path) -> Option<File> {
+    let file = File::open(path).ok()?;
+    file.try_lock().ok()?;
+    Some(file)
+}
+
+/// Whether another window keeps its text in this file.
+fn is_of_other_window(path: &Path) -> bool {
+    let file = File::open(path);
+    file.is_ok_and(|file| matches!(file.try_lock(), Err(TryLockError::WouldBlock)))
 }
 
 /// How many texts are kept beside a file at most: one for each window in which it is edited.
@@ -56,20 +84,21 @@ fn slots(place: &Path) -> impl Iterator<Item = PathBuf> {
     })
 }
 
-/// The texts that were left beside a file, other than this one. Those that tell nothing are removed.
-pub(super) fn left_at(place: &Path, text: &str) -> Result<Vec<Left>, Failure> {
-    let mut found = Vec::new();
-    for path in slots(place).filter(|path| path.is_file()) {
-        let source = Source::read(&path)?;
-        let left = source.text();
-        if left.is_empty() || left == text {
-            remove(&path)?;
-        } else {
-            let text = left.to_owned();
-            found.push(Left { path, text });
+/// The texts that were left beside a file, other than this one, and why one cannot be read. Those that tell nothing are removed; those of
+/// other windows stay theirs.
+pub(super) fn left_at(place: &Path, text: &str) -> (Vec<Left>, Result<(), Failure>) {
+    let (mut found, mut done) = (Vec::new(), Ok(()));
+    let slots = slots(place).filter(|path| path.is_file());
+    for path in slots.filter(|path| !is_of_other_window(path)) {
+        match Source::read(&path) {
+            Ok(source) if source.text().is_empty() || source.text() == text => {
+                done = done.and(remove(&path));
+            }
+            Ok(source) => found.push(Left::kept(path, source.text().to_owned())),
+            Err(failure) => done = done.and(Err(failure)),
         }
     }
-    Ok(found)
+    (found, done)
 }
 
 /// Takes the first name beside a file that no other window has, and that no text was left under.

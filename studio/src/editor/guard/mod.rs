@@ -12,7 +12,7 @@ use closing::Closing;
 use eframe::egui;
 use watch::Watch;
 
-/// What keeps the user's work. Without files it only asks before the window is closed.
+/// What keeps the user's work. In tests it may have no files: then it only asks before the window is closed.
 #[derive(Default)]
 pub(super) struct Guard {
     autosave: Option<Autosave>,
@@ -61,13 +61,8 @@ impl Editor {
     /// Takes over a text from a file, as one step.
     fn take_over(&mut self, title: &str, text: &str) {
         self.session.workspace.push(title, text);
-        self.picks.clear();
+        self.let_go();
         self.read();
         self.tell(title);
-    }
-
-    /// Whether nothing is under way that would overwrite what is taken over.
-    const fn is_at_rest(&self) -> bool {
-        self.dragging.is_none() && !self.is_trying
     }
 }

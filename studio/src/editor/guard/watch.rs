@@ -51,7 +51,11 @@ impl Watch {
     /// Looks at the file, if something has happened to it.
     pub(super) fn look(&mut self, editor: &mut Editor, context: &egui::Context) {
         let workspace = editor.workspace();
-        if workspace.is_named() && workspace.path() != self.path {
+        if !workspace.is_named() {
+            self.end();
+            return;
+        }
+        if workspace.path() != self.path {
             self.path = workspace.path().to_owned();
             (self.theirs, self.deleted) = (None, None);
             if let Err(error) = self.begin() {
@@ -64,6 +68,12 @@ impl Watch {
         }
         let looked = self.compare(editor);
         editor.refuse_failed(looked);
+    }
+
+    /// Watches nothing any more: the text has no file.
+    fn end(&mut self) {
+        self.path = PathBuf::new();
+        (self.watcher, self.theirs, self.deleted) = (None, None, None);
     }
 
     /// Watches the folder of the file.

@@ -12,6 +12,7 @@ pub(super) fn behind(editor: &mut Editor, ui: &mut egui::Ui) {
     let name = backdrop.path.file_name().unwrap_or_default();
     ui.separator();
     ui.heading(format!("picture {}", name.display()));
+    let before = backdrop.place;
     let place = &mut backdrop.place;
     let step = 0.005 * place.width;
     egui::Grid::new("picture behind")
@@ -36,6 +37,9 @@ pub(super) fn behind(editor: &mut Editor, ui: &mut egui::Ui) {
             let opacity = egui::DragValue::new(&mut place.opacity);
             number("opacity", opacity.range(0.0..=1.0).speed(0.01), ui);
         });
+    if !backdrop.place.is_sound() {
+        backdrop.place = before;
+    }
     let distance = places.and_then(|places| distance_of(places, ui));
     let is_removed = ui.button("Remove the picture").clicked();
     if let Some(distance) = distance {
@@ -62,10 +66,11 @@ fn distance_of([[x, y], [u, v]]: [[f64; 2]; 2], ui: &mut egui::Ui) -> Option<f64
         let field = egui::DragValue::new(&mut value)
             .range(f64::MIN_POSITIVE..=f64::MAX)
             .update_while_editing(false)
+            .max_decimals(6)
             .speed(0.0);
         ui.add(field)
             .labelled_by(label.id)
             .on_hover_text("how far apart the two selected places of the picture are in truth");
     });
-    (value != drawn).then_some(value)
+    ((value - drawn).abs() > 1e-6 * drawn).then_some(value)
 }

@@ -23,6 +23,8 @@ struct Marks {
 pub(in crate::editor) struct TextPanel {
     /// The text as it was coloured last.
     colored: Option<Colored>,
+    /// The text as it was seen or typed last.
+    seen: String,
 }
 
 /// A text with its marks, in colours.
@@ -38,6 +40,10 @@ impl TextPanel {
         let marks = editor.marks();
         let shown = editor.shown_text();
         let mut typed = shown.clone();
+        let field = egui::Id::unique("text of the mechanism");
+        if shown != self.seen {
+            forget_typing(field, ui.ctx());
+        }
         let is_dragged = editor.dragging.is_some();
         let mut layouter = |ui: &egui::Ui, buffer: &dyn egui::TextBuffer, _: f32| {
             let job = self.color(buffer.as_str(), &marks, ui.visuals());
@@ -47,6 +53,7 @@ impl TextPanel {
         egui::ScrollArea::both().auto_shrink(false).show(ui, |ui| {
             let label = ui.label(editor.workspace().path().display().to_string());
             let output = egui::TextEdit::multiline(&mut typed)
+                .id(field)
                 .code_editor()
                 .desired_width(f32::INFINITY)
                 .desired_rows(24)
@@ -74,6 +81,7 @@ impl TextPanel {
         if typed != shown {
             editor.type_text(&typed);
         }
+        self.seen = typed;
         editor.under_text = under.and_then(|byte| editor.item_at(byte));
     }
 
@@ -90,6 +98,14 @@ impl TextPanel {
             job: colored(text, marks, visuals),
         });
         self.colored.insert(known).job.clone()
+    }
+}
+
+/// Forgets what was typed before the text became another one otherwise: undoing it would bring back all of the earlier text.
+fn forget_typing(field: egui::Id, context: &egui::Context) {
+    if let Some(mut state) = egui::TextEdit::load_state(context, field) {
+        state.clear_undoer();
+        state.store(context, field);
     }
 }
 
@@ -112,7 +128,7 @@ fn colored(text: &str, marks: &Marks, visuals: &egui::Visuals) -> LayoutJob {
     job.wrap.max_width = f32::INFINITY;
     let mut at = 0;
     let mut add = |range: Range<usize>, color: egui::Color32| {
-        for piece in pieces(range, marks) {
+        for piece in pieces(text, range, marks) {
             let within = |all: &[Range<usize>]| {
                 all.iter()
                     .any(|one| one.start <= piece.start && piece.end <= one.end)
@@ -171,15 +187,15 @@ fn colored(text: &str, marks: &Marks, visuals: &egui::Visuals) -> LayoutJob {
     job
 }
 
-/// A range, cut where marks begin and end.
-fn pieces(range: Range<usize>, marks: &Marks) -> Vec<Range<usize>> {
+/// A range of a text, cut where marks begin and end. Marks may be of the text before, which was another.
+fn pieces(text: &str, range: Range<usize>, marks: &Marks) -> Vec<Range<usize>> {
     let all = marks
         .wrong
         .iter()
         .chain(&marks.selected)
         .chain(&marks.hovered);
     let mut cuts: Vec<usize> = all.flat_map(|mark| [mark.start, mark.end]).collect();
-    cuts.retain(|cut| range.start < *cut && *cut < range.end);
+    cuts.retain(|cut| range.start < *cut && *cut < range.end && text.is_char_boundary(*cut));
     cuts.extend([range.start, range.end]);
     cuts.sort_unstable();
     cuts.dedup();

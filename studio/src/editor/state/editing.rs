@@ -1,6 +1,7 @@
 //! What the user does with the text: by tools, by typing, by lines of the dialogue, by steps back and forth.
 
 use super::Editor;
+use super::pending::{Pending, Waiting};
 use crate::dialogue::{Request, Turn, request};
 use crate::edit::{Command, Kind, Workspace};
 use crate::editor::settings::{Settings, View};
@@ -14,6 +15,7 @@ use std::path::Path;
 impl Editor {
     /// Chooses a tool.
     pub fn choose(&mut self, tool: Tool) {
+        self.obey(Control::Release);
         self.tool = tool;
         self.picks.clear();
         self.dragging = None;
@@ -27,27 +29,39 @@ impl Editor {
             return;
         }
         let picks = std::mem::take(&mut self.picks);
+        if !self.pending.is_empty() {
+            let picks = self.named(&picks);
+            self.wait(Waiting::Picks(self.tool, picks));
+            return;
+        }
         match self.tool.gesture(self.drawing.as_ref(), &picks) {
             Ok(gesture) => self.perform(gesture),
             Err(why) => self.refuse(why),
         }
     }
 
-    /// Goes back by a step.
+    /// Goes back by a step, or gives up a gesture that was not made yet.
     pub fn undo(&mut self) {
+        if let Some(title) = self.pending.give_up_last() {
+            self.tell(format!("given up: {title}"));
+            return;
+        }
         let title = self.session.workspace.undo().map(ToOwned::to_owned);
         self.stepped("undone", title);
     }
 
     /// Makes the step again that was undone.
     pub fn redo(&mut self) {
+        if !self.pending.is_empty() {
+            return;
+        }
         let title = self.session.workspace.redo().map(ToOwned::to_owned);
         self.stepped("done again", title);
     }
 
     fn stepped(&mut self, word: &str, title: Option<String>) {
         if let Some(title) = title {
-            self.picks.clear();
+            self.let_go();
             self.read();
             self.tell(format!("{word}: {title}"));
         }
@@ -56,6 +70,7 @@ impl Editor {
     /// Takes over a text that was typed, as one step. Typing on is the same step.
     pub fn type_text(&mut self, text: &str) {
         self.session.workspace.retype("text", text);
+        self.let_go();
         self.read();
     }
 
@@ -89,10 +104,11 @@ impl Editor {
     /// Goes on with another mechanism of the file, by its number.
     pub(in crate::editor) fn choose_mechanism(&mut self, index: usize) {
         self.session.workspace.choose(index);
+        self.pending.clear();
         self.player = None;
         self.drawing = None;
         self.selection.clear();
-        self.picks.clear();
+        self.let_go();
         self.settings.view = View::Ours;
         self.read();
     }
@@ -114,12 +130,11 @@ impl Editor {
                 self.open(self.workspace().clone());
                 self.journal = journal;
             }
-            #[cfg(not(target_arch = "wasm32"))]
-            Ok(Some(Request::Save(_))) if self.answer(line) => self.keep_desk(),
-            Ok(Some(Request::Open { .. } | Request::Save(_))) => {}
+            Ok(Some(Request::Open { .. })) => {}
             // What cannot be understood is told there, too.
             Ok(_) | Err(_) => {
                 self.answer(line);
+                self.let_go();
                 self.read();
             }
         }
@@ -144,7 +159,8 @@ impl Editor {
     pub fn open(&mut self, workspace: Workspace) {
         let worker = std::mem::replace(&mut self.worker, Worker::immediate());
         let (settings, size) = (self.settings.clone(), self.camera.size());
-        *self = Self::with(workspace, worker);
+        let pending = Pending::after(&self.pending);
+        *self = Self::with(workspace, worker, pending);
         self.settings = Settings {
             view: self.settings.view,
             ..settings
@@ -163,8 +179,6 @@ impl Editor {
         match saving.write() {
             Ok(path) => {
                 self.tell(format!("saved `{}`", path.display()));
-                #[cfg(not(target_arch = "wasm32"))]
-                self.keep_desk();
                 Ok(())
             }
             Err(failure) => {

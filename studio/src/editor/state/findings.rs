@@ -1,9 +1,13 @@
 //! What is given to the worker, and what is made of its findings.
 
 use super::Editor;
+use super::pending::Waiting;
 use crate::edit::{Applied, Refusal};
+use crate::editor::dragging::Dragging;
 use crate::editor::settings::View;
+use crate::editor::snap::CLOSE;
 use crate::editor::snapshot::Snapshot;
+use crate::editor::tool::{NamedPick, Pick, Tool};
 use crate::editor::worker::{Finding, Task};
 use crate::editor::{Gesture, Item};
 use std::sync::Arc;
@@ -11,24 +15,64 @@ use std::sync::Arc;
 impl Editor {
     /// Makes a gesture, as soon as those before it are made.
     pub fn perform(&mut self, gesture: impl Into<Gesture>) {
-        self.waiting.push_back(gesture.into());
+        self.wait(Waiting::Gesture(gesture.into()));
+    }
+
+    /// Lets a gesture wait for those before it.
+    pub(super) fn wait(&mut self, waiting: Waiting) {
+        self.pending.push(waiting);
         self.go_on();
     }
 
     /// Tries the next gesture.
     fn go_on(&mut self) {
-        if self.is_trying {
-            return;
-        }
-        if let Some(gesture) = self.waiting.pop_front() {
-            self.is_trying = true;
-            let task = Task::Try {
-                document: self.workspace().document(),
-                index: self.workspace().index(),
-                gesture,
+        while let Some(waiting) = self.pending.pop() {
+            let gesture = match waiting {
+                Waiting::Gesture(gesture) => gesture,
+                Waiting::Picks(tool, picks) => match self.gesture_of(tool, &picks) {
+                    Ok(gesture) => gesture,
+                    Err(why) => {
+                        self.refuse(why);
+                        continue;
+                    }
+                },
             };
-            self.give(task);
+            self.try_out(gesture);
         }
+    }
+
+    fn try_out(&mut self, gesture: Gesture) {
+        let (text, index) = (self.session.workspace.text(), self.workspace().index());
+        let number = self.pending.begin(gesture.clone(), text, index);
+        let task = Task::Try {
+            number,
+            document: self.workspace().document(),
+            index,
+            gesture,
+        };
+        self.give(task);
+    }
+
+    /// The gesture of a tool, with what is by now where it was picked.
+    fn gesture_of(&self, tool: Tool, picks: &[NamedPick]) -> Result<Gesture, String> {
+        tool.gesture(self.drawing.as_ref(), &self.picked(picks))
+    }
+
+    /// What is by now where something was picked.
+    fn picked(&self, picks: &[NamedPick]) -> Vec<Pick> {
+        let reach = CLOSE / self.camera.view().scale();
+        let picks = picks.iter();
+        picks
+            .map(|pick| pick.within(self.drawing.as_ref(), reach))
+            .collect()
+    }
+
+    /// What was picked, by its names.
+    pub(super) fn named(&self, picks: &[Pick]) -> Vec<NamedPick> {
+        let picks = picks.iter();
+        picks
+            .map(|pick| NamedPick::of(pick, self.drawing.as_ref()))
+            .collect()
     }
 
     pub(in crate::editor) fn give(&mut self, task: Task) {
@@ -40,7 +84,16 @@ impl Editor {
 
     /// Reads the text anew, after it was changed other than by a gesture.
     pub(in crate::editor) fn read(&mut self) {
-        self.typed = None;
+        // Of fewer mechanisms than there were, the last one is meant.
+        let last = self
+            .workspace()
+            .document()
+            .declarations()
+            .len()
+            .saturating_sub(1);
+        if self.workspace().index() > last {
+            self.session.workspace.choose(last);
+        }
         let task = Task::Read {
             document: self.workspace().document(),
             index: self.workspace().index(),
@@ -62,7 +115,7 @@ impl Editor {
                 Ok(Some(finding)) => self.take(finding),
                 Ok(None) => return,
                 Err(failure) => {
-                    self.refuse(failure);
+                    self.take(Finding::Broken(failure));
                     return;
                 }
             }
@@ -71,12 +124,8 @@ impl Editor {
 
     fn take(&mut self, finding: Finding) {
         match finding {
-            Finding::Tried(tried) => {
-                self.is_trying = false;
-                match *tried {
-                    Ok((applied, snapshot)) => self.accept(&applied, snapshot),
-                    Err(refusal) => self.reject(&refusal),
-                }
+            Finding::Tried(number, tried) => {
+                self.take_tried(number, *tried);
                 self.go_on();
             }
             Finding::Read(snapshot) => {
@@ -96,6 +145,11 @@ impl Editor {
                     }
                 }
             }
+            Finding::Broken(failure) => {
+                self.pending.clear();
+                self.is_mending = false;
+                self.refuse(failure);
+            }
             Finding::Exported(done) => self.take_export(done),
             Finding::Measured(curves) => self.take_curves(*curves),
             Finding::Mended(snapshot, found) => {
@@ -110,22 +164,51 @@ impl Editor {
         }
     }
 
+    /// Takes over what a gesture does, if the text is still the one on which it was tried. On another text it is tried again.
+    fn take_tried(&mut self, number: u64, tried: Result<(Applied, Arc<Snapshot>), Refusal>) {
+        let Some(before) = self.pending.end(number) else {
+            // Nobody waits for it any more. The present text may not have been followed up because of it.
+            self.read();
+            return;
+        };
+        if !before.is_of(self.workspace().text(), self.workspace().index()) {
+            self.pending.push_first(before.gesture);
+            return;
+        }
+        match tried {
+            Ok((applied, snapshot)) => self.accept(&applied, snapshot),
+            Err(refusal) => self.reject(&refusal),
+        }
+    }
+
     fn accept(&mut self, applied: &Applied, snapshot: Arc<Snapshot>) {
         let text = applied.document.source().text();
         self.session.workspace.push(applied.title.as_str(), text);
-        self.typed = None;
         let notes = applied.notes.join("; ");
         self.tell(if notes.is_empty() {
             applied.title.clone()
         } else {
             format!("{}: {notes}", applied.title)
         });
+        // What was begun meanwhile goes on in the new text.
+        let held = self.dragging.take().map(Dragging::held);
+        let picks = self.named(&self.picks);
         self.show(snapshot);
+        self.picks = self.picked(&picks);
+        if let Some((items, to)) = held {
+            self.drag_on(items, to);
+        }
     }
 
     fn reject(&mut self, refusal: &Refusal) {
-        self.waiting.clear();
+        self.pending.clear();
         self.refuse(refusal);
+    }
+
+    /// Lets go of what was begun in an earlier text.
+    pub(in crate::editor) fn let_go(&mut self) {
+        self.dragging = None;
+        self.picks.clear();
     }
 
     /// Whether a snapshot is of the present text.

@@ -2,6 +2,7 @@
 
 mod editing;
 mod findings;
+mod pending;
 mod playing;
 
 use super::desk::Desk;
@@ -16,13 +17,14 @@ use super::settings::{Settings, View};
 use super::snapshot::Snapshot;
 use super::tool::{Pick, Tool};
 use super::worker::Worker;
-use super::{Gesture, Item, bounds_of};
+use super::{Item, bounds_of};
 use crate::dialogue::Session;
 use crate::document::{Document, Source};
 use crate::edit::Workspace;
 use crate::mend::Mending;
 use crate::play::{Camera, Player, SIZE};
-use std::collections::{BTreeSet, VecDeque};
+use pending::Pending;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// What is told at the foot of the window.
@@ -39,9 +41,7 @@ pub struct Editor {
     pub(in crate::editor) session: Session,
     pub(in crate::editor) journal: Journal,
     worker: Worker,
-    /// Gestures that wait for the one that is being tried.
-    waiting: VecDeque<Gesture>,
-    pub(in crate::editor) is_trying: bool,
+    pending: Pending,
     /// What the compiler makes of the present text; of an earlier one, while it works.
     pub(in crate::editor) snapshot: Arc<Snapshot>,
     /// What the compiler made of the last text that could be read, and how that is drawn.
@@ -63,8 +63,6 @@ pub struct Editor {
     pub(in crate::editor) camera: Camera,
     pub(in crate::editor) notice: Option<Notice>,
     pub(in crate::editor) settings: Settings,
-    /// The text as somebody types it, until it is taken over.
-    pub(in crate::editor) typed: Option<String>,
     /// What was copied: links.
     pub(in crate::editor) copied: Vec<String>,
     /// A line that is to be completed and said.
@@ -90,30 +88,30 @@ pub struct Editor {
 impl Editor {
     /// An editor of this text, which analyses in a thread of its own and calls `wake` when there is something new to show.
     #[must_use]
-    pub fn new(workspace: Workspace, wake: impl Fn() + Send + 'static) -> Self {
+    pub fn new(workspace: Workspace, wake: impl Fn() + Send + Sync + 'static) -> Self {
         #[cfg(not(target_arch = "wasm32"))]
-        let worker = Worker::beside(wake);
+        let worker = Worker::beside(wake).unwrap_or_else(|_| Worker::in_pieces());
         #[cfg(target_arch = "wasm32")]
         let worker = {
             drop(wake);
             Worker::in_pieces()
         };
-        Self::with(workspace, worker)
+        Self::with(workspace, worker, Pending::default())
     }
 
     /// One that analyses in pieces, one after each picture, as in a browser.
     #[must_use]
     pub fn in_pieces(workspace: Workspace) -> Self {
-        Self::with(workspace, Worker::in_pieces())
+        Self::with(workspace, Worker::in_pieces(), Pending::default())
     }
 
     /// One that does everything at once, so that nothing has to be waited for.
     #[must_use]
     pub fn immediate(workspace: Workspace) -> Self {
-        Self::with(workspace, Worker::immediate())
+        Self::with(workspace, Worker::immediate(), Pending::default())
     }
 
-    fn with(workspace: Workspace, worker: Worker) -> Self {
+    fn with(workspace: Workspace, worker: Worker, pending: Pending) -> Self {
         let workspace_is_empty = workspace.text().trim().is_empty();
         let empty = Document::of(Source::new(workspace.path(), ""));
         let mut editor = Self {
@@ -121,8 +119,7 @@ impl Editor {
             session: Session::of(workspace),
             journal: Journal::default(),
             worker,
-            waiting: VecDeque::new(),
-            is_trying: false,
+            pending,
             drawn: None,
             drawing: None,
             played: None,
@@ -145,7 +142,6 @@ impl Editor {
                 },
                 ..Settings::default()
             },
-            typed: None,
             copied: Vec::new(),
             proposed: None,
             is_canvas_focused: false,
@@ -221,7 +217,18 @@ impl Editor {
     /// Whether the analysis is not done yet.
     #[must_use]
     pub fn is_busy(&self) -> bool {
-        self.is_trying || self.is_mending
+        !self.pending.is_empty() || self.is_mending
+    }
+
+    /// Whether nothing is under way that would be lost if the text became another one.
+    pub(in crate::editor) fn is_at_rest(&self) -> bool {
+        self.dragging.is_none() && self.pending.is_empty()
+    }
+
+    /// Whether something is lost if the text is left as it is.
+    #[must_use]
+    pub fn has_work(&self) -> bool {
+        !self.pending.is_empty() || self.workspace().has_work()
     }
 
     /// Tells something.

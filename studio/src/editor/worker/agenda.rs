@@ -1,9 +1,10 @@
 //! What there is to do, in pieces.
 
-use super::{Finding, Task};
+use super::{Finding, Task, broken};
 use crate::edit::apply_all;
 use crate::editor::curves::Curves;
 use crate::editor::snapshot::Snapshot;
+use mech_compiler::catch;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -25,8 +26,15 @@ impl Agenda {
         }
     }
 
-    /// Notes something to do.
+    /// Notes something to do. Of texts that are to be read, the last one alone is wanted.
     pub(super) fn add(&mut self, task: Task) {
+        let is_read = |task: &Task| matches!(task, Task::Read { .. });
+        let is_preview = |task: &Task| matches!(task, Task::Preview { .. });
+        if is_read(&task) {
+            self.given.retain(|other| !is_read(other));
+        } else if is_preview(&task) {
+            self.given.retain(|other| !is_preview(other));
+        }
         self.given.push_back(task);
     }
 
@@ -38,8 +46,14 @@ impl Agenda {
     /// Does the next piece, and tells what was found out.
     pub(super) fn go_on(&mut self) -> Option<Finding> {
         let task = self.given.pop_front();
-        match task.or_else(|| self.follows.pop_front())? {
+        let task = task.or_else(|| self.follows.pop_front())?;
+        catch(|| self.fulfil(task)).unwrap_or_else(|what| Some(broken(what)))
+    }
+
+    fn fulfil(&mut self, task: Task) -> Option<Finding> {
+        match task {
             Task::Try {
+                number,
                 document,
                 index,
                 gesture,
@@ -48,9 +62,9 @@ impl Agenda {
                     let (document, reading) = (applied.document.clone(), applied.reading.clone());
                     let snapshot = Arc::new(Snapshot::analysed(document, index, reading));
                     self.go_on_with(&snapshot);
-                    Some(Finding::Tried(Box::new(Ok((applied, snapshot)))))
+                    Some(Finding::Tried(number, Box::new(Ok((applied, snapshot)))))
                 }
-                Err(refusal) => Some(Finding::Tried(Box::new(Err(refusal)))),
+                Err(refusal) => Some(Finding::Tried(number, Box::new(Err(refusal)))),
             },
             Task::Read { document, index } => {
                 let snapshot = Arc::new(Snapshot::of(document, index));

@@ -15,15 +15,19 @@ use crate::document::Document;
 use crate::edit::{Applied, Refusal};
 use crate::failure::Failure;
 use crate::mend::Mending;
+use mech_compiler::catch;
 use std::collections::VecDeque;
 use std::sync::Arc;
 #[cfg(not(target_arch = "wasm32"))]
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
+#[cfg(not(target_arch = "wasm32"))]
+use std::thread;
 
 /// What there is to do.
 pub(super) enum Task {
     /// A gesture is tried on a text.
     Try {
+        number: u64,
         document: Document,
         index: usize,
         gesture: Gesture,
@@ -47,8 +51,8 @@ pub(super) enum Task {
 
 /// What was found out.
 pub(super) enum Finding {
-    /// What a gesture does, and what the compiler makes of that; or why it is refused.
-    Tried(Box<Result<(Applied, Arc<Snapshot>), Refusal>>),
+    /// What the gesture with this number does, and what the compiler makes of that; or why it is refused.
+    Tried(u64, Box<Result<(Applied, Arc<Snapshot>), Refusal>>),
     /// What the compiler makes of a text.
     Read(Arc<Snapshot>),
     /// What the compiler makes of a text while something is dragged, and the mechanism, if it moves.
@@ -61,6 +65,8 @@ pub(super) enum Finding {
     Measured(Box<Curves>),
     /// What was written, or why nothing was.
     Exported(Result<String, Failure>),
+    /// What of our own is broken, so that a task was not done.
+    Broken(Failure),
 }
 
 /// Does tasks: beside the window, in pieces, or at once.
@@ -79,8 +85,34 @@ pub(super) enum Worker {
     Thread {
         tasks: Sender<Task>,
         findings: Receiver<Finding>,
+        /// For what is done beside the thread.
+        teller: Teller,
     },
 }
+
+/// Tells what was found out, and wakes the window.
+#[cfg(not(target_arch = "wasm32"))]
+#[derive(Clone)]
+pub(super) struct Teller {
+    found: Sender<Finding>,
+    wake: Arc<dyn Fn() + Send + Sync>,
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+impl Teller {
+    /// Tells it. Returns whether anybody listens: nobody does any more when the window is closed.
+    fn tell(&self, finding: Finding) -> bool {
+        let is_heard = self.found.send(finding).is_ok();
+        if is_heard {
+            (self.wake)();
+        }
+        is_heard
+    }
+}
+
+/// The stack of the thread, in bytes: the compiler goes as deep as the text that it reads.
+#[cfg(not(target_arch = "wasm32"))]
+const STACK: usize = 16 << 20;
 
 impl Worker {
     /// One that does everything at once.
@@ -98,12 +130,25 @@ impl Worker {
     }
 
     /// One with a thread of its own, which calls `wake` when it has found something out.
+    ///
+    /// # Errors
+    /// If the system has no thread for it.
     #[cfg(not(target_arch = "wasm32"))]
-    pub(super) fn beside(wake: impl Fn() + Send + 'static) -> Self {
+    pub(super) fn beside(wake: impl Fn() + Send + Sync + 'static) -> std::io::Result<Self> {
         let (tasks, to_do) = channel();
         let (found, findings) = channel();
-        std::thread::spawn(move || serve(&to_do, &found, wake));
-        Self::Thread { tasks, findings }
+        let wake = Arc::new(wake);
+        let teller = Teller { found, wake };
+        let serving = teller.clone();
+        let analysis = thread::Builder::new().name("analysis".to_owned());
+        analysis
+            .stack_size(STACK)
+            .spawn(move || serve(&to_do, &serving))?;
+        Ok(Self::Thread {
+            tasks,
+            findings,
+            teller,
+        })
     }
 
     /// Gives it something to do.
@@ -128,7 +173,18 @@ impl Worker {
                 Ok(())
             }
             #[cfg(not(target_arch = "wasm32"))]
-            Self::Thread { tasks, .. } => tasks.send(task).map_err(|_| ended()),
+            Self::Thread { tasks, teller, .. } => match task {
+                // A film takes its time, and nothing else waits for it.
+                Task::Export(order) => {
+                    let teller = teller.clone();
+                    thread::spawn(move || {
+                        let done = catch(|| Finding::Exported(order.fulfil()));
+                        teller.tell(done.unwrap_or_else(broken));
+                    });
+                    Ok(())
+                }
+                task => tasks.send(task).map_err(|_| ended()),
+            },
         }
     }
 
@@ -168,9 +224,14 @@ fn ended() -> Failure {
     Failure::internal("the analysis beside the window has ended")
 }
 
-/// Does what comes, until nobody listens any more: the window is closed then.
+/// What is told of a broken invariant of our own.
+fn broken(what: String) -> Finding {
+    Finding::Broken(Failure::internal(what))
+}
+
+/// Does what comes, until nobody listens any more.
 #[cfg(not(target_arch = "wasm32"))]
-fn serve(to_do: &Receiver<Task>, found: &Sender<Finding>, wake: impl Fn()) {
+fn serve(to_do: &Receiver<Task>, teller: &Teller) {
     let mut agenda = Agenda::default();
     loop {
         if agenda.is_done() {
@@ -182,11 +243,10 @@ fn serve(to_do: &Receiver<Task>, found: &Sender<Finding>, wake: impl Fn()) {
         while let Ok(task) = to_do.try_recv() {
             agenda.add(task);
         }
-        if let Some(finding) = agenda.go_on() {
-            if found.send(finding).is_err() {
-                return;
-            }
-            wake();
+        if let Some(finding) = agenda.go_on()
+            && !teller.tell(finding)
+        {
+            return;
         }
     }
 }

@@ -52,6 +52,12 @@ impl User {
         Self::before_window([1280.0, 800.0], name, text)
     }
 
+    /// Before an empty text that nobody has named.
+    pub(crate) fn without_file() -> Self {
+        let editor = Editor::immediate(Workspace::default());
+        Self::before_studio([1280.0, 800.0], Studio::new(editor))
+    }
+
     /// With a telephone, on which nothing is written yet.
     pub(crate) fn with_telephone() -> Self {
         Self::before_window([390.0, 760.0], "test.mech", "")

@@ -1,0 +1,107 @@
+//! Gestures that are tried, and those that wait for them.
+
+use crate::editor::Gesture;
+use crate::editor::tool::{NamedPick, Tool};
+use std::collections::VecDeque;
+
+/// A gesture that is being tried, and those that wait for it.
+#[derive(Default)]
+pub(super) struct Pending {
+    tried: Option<Tried>,
+    waiting: VecDeque<Waiting>,
+    /// How many were tried. A finding of an earlier one is recognised by its number.
+    count: u64,
+}
+
+/// A gesture that waits.
+pub(super) enum Waiting {
+    /// One whose commands are known.
+    Gesture(Gesture),
+    /// One whose commands depend on what will be where it was picked.
+    Picks(Tool, Vec<NamedPick>),
+}
+
+/// A gesture that is being tried, on which text.
+pub(super) struct Tried {
+    number: u64,
+    pub(super) gesture: Gesture,
+    text: String,
+    index: usize,
+}
+
+impl Tried {
+    /// Whether it was tried on this text, for the mechanism with this number.
+    pub(super) fn is_of(&self, text: &str, index: usize) -> bool {
+        self.text == text && self.index == index
+    }
+}
+
+impl Pending {
+    /// With the numbers of these going on, so that none is given twice.
+    pub(super) fn after(before: &Self) -> Self {
+        Self {
+            count: before.count,
+            ..Self::default()
+        }
+    }
+
+    /// Whether nothing is tried and nothing waits.
+    pub(super) fn is_empty(&self) -> bool {
+        self.tried.is_none() && self.waiting.is_empty()
+    }
+
+    /// Whether a gesture is being tried.
+    pub(super) const fn is_trying(&self) -> bool {
+        self.tried.is_some()
+    }
+
+    /// Lets a gesture wait until those before it are made.
+    pub(super) fn push(&mut self, waiting: Waiting) {
+        self.waiting.push_back(waiting);
+    }
+
+    /// Lets a gesture be made before all that wait.
+    pub(super) fn push_first(&mut self, gesture: Gesture) {
+        self.waiting.push_front(Waiting::Gesture(gesture));
+    }
+
+    /// The next that waits, if nothing is tried.
+    pub(super) fn pop(&mut self) -> Option<Waiting> {
+        if self.is_trying() {
+            return None;
+        }
+        self.waiting.pop_front()
+    }
+
+    /// Notes that a gesture is tried on a text. Gives its number.
+    pub(super) fn begin(&mut self, gesture: Gesture, text: &str, index: usize) -> u64 {
+        self.count += 1;
+        self.tried = Some(Tried {
+            number: self.count,
+            gesture,
+            text: text.to_owned(),
+            index,
+        });
+        self.count
+    }
+
+    /// The gesture with this number, if its outcome is still waited for.
+    pub(super) fn end(&mut self, number: u64) -> Option<Tried> {
+        self.tried.take_if(|tried| tried.number == number)
+    }
+
+    /// Gives up the last gesture that was not made yet. Gives its title.
+    pub(super) fn give_up_last(&mut self) -> Option<String> {
+        match self.waiting.pop_back() {
+            Some(Waiting::Gesture(gesture)) => Some(gesture.title),
+            Some(Waiting::Picks(tool, _)) => Some(tool.name().to_owned()),
+            None => self.tried.take().map(|tried| tried.gesture.title),
+        }
+    }
+
+    /// Gives up all that was not made yet.
+    pub(super) fn clear(&mut self) {
+        self.tried = None;
+        self.waiting.clear();
+    }
+}
