@@ -149,3 +149,72 @@ start { a = 90 deg; b = 90 deg; }
         user.said()
     );
 }
+
+const CRANK: &str =
+    "struct Crank;\nlink crank;\njoint a = revolute(ground, crank) at (0, 0);\nmotor a;\n";
+
+/// A crank, and two bars that were drawn after it.
+fn crank_and_bars() -> User {
+    let mut user = User::with_text(CRANK);
+    user.key(Key::B);
+    user.drag([2.0, 1.0], [3.0, 2.0]);
+    user.drag([3.0, 2.0], [5.0, 1.0]);
+    user.key(Key::V);
+    user
+}
+
+#[test]
+fn a_drag_ends_where_its_text_does() {
+    let mut user = crank_and_bars();
+    let before = user.text().to_owned();
+    user.hold([5.0, 1.0], [6.0, 3.0]);
+    user.shortcut(Key::Z, false);
+    user.shortcut(Key::Z, false);
+    assert_eq!(user.text(), CRANK, "{}", user.said());
+    user.let_go([6.0, 3.0]);
+    assert_eq!(user.text(), CRANK);
+    user.shortcut(Key::Z, true);
+    user.shortcut(Key::Z, true);
+    assert_eq!(user.text(), before);
+}
+
+#[test]
+fn what_was_picked_is_forgotten_when_it_is_gone() {
+    let mut user = crank_and_bars();
+    user.key(Key::P);
+    user.click([3.0, 2.0]);
+    user.shortcut(Key::Z, false);
+    user.shortcut(Key::Z, false);
+    assert_eq!(user.text(), CRANK);
+    user.click([0.0, 0.0]);
+    assert_eq!(
+        user.text(),
+        CRANK,
+        "it is the first place again: {}",
+        user.said()
+    );
+}
+
+#[test]
+fn a_tool_is_not_used_by_letting_a_link_go() {
+    let mut user = User::with_text(
+        "struct Crank;\nlink crank { point tip = (2, 0); }\njoint a = revolute(ground, crank) at (0, 0);\nmotor a;\n",
+    );
+    let before = user.text().to_owned();
+    user.hold([1.0, 0.0], [1.0, 1.0]);
+    user.key(Key::B);
+    user.let_go([1.0, 1.0]);
+    user.click([4.0, 4.0]);
+    assert_eq!(
+        user.text(),
+        before,
+        "one end alone is picked: {}",
+        user.said()
+    );
+    user.key(Key::V);
+    let values = |user: &User| user.editor().player().expect("it moves").motors().to_vec();
+    let held = values(&user);
+    user.key(Key::Space);
+    user.wait(20);
+    assert_ne!(values(&user), held, "the link is let go: {}", user.said());
+}

@@ -4,7 +4,7 @@ use super::user::User;
 use eframe::egui::Key;
 
 /// Draws the four-bar of the README.
-fn draw_four_bar(user: &mut User) {
+pub(crate) fn draw_four_bar(user: &mut User) {
     user.key(Key::B);
     user.drag([-2.0, 0.0], [-2.0, 1.0]);
     user.drag([-2.0, 1.0], [1.0, 3.0]);
@@ -59,34 +59,4 @@ fn links_are_copied_and_pasted() {
     assert_eq!(user.editor().selection().len(), 1, "{}", user.said());
     user.copy_and_paste();
     assert!(user.text().contains("link bar4"), "{}", user.said());
-}
-
-#[test]
-fn a_browser_does_the_same_between_pictures() {
-    let mut user = User::in_browser();
-    draw_four_bar(&mut user);
-    user.wait(8);
-    let mut at_once = User::new();
-    draw_four_bar(&mut at_once);
-    assert_eq!(user.text(), at_once.text());
-    assert!(user.editor().player().is_some(), "{}", user.said());
-
-    // Repairs come, and those of an earlier text do not.
-    for user in [&mut user, &mut at_once] {
-        user.click([-2.0, 1.0]);
-        user.key(Key::Delete);
-        user.wait(8);
-    }
-    let repairs = |user: &User| {
-        let mendings = user.editor().mendings().iter();
-        mendings
-            .map(|mending| mending.words.clone())
-            .collect::<Vec<_>>()
-    };
-    assert!(!user.editor().is_busy(), "{}", user.said());
-    assert_eq!(repairs(&user), repairs(&at_once));
-    assert!(!repairs(&user).is_empty(), "{}", user.said());
-    user.mend(1);
-    user.wait(8);
-    assert!(user.editor().messages().is_empty(), "{}", user.said());
 }

@@ -8,6 +8,7 @@ mod figure_1;
 mod folder;
 mod keyboard;
 mod mistakes;
+mod pieces;
 mod plots;
 mod properties;
 mod properties_panel;

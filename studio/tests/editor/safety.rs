@@ -341,3 +341,61 @@ fn a_document_of_linkage_is_opened_as_a_new_text() {
         fs::read(folder.0.join("four_bar.linkage2")).expect("a copy")
     );
 }
+
+#[test]
+fn an_empty_text_has_nothing_of_the_file_before() {
+    let folder = Folder::new();
+    let mut user = User::at_file(&folder.file());
+    user.shortcut(Key::N, false);
+    put_in_place(&folder.file(), THEIRS);
+    user.focus_window();
+    user.wait(10);
+    std::thread::sleep(std::time::Duration::from_millis(150));
+    user.wait(10);
+    assert_eq!(user.text(), "", "{}", user.said());
+    draw(&mut user);
+    let drawn = user.text().to_owned();
+    user.focus_window();
+    user.wait(10);
+    assert_eq!(user.text(), drawn);
+    assert!(!user.sees("changed on disk"));
+}
+
+#[test]
+fn a_file_with_several_mechanisms_is_opened_at_its_first() {
+    let folder = Folder::new();
+    let path = folder.0.join("two.rs");
+    let text = format!("mechanism! {{\n{TEXT}}}\nmechanism! {{\n{THEIRS}}}\n");
+    fs::write(&path, &text).expect("it is written");
+    fs::write(folder.0.join("empty.mech"), "").expect("it is written");
+    let mut user = User::at_file(&folder.file());
+    user.open(&path.display().to_string());
+    assert_eq!(user.text(), text, "{}", user.said());
+    user.open(&folder.0.join("empty.mech").display().to_string());
+    assert_eq!(user.text(), "", "{}", user.said());
+}
+
+#[test]
+fn an_export_writes_over_nothing_by_a_slip() {
+    let folder = Folder::new();
+    let other = folder.0.join("arm.mech");
+    fs::write(&other, THEIRS).expect("it is written");
+    let mut user = User::at_file(&folder.file());
+    user.click_on("File");
+    user.click_on_beginning("Export");
+    user.click_on("Picture as PNG");
+    user.fill(&other.display().to_string());
+    user.click_on("Replace");
+    assert_eq!(fs::read_to_string(&other).expect("a file"), THEIRS);
+    assert!(tells(&user, ".png"), "{}", user.said());
+    let picture = folder.0.join("arm.png");
+    fs::write(&picture, "").expect("it is written");
+    user.click_on("File");
+    user.click_on_beginning("Export");
+    user.click_on("Picture as PNG");
+    user.fill(&picture.display().to_string());
+    user.key(Key::Enter);
+    assert_eq!(fs::read(&picture).expect("a file"), b"");
+    user.click_on("Replace");
+    assert!(!fs::read(&picture).expect("a file").is_empty());
+}

@@ -161,15 +161,8 @@ impl Worker {
                 }
                 Ok(())
             }
-            // The first piece is what the user waits for.
-            Self::InPieces {
-                agenda,
-                found,
-                is_shown,
-            } => {
+            Self::InPieces { agenda, .. } => {
                 agenda.add(task);
-                found.extend(agenda.go_on());
-                *is_shown = false;
                 Ok(())
             }
             #[cfg(not(target_arch = "wasm32"))]

@@ -71,7 +71,17 @@ impl User {
     /// With the page in a browser, which has no threads.
     pub(crate) fn in_browser() -> Self {
         let editor = Editor::in_pieces(Workspace::unsaved("test.mech", ""));
-        Self::before_studio([1280.0, 800.0], Studio::new(editor))
+        let mut user = Self::before_studio([1280.0, 800.0], Studio::new(editor));
+        user.rest();
+        user
+    }
+
+    /// Waits until the analysis is done, where it goes in pieces.
+    pub(crate) fn rest(&mut self) {
+        for _ in 0..40 {
+            self.harness.run_steps(1);
+        }
+        assert!(!self.editor().is_busy(), "{}", self.said());
     }
 
     /// Before a file on the disk, which is watched; its text is kept while it is not saved.
@@ -96,6 +106,11 @@ impl User {
             gestures: 0,
             modifiers: Modifiers::NONE,
         }
+    }
+
+    /// Does several things before the window is shown again.
+    pub(crate) fn at_once(&mut self, act: impl FnOnce(&mut Editor)) {
+        act(self.harness.state_mut().editor_mut());
     }
 
     /// How many gestures were made: clicks, drags and keys.
@@ -254,6 +269,12 @@ impl User {
         self.harness.input_mut().dropped_files.push(dropped);
         self.harness.run_steps(3);
         self.gestures += 1;
+    }
+
+    /// Comes back to the window from another one.
+    pub(crate) fn focus_window(&mut self) {
+        self.harness.event(Event::WindowFocused(true));
+        self.harness.run_steps(2);
     }
 
     /// Wants to close the window. Returns whether it is closed.

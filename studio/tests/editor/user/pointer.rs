@@ -89,6 +89,24 @@ impl User {
         self.press_and_release(from, to);
     }
 
+    /// Presses at one place of the scene and goes to another, with the button still down.
+    pub(crate) fn hold(&mut self, from: [f64; 2], to: [f64; 2]) {
+        self.mean(&[from, to]);
+        let [from, to] = [from, to].map(|place| self.pixel(place));
+        self.press(from);
+        for part in [0.3, 0.7, 1.0] {
+            self.harness
+                .event(Event::PointerMoved(from + part * (to - from)));
+            self.harness.run_steps(1);
+        }
+    }
+
+    /// Lets the button go at a place of the scene.
+    pub(crate) fn let_go(&mut self, at: [f64; 2]) {
+        let at = self.pixel(at);
+        self.release(at);
+    }
+
     fn press_and_release(&mut self, from: [f64; 2], to: [f64; 2]) {
         let [from, to] = [from, to].map(|place| self.pixel(place));
         self.press(from);

@@ -1,0 +1,155 @@
+//! The analysis in pieces, as in a browser: what is done while a gesture is still being tried.
+
+use super::drawing::draw_four_bar;
+use super::user::User;
+use eframe::egui::Key;
+use mech_studio::editor::Editor;
+use mech_studio::{Command, Workspace};
+
+const TEXT: &str =
+    "struct Crank;\nlink crank;\njoint a = revolute(ground, crank) at (0, 0);\nmotor a;\n";
+
+fn link(name: &str) -> Command {
+    Command::Link {
+        name: name.to_owned(),
+    }
+}
+
+fn user() -> User {
+    let mut user = User::in_browser();
+    user.at_once(|editor| editor.type_text(TEXT));
+    user.rest();
+    assert!(user.editor().player().is_some(), "{}", user.said());
+    user
+}
+
+#[test]
+fn it_finds_what_is_found_at_once() {
+    let mut user = User::in_browser();
+    draw_four_bar(&mut user);
+    user.rest();
+    let mut at_once = User::new();
+    draw_four_bar(&mut at_once);
+    assert_eq!(user.text(), at_once.text());
+    assert!(user.editor().player().is_some(), "{}", user.said());
+
+    for user in [&mut user, &mut at_once] {
+        user.click([-2.0, 1.0]);
+        user.key(Key::Delete);
+    }
+    user.rest();
+    let repairs = |user: &User| {
+        let mendings = user.editor().mendings().iter();
+        mendings
+            .map(|mending| mending.words.clone())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(repairs(&user), repairs(&at_once));
+    assert!(!repairs(&user).is_empty(), "{}", user.said());
+    user.mend(1);
+    user.rest();
+    assert!(user.editor().messages().is_empty(), "{}", user.said());
+}
+
+#[test]
+fn a_gesture_is_tried_again_on_what_was_typed_meanwhile() {
+    let mut user = user();
+    let typed = format!("// Typed meanwhile.\n{TEXT}");
+    user.at_once(|editor| {
+        editor.perform(link("second"));
+        editor.type_text(&typed);
+    });
+    user.rest();
+    assert!(
+        user.text().starts_with("// Typed meanwhile."),
+        "{}",
+        user.said()
+    );
+    assert!(user.text().contains("link second;"), "{}", user.said());
+}
+
+#[test]
+fn a_gesture_does_not_follow_into_another_file() {
+    let mut user = user();
+    let other = TEXT.replace("Crank", "Other");
+    user.at_once(|editor| {
+        editor.perform(link("second"));
+        editor.open(Workspace::unsaved("other.mech", other.as_str()));
+    });
+    user.rest();
+    assert_eq!(user.text(), other);
+    assert!(user.editor().player().is_some(), "{}", user.said());
+}
+
+#[test]
+fn undo_gives_up_what_was_not_made_yet() {
+    let mut user = user();
+    user.at_once(|editor| {
+        editor.perform(link("second"));
+        editor.undo();
+    });
+    user.rest();
+    assert_eq!(user.text(), TEXT);
+    assert!(user.editor().player().is_some(), "{}", user.said());
+    user.at_once(Editor::redo);
+    user.rest();
+    assert_eq!(user.text(), TEXT);
+}
+
+#[test]
+fn gestures_wait_for_each_other() {
+    let mut user = user();
+    user.at_once(|editor| {
+        for name in ["second", "third", "fourth"] {
+            editor.perform(link(name));
+        }
+    });
+    assert!(user.editor().is_busy());
+    user.rest();
+    for name in ["second", "third", "fourth"] {
+        assert!(
+            user.text().contains(&format!("link {name};")),
+            "{}",
+            user.said()
+        );
+    }
+    assert_eq!(user.editor().workspace().history().made().len(), 4);
+}
+
+#[test]
+fn a_file_with_fewer_mechanisms_shows_its_last() {
+    let three: String = ["One", "Two", "Three"]
+        .iter()
+        .map(|name| format!("mechanism! {{\n{}}}\n", TEXT.replace("Crank", name)))
+        .collect();
+    let mut user = User::with_file("three.rs", &three);
+    user.click_on_beginning("mechanism");
+    user.click_on("Three");
+    assert_eq!(user.editor().workspace().index(), 2);
+    let two = three
+        .split("mechanism!")
+        .take(3)
+        .collect::<Vec<_>>()
+        .join("mechanism!");
+    user.type_all(&two);
+    assert_eq!(user.editor().workspace().index(), 1);
+    assert!(user.editor().player().is_some(), "{}", user.said());
+}
+
+#[test]
+fn typing_before_marks_of_other_letters_is_safe() {
+    // The marks of the text before would cut through letters: these have two bytes each.
+    let text = format!("// {}\n{TEXT}// {}\n", "ü".repeat(40), "ä".repeat(40));
+    let mut user = User::with_text(&text);
+    user.click([0.0, 0.0]);
+    user.click_within("text of the mechanism", [0.2, 0.1]);
+    for _ in 0..6 {
+        user.key(Key::ArrowUp);
+    }
+    user.key(Key::Home);
+    for deleted in 1..60 {
+        user.key(Key::Delete);
+        let rest: String = text.chars().skip(deleted).collect();
+        assert_eq!(user.text(), rest);
+    }
+}
