@@ -21,7 +21,7 @@ impl Dropped {
         let dropped = context.input(|input| input.raw.dropped_files.clone());
         match &dropped[..] {
             [] => {}
-            _ if editor.settings.dialog.is_some() => {
+            _ if editor.dialog.is_some() => {
                 editor.refuse("answer the question first, and then drop the file");
             }
             [file] => read(file.clone(), Arc::clone(&self.0), context.clone()),

@@ -117,7 +117,9 @@ type Answer = Arc<Mutex<Option<PathBuf>>>;
 /// Opens the system's own dialog if that is wanted. Returns whether it has answered.
 fn browse(purpose: &FileUse, path: &mut String, folder: &Path, ui: &mut egui::Ui) -> bool {
     let answer: Answer = ui.data_mut(|data| {
-        let answer = data.get_temp_mut_or_default::<Answer>(egui::Id::unique("browse"));
+        let answer = data.get_temp_mut_or_default::<Answer>(
+            egui::Id::unique("browse").with(purpose.endings().0),
+        );
         answer.clone()
     });
     if ui

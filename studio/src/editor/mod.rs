@@ -7,6 +7,7 @@
 mod action;
 mod arrow;
 mod canvas;
+mod clipboard;
 mod colors;
 mod curves;
 mod desk;

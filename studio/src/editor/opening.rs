@@ -44,7 +44,7 @@ impl Editor {
     /// Edits another text. If the present one has changes, the user is asked first.
     pub(super) fn leave_for(&mut self, to: Destination) {
         if self.has_work() {
-            self.settings.dialog = Some(Dialog::Leave(to));
+            self.dialog = Some(Dialog::Leave(to));
         } else {
             self.arrive(to);
         }

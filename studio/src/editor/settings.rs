@@ -1,6 +1,5 @@
 //! What the user has chosen of the window.
 
-use super::action::Dialog;
 use super::panel::Panel;
 use std::collections::BTreeSet;
 
@@ -47,8 +46,6 @@ pub(crate) struct Settings {
     pub(crate) view: View,
     /// Whether the window is dark.
     pub(crate) is_dark: bool,
-    /// What is asked in a window of its own.
-    pub(crate) dialog: Option<Dialog>,
 }
 
 impl Settings {
@@ -79,7 +76,6 @@ impl Default for Settings {
             panel: Some(Panel::Text),
             view: View::Ours,
             is_dark: false,
-            dialog: None,
         }
     }
 }

@@ -68,11 +68,11 @@ impl FileUse {
 
 /// Asks what has to be asked.
 pub(in crate::editor) fn dialogs(editor: &mut Editor, context: &egui::Context) {
-    match editor.settings.dialog.take() {
+    match editor.dialog.take() {
         None => {}
         Some(Dialog::File(purpose, path)) => ask_for_file(editor, purpose, path, context),
         Some(Dialog::Leave(to)) => match ask_to_save(editor, context) {
-            None => editor.settings.dialog = Some(Dialog::Leave(to)),
+            None => editor.dialog = Some(Dialog::Leave(to)),
             Some(Answer::Cancel) => {}
             Some(Answer::Discard) => editor.arrive(to),
             Some(Answer::Save) if editor.workspace().is_named() => {
@@ -80,7 +80,7 @@ pub(in crate::editor) fn dialogs(editor: &mut Editor, context: &egui::Context) {
                 editor.arrive_if_done(saved, Some(to));
             }
             Some(Answer::Save) => {
-                editor.settings.dialog = Some(editor.file_dialog(FileUse::Save(Some(to))));
+                editor.dialog = Some(editor.file_dialog(FileUse::Save(Some(to))));
             }
         },
     }
@@ -125,7 +125,7 @@ fn ask_for_file(editor: &mut Editor, purpose: FileUse, mut path: String, context
     if is_done {
         editor.use_file(purpose, &path);
     } else if !is_given_up {
-        editor.settings.dialog = Some(Dialog::File(purpose, path));
+        editor.dialog = Some(Dialog::File(purpose, path));
     }
 }
 
@@ -148,7 +148,7 @@ impl Editor {
     /// Lets the user say which file something is done with.
     #[cfg(not(target_arch = "wasm32"))]
     pub(in crate::editor) fn ask_for_file(&mut self, purpose: FileUse) {
-        self.settings.dialog = Some(self.file_dialog(purpose));
+        self.dialog = Some(self.file_dialog(purpose));
     }
 
     /// The question which file something is done with. Where the text is saved, the name that it has is proposed.
@@ -165,7 +165,7 @@ impl Editor {
     #[cfg(target_arch = "wasm32")]
     pub(in crate::editor) fn ask_for_file(&mut self, purpose: FileUse) {
         if purpose.writes() {
-            self.settings.dialog = Some(self.file_dialog(purpose));
+            self.dialog = Some(self.file_dialog(purpose));
         } else {
             let asked = crate::browser::ask_for_file();
             self.refuse_failed(asked);

@@ -31,12 +31,12 @@ impl Closing {
         let wants_to_close = context.input(|input| input.viewport().close_requested());
         if wants_to_close && is_changed && !matches!(self, Self::May) {
             context.send_viewport_cmd(ViewportCommand::CancelClose);
-            editor.settings.dialog = None;
+            editor.dialog = None;
             *self = Self::Asks;
         }
         match self {
             Self::Asks => self.answer(editor, context),
-            Self::Saves if editor.settings.dialog.is_none() => self.close_if_saved(editor, context),
+            Self::Saves if editor.dialog.is_none() => self.close_if_saved(editor, context),
             Self::Not | Self::Saves | Self::May => false,
         }
     }
@@ -59,7 +59,7 @@ impl Closing {
                 self.close_if_saved(editor, context)
             }
             Some(Answer::Save) => {
-                editor.settings.dialog = Some(editor.file_dialog(FileUse::Save(None)));
+                editor.dialog = Some(editor.file_dialog(FileUse::Save(None)));
                 *self = Self::Saves;
                 false
             }

@@ -76,6 +76,10 @@ impl Editor {
 
     /// Makes a repair, by its number from 1.
     pub fn mend(&mut self, number: usize) {
+        if !self.pending.is_empty() || !self.is_present(&self.snapshot) {
+            self.refuse("the text has changed since this repair was offered");
+            return;
+        }
         self.perform(Command::Repair { number });
     }
 

@@ -2,7 +2,7 @@
 
 use super::Editor;
 use super::pending::Waiting;
-use crate::edit::{Applied, Refusal};
+use crate::edit::{Applied, Command, Refusal};
 use crate::editor::dragging::Dragging;
 use crate::editor::settings::View;
 use crate::editor::snap::CLOSE;
@@ -172,7 +172,14 @@ impl Editor {
             return;
         };
         if !before.is_of(self.workspace().text(), self.workspace().index()) {
-            self.pending.push_first(before.gesture);
+            let commands = &before.gesture.commands;
+            let is_repair = |command: &Command| matches!(command, Command::Repair { .. });
+            // Repairs of another text have other numbers.
+            if commands.iter().any(is_repair) {
+                self.refuse("the text has changed since this repair was offered");
+            } else {
+                self.pending.push_first(before.gesture);
+            }
             return;
         }
         match tried {

@@ -5,6 +5,7 @@ mod findings;
 mod pending;
 mod playing;
 
+use super::action::Dialog;
 use super::desk::Desk;
 use super::dragging::Dragging;
 use super::drawing::Drawing;
@@ -18,9 +19,11 @@ use super::snapshot::Snapshot;
 use super::tool::{Pick, Tool};
 use super::worker::Worker;
 use super::{Item, bounds_of};
+use crate::check::verdict_line;
 use crate::dialogue::Session;
 use crate::document::{Document, Source};
 use crate::edit::Workspace;
+use crate::failure::Failure;
 use crate::mend::Mending;
 use crate::play::{Camera, Player, SIZE};
 use pending::Pending;
@@ -63,6 +66,8 @@ pub struct Editor {
     pub(in crate::editor) camera: Camera,
     pub(in crate::editor) notice: Option<Notice>,
     pub(in crate::editor) settings: Settings,
+    /// What is asked in a window of its own.
+    pub(in crate::editor) dialog: Option<Dialog>,
     /// What was copied: links.
     pub(in crate::editor) copied: Vec<String>,
     /// A line that is to be completed and said.
@@ -142,6 +147,7 @@ impl Editor {
                 },
                 ..Settings::default()
             },
+            dialog: None,
             copied: Vec::new(),
             proposed: None,
             is_canvas_focused: false,
@@ -246,5 +252,25 @@ impl Editor {
             text: why.to_string(),
             is_refusal: true,
         });
+    }
+
+    /// Whether the mechanism moves, in a line.
+    pub(in crate::editor) fn verdict(&self) -> String {
+        match (&self.snapshot.reading, self.snapshot.compiled()) {
+            (Some(reading), Some(compiled)) => verdict_line(&reading.model, compiled),
+            (Some(_), None) => {
+                let first = self.snapshot.messages().first();
+                let line = first.and_then(|message| message.text.lines().next());
+                format!("not yet: {}", line.unwrap_or_default())
+            }
+            (None, _) => "Draw a bar, or open a file.".to_owned(),
+        }
+    }
+
+    /// Tells why something could not be done.
+    pub(in crate::editor) fn refuse_failed(&mut self, done: Result<(), Failure>) {
+        if let Err(failure) = done {
+            self.refuse(failure);
+        }
     }
 }
