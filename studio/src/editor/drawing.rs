@@ -288,10 +288,10 @@ impl Drawing {
             .handles()
             .map(|handle| (distance(place, handle.place), handle.item));
         let near = near.filter(|(away, _)| *away <= reach);
-        if let Some((_, item)) = near.min_by(|a, b| a.0.total_cmp(&b.0)) {
-            if let Some(hit) = self.hit_of(item) {
-                return hit;
-            }
+        if let Some((_, item)) = near.min_by(|a, b| a.0.total_cmp(&b.0))
+            && let Some(hit) = self.hit_of(item)
+        {
+            return hit;
         }
         let links = self.model.declared_links();
         let links = links.map(|link| (self.distance_to(link, place), link));

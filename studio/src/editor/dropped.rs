@@ -13,7 +13,10 @@ type Read = (PathBuf, Result<Vec<u8>, String>);
 
 /// Files that are dropped, from when they are dropped until they are read: a browser takes its time.
 #[derive(Default)]
-pub(super) struct Dropped(Arc<Mutex<Vec<Read>>>);
+pub(super) struct Dropped(Inbox);
+
+/// Where a file is put when it is read.
+type Inbox = Arc<Mutex<Vec<Read>>>;
 
 impl Dropped {
     /// Takes the file that is dropped on the window.
@@ -24,7 +27,7 @@ impl Dropped {
             _ if editor.dialog.is_some() => {
                 editor.refuse("answer the question first, and then drop the file");
             }
-            [file] => read(file.clone(), Arc::clone(&self.0), context.clone()),
+            [file] => read(file, &self.0, context),
             _ => editor.refuse("drop one file at a time"),
         }
         let read = std::mem::take(&mut *self.0.lock().unwrap_or_else(PoisonError::into_inner));
@@ -38,14 +41,15 @@ impl Dropped {
 }
 
 #[cfg(not(target_arch = "wasm32"))]
-fn read(file: DroppedFileHandle, to: Arc<Mutex<Vec<Read>>>, context: egui::Context) {
+fn read(file: &DroppedFileHandle, to: &Inbox, context: &egui::Context) {
     let read = (file.path().to_owned(), file.bytes());
     to.lock().unwrap_or_else(PoisonError::into_inner).push(read);
     context.request_repaint();
 }
 
 #[cfg(target_arch = "wasm32")]
-fn read(file: DroppedFileHandle, to: Arc<Mutex<Vec<Read>>>, context: egui::Context) {
+fn read(file: &DroppedFileHandle, to: &Inbox, context: &egui::Context) {
+    let (file, to, context) = (file.clone(), to.clone(), context.clone());
     wasm_bindgen_futures::spawn_local(async move {
         let read = (file.path().to_owned(), file.bytes_async().await);
         to.lock().unwrap_or_else(PoisonError::into_inner).push(read);

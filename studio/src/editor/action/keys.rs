@@ -53,7 +53,7 @@ pub(in crate::editor) fn obey_keys(editor: &mut Editor, context: &egui::Context)
             continue;
         }
         // The system makes events of these keys.
-        if is_clipboard(&key) {
+        if is_clipboard(key) {
             continue;
         }
         // What a focused button does is its own affair.
@@ -79,7 +79,7 @@ pub(in crate::editor) fn obey_keys(editor: &mut Editor, context: &egui::Context)
 }
 
 /// Whether the system makes an event of a key, instead of telling the key.
-fn is_clipboard(key: &KeyboardShortcut) -> bool {
+fn is_clipboard(key: KeyboardShortcut) -> bool {
     key.modifiers == Modifiers::COMMAND && [Key::C, Key::V].contains(&key.logical_key)
 }
 
