@@ -4,6 +4,7 @@ use eframe::egui::{Context, Ui};
 use eframe::{App, Frame, web_sys};
 use mech_studio::editor::{Editor, Studio, first_example};
 use mech_studio::{Failure, Source, Workspace};
+use std::any::Any;
 use std::path::Path;
 
 /// The studio in a canvas of a page.
@@ -54,6 +55,10 @@ impl Page {
 }
 
 impl App for Page {
+    fn as_any_mut(&mut self) -> Option<&mut dyn Any> {
+        Some(self)
+    }
+
     fn ui(&mut self, ui: &mut Ui, frame: &mut Frame) {
         self.studio.ui(ui, frame);
         if self.is_announced || self.studio.editor().drawing().is_none() {
