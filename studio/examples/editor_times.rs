@@ -22,21 +22,20 @@ fn main() {
         window
             .studio
             .editor_mut()
+            .obey(mech_studio::play::Control::PlayOrPause);
+        window
+            .studio
+            .editor_mut()
             .obey(mech_studio::play::Control::Reset);
         window.settle();
-        let mut at = window.pixel([4.0 * count(loops), 0.0]);
-        window.press(at, true);
-        let dragged = times(120, || {
-            at.x += 0.5;
-            window.frame(vec![Event::PointerMoved(at)]);
-        });
-        let longest_of_drag = dragged[dragged.len() - 1];
-        let dragged = dragged[dragged.len() / 2];
-        window.press(at, false);
-        let known = window.settle();
+        // Nothing snaps, so that every place is another one.
+        let (drag, known) = window.drag(loops, Modifiers::ALT);
+        let (snapping, _) = window.drag(loops, Modifiers::NONE);
+        let [dragged, longest_of_drag] = [drag[drag.len() / 2], drag[drag.len() - 1]];
+        let longest_of_snapping = snapping[snapping.len() - 1];
         let (refused, longest) = window.refuse(loops);
         println!(
-            "{joints} joints: a frame {still:.1} ms, one of playing {played:.1} ms, one of a drag {dragged:.1} ms, the longest {longest_of_drag:.1} ms; everything known {known:.0} ms after it; a joint too many is told after {refused:.0} ms, the longest frame meanwhile {longest:.1} ms"
+            "{joints} joints: a frame {still:.1} ms, one of playing {played:.1} ms, one of a drag {dragged:.1} ms, the longest {longest_of_drag:.1} ms, where it snaps to other joints {longest_of_snapping:.1} ms; everything known {known:.0} ms after it; a joint too many is told after {refused:.0} ms, the longest frame meanwhile {longest:.1} ms"
         );
     }
 }
@@ -47,6 +46,8 @@ struct Window {
     studio: Studio,
     /// Where the drawing is.
     canvas: Rect,
+    /// The keys that are held.
+    modifiers: Modifiers,
 }
 
 impl Window {
@@ -58,6 +59,7 @@ impl Window {
             context: egui::Context::default(),
             studio: Studio::new(editor),
             canvas: Rect::NOTHING,
+            modifiers: Modifiers::NONE,
         };
         window.settle();
         window.canvas = window.find_canvas();
@@ -113,6 +115,23 @@ impl Window {
         start.elapsed().as_secs_f64() * 1e3
     }
 
+    /// Drags the last joint on the ground. Tells how long its frames take, the shortest first, and after how long everything is known.
+    fn drag(&mut self, loops: usize, modifiers: Modifiers) -> (Vec<f64>, f64) {
+        self.hold(modifiers);
+        let mut at = self.pixel([4.0 * count(loops), 0.0]);
+        self.press(at, true);
+        let dragged = times(120, || {
+            at.x += 0.5;
+            self.frame(vec![Event::PointerMoved(at)]);
+        });
+        self.press(at, false);
+        self.hold(Modifiers::NONE);
+        let known = self.settle();
+        self.studio.editor_mut().undo();
+        self.settle();
+        (dragged, known)
+    }
+
     /// Adds a joint that is too many. Tells after how long that is told, and the longest frame until then, in milliseconds.
     fn refuse(&mut self, loops: usize) -> (f64, f64) {
         let join = Command::Join(Assembly {
@@ -143,12 +162,18 @@ impl Window {
         self.canvas.min + from
     }
 
+    /// Holds keys, or lets them go.
+    fn hold(&mut self, modifiers: Modifiers) {
+        self.modifiers = modifiers;
+        self.frame(vec![Event::ModifiersChanged(modifiers)]);
+    }
+
     fn press(&mut self, pos: Pos2, pressed: bool) {
         let button = Event::PointerButton {
             pos,
             button: PointerButton::Primary,
             pressed,
-            modifiers: Modifiers::NONE,
+            modifiers: self.modifiers,
         };
         self.frame(vec![Event::PointerMoved(pos), button]);
     }

@@ -4,6 +4,7 @@ use super::Item;
 use super::index::{self, Index};
 use super::placement::placed;
 use mech_compiler::model::{AxisId, Between, JointId, JointKind, LinkId, Model};
+use mech_compiler::plan::have_same_steps;
 use std::sync::Arc;
 
 /// A pose: cosine, sine, x and y.
@@ -72,10 +73,14 @@ impl Drawing {
         }
     }
 
-    /// The same mechanism with other numbers.
+    /// The same mechanism with other numbers. Joints that come to the same place may share an axis from then on.
     pub(crate) fn with_numbers(&self, model: Model, known: Vec<Option<Pose>>) -> Self {
         let poses = placed(&model, known);
-        let index = self.index.clone();
+        let index = if have_same_steps(&self.model, &model) {
+            self.index.clone()
+        } else {
+            Arc::new(Index::of(&model))
+        };
         Self {
             model: Arc::new(model),
             poses,
