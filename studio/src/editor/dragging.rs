@@ -1,9 +1,12 @@
 //! A point that follows the pointer.
+//!
+//! Where it can go is found out beside the window, as everything is; the window shows the last place that is known.
 
 use super::drawing::{Drawing, Pose, SCENE, relative};
 use super::path::Path;
+use super::worker::{Hold, Led};
 use super::{Gesture, Item};
-use crate::edit::{Drag, Dragged, Follower, Refusal};
+use crate::edit::{Command, Dragged, Follower, Refusal};
 use crate::play::Player;
 use crate::text::{Replacement, rounded};
 use mech_compiler::model::AxisId;
@@ -11,9 +14,10 @@ use std::collections::BTreeSet;
 
 /// A point that follows the pointer.
 pub(crate) struct Dragging {
+    /// Which of all drags it is.
+    pub(crate) number: u64,
     /// What is dragged, and what goes with it.
     pub(crate) items: Vec<Item>,
-    drag: Drag,
     /// The pose in the scene of the frame in which its place is told.
     frame: Pose,
     /// The mechanism as it was.
@@ -21,17 +25,23 @@ pub(crate) struct Dragging {
     /// By how much places may be rounded.
     tolerance: f64,
     /// Where the pointer has led it last, in the scene.
-    pointer: Option<[f64; 2]>,
+    pub(crate) pointer: Option<[f64; 2]>,
     /// Where it was asked to go last, as the drag counts.
-    to: Option<[f64; 2]>,
-    /// What came of that.
+    wanted: Option<[f64; 2]>,
+    /// Of what place it is known last whether it can go there.
+    answered: Option<[f64; 2]>,
+    /// What leaves it at the last place where it could go.
+    commands: Vec<Command>,
+    /// What came of that place.
     pub(crate) dragged: Option<Dragged>,
     /// How that looks.
     pub(crate) drawing: Option<Drawing>,
-    /// Why it cannot go there.
+    /// Why it cannot go where it was asked to.
     pub(crate) refusal: Option<Refusal>,
     /// What the compiler makes of that; of a place a little before, while it works.
     pub(crate) preview: Preview,
+    /// Whether the pointer has let it go. It is seen until the text says the same.
+    pub(crate) is_released: bool,
 }
 
 /// What the compiler makes of a text while something is dragged.
@@ -50,13 +60,14 @@ pub(crate) struct Preview {
 }
 
 impl Dragging {
-    /// Takes hold of the first of some joints and points, by what begins a drag of a path. The others go with it.
+    /// Takes hold of the first of some joints and points. The others go with it. With it stands what is to be held.
     pub(crate) fn begin(
+        number: u64,
         drawing: &Drawing,
         items: Vec<Item>,
-        is_at_start: bool,
-        drag: impl FnOnce(&str) -> Result<Drag, Refusal>,
-    ) -> Result<Self, Refusal> {
+        pose: Option<Vec<(String, f64)>>,
+    ) -> Result<(Self, Hold), Refusal> {
+        let is_at_start = pose.is_none();
         let mut movers = items.iter().filter_map(|item| drawing.mover(item));
         let (path, axis) = movers
             .next()
@@ -82,48 +93,65 @@ impl Dragging {
             from: from(other),
             turn: turn(frame(axis), frame(other)),
         });
-        let followers: Vec<Follower> = followers.collect();
-        Ok(Self {
-            drag: drag(&path)?.with(from(axis), followers)?,
+        let hold = Hold {
+            number,
+            path,
+            pose,
+            from: from(axis),
+            followers: followers.collect(),
+        };
+        let dragging = Self {
+            number,
             frame: frame(axis),
             items,
             before: drawing.clone(),
             tolerance: 1e-6 * drawing.model.size(),
             pointer: None,
-            to: None,
+            wanted: None,
+            answered: None,
+            commands: Vec::new(),
             dragged: None,
             drawing: None,
             refusal: None,
             preview: Preview::default(),
-        })
+            is_released: false,
+        };
+        Ok((dragging, hold))
     }
 
-    /// Moves it to a place of the scene. Where it cannot go, it stays where it was last.
-    pub(crate) fn move_to(&mut self, place: [f64; 2]) {
+    /// Leads it to a place of the scene. Gives that place as the drag counts, if it was not asked to go there last.
+    pub(crate) fn lead(&mut self, place: [f64; 2]) -> Option<[f64; 2]> {
         self.pointer = Some(place);
         // In the frame of a link that is turned, places have many digits; those that nobody sees are left out.
         let to = match self.frame {
             SCENE => place,
             pose => relative(pose, place).map(|part| rounded(part, self.tolerance)),
         };
-        if self.to == Some(to) {
-            return;
+        if self.wanted == Some(to) {
+            return None;
         }
-        match self.drag.move_to(to) {
-            Ok(dragged) => {
+        self.wanted = Some(to);
+        Some(to)
+    }
+
+    /// Takes over where it was led. Where it cannot go, it stays where it was last.
+    pub(crate) fn take(&mut self, led: Led) {
+        self.answered = Some(led.to);
+        match led.outcome {
+            Ok((dragged, commands)) => {
                 let poses = dragged.poses.clone();
                 self.drawing = Some(self.before.with_numbers(dragged.model.clone(), poses));
                 self.dragged = Some(dragged);
+                self.commands = commands;
                 self.refusal = None;
-                self.to = Some(to);
             }
             Err(refusal) => self.refusal = Some(refusal),
         }
     }
 
-    /// What is held, and where the pointer has led it.
-    pub(crate) fn held(self) -> (Vec<Item>, Option<[f64; 2]>) {
-        (self.items, self.pointer)
+    /// Whether it is not known yet whether it can go where it was asked to go last.
+    pub(crate) fn is_awaited(&self) -> bool {
+        self.wanted != self.answered
     }
 
     /// The edits of the text that is to be read next; none while one is being read, or if the last was given.
@@ -137,12 +165,10 @@ impl Dragging {
         Some(edits.clone())
     }
 
-    /// The gesture that leaves it where it is; none if it was not moved.
+    /// The gesture that leaves it where it could go last; none if it was not moved.
     pub(crate) fn gesture(&self) -> Option<Gesture> {
-        let to = self.to?;
-        let commands = self.drag.commands(to);
-        let title = commands.first()?.title();
-        Some(Gesture::new(title, commands))
+        let title = self.commands.first()?.title();
+        Some(Gesture::new(title, self.commands.clone()))
     }
 }
 

@@ -7,10 +7,10 @@ use super::names::Names;
 use super::path::Path;
 use super::settings::Visible;
 use super::snapshot::{Played, Snapshot};
-use super::worker::Task;
+use super::worker::{Held, Led, Task};
 use super::{Editor, Gesture, Item};
 use crate::document::{Document, PartOffer, Source};
-use crate::edit::{Command, Drag, Refusal};
+use crate::edit::Command;
 use crate::failure::Failure;
 use crate::play::{Control, Player};
 use crate::text::written;
@@ -108,6 +108,10 @@ impl Editor {
         let Some(drawing) = &self.drawing else {
             return;
         };
+        // What was let go comes to rest first.
+        if self.dragging.as_ref().is_some_and(Dragging::is_awaited) {
+            return;
+        }
         let is_held = |item: &Item| self.desk.is_locked(item);
         if drawing.on_same_pin(item).iter().any(is_held) {
             self.refuse(format!("{item} is locked; Edit > Unlock frees it"));
@@ -131,18 +135,25 @@ impl Editor {
         let Some(drawing) = &self.drawing else {
             return;
         };
-        let seen_at = self.seen_at();
-        let begun = Dragging::begin(drawing, items, seen_at.is_none(), |path| {
-            self.drag(path, seen_at)
-        });
-        match begun {
-            Ok(dragging) => {
-                self.dragging = Some(dragging);
-                if let Some(to) = to {
-                    self.drag_to(to);
-                }
+        let pose = self.seen_at();
+        let number = self.pending.number();
+        let (dragging, hold) = match Dragging::begin(number, drawing, items, pose) {
+            Ok(begun) => begun,
+            Err(refusal) => {
+                self.refuse(refusal);
+                return;
             }
-            Err(refusal) => self.refuse(refusal),
+        };
+        // What is known of the text already is not found out again.
+        let text = if self.is_present(&self.snapshot) {
+            Held::Known(self.snapshot.clone())
+        } else {
+            Held::Text(self.workspace().document(), self.workspace().index())
+        };
+        self.dragging = Some(dragging);
+        self.give(Task::Hold(Box::new(hold), text));
+        if let Some(to) = to {
+            self.drag_to(to);
         }
     }
 
@@ -161,47 +172,74 @@ impl Editor {
         items
     }
 
-    /// A drag in the present text, for which what is known of it already is not found out again.
-    fn drag(&self, path: &str, seen_at: Option<Vec<(String, f64)>>) -> Result<Drag, Refusal> {
-        let known = self.snapshot.known();
-        match known.filter(|_| self.is_present(&self.snapshot)) {
-            Some(known) => Drag::begin_known(known, path, seen_at),
-            None => Drag::begin(
-                &self.workspace().document(),
-                self.workspace().index(),
-                path,
-                seen_at,
-            ),
-        }
+    /// What the pointer holds.
+    pub(super) fn held(&self) -> Option<&Dragging> {
+        self.dragging
+            .as_ref()
+            .filter(|dragging| !dragging.is_released)
     }
 
     /// Moves what is dragged to a place of the scene.
     pub fn drag_to(&mut self, place: [f64; 2]) {
-        let Some(dragging) = &mut self.dragging else {
+        let held = self
+            .dragging
+            .as_mut()
+            .filter(|dragging| !dragging.is_released);
+        let Some(dragging) = held else {
             return;
         };
-        dragging.move_to(place);
+        let number = dragging.number;
+        if let Some(to) = dragging.lead(place) {
+            self.give(Task::Lead { number, to });
+        }
+    }
+
+    /// Takes over where what is dragged was led.
+    pub(super) fn take_led(&mut self, led: Led) {
+        let number = led.number;
+        let mut dragged = self.dragging.as_mut();
+        let Some(dragging) = dragged.take_if(|dragging| dragging.number == number) else {
+            return;
+        };
+        dragging.take(led);
+        self.tell_drag();
+        if self
+            .dragging
+            .as_ref()
+            .is_some_and(|dragging| dragging.is_released)
+        {
+            self.leave_dragged();
+        } else {
+            self.give_preview();
+        }
+    }
+
+    /// Tells where what is dragged is, or why it cannot go there.
+    fn tell_drag(&mut self) {
+        let Some(dragging) = &self.dragging else {
+            return;
+        };
         if let Some(refusal) = &dragging.refusal {
             let why = refusal.to_string();
             self.refuse(why);
-        } else {
-            let notes = dragging
-                .dragged
-                .as_ref()
-                .map(|dragged| dragged.notes.join("; "));
-            let [x, y] = place.map(|part| crate::text::shortest(part, 1e-6));
-            let items: Vec<String> = dragging.items.iter().map(ToString::to_string).collect();
-            let told = format!(
-                "{} to ({x}, {y}) {}",
-                items.join(", "),
-                notes.unwrap_or_default()
-            );
-            match dragging.preview.fault.clone() {
-                Some(fault) => self.refuse(format!("{told}: {fault}")),
-                None => self.tell(told),
-            }
+            return;
         }
-        self.give_preview();
+        let notes = dragging
+            .dragged
+            .as_ref()
+            .map(|dragged| dragged.notes.join("; "));
+        let place = dragging.pointer.unwrap_or_default();
+        let [x, y] = place.map(|part| crate::text::shortest(part, 1e-6));
+        let items: Vec<String> = dragging.items.iter().map(ToString::to_string).collect();
+        let told = format!(
+            "{} to ({x}, {y}) {}",
+            items.join(", "),
+            notes.unwrap_or_default()
+        );
+        match dragging.preview.fault.clone() {
+            Some(fault) => self.refuse(format!("{told}: {fault}")),
+            None => self.tell(told),
+        }
     }
 
     /// Has the text read as it is while something is dragged, unless one is being read.
@@ -255,11 +293,22 @@ impl Editor {
         self.give_preview();
     }
 
-    /// Leaves what is dragged where it is, as one step.
+    /// Lets what is dragged go where it is, as one step: as soon as it is known whether it can stay there.
     pub fn end_drag(&mut self) {
-        let dragging = self.dragging.take();
-        if let Some(gesture) = dragging.and_then(|dragging| dragging.gesture()) {
-            self.perform(gesture);
+        let Some(dragging) = &mut self.dragging else {
+            return;
+        };
+        dragging.is_released = true;
+        if !dragging.is_awaited() {
+            self.leave_dragged();
+        }
+    }
+
+    /// Leaves what is dragged where it could go last. It is seen there until the text says the same.
+    fn leave_dragged(&mut self) {
+        match self.dragging.as_ref().and_then(Dragging::gesture) {
+            Some(gesture) => self.perform(gesture),
+            None => self.dragging = None,
         }
     }
 

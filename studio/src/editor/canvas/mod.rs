@@ -206,7 +206,7 @@ impl Canvas {
         };
         #[expect(clippy::cast_possible_truncation, reason = "a few pixels")]
         let area = Rect::from_center_size(center, Vec2::splat(2.0 * reach as f32));
-        let dragged = editor.dragging.as_ref();
+        let dragged = editor.held();
         let is_dragged =
             dragged.is_some_and(|dragging| dragging.items.first() == Some(handle.item));
         // What is dragged out of the window has to learn that it is let go.
@@ -253,10 +253,7 @@ impl Canvas {
             }
             editor.begin_drag(handle.item, modifiers.alt);
         }
-        let moved = editor
-            .dragging
-            .as_ref()
-            .map(|dragging| dragging.items.clone());
+        let moved = editor.held().map(|dragging| dragging.items.clone());
         let moved = moved.filter(|items| items.first() == Some(handle.item));
         let is_dragged = moved.is_some();
         if is_dragged && let Some(pointer) = response.interact_pointer_pos() {

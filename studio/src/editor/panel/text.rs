@@ -44,7 +44,7 @@ impl TextPanel {
         if shown != self.seen {
             forget_typing(field, ui.ctx());
         }
-        let is_dragged = editor.dragging.is_some();
+        let is_dragged = editor.held().is_some();
         let mut layouter = |ui: &egui::Ui, buffer: &dyn egui::TextBuffer, _: f32| {
             let job = self.color(buffer.as_str(), &marks, ui.visuals());
             ui.fonts_mut(|fonts| fonts.layout_job(job))

@@ -43,6 +43,7 @@ impl Editor {
     /// Goes back by a step, or gives up a gesture that was not made yet.
     pub fn undo(&mut self) {
         if let Some(title) = self.pending.give_up_last() {
+            self.let_go();
             self.tell(format!("given up: {title}"));
             return;
         }

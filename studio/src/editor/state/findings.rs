@@ -133,6 +133,16 @@ impl Editor {
                     self.show(snapshot);
                 }
             }
+            Finding::NotHeld(number, refusal) => {
+                if self
+                    .dragging
+                    .take_if(|dragging| dragging.number == number)
+                    .is_some()
+                {
+                    self.refuse(refusal);
+                }
+            }
+            Finding::Led(led) => self.take_led(*led),
             Finding::Previewed(snapshot, played) => self.take_preview(&snapshot, *played),
             Finding::Moves(snapshot, made) => {
                 if Arc::ptr_eq(&snapshot, &self.snapshot) {
@@ -198,17 +208,21 @@ impl Editor {
             format!("{}: {notes}", applied.title)
         });
         // What was begun meanwhile goes on in the new text.
-        let held = self.dragging.take().map(Dragging::held);
+        let held = self
+            .dragging
+            .take()
+            .filter(|dragging| !dragging.is_released);
         let picks = self.named(&self.picks);
         self.show(snapshot);
         self.picks = self.picked(&picks);
-        if let Some((items, to)) = held {
-            self.drag_on(items, to);
+        if let Some(Dragging { items, pointer, .. }) = held {
+            self.drag_on(items, pointer);
         }
     }
 
     fn reject(&mut self, refusal: &Refusal) {
         self.pending.clear();
+        self.dragging = None;
         self.refuse(refusal);
     }
 

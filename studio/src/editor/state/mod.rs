@@ -44,7 +44,7 @@ pub struct Editor {
     pub(in crate::editor) session: Session,
     pub(in crate::editor) journal: Journal,
     worker: Worker,
-    pending: Pending,
+    pub(in crate::editor) pending: Pending,
     /// What the compiler makes of the present text; of an earlier one, while it works.
     pub(in crate::editor) snapshot: Arc<Snapshot>,
     /// What the compiler made of the last text that could be read, and how that is drawn.

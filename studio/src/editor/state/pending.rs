@@ -6,7 +6,7 @@ use std::collections::VecDeque;
 
 /// A gesture that is being tried, and those that wait for it.
 #[derive(Default)]
-pub(super) struct Pending {
+pub(in crate::editor) struct Pending {
     tried: Option<Tried>,
     waiting: VecDeque<Waiting>,
     /// How many were tried. A finding of an earlier one is recognised by its number.
@@ -75,13 +75,19 @@ impl Pending {
 
     /// Notes that a gesture is tried on a text. Gives its number.
     pub(super) fn begin(&mut self, gesture: Gesture, text: &str, index: usize) -> u64 {
-        self.count += 1;
+        let number = self.number();
         self.tried = Some(Tried {
-            number: self.count,
+            number,
             gesture,
             text: text.to_owned(),
             index,
         });
+        number
+    }
+
+    /// A number that nothing has yet.
+    pub(in crate::editor) fn number(&mut self) -> u64 {
+        self.count += 1;
         self.count
     }
 

@@ -1,7 +1,7 @@
 //! What there is to do, in pieces.
 
-use super::{Finding, Task, broken};
-use crate::edit::apply_all;
+use super::{Finding, Led, Task, broken};
+use crate::edit::{Drag, apply_all};
 use crate::editor::curves::Curves;
 use crate::editor::snapshot::Snapshot;
 use mech_compiler::catch;
@@ -11,23 +11,24 @@ use std::sync::Arc;
 /// What there is to do, in pieces.
 #[derive(Default)]
 pub(in crate::editor) struct Agenda {
-    /// What was given.
+    /// What is held and led. It comes first: somebody looks where it goes.
+    drags: VecDeque<Task>,
+    held: Option<(u64, Drag)>,
+    /// What else was given.
     given: VecDeque<Task>,
     /// What follows from the last text, when nothing that was given waits.
     follows: VecDeque<Task>,
 }
 
 impl Agenda {
-    /// With this to do.
-    pub(super) fn of(task: Task) -> Self {
-        Self {
-            given: [task].into(),
-            follows: VecDeque::new(),
-        }
-    }
-
-    /// Notes something to do. Of texts that are to be read, the last one alone is wanted.
+    /// Notes something to do. Of texts that are to be read, and of places to which something is led, the last one alone is wanted.
     pub(super) fn add(&mut self, task: Task) {
+        if let Task::Hold(..) | Task::Lead { .. } = task {
+            let is_lead = |task: &Task| matches!(task, Task::Lead { .. });
+            self.drags.retain(|other| !is_lead(other));
+            self.drags.push_back(task);
+            return;
+        }
         let is_read = |task: &Task| matches!(task, Task::Read { .. });
         let is_preview = |task: &Task| matches!(task, Task::Preview { .. });
         if is_read(&task) {
@@ -40,12 +41,13 @@ impl Agenda {
 
     /// Whether there is nothing to do.
     pub(super) fn is_done(&self) -> bool {
-        self.given.is_empty() && self.follows.is_empty()
+        self.drags.is_empty() && self.given.is_empty() && self.follows.is_empty()
     }
 
     /// Does the next piece, and tells what was found out.
     pub(super) fn go_on(&mut self) -> Option<Finding> {
-        let task = self.given.pop_front();
+        let task = self.drags.pop_front();
+        let task = task.or_else(|| self.given.pop_front());
         let task = task.or_else(|| self.follows.pop_front())?;
         catch(|| self.fulfil(task)).unwrap_or_else(|what| Some(broken(what)))
     }
@@ -75,6 +77,20 @@ impl Agenda {
                 let snapshot = Arc::new(Snapshot::of(document, index));
                 let played = snapshot.played();
                 Some(Finding::Previewed(snapshot, Box::new(played)))
+            }
+            Task::Hold(hold, text) => {
+                let number = hold.number;
+                match hold.begin(&text) {
+                    Ok(drag) => {
+                        self.held = Some((number, drag));
+                        None
+                    }
+                    Err(refusal) => Some(Finding::NotHeld(number, refusal)),
+                }
+            }
+            Task::Lead { number, to } => {
+                let held = self.held.as_ref().filter(|(held, _)| *held == number);
+                held.map(|(_, drag)| Finding::Led(Box::new(Led::of(number, drag, to))))
             }
             Task::Export(order) => Some(Finding::Exported(order.fulfil())),
             Task::Measure { snapshot, wanted } => {

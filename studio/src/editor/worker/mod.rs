@@ -4,8 +4,10 @@
 //! played, then the repairs. With threads the pieces are done beside the window, in a browser one after each picture.
 
 mod agenda;
+mod hold;
 
 use agenda::Agenda;
+pub(super) use hold::{Held, Hold, Led};
 
 use super::Gesture;
 use super::curves::{Curves, Wanted};
@@ -36,6 +38,10 @@ pub(super) enum Task {
     Read { document: Document, index: usize },
     /// A text is read that will be another at once: while something is dragged.
     Preview { document: Document, index: usize },
+    /// Something is taken hold of in a text.
+    Hold(Box<Hold>, Held),
+    /// What is held is led to a place, as the drag counts.
+    Lead { number: u64, to: [f64; 2] },
     /// A mechanism is measured.
     Measure {
         snapshot: Arc<Snapshot>,
@@ -55,6 +61,10 @@ pub(super) enum Finding {
     Tried(u64, Box<Result<(Applied, Arc<Snapshot>), Refusal>>),
     /// What the compiler makes of a text.
     Read(Arc<Snapshot>),
+    /// Why something, by the number of its drag, cannot be held.
+    NotHeld(u64, Refusal),
+    /// Where something that is held was led.
+    Led(Box<Led>),
     /// What the compiler makes of a text while something is dragged, and the mechanism, if it moves.
     Previewed(Arc<Snapshot>, Box<Option<Result<Played, Failure>>>),
     /// The mechanism of a snapshot, to be played.
@@ -72,7 +82,10 @@ pub(super) enum Finding {
 /// Does tasks: beside the window, in pieces, or at once.
 pub(super) enum Worker {
     /// At once: for tests, which want to know what comes when.
-    Immediate(VecDeque<Finding>),
+    Immediate {
+        agenda: Agenda,
+        found: VecDeque<Finding>,
+    },
     /// In pieces, of which one is done after each picture: where there are no threads.
     InPieces {
         agenda: Agenda,
@@ -84,6 +97,8 @@ pub(super) enum Worker {
     #[cfg(not(target_arch = "wasm32"))]
     Thread {
         tasks: Sender<Task>,
+        /// What is held is led in another thread: it does not wait for the analysis of what was before.
+        drags: Sender<Task>,
         findings: Receiver<Finding>,
         /// For what is done beside the thread.
         teller: Teller,
@@ -116,8 +131,11 @@ const STACK: usize = 16 << 20;
 
 impl Worker {
     /// One that does everything at once.
-    pub(super) const fn immediate() -> Self {
-        Self::Immediate(VecDeque::new())
+    pub(super) fn immediate() -> Self {
+        Self::Immediate {
+            agenda: Agenda::default(),
+            found: VecDeque::new(),
+        }
     }
 
     /// One that does a piece after each picture.
@@ -135,17 +153,21 @@ impl Worker {
     /// If the system has no thread for it.
     #[cfg(not(target_arch = "wasm32"))]
     pub(super) fn beside(wake: impl Fn() + Send + Sync + 'static) -> std::io::Result<Self> {
-        let (tasks, to_do) = channel();
         let (found, findings) = channel();
         let wake = Arc::new(wake);
         let teller = Teller { found, wake };
-        let serving = teller.clone();
-        let analysis = thread::Builder::new().name("analysis".to_owned());
-        analysis
-            .stack_size(STACK)
-            .spawn(move || serve(&to_do, &serving))?;
+        let serve = |name: &str| {
+            let (tasks, to_do) = channel();
+            let teller = teller.clone();
+            let thread = thread::Builder::new().name(name.to_owned());
+            thread
+                .stack_size(STACK)
+                .spawn(move || serve(&to_do, &teller))?;
+            std::io::Result::Ok(tasks)
+        };
         Ok(Self::Thread {
-            tasks,
+            tasks: serve("analysis")?,
+            drags: serve("drag")?,
             findings,
             teller,
         })
@@ -154,8 +176,8 @@ impl Worker {
     /// Gives it something to do.
     pub(super) fn give(&mut self, task: Task) -> Result<(), Failure> {
         match self {
-            Self::Immediate(found) => {
-                let mut agenda = Agenda::of(task);
+            Self::Immediate { agenda, found } => {
+                agenda.add(task);
                 while !agenda.is_done() {
                     found.extend(agenda.go_on());
                 }
@@ -166,7 +188,13 @@ impl Worker {
                 Ok(())
             }
             #[cfg(not(target_arch = "wasm32"))]
-            Self::Thread { tasks, teller, .. } => match task {
+            Self::Thread {
+                tasks,
+                drags,
+                teller,
+                ..
+            } => match task {
+                Task::Hold(..) | Task::Lead { .. } => drags.send(task).map_err(|_| ended()),
                 // A film takes its time, and nothing else waits for it.
                 Task::Export(order) => {
                     let teller = teller.clone();
@@ -201,7 +229,7 @@ impl Worker {
     /// The next of what was found out.
     pub(super) fn next(&mut self) -> Result<Option<Finding>, Failure> {
         match self {
-            Self::Immediate(found) | Self::InPieces { found, .. } => Ok(found.pop_front()),
+            Self::Immediate { found, .. } | Self::InPieces { found, .. } => Ok(found.pop_front()),
             #[cfg(not(target_arch = "wasm32"))]
             Self::Thread { findings, .. } => match findings.try_recv() {
                 Ok(finding) => Ok(Some(finding)),

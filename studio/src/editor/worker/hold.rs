@@ -1,0 +1,75 @@
+//! What is held while it is dragged.
+
+use crate::document::Document;
+use crate::edit::{Command, Drag, Dragged, Follower, Refusal};
+use crate::editor::snapshot::Snapshot;
+use std::sync::Arc;
+
+/// What is to be held, and what goes with it.
+pub(in crate::editor) struct Hold {
+    /// Which of all drags it is for.
+    pub(in crate::editor) number: u64,
+    /// What is dragged, as the language names it.
+    pub(in crate::editor) path: String,
+    /// The values of motors at which it is seen, in degrees or scene units; none for the start.
+    pub(in crate::editor) pose: Option<Vec<(String, f64)>>,
+    /// Where it is at the beginning, as the drag counts.
+    pub(in crate::editor) from: [f64; 2],
+    /// What goes with it.
+    pub(in crate::editor) followers: Vec<Follower>,
+}
+
+/// The text in which something is held.
+pub(in crate::editor) enum Held {
+    /// One that was analysed already.
+    Known(Arc<Snapshot>),
+    /// One of which nothing is known yet, and the number of the mechanism in it.
+    Text(Document, usize),
+}
+
+/// Where something that is held was led.
+pub(in crate::editor) struct Led {
+    /// Which of all drags it was.
+    pub(in crate::editor) number: u64,
+    /// The place, as the drag counts.
+    pub(in crate::editor) to: [f64; 2],
+    /// What came of it, and what leaves it there; or why it cannot go there.
+    pub(in crate::editor) outcome: Result<(Dragged, Vec<Command>), Refusal>,
+}
+
+impl Hold {
+    /// Takes hold of it.
+    pub(super) fn begin(self, text: &Held) -> Result<Drag, Refusal> {
+        let Self {
+            path,
+            pose,
+            from,
+            followers,
+            ..
+        } = self;
+        let known = match text {
+            Held::Known(snapshot) => snapshot.known(),
+            Held::Text(..) => None,
+        };
+        let drag = match (known, text) {
+            (Some(known), _) => Drag::begin_known(known, &path, pose),
+            (None, Held::Known(snapshot)) => {
+                Drag::begin(&snapshot.document, snapshot.index, &path, pose)
+            }
+            (None, Held::Text(document, index)) => Drag::begin(document, *index, &path, pose),
+        };
+        drag?.with(from, followers)
+    }
+}
+
+impl Led {
+    /// Leads what is held to a place.
+    pub(super) fn of(number: u64, drag: &Drag, to: [f64; 2]) -> Self {
+        let outcome = drag.move_to(to);
+        Self {
+            number,
+            to,
+            outcome: outcome.map(|dragged| (dragged, drag.commands(to))),
+        }
+    }
+}
