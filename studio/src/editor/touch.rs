@@ -6,14 +6,15 @@ use super::ghost::Ghost;
 use super::names::Names;
 use super::path::Path;
 use super::settings::Visible;
-use super::snapshot::{Played, Snapshot};
-use super::worker::{Held, Led, Task};
+use super::worker::{Held, Led, Previewed, Task};
 use super::{Editor, Gesture, Item};
 use crate::document::{Document, PartOffer, Source};
 use crate::edit::Command;
-use crate::failure::Failure;
 use crate::play::{Control, Player};
 use crate::text::written;
+
+/// How many bodies are painted while something is dragged.
+const MOST_BODIES: usize = 200;
 
 impl Editor {
     /// What is seen: while something is dragged, the mechanism as it is then.
@@ -43,7 +44,9 @@ impl Editor {
 
     /// Whether the bodies of links are seen, and not the schematic.
     pub(super) fn shows_bodies(&self) -> bool {
-        self.settings.shows(Visible::Bodies) && self.seen_player().is_some()
+        (self.held().is_none() || self.shows_bodies_of_drag())
+            && self.settings.shows(Visible::Bodies)
+            && self.seen_player().is_some()
     }
 
     /// Selects something, or adds it to what is selected, or takes it out of that.
@@ -242,54 +245,51 @@ impl Editor {
         }
     }
 
+    /// Whether bodies are seen while something is dragged: very many take longer to be painted than a frame may.
+    fn shows_bodies_of_drag(&self) -> bool {
+        let drawing = self.drawing.as_ref();
+        drawing.is_some_and(|drawing| drawing.model.links.len() <= MOST_BODIES)
+    }
+
     /// Has the text read as it is while something is dragged, unless one is being read.
     pub(super) fn give_preview(&mut self) {
-        let edits = self.dragging.as_mut().and_then(Dragging::unread);
-        if let Some(edits) = edits {
-            let source = Source::new(
-                self.workspace().path(),
-                written(self.workspace().text(), &edits),
-            );
+        let has_bodies = self.shows_bodies_of_drag();
+        let Some(dragging) = &mut self.dragging else {
+            return;
+        };
+        let number = dragging.number;
+        if let Some(edits) = dragging.unread() {
+            let text = written(self.session.workspace.text(), &edits);
+            let source = Source::new(self.workspace().path(), text);
             let task = Task::Preview {
+                number,
                 document: Document::of(source),
                 index: self.workspace().index(),
+                has_bodies,
             };
             self.give(task);
         }
     }
 
     /// Takes over what the compiler makes of a text while something is dragged.
-    pub(super) fn take_preview(
-        &mut self,
-        snapshot: &Snapshot,
-        played: Option<Result<Played, Failure>>,
-    ) {
-        let Some(dragging) = &mut self.dragging else {
+    pub(super) fn take_preview(&mut self, previewed: Previewed) {
+        let number = previewed.number;
+        let mut dragged = self.dragging.as_mut();
+        let Some(dragging) = dragged.take_if(|dragging| dragging.number == number) else {
             return;
         };
         let preview = &mut dragging.preview;
-        // One of an earlier drag comes late.
-        if snapshot.document.source().text()
-            != written(self.session.workspace.text(), &preview.given)
-        {
-            return;
-        }
         preview.is_awaited = false;
-        let first = snapshot.messages().first();
-        preview.fault = first
-            .and_then(|message| message.text.lines().next())
-            .map(ToOwned::to_owned);
-        preview.player = None;
-        preview.paths.clear();
-        if let Some(Ok((mechanism, _, paths))) = played {
+        preview.fault = previewed.fault;
+        preview.paths = previewed.paths;
+        preview.player = previewed.mechanism.map(|mechanism| {
             let mut player = Player::new(mechanism, Vec::new(), self.camera.size());
             if let Some(before) = &self.player {
                 player.stand_as(before.mechanism());
                 player.show_layers(before.layers());
             }
-            preview.player = Some(player);
-            preview.paths = paths;
-        }
+            player
+        });
         self.give_preview();
     }
 

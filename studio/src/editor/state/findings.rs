@@ -143,7 +143,7 @@ impl Editor {
                 }
             }
             Finding::Led(led) => self.take_led(*led),
-            Finding::Previewed(snapshot, played) => self.take_preview(&snapshot, *played),
+            Finding::Previewed(previewed) => self.take_preview(*previewed),
             Finding::Moves(snapshot, made) => {
                 if Arc::ptr_eq(&snapshot, &self.snapshot) {
                     match *made {

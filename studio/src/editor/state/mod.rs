@@ -223,7 +223,8 @@ impl Editor {
     /// Whether the analysis is not done yet.
     #[must_use]
     pub fn is_busy(&self) -> bool {
-        !self.pending.is_empty() || self.is_mending
+        let is_let_go = self.dragging.is_some() && self.held().is_none();
+        is_let_go || !self.pending.is_empty() || self.is_mending
     }
 
     /// Whether nothing is under way that would be lost if the text became another one.
@@ -234,7 +235,7 @@ impl Editor {
     /// Whether something is lost if the text is left as it is.
     #[must_use]
     pub fn has_work(&self) -> bool {
-        !self.pending.is_empty() || self.workspace().has_work()
+        self.dragging.is_some() || !self.pending.is_empty() || self.workspace().has_work()
     }
 
     /// Tells something.

@@ -1,6 +1,6 @@
 //! What there is to do, in pieces.
 
-use super::{Finding, Led, Task, broken};
+use super::{Finding, Led, Previewed, Task, broken};
 use crate::edit::{Drag, apply_all};
 use crate::editor::curves::Curves;
 use crate::editor::snapshot::Snapshot;
@@ -73,10 +73,14 @@ impl Agenda {
                 self.go_on_with(&snapshot);
                 Some(Finding::Read(snapshot))
             }
-            Task::Preview { document, index } => {
-                let snapshot = Arc::new(Snapshot::of(document, index));
-                let played = snapshot.played();
-                Some(Finding::Previewed(snapshot, Box::new(played)))
+            Task::Preview {
+                number,
+                document,
+                index,
+                has_bodies,
+            } => {
+                let previewed = Previewed::of(number, document, index, has_bodies);
+                Some(Finding::Previewed(Box::new(previewed)))
             }
             Task::Hold(hold, text) => {
                 let number = hold.number;

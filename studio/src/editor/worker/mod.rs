@@ -5,9 +5,11 @@
 
 mod agenda;
 mod hold;
+mod preview;
 
 use agenda::Agenda;
 pub(super) use hold::{Held, Hold, Led};
+pub(super) use preview::Previewed;
 
 use super::Gesture;
 use super::curves::{Curves, Wanted};
@@ -36,8 +38,13 @@ pub(super) enum Task {
     },
     /// A text is read.
     Read { document: Document, index: usize },
-    /// A text is read that will be another at once: while something is dragged.
-    Preview { document: Document, index: usize },
+    /// A text is read that will be another at once: while something is dragged, by the number of the drag. Bodies may be wanted.
+    Preview {
+        number: u64,
+        document: Document,
+        index: usize,
+        has_bodies: bool,
+    },
     /// Something is taken hold of in a text.
     Hold(Box<Hold>, Held),
     /// What is held is led to a place, as the drag counts.
@@ -65,8 +72,8 @@ pub(super) enum Finding {
     NotHeld(u64, Refusal),
     /// Where something that is held was led.
     Led(Box<Led>),
-    /// What the compiler makes of a text while something is dragged, and the mechanism, if it moves.
-    Previewed(Arc<Snapshot>, Box<Option<Result<Played, Failure>>>),
+    /// What the compiler makes of a text while something is dragged.
+    Previewed(Box<Previewed>),
     /// The mechanism of a snapshot, to be played.
     Moves(Arc<Snapshot>, Box<Result<Played, Failure>>),
     /// The repairs of a snapshot.

@@ -1,0 +1,39 @@
+//! What is seen while something is dragged.
+
+use crate::document::Document;
+use crate::editor::path::Path;
+use crate::editor::snapshot::Snapshot;
+use crate::play::Mechanism;
+
+/// What the compiler makes of a text while something is dragged: no more than the window shows, as the rest would only have to be freed there.
+pub(in crate::editor) struct Previewed {
+    /// Which of all drags it is of.
+    pub(in crate::editor) number: u64,
+    /// What is wrong first, in a line.
+    pub(in crate::editor) fault: Option<String>,
+    /// The mechanism with its bodies, if these are wanted and it moves.
+    pub(in crate::editor) mechanism: Option<Mechanism>,
+    /// The whole paths of its traced points.
+    pub(in crate::editor) paths: Vec<Path>,
+}
+
+impl Previewed {
+    /// Reads a text.
+    pub(super) fn of(number: u64, document: Document, index: usize, has_bodies: bool) -> Self {
+        let snapshot = Snapshot::of(document, index);
+        let first = snapshot.messages().first();
+        let fault = first.and_then(|message| message.text.lines().next());
+        let fault = fault.map(ToOwned::to_owned);
+        let played = snapshot.played().and_then(Result::ok);
+        let (mechanism, paths) = match played {
+            Some((mechanism, _, paths)) => (Some(mechanism).filter(|_| has_bodies), paths),
+            None => (None, Vec::new()),
+        };
+        Self {
+            number,
+            fault,
+            mechanism,
+            paths,
+        }
+    }
+}
