@@ -119,8 +119,12 @@ impl Dragging {
         Ok((dragging, hold))
     }
 
-    /// Leads it to a place of the scene. Gives that place as the drag counts, if it was not asked to go there last.
+    /// Leads it to a place of the scene. Gives that place as the drag counts, if it was not asked to go there last. There is none without
+    /// coordinates.
     pub(crate) fn lead(&mut self, place: [f64; 2]) -> Option<[f64; 2]> {
+        if !place.iter().all(|part| part.is_finite()) {
+            return None;
+        }
         self.pointer = Some(place);
         // In the frame of a link that is turned, places have many digits; those that nobody sees are left out.
         let to = match self.frame {

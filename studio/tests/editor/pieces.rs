@@ -3,7 +3,7 @@
 use super::drawing::draw_four_bar;
 use super::user::User;
 use eframe::egui::Key;
-use mech_studio::editor::Editor;
+use mech_studio::editor::{Editor, Item};
 use mech_studio::{Command, Workspace};
 
 const TEXT: &str =
@@ -114,6 +114,75 @@ fn gestures_wait_for_each_other() {
         );
     }
     assert_eq!(user.editor().workspace().history().made().len(), 4);
+}
+
+/// A crank with a point at its end, whose place is dragged.
+const TIP: &str = "struct Crank;\nlink crank { point tip = (2, 0); }\njoint a = revolute(ground, crank) at (0, 0);\nmotor a;\n";
+
+fn with_tip() -> User {
+    let mut user = User::in_browser();
+    user.at_once(|editor| editor.type_text(TIP));
+    user.rest();
+    user
+}
+
+#[test]
+fn a_drag_ends_as_it_does_at_once() {
+    let mut user = with_tip();
+    user.move_handle([2.0, 0.0], [2.0, 1.0]);
+    user.rest();
+    let mut at_once = User::with_text(TIP);
+    at_once.move_handle([2.0, 0.0], [2.0, 1.0]);
+    assert_eq!(user.text(), at_once.text(), "{}", user.said());
+    assert_ne!(user.text(), TIP);
+}
+
+/// Drags the point, all within a frame.
+fn drag_tip(editor: &mut Editor) {
+    editor.begin_drag(&Item::Axis("crank.tip".to_owned()), false);
+    editor.drag_to([3.0, 0.5]);
+    editor.drag_to([3.0, 1.0]);
+    editor.end_drag();
+}
+
+#[test]
+fn what_is_let_go_before_its_place_is_known_goes_there() {
+    let mut user = with_tip();
+    user.at_once(drag_tip);
+    assert_eq!(user.text(), TIP);
+    user.rest();
+    assert!(user.text().contains("tip = (3, 1)"), "{}", user.said());
+    assert_eq!(user.editor().workspace().history().made().len(), 2);
+}
+
+#[test]
+fn what_is_let_go_is_not_dragged_into_another_text() {
+    let mut user = with_tip();
+    let other = TIP.replace("Crank", "Other");
+    user.at_once(|editor| {
+        drag_tip(editor);
+        editor.open(Workspace::unsaved("other.mech", other.as_str()));
+    });
+    user.rest();
+    assert_eq!(user.text(), other, "{}", user.said());
+    user.move_handle([2.0, 0.0], [2.0, 1.0]);
+    user.rest();
+    assert!(user.text().contains("tip = (2, 1)"), "{}", user.said());
+}
+
+#[test]
+fn a_place_that_cannot_be_leaves_what_is_dragged_where_it_was() {
+    let mut user = with_tip();
+    user.at_once(|editor| {
+        editor.begin_drag(&Item::Axis("crank.tip".to_owned()), false);
+        editor.drag_to([f64::NAN, 0.5]);
+        editor.end_drag();
+    });
+    user.rest();
+    assert_eq!(user.text(), TIP, "{}", user.said());
+    user.move_handle([2.0, 0.0], [2.0, 1.0]);
+    user.rest();
+    assert!(user.text().contains("tip = (2, 1)"), "{}", user.said());
 }
 
 #[test]
