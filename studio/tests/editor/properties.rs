@@ -293,6 +293,40 @@ proptest! {
         prop_assert_eq!(user.text(), text);
     }
 
+    /// In a browser the next gesture often comes while the last one is still being tried.
+    #[test]
+    fn gestures_that_come_faster_than_the_analysis_lose_nothing(
+        first in any::<Index>(),
+        acts in prop::collection::vec(act(), 1..10),
+    ) {
+        let text = TEXTS[first.index(TEXTS.len())];
+        let mut user = User::in_browser();
+        user.at_once(|editor| editor.type_text(text));
+        user.rest();
+        for act in &acts {
+            // Repairs are there when they were found.
+            if matches!(act, Act::Mend(_)) {
+                user.rest();
+            }
+            perform(&mut user, act);
+        }
+        user.rest();
+        let last = user.text().to_owned();
+        prop_assert!(last.trim().is_empty() || user.editor().is_readable(), "{}", user.said());
+        is_drawn_as_compiled(&user);
+        let made = texts_of(&user).len();
+        for _ in 0..made {
+            user.shortcut(Key::Z, false);
+            user.rest();
+        }
+        prop_assert_eq!(user.text(), "");
+        for _ in 0..made {
+            user.shortcut(Key::Z, true);
+            user.rest();
+        }
+        prop_assert_eq!(user.text(), last);
+    }
+
     #[test]
     fn bars_that_are_drawn_only_add_lines(ends in prop::collection::vec([spot(), spot()], 1..6)) {
         let mut user = User::new();
