@@ -1,8 +1,11 @@
 //! What is copied and pasted.
 
 use super::names::Names;
+use super::snap::grid;
 use super::{Editor, Gesture, Item};
 use crate::edit::Command;
+use crate::text::shortest;
+use mech_compiler::model::{AxisId, AxisKind};
 
 impl Editor {
     /// Notes the selected links.
@@ -23,23 +26,85 @@ impl Editor {
 
     /// Declares the copied links once more.
     pub(super) fn paste(&mut self) {
-        let mut names = Names::of(self.drawing.as_ref());
-        let copies = self.copied.iter().map(|name| Command::Duplicate {
-            name: name.clone(),
-            copy: names.numbered(name.trim_end_matches(|last: char| last.is_ascii_digit())),
-        });
-        let copies: Vec<Command> = copies.collect();
-        let copied = copies.iter().filter_map(|command| match command {
-            Command::Duplicate { copy, .. } => Some(Item::Link(copy.clone())),
-            _ => None,
-        });
-        self.selection = copied.collect();
-        let title = match copies.len() {
-            0 => return,
-            1 => "paste a link".to_owned(),
-            count => format!("paste {count} links"),
+        let copies = self.copies(&self.copied);
+        let title = match &copies[..] {
+            [] => return,
+            [_] => "paste a link".to_owned(),
+            several => format!("paste {} links", several.len()),
         };
-        self.perform(Gesture::new(title, copies));
+        self.selection = copies
+            .iter()
+            .map(|(copy, _)| Item::Link(copy.clone()))
+            .collect();
+        let commands = copies.into_iter().flat_map(|(_, commands)| commands);
+        self.perform(Gesture::new(title, commands.collect()));
+    }
+
+    /// What declares a link once more.
+    pub(super) fn duplicate(&self, name: &str) -> Gesture {
+        let copies = self.copies(&[name.to_owned()]);
+        let (mut title, mut commands) = (String::new(), Vec::new());
+        for (copy, own) in copies {
+            title = format!("duplicate {name} as {copy}");
+            commands.extend(own);
+        }
+        Gesture::new(title, commands)
+    }
+
+    /// What declares links once more, each under a name that is free.
+    fn copies(&self, links: &[String]) -> Vec<(String, Vec<Command>)> {
+        let mut names = Names::of(self.drawing.as_ref());
+        let copies = links.iter().map(|name| {
+            let copy = names.numbered(name.trim_end_matches(|last: char| last.is_ascii_digit()));
+            let duplicate = Command::Duplicate {
+                name: name.clone(),
+                copy: copy.clone(),
+            };
+            let points = self.points_of_copy(name, &copy);
+            (copy, [vec![duplicate], points].concat())
+        });
+        copies.collect()
+    }
+
+    /// Points where a link is joined, for its copy, which no joint gives a place. A link that nothing else gives one is copied beside itself.
+    fn points_of_copy(&self, name: &str, copy: &str) -> Vec<Command> {
+        let drawn = self.drawing.as_ref().and_then(|drawing| {
+            let link = drawing.link(name)?;
+            drawing.model.link(link).drawn.then_some((drawing, link))
+        });
+        let Some((drawing, link)) = drawn else {
+            return Vec::new();
+        };
+        let (own, joined): (Vec<AxisId>, Vec<AxisId>) = drawing
+            .axes_on(link)
+            .partition(|axis| drawing.path(*axis).is_some());
+        let is_free = own.is_empty() && drawing.model.link(link).shapes.is_empty();
+        let beside = if is_free {
+            grid(self.camera.view().scale())
+        } else {
+            0.0
+        };
+        let pins = joined
+            .into_iter()
+            .map(|axis| drawing.model.axis(axis))
+            .filter(|axis| axis.kind == AxisKind::Point);
+        let mut places: Vec<[f64; 2]> = Vec::new();
+        for axis in pins {
+            let place = [axis.at[0] + beside, axis.at[1] - beside];
+            if !places.contains(&place) {
+                places.push(place);
+            }
+        }
+        let tolerance = 1e-6 * drawing.model.size();
+        // The copy has the points of the other, too.
+        let numbers =
+            (1_u32..).filter(|number| drawing.axis(&format!("{name}.end{number}")).is_none());
+        let points = numbers.zip(places).map(|(number, place)| Command::Axis {
+            path: format!("{copy}.end{number}"),
+            at: place.map(|part| shortest(part, tolerance)),
+            along: None,
+        });
+        points.collect()
     }
 
     /// Puts the text on the clipboard.

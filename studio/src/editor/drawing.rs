@@ -321,6 +321,11 @@ impl Drawing {
         least
     }
 
+    /// The axes of a link.
+    pub(crate) fn axes_on(&self, link: LinkId) -> impl Iterator<Item = AxisId> {
+        self.index.on_link[link.index()].iter().copied()
+    }
+
     /// Where the axes of a link are in the scene.
     pub(crate) fn places_on(&self, link: LinkId) -> Vec<[f64; 2]> {
         let own = self.index.on_link[link.index()].iter();

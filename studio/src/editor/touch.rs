@@ -7,7 +7,7 @@ use super::names::Names;
 use super::path::Path;
 use super::settings::Visible;
 use super::worker::{Held, Led, Previewed, Task};
-use super::{Editor, Gesture, Item};
+use super::{Editor, Item};
 use crate::document::{Document, PartOffer, Source};
 use crate::edit::Command;
 use crate::play::{Control, Player};
@@ -310,17 +310,6 @@ impl Editor {
             Some(gesture) => self.perform(gesture),
             None => self.dragging = None,
         }
-    }
-
-    /// What declares a link once more.
-    pub(super) fn duplicate(&self, name: &str) -> Gesture {
-        let mut names = Names::of(self.drawing.as_ref());
-        let word = name.trim_end_matches(|last: char| last.is_ascii_digit());
-        Command::Duplicate {
-            name: name.to_owned(),
-            copy: names.numbered(word),
-        }
-        .into()
     }
 
     /// Shows what a repair would make of the mechanism, by its number from 1; or nothing any more.

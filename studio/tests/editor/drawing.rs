@@ -58,5 +58,9 @@ fn links_are_copied_and_pasted() {
     user.click([-2.0, 0.4]);
     assert_eq!(user.editor().selection().len(), 1, "{}", user.said());
     user.copy_and_paste();
-    assert!(user.text().contains("link bar4"), "{}", user.said());
+    // It has a place of its own, beside the other.
+    let copy = "link bar4 { point end1 = (-1.8, 0.8); point end2 = (-1.8, -0.2); }";
+    assert!(user.text().contains(copy), "{}", user.said());
+    user.shortcut(Key::Z, false);
+    assert!(!user.text().contains("bar4"), "{}", user.said());
 }
