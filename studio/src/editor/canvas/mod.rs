@@ -1,5 +1,6 @@
 //! The canvas: what is drawn, and what the pointer does to it.
 
+mod keys;
 mod paint;
 mod picture;
 
@@ -10,6 +11,7 @@ use super::{Editor, Item, Tool};
 use crate::play::{Camera, Control};
 use eframe::egui;
 use eframe::egui::{PointerButton, Pos2, Rect, Response, Role, Sense, Vec2, WidgetInfo};
+use keys::step_by_keys;
 use paint::Paint;
 use picture::Picture;
 
@@ -91,41 +93,6 @@ impl Canvas {
                 egui::Stroke::new(1.0, color),
                 egui::StrokeKind::Middle,
             );
-        }
-    }
-
-    /// Points by the keys with arrows, and picks or selects by Enter.
-    fn by_keys(
-        &mut self,
-        editor: &mut Editor,
-        background: &Response,
-        shown: &Shown,
-        ui: &egui::Ui,
-    ) {
-        let unit = super::snap::grid(shown.scale());
-        let ([x, y], is_far) = arrows(ui);
-        let unit = if is_far { 10.0 * unit } else { unit };
-        self.cross[0] += x * unit;
-        self.cross[1] += y * unit;
-        keep_arrows(ui, background);
-        let pick = Snapping {
-            drawing: editor.drawing.as_ref(),
-            scale: shown.scale(),
-            is_on: true,
-            angles_from: None,
-            without: &[],
-        }
-        .snap(self.cross);
-        self.snapped = Some(pick.clone());
-        if ui.input(|input| input.key_pressed(egui::Key::Enter)) {
-            if editor.tool == Tool::Select {
-                let found = editor.seen_drawing();
-                let item =
-                    found.and_then(|drawing| drawing.item_at(self.cross, REACH / shown.scale()));
-                editor.select(item, false);
-            } else {
-                editor.pick(pick.pick);
-            }
         }
     }
 
@@ -368,54 +335,6 @@ fn zoom(editor: &mut Editor, background: &Response, ui: &egui::Ui) {
             .camera
             .pan([touch.translation_delta.x, touch.translation_delta.y].map(f64::from));
     }
-}
-
-/// Moves a handle by the keys with arrows: by a line of the grid, with Shift by ten.
-fn step_by_keys(
-    editor: &mut Editor,
-    handle: Handle,
-    response: &Response,
-    shown: &Shown,
-    ui: &egui::Ui,
-) {
-    let unit = super::snap::grid(shown.scale());
-    let (steps, is_far) = arrows(ui);
-    if steps != [0.0, 0.0] {
-        let unit = if is_far { 10.0 * unit } else { unit };
-        let to =
-            [0, 1].map(|part| ((handle.place[part] + steps[part] * unit) / unit).round() * unit);
-        let to = [0, 1].map(|part| {
-            if steps[part] == 0.0 {
-                handle.place[part]
-            } else {
-                to[part]
-            }
-        });
-        editor.begin_drag(handle.item, false);
-        editor.drag_to(to);
-        editor.end_drag();
-    }
-    keep_arrows(ui, response);
-}
-
-/// The steps that keys with arrows ask for, to the right and up; and whether these are long.
-fn arrows(ui: &egui::Ui) -> ([f64; 2], bool) {
-    ui.input(|input| {
-        let count = |key| f64::from(u32::from(input.key_pressed(key)));
-        let x = count(egui::Key::ArrowRight) - count(egui::Key::ArrowLeft);
-        let y = count(egui::Key::ArrowUp) - count(egui::Key::ArrowDown);
-        ([x, y], input.modifiers.shift)
-    })
-}
-
-/// Lets keys with arrows not move the focus.
-fn keep_arrows(ui: &egui::Ui, response: &Response) {
-    let filter = egui::EventFilter {
-        horizontal_arrows: true,
-        vertical_arrows: true,
-        ..egui::EventFilter::default()
-    };
-    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
 }
 
 /// What can be done to a handle.
