@@ -134,7 +134,7 @@ impl Session {
 
     /// Whether the text is another than that of the file.
     pub(super) fn is_changed(&self) -> bool {
-        self.workspace.is_changed()
+        self.workspace.has_work()
     }
 
     /// Writes the text: over the file from which it was read, or to one that is not there yet.

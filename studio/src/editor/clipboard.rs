@@ -2,6 +2,7 @@
 
 use super::names::Names;
 use super::snap::grid;
+use super::state::Waiting;
 use super::{Editor, Gesture, Item};
 use crate::edit::Command;
 use crate::text::shortest;
@@ -26,29 +27,28 @@ impl Editor {
 
     /// Declares the copied links once more.
     pub(super) fn paste(&mut self) {
-        let copies = self.copies(&self.copied);
-        let title = match &copies[..] {
-            [] => return,
-            [_] => "paste a link".to_owned(),
-            several => format!("paste {} links", several.len()),
+        self.declare_again(self.copied.clone());
+    }
+
+    /// Declares links once more, as soon as the gestures before that are made: until then nobody knows which names are free.
+    pub(super) fn declare_again(&mut self, links: Vec<String>) {
+        self.wait(Waiting::Copies(links));
+    }
+
+    /// What declares links once more; none if there are none. The copies are selected.
+    pub(super) fn gesture_of_copies(&mut self, links: &[String]) -> Option<Gesture> {
+        let copies = self.copies(links);
+        let title = match (&copies[..], links) {
+            ([], _) => return None,
+            ([(copy, _)], [name, ..]) => format!("copy {name} as {copy}"),
+            (several, _) => format!("copy {} links", several.len()),
         };
         self.selection = copies
             .iter()
             .map(|(copy, _)| Item::Link(copy.clone()))
             .collect();
         let commands = copies.into_iter().flat_map(|(_, commands)| commands);
-        self.perform(Gesture::new(title, commands.collect()));
-    }
-
-    /// What declares a link once more.
-    pub(super) fn duplicate(&self, name: &str) -> Gesture {
-        let copies = self.copies(&[name.to_owned()]);
-        let (mut title, mut commands) = (String::new(), Vec::new());
-        for (copy, own) in copies {
-            title = format!("duplicate {name} as {copy}");
-            commands.extend(own);
-        }
-        Gesture::new(title, commands)
+        Some(Gesture::new(title, commands.collect()))
     }
 
     /// What declares links once more, each under a name that is free.

@@ -24,7 +24,7 @@ impl Dropped {
         let dropped = context.input(|input| input.raw.dropped_files.clone());
         match &dropped[..] {
             [] => {}
-            _ if editor.dialog.is_some() => {
+            _ if context.memory(|memory| memory.top_modal_layer().is_some()) => {
                 editor.refuse("answer the question first, and then drop the file");
             }
             [file] => read(file, &self.0, context),

@@ -137,7 +137,7 @@ impl Studio {
 /// The title of the window: the file, and whether it has changes that are not saved.
 fn title(workspace: &Workspace) -> String {
     let name = workspace.path().file_name().unwrap_or_default();
-    let changed = if workspace.is_changed() {
+    let changed = if workspace.has_work() {
         " (changed)"
     } else {
         ""

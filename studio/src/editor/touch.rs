@@ -290,12 +290,15 @@ impl Editor {
             }
             player
         });
-        self.give_preview();
+        if self.held().is_some() {
+            self.give_preview();
+        }
     }
 
     /// Lets what is dragged go where it is, as one step: as soon as it is known whether it can stay there.
     pub fn end_drag(&mut self) {
-        let Some(dragging) = &mut self.dragging else {
+        let held = self.dragging.as_mut();
+        let Some(dragging) = held.filter(|dragging| !dragging.is_released) else {
             return;
         };
         dragging.is_released = true;

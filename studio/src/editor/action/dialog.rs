@@ -75,6 +75,10 @@ pub(in crate::editor) fn dialogs(editor: &mut Editor, context: &egui::Context) {
             None => editor.dialog = Some(Dialog::Leave(to)),
             Some(Answer::Cancel) => {}
             Some(Answer::Discard) => editor.arrive(to),
+            Some(Answer::Save) if !editor.is_at_rest() => {
+                editor.refuse("a gesture is still being tried; save in a moment");
+                editor.dialog = Some(Dialog::Leave(to));
+            }
             Some(Answer::Save) if editor.workspace().is_named() => {
                 let saved = editor.save(None);
                 editor.arrive_if_done(saved, Some(to));

@@ -32,7 +32,7 @@ pub(in crate::editor) fn menu(editor: &mut Editor, ui: &mut egui::Ui) {
             entry(editor, action, ui);
         }
         mechanisms(editor, ui);
-        let mark = if editor.workspace().is_changed() {
+        let mark = if editor.workspace().has_work() {
             " •"
         } else {
             ""

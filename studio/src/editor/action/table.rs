@@ -86,7 +86,9 @@ pub(super) const ACTIONS: &[Action] = &[
         name: "Undo",
         help: "undoes the last step",
         key: Some(with_command(Key::Z)),
-        is_possible: |editor| !editor.workspace().history().made().is_empty(),
+        is_possible: |editor| {
+            !editor.is_at_rest() || !editor.workspace().history().made().is_empty()
+        },
         perform: Editor::undo,
     },
     Action {
@@ -94,7 +96,9 @@ pub(super) const ACTIONS: &[Action] = &[
         name: "Redo",
         help: "makes it again",
         key: Some(with_command_and_shift(Key::Z)),
-        is_possible: |editor| !editor.workspace().history().undone().is_empty(),
+        is_possible: |editor| {
+            editor.is_at_rest() && !editor.workspace().history().undone().is_empty()
+        },
         perform: Editor::redo,
     },
     Action {

@@ -23,6 +23,8 @@ struct Record {
 /// What is known of the file in which a desk is kept.
 #[derive(Default)]
 pub(super) struct Kept {
+    /// The file of the text.
+    path: PathBuf,
     /// What it says.
     record: Record,
     /// The picture that it names and that is not there.
@@ -46,9 +48,13 @@ impl Desk {
     /// If the file cannot be written, or not be removed. That is told once.
     pub(in crate::editor) fn keep(&mut self, path: &Path) -> Result<(), Failure> {
         let record = self.record();
-        if self.kept.is_broken || record == self.kept.record {
+        // Under another name, nothing is known of what is there.
+        let is_new = self.kept.path != path;
+        if !is_new && (self.kept.is_broken || record == self.kept.record) {
             return Ok(());
         }
+        self.kept.path = path.to_owned();
+        self.kept.is_broken = false;
         self.kept.record = record.clone();
         let file = beside(path);
         if record != Record::default() {
@@ -75,6 +81,7 @@ impl Desk {
     /// What was kept beside a file, and what of it cannot be read.
     pub(in crate::editor) fn of(path: &Path) -> (Self, Result<(), Failure>) {
         let mut desk = Self::default();
+        desk.kept.path = path.to_owned();
         let record = match read(&beside(path)) {
             Ok(record) => record,
             Err(failure) => {

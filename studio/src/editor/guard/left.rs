@@ -51,7 +51,9 @@ pub(super) fn place_of(workspace: &Workspace) -> PathBuf {
         return workspace.path().to_owned();
     }
     let folder = cache().unwrap_or_else(std::env::temp_dir);
-    folder.join("mech").join(workspace.path())
+    folder
+        .join("mech")
+        .join(workspace.path().file_name().unwrap_or_default())
 }
 
 /// The user's folder for what can be lost; none if nobody knows.

@@ -114,7 +114,7 @@ fn buttons(editor: &mut Editor, item: &Item, ui: &mut egui::Ui, gestures: &mut V
                     .on_hover_text("declares it once more")
                     .clicked()
                 {
-                    gestures.push(editor.duplicate(&name));
+                    editor.declare_again(vec![name.clone()]);
                 }
             }
             Item::Joint(_) => {

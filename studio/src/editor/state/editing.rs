@@ -4,6 +4,7 @@ use super::Editor;
 use super::pending::{Pending, Waiting};
 use crate::dialogue::{Request, Turn, request};
 use crate::edit::{Command, Kind, Workspace};
+use crate::editor::dragging::Dragging;
 use crate::editor::settings::{Settings, View};
 use crate::editor::tool::{Pick, Tool};
 use crate::editor::worker::Worker;
@@ -18,7 +19,8 @@ impl Editor {
         self.obey(Control::Release);
         self.tool = tool;
         self.picks.clear();
-        self.dragging = None;
+        // What was let go already stays where it was let go.
+        self.dragging.take_if(|dragging| !dragging.is_released);
         self.notice = None;
     }
 
@@ -42,6 +44,11 @@ impl Editor {
 
     /// Goes back by a step, or gives up a gesture that was not made yet.
     pub fn undo(&mut self) {
+        let is_let_go = |dragging: &mut Dragging| dragging.is_released && dragging.is_awaited();
+        if self.dragging.take_if(is_let_go).is_some() {
+            self.tell("given up: the drag");
+            return;
+        }
         if let Some(title) = self.pending.give_up_last() {
             self.let_go();
             self.tell(format!("given up: {title}"));
@@ -110,6 +117,8 @@ impl Editor {
     pub(in crate::editor) fn choose_mechanism(&mut self, index: usize) {
         self.session.workspace.choose(index);
         self.pending.clear();
+        self.mendings.clear();
+        self.ghost = None;
         self.player = None;
         self.drawing = None;
         self.selection.clear();
@@ -129,6 +138,9 @@ impl Editor {
                 self.journal.note(line, []);
                 self.is_ending = true;
             }
+            Ok(Some(Request::Open { .. })) if !self.is_at_rest() => {
+                self.refuse("a gesture is still being tried; open the file in a moment");
+            }
             Ok(Some(Request::Open { .. })) if self.answer(line) => {
                 // Nothing stays of the text before, but what was said.
                 let journal = std::mem::take(&mut self.journal);
@@ -138,9 +150,12 @@ impl Editor {
             Ok(Some(Request::Open { .. })) => {}
             // What cannot be understood is told there, too.
             Ok(_) | Err(_) => {
+                let before = self.workspace().text().to_owned();
                 self.answer(line);
-                self.let_go();
-                self.read();
+                if self.workspace().text() != before {
+                    self.let_go();
+                    self.read();
+                }
             }
         }
     }

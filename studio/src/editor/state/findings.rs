@@ -8,8 +8,9 @@ use crate::editor::settings::View;
 use crate::editor::snap::CLOSE;
 use crate::editor::snapshot::Snapshot;
 use crate::editor::tool::{NamedPick, Pick, Tool};
-use crate::editor::worker::{Finding, Task};
+use crate::editor::worker::{Finding, Task, Undone};
 use crate::editor::{Gesture, Item};
+use crate::failure::Failure;
 use std::sync::Arc;
 
 impl Editor {
@@ -19,7 +20,7 @@ impl Editor {
     }
 
     /// Lets a gesture wait for those before it.
-    pub(super) fn wait(&mut self, waiting: Waiting) {
+    pub(in crate::editor) fn wait(&mut self, waiting: Waiting) {
         self.pending.push(waiting);
         self.go_on();
     }
@@ -29,6 +30,10 @@ impl Editor {
         while let Some(waiting) = self.pending.pop() {
             let gesture = match waiting {
                 Waiting::Gesture(gesture) => gesture,
+                Waiting::Copies(links) => match self.gesture_of_copies(&links) {
+                    Some(gesture) => gesture,
+                    None => continue,
+                },
                 Waiting::Picks(tool, picks) => match self.gesture_of(tool, &picks) {
                     Ok(gesture) => gesture,
                     Err(why) => {
@@ -77,7 +82,7 @@ impl Editor {
 
     pub(in crate::editor) fn give(&mut self, task: Task) {
         if let Err(failure) = self.worker.give(task) {
-            self.refuse(failure);
+            self.take_undone(Undone::All, &failure);
         }
         self.look();
     }
@@ -110,15 +115,8 @@ impl Editor {
 
     /// Takes over what was found out since.
     pub fn look(&mut self) {
-        loop {
-            match self.worker.next() {
-                Ok(Some(finding)) => self.take(finding),
-                Ok(None) => return,
-                Err(failure) => {
-                    self.take(Finding::Broken(failure));
-                    return;
-                }
-            }
+        while let Some(finding) = self.worker.next() {
+            self.take(finding);
         }
     }
 
@@ -131,6 +129,9 @@ impl Editor {
             Finding::Read(snapshot) => {
                 if self.is_present(&snapshot) {
                     self.show(snapshot);
+                } else if self.is_mending && self.is_present(&self.snapshot) {
+                    // What follows from the present text was put aside for it.
+                    self.read();
                 }
             }
             Finding::NotHeld(number, refusal) => {
@@ -155,11 +156,7 @@ impl Editor {
                     }
                 }
             }
-            Finding::Broken(failure) => {
-                self.pending.clear();
-                self.is_mending = false;
-                self.refuse(failure);
-            }
+            Finding::Broken(undone, failure) => self.take_undone(undone, &failure),
             Finding::Exported(done) => self.take_export(done),
             Finding::Measured(curves) => self.take_curves(*curves),
             Finding::Mended(snapshot, found) => {
@@ -172,6 +169,29 @@ impl Editor {
                 }
             }
         }
+    }
+
+    /// Waits no more for what was not done.
+    fn take_undone(&mut self, undone: Undone, failure: &Failure) {
+        if let Undone::Try | Undone::All = undone {
+            self.pending.clear();
+            self.drop_left();
+        }
+        if let Undone::Follow | Undone::All = undone {
+            self.is_mending = false;
+        }
+        let is_it = |dragging: &mut Dragging| match undone {
+            Undone::Drag(number) => dragging.number == number,
+            Undone::All => true,
+            _ => false,
+        };
+        self.dragging.take_if(is_it);
+        if let (Undone::Preview(number), Some(dragging)) = (undone, &mut self.dragging)
+            && dragging.number == number
+        {
+            dragging.preview.is_awaited = false;
+        }
+        self.refuse(failure);
     }
 
     /// Takes over what a gesture does, if the text is still the one on which it was tried. On another text it is tried again.
@@ -187,18 +207,25 @@ impl Editor {
             // Repairs of another text have other numbers.
             if commands.iter().any(is_repair) {
                 self.refuse("the text has changed since this repair was offered");
+            } else if before.index() != self.workspace().index() {
+                self.refuse("another mechanism of the file was chosen meanwhile");
             } else {
                 self.pending.push_first(before.gesture);
             }
             return;
         }
         match tried {
-            Ok((applied, snapshot)) => self.accept(&applied, snapshot),
+            Ok((applied, snapshot)) => {
+                let dragged = self.dragging.as_ref().and_then(Dragging::gesture);
+                let is_of_drag = dragged.as_ref() == Some(&before.gesture);
+                self.accept(&applied, snapshot, is_of_drag);
+            }
             Err(refusal) => self.reject(&refusal),
         }
     }
 
-    fn accept(&mut self, applied: &Applied, snapshot: Arc<Snapshot>) {
+    /// Takes over what a gesture does: that which leaves what is dragged, or another.
+    fn accept(&mut self, applied: &Applied, snapshot: Arc<Snapshot>, is_of_drag: bool) {
         let text = applied.document.source().text();
         self.session.workspace.push(applied.title.as_str(), text);
         let notes = applied.notes.join("; ");
@@ -208,22 +235,33 @@ impl Editor {
             format!("{}: {notes}", applied.title)
         });
         // What was begun meanwhile goes on in the new text.
-        let held = self
-            .dragging
-            .take()
-            .filter(|dragging| !dragging.is_released);
-        let picks = self.named(&self.picks);
+        let dragging = self.dragging.take();
         self.show(snapshot);
-        self.picks = self.picked(&picks);
-        if let Some(Dragging { items, pointer, .. }) = held {
-            self.drag_on(items, pointer);
+        match dragging {
+            // Its own gesture waits for its turn: until then it is seen where it was let go.
+            Some(dragging) if dragging.is_released && !dragging.is_awaited() => {
+                self.dragging = Some(dragging).filter(|_| !is_of_drag);
+            }
+            Some(dragging) => {
+                self.drag_on(dragging.items, dragging.pointer);
+                if dragging.is_released {
+                    self.end_drag();
+                }
+            }
+            None => {}
         }
     }
 
     fn reject(&mut self, refusal: &Refusal) {
         self.pending.clear();
-        self.dragging = None;
+        self.drop_left();
         self.refuse(refusal);
+    }
+
+    /// Forgets what was dragged and let go, and whose gesture is not made.
+    fn drop_left(&mut self) {
+        self.dragging
+            .take_if(|dragging| dragging.is_released && !dragging.is_awaited());
     }
 
     /// Lets go of what was begun in an earlier text.
@@ -234,11 +272,13 @@ impl Editor {
 
     /// Whether a snapshot is of the present text.
     pub(in crate::editor) fn is_present(&self, snapshot: &Snapshot) -> bool {
-        snapshot.document.source().text() == self.workspace().text()
+        snapshot.index == self.workspace().index()
+            && snapshot.document.source().text() == self.workspace().text()
     }
 
     /// Shows what the compiler makes of the present text. Of one that cannot be read, the last drawing stays.
     fn show(&mut self, snapshot: Arc<Snapshot>) {
+        let picks = self.named(&self.picks);
         self.mendings.clear();
         self.ghost = None;
         self.is_mending = true;
@@ -252,6 +292,7 @@ impl Editor {
                 self.paths.clear();
             }
             self.forget_what_is_gone();
+            self.picks = self.picked(&picks);
             if was_empty && self.settings.view == View::Ours {
                 self.settings.view = View::Started;
                 self.fit();
@@ -261,6 +302,7 @@ impl Editor {
             self.drawing = None;
             self.player = None;
             self.selection.clear();
+            self.picks = self.picked(&picks);
         }
         if snapshot.reading.is_none() {
             self.is_mending = false;

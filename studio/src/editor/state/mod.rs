@@ -27,6 +27,7 @@ use crate::failure::Failure;
 use crate::mend::Mending;
 use crate::play::{Camera, Player, SIZE};
 use pending::Pending;
+pub(super) use pending::Waiting;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -224,7 +225,8 @@ impl Editor {
     #[must_use]
     pub fn is_busy(&self) -> bool {
         let is_let_go = self.dragging.is_some() && self.held().is_none();
-        is_let_go || !self.pending.is_empty() || self.is_mending
+        let is_unread = !self.is_present(&self.snapshot);
+        is_let_go || is_unread || !self.pending.is_empty() || self.is_mending
     }
 
     /// Whether nothing is under way that would be lost if the text became another one.

@@ -14,11 +14,13 @@ pub(in crate::editor) struct Pending {
 }
 
 /// A gesture that waits.
-pub(super) enum Waiting {
+pub(in crate::editor) enum Waiting {
     /// One whose commands are known.
     Gesture(Gesture),
     /// One whose commands depend on what will be where it was picked.
     Picks(Tool, Vec<NamedPick>),
+    /// These links are declared once more, under names that will be free.
+    Copies(Vec<String>),
 }
 
 /// A gesture that is being tried, on which text.
@@ -30,6 +32,11 @@ pub(super) struct Tried {
 }
 
 impl Tried {
+    /// The number of the mechanism.
+    pub(super) const fn index(&self) -> usize {
+        self.index
+    }
+
     /// Whether it was tried on this text, for the mechanism with this number.
     pub(super) fn is_of(&self, text: &str, index: usize) -> bool {
         self.text == text && self.index == index
@@ -101,6 +108,7 @@ impl Pending {
         match self.waiting.pop_back() {
             Some(Waiting::Gesture(gesture)) => Some(gesture.title),
             Some(Waiting::Picks(tool, _)) => Some(tool.name().to_owned()),
+            Some(Waiting::Copies(_)) => Some("copies".to_owned()),
             None => self.tried.take().map(|tried| tried.gesture.title),
         }
     }

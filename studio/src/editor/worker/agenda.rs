@@ -14,6 +14,8 @@ pub(in crate::editor) struct Agenda {
     /// What is held and led. It comes first: somebody looks where it goes.
     drags: VecDeque<Task>,
     held: Option<(u64, Drag)>,
+    /// Whether something was led last.
+    was_led: bool,
     /// What else was given.
     given: VecDeque<Task>,
     /// What follows from the last text, when nothing that was given waits.
@@ -46,10 +48,19 @@ impl Agenda {
 
     /// Does the next piece, and tells what was found out.
     pub(super) fn go_on(&mut self) -> Option<Finding> {
-        let task = self.drags.pop_front();
-        let task = task.or_else(|| self.given.pop_front());
-        let task = task.or_else(|| self.follows.pop_front())?;
-        catch(|| self.fulfil(task)).unwrap_or_else(|what| Some(broken(what)))
+        // Where there is one thread for all, a drag leaves room for others.
+        let others = |agenda: &mut Self| {
+            let given = agenda.given.pop_front();
+            given.or_else(|| agenda.follows.pop_front())
+        };
+        let task = if std::mem::take(&mut self.was_led) {
+            others(self).or_else(|| self.drags.pop_front())
+        } else {
+            self.drags.pop_front().or_else(|| others(self))
+        }?;
+        self.was_led = matches!(task, Task::Lead { .. });
+        let undone = task.undone();
+        catch(|| self.fulfil(task)).unwrap_or_else(|what| Some(broken(undone, what)))
     }
 
     fn fulfil(&mut self, task: Task) -> Option<Finding> {

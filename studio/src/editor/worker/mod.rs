@@ -23,7 +23,7 @@ use mech_compiler::catch;
 use std::collections::VecDeque;
 use std::sync::Arc;
 #[cfg(not(target_arch = "wasm32"))]
-use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
+use std::sync::mpsc::{Receiver, Sender, channel};
 #[cfg(not(target_arch = "wasm32"))]
 use std::thread;
 
@@ -82,8 +82,39 @@ pub(super) enum Finding {
     Measured(Box<Curves>),
     /// What was written, or why nothing was.
     Exported(Result<String, Failure>),
-    /// What of our own is broken, so that a task was not done.
-    Broken(Failure),
+    /// What of our own is broken, so that this was not done.
+    Broken(Undone, Failure),
+}
+
+/// What was not done because something of our own is broken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Undone {
+    /// The gesture with this number was not tried.
+    Try,
+    /// What is held in the drag with this number was not led.
+    Drag(u64),
+    /// The text of the drag with this number was not read.
+    Preview(u64),
+    /// What follows from the present text was not found out.
+    Follow,
+    /// Something that nobody waits for.
+    Else,
+    /// Nothing is done any more.
+    All,
+}
+
+impl Task {
+    /// What is not done if this is not.
+    const fn undone(&self) -> Undone {
+        match self {
+            Self::Try { .. } => Undone::Try,
+            Self::Hold(hold, _) => Undone::Drag(hold.number),
+            Self::Lead { number, .. } => Undone::Drag(*number),
+            Self::Preview { number, .. } => Undone::Preview(*number),
+            Self::Read { .. } | Self::Move(_) | Self::Mend(_) => Undone::Follow,
+            Self::Measure { .. } | Self::Export(_) => Undone::Else,
+        }
+    }
 }
 
 /// Does tasks: beside the window, in pieces, or at once.
@@ -205,10 +236,13 @@ impl Worker {
                 // A film takes its time, and nothing else waits for it.
                 Task::Export(order) => {
                     let teller = teller.clone();
-                    thread::spawn(move || {
+                    let export = move || {
                         let done = catch(|| Finding::Exported(order.fulfil()));
-                        teller.tell(done.unwrap_or_else(broken));
-                    });
+                        teller.tell(done.unwrap_or_else(|what| broken(Undone::Else, what)));
+                    };
+                    let thread = thread::Builder::new().name("export".to_owned());
+                    let begun = thread.stack_size(STACK).spawn(export);
+                    begun.map_err(|error| Failure::file(format!("nothing is written: {error}")))?;
                     Ok(())
                 }
                 task => tasks.send(task).map_err(|_| ended()),
@@ -234,15 +268,12 @@ impl Worker {
     }
 
     /// The next of what was found out.
-    pub(super) fn next(&mut self) -> Result<Option<Finding>, Failure> {
+    pub(super) fn next(&mut self) -> Option<Finding> {
         match self {
-            Self::Immediate { found, .. } | Self::InPieces { found, .. } => Ok(found.pop_front()),
+            Self::Immediate { found, .. } | Self::InPieces { found, .. } => found.pop_front(),
             #[cfg(not(target_arch = "wasm32"))]
-            Self::Thread { findings, .. } => match findings.try_recv() {
-                Ok(finding) => Ok(Some(finding)),
-                Err(TryRecvError::Empty) => Ok(None),
-                Err(TryRecvError::Disconnected) => Err(ended()),
-            },
+            // The window itself can tell, so that the channel never ends.
+            Self::Thread { findings, .. } => findings.try_recv().ok(),
         }
     }
 }
@@ -253,8 +284,8 @@ fn ended() -> Failure {
 }
 
 /// What is told of a broken invariant of our own.
-fn broken(what: String) -> Finding {
-    Finding::Broken(Failure::internal(what))
+fn broken(undone: Undone, what: String) -> Finding {
+    Finding::Broken(undone, Failure::internal(what))
 }
 
 /// Does what comes, until nobody listens any more.
