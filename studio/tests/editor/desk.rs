@@ -271,3 +271,32 @@ fn a_desk_that_cannot_be_read_is_left_as_it_is() {
         "{ \"later\": 1 }"
     );
 }
+
+#[test]
+fn locks_go_with_the_text_to_another_file() {
+    let folder = Folder::new();
+    let mut user = User::at_file(&folder.file());
+    user.click([0.0, 0.0]);
+    user.shortcut(Key::L, false);
+    let other = folder.0.join("other.mech");
+    user.shortcut(Key::S, true);
+    user.fill(&other.display().to_string());
+    user.key(Key::Enter);
+    user.wait(2);
+    drop(user);
+    let mut user = User::at_file(&other);
+    user.move_handle([0.0, 0.0], [1.0, 0.0]);
+    assert_eq!(user.text(), TEXT, "{}", user.said());
+}
+
+#[test]
+fn an_untouched_example_is_left_by_a_line() {
+    let folder = Folder::new();
+    let mut user = User::without_file();
+    user.click_on("File");
+    user.click_on_beginning("Examples");
+    user.click_on("Watt six-bar");
+    let path = folder.file().display().to_string();
+    user.enter("Line", &format!("open \"{path}\""));
+    assert_eq!(user.text(), TEXT, "{}", user.said());
+}

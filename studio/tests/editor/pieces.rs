@@ -3,7 +3,7 @@
 use super::drawing::draw_four_bar;
 use super::user::User;
 use eframe::egui::Key;
-use mech_studio::editor::{Editor, Item};
+use mech_studio::editor::{Editor, Item, Tool};
 use mech_studio::{Command, Workspace};
 
 const TEXT: &str =
@@ -183,6 +183,102 @@ fn a_place_that_cannot_be_leaves_what_is_dragged_where_it_was() {
     user.move_handle([2.0, 0.0], [2.0, 1.0]);
     user.rest();
     assert!(user.text().contains("tip = (2, 1)"), "{}", user.said());
+}
+
+#[test]
+fn undo_and_another_gesture_at_once_leave_nothing_open() {
+    let mut user = user();
+    user.at_once(|editor| {
+        editor.perform(link("second"));
+        editor.undo();
+        editor.perform(link("third"));
+    });
+    user.rest();
+    assert!(!user.text().contains("second"), "{}", user.said());
+    assert!(user.text().contains("link third;"), "{}", user.said());
+}
+
+#[test]
+fn typing_back_and_forth_while_a_gesture_is_tried_leaves_nothing_open() {
+    let mut user = user();
+    user.at_once(|editor| {
+        editor.perform(link("second"));
+        editor.type_text(&format!("{TEXT}x"));
+        editor.type_text(TEXT);
+        editor.say("help");
+    });
+    user.rest();
+    assert!(user.text().contains("link second;"), "{}", user.said());
+    assert!(!user.editor().mendings().is_empty(), "{}", user.said());
+}
+
+#[test]
+fn a_question_does_not_take_a_drag_away() {
+    let mut user = with_tip();
+    user.at_once(|editor| {
+        drag_tip(editor);
+        editor.say("help");
+        editor.choose(Tool::Bar);
+    });
+    user.rest();
+    assert!(user.text().contains("tip = (3, 1)"), "{}", user.said());
+}
+
+#[test]
+fn undo_gives_up_a_drag_that_is_not_at_its_place_yet() {
+    let mut user = with_tip();
+    user.at_once(|editor| {
+        drag_tip(editor);
+        editor.undo();
+    });
+    user.rest();
+    assert_eq!(user.text(), TIP, "{}", user.said());
+    assert_eq!(user.editor().workspace().history().made().len(), 1);
+}
+
+#[test]
+fn a_gesture_before_a_drag_does_not_take_it_away() {
+    let mut user = with_tip();
+    user.at_once(|editor| {
+        editor.perform(link("second"));
+        drag_tip(editor);
+    });
+    user.rest();
+    assert!(user.text().contains("link second;"), "{}", user.said());
+    assert!(user.text().contains("tip = (3, 1)"), "{}", user.said());
+}
+
+#[test]
+fn what_is_picked_before_an_older_text_is_back_is_meant_there() {
+    let mut user = user();
+    user.at_once(|editor| {
+        for name in ["second", "third"] {
+            editor.perform(link(name));
+        }
+    });
+    user.rest();
+    user.key(Key::B);
+    user.drag([3.0, 1.0], [5.0, 1.0]);
+    user.rest();
+    user.key(Key::P);
+    user.at_once(Editor::undo);
+    // The bar is still seen where it was.
+    user.click([3.0, 1.0]);
+    user.rest();
+    user.click([0.0, 0.0]);
+    user.rest();
+    assert!(!user.text().contains("bar"), "{}", user.said());
+}
+
+#[test]
+fn links_are_pasted_twice_at_once() {
+    let mut user = with_tip();
+    user.click([1.0, 0.0]);
+    user.copy_and_paste();
+    user.copy_and_paste();
+    user.rest();
+    assert!(user.text().contains("link crank1"), "{}", user.said());
+    assert!(user.text().contains("link crank2"), "{}", user.said());
 }
 
 #[test]
