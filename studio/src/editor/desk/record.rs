@@ -53,7 +53,7 @@ impl Desk {
         if !is_new && (self.kept.is_broken || record == self.kept.record) {
             return Ok(());
         }
-        self.kept.path = path.to_owned();
+        path.clone_into(&mut self.kept.path);
         self.kept.is_broken = false;
         self.kept.record = record.clone();
         let file = beside(path);
@@ -81,7 +81,7 @@ impl Desk {
     /// What was kept beside a file, and what of it cannot be read.
     pub(in crate::editor) fn of(path: &Path) -> (Self, Result<(), Failure>) {
         let mut desk = Self::default();
-        desk.kept.path = path.to_owned();
+        path.clone_into(&mut desk.kept.path);
         let record = match read(&beside(path)) {
             Ok(record) => record,
             Err(failure) => {
