@@ -216,6 +216,16 @@ pub(crate) struct Saving {
 }
 
 impl Saving {
+    /// The same, over whatever text the file has by now.
+    ///
+    /// # Errors
+    /// If that cannot be read.
+    #[cfg(feature = "editor")]
+    pub(crate) fn over_any(self) -> Result<Self, Failure> {
+        let over = Some(Source::read(&self.path)?);
+        Ok(Self { over, ..self })
+    }
+
     /// Writes it, and gives the file.
     ///
     /// # Errors

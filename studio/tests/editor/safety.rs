@@ -399,3 +399,22 @@ fn an_export_writes_over_nothing_by_a_slip() {
     user.click_on("Replace");
     assert!(!fs::read(&picture).expect("a file").is_empty());
 }
+
+#[test]
+fn another_file_is_written_over_by_a_click_that_says_so() {
+    let folder = Folder::new();
+    let other = folder.0.join("arm.mech");
+    fs::write(&other, THEIRS).expect("it is written");
+    let mut user = User::at_file(&folder.file());
+    let save_as = |user: &mut User| {
+        user.shortcut(Key::S, true);
+        user.fill(&other.display().to_string());
+    };
+    save_as(&mut user);
+    user.key(Key::Enter);
+    assert_eq!(fs::read_to_string(&other).expect("a file"), THEIRS);
+    user.click_on("Replace");
+    assert_eq!(fs::read_to_string(&other).expect("a file"), TEXT);
+    assert_eq!(user.editor().workspace().path(), other);
+    assert!(!user.editor().workspace().is_changed());
+}

@@ -95,7 +95,7 @@ fn ask_for_file(editor: &mut Editor, purpose: FileUse, mut path: String, context
     let (title, verb) = purpose.words();
     #[cfg(not(target_arch = "wasm32"))]
     let beside = editor.workspace().path().parent().map(Path::to_owned);
-    let (mut is_done, mut is_given_up) = (false, false);
+    let [mut is_done, mut is_given_up, mut is_there] = [false; 3];
     egui::Modal::new(egui::Id::unique("dialog")).show(context, |ui| {
         ui.heading(title);
         let label = ui.label("File");
@@ -110,7 +110,9 @@ fn ask_for_file(editor: &mut Editor, purpose: FileUse, mut path: String, context
             select_all(response.id, &path, ui.ctx());
         }
         // What is there already is written over only by a click that says so.
-        let is_there = matches!(purpose, FileUse::Export(_)) && Path::new(path.trim()).is_file();
+        let is_own = matches!(purpose, FileUse::Save(_))
+            && Path::new(path.trim()) == editor.workspace().path();
+        is_there = purpose.writes() && !is_own && Path::new(path.trim()).is_file();
         let is_entered = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
         is_done = is_entered && !is_there;
         #[cfg(not(target_arch = "wasm32"))]
@@ -127,7 +129,7 @@ fn ask_for_file(editor: &mut Editor, purpose: FileUse, mut path: String, context
         });
     });
     if is_done {
-        editor.use_file(purpose, &path);
+        editor.use_file(purpose, path.trim(), is_there);
     } else if !is_given_up {
         editor.dialog = Some(Dialog::File(purpose, path));
     }
@@ -176,14 +178,19 @@ impl Editor {
         }
     }
 
-    /// Does something with a file.
-    fn use_file(&mut self, purpose: FileUse, path: &str) {
+    /// Does something with a file. One that is there is written over if the user has said so.
+    fn use_file(&mut self, purpose: FileUse, path: &str, is_there: bool) {
         match purpose {
             FileUse::Open => self.leave_for(Destination::File(path.to_owned())),
-            FileUse::Picture => self.show_picture(Path::new(path.trim())),
+            FileUse::Picture => self.show_picture(Path::new(path)),
             FileUse::Export(kind) => self.export(kind, path),
             FileUse::Save(to) => {
-                let saved = self.save(Some(Path::new(path)));
+                let path = Path::new(path);
+                let saved = if is_there {
+                    self.save_over(path)
+                } else {
+                    self.save(Some(path))
+                };
                 self.arrive_if_done(saved, to);
             }
         }

@@ -3,7 +3,7 @@
 use super::Editor;
 use super::pending::{Pending, Waiting};
 use crate::dialogue::{Request, Turn, request};
-use crate::edit::{Command, Kind, Workspace};
+use crate::edit::{Command, Kind, Saving, Workspace};
 use crate::editor::dragging::Dragging;
 use crate::editor::settings::{Settings, View};
 use crate::editor::tool::{Pick, Tool};
@@ -194,9 +194,25 @@ impl Editor {
     /// # Errors
     /// If there is no file yet and none is named, or if it cannot be written.
     pub fn save(&mut self, path: Option<&Path>) -> Result<(), Failure> {
+        self.write(path, Ok)
+    }
+
+    /// Writes the text over another file, as the user has said.
+    ///
+    /// # Errors
+    /// If that file cannot be read as a text, or not be written.
+    pub(in crate::editor) fn save_over(&mut self, path: &Path) -> Result<(), Failure> {
+        self.write(Some(path), Saving::over_any)
+    }
+
+    fn write(
+        &mut self,
+        path: Option<&Path>,
+        over: impl FnOnce(Saving) -> Result<Saving, Failure>,
+    ) -> Result<(), Failure> {
         let before = self.session.workspace.clone();
         let saving = self.session.workspace.save_to(path)?;
-        match saving.write() {
+        match over(saving).and_then(Saving::write) {
             Ok(path) => {
                 self.tell(format!("saved `{}`", path.display()));
                 Ok(())
