@@ -3,6 +3,7 @@
 use super::Editor;
 use super::settings::Visible;
 use crate::play::{Mechanism, Rates};
+use crate::quantity::load_numbers;
 
 /// What an arrow shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,11 +70,11 @@ impl Editor {
             }
         }
         if settings.shows(Visible::Forces) {
-            arrows.extend(scaled(
-                ArrowKind::Force,
-                mechanism.reactions(&rates),
-                mechanism,
-            ));
+            let reading = self.snapshot.reading.as_ref();
+            let loads = reading.and_then(|it| load_numbers(&it.model, &self.loads()).ok());
+            let loads = loads.unwrap_or_default();
+            let reactions = mechanism.reactions(&rates, &loads);
+            arrows.extend(scaled(ArrowKind::Force, reactions, mechanism));
         }
         arrows
     }

@@ -4,7 +4,7 @@ use super::range::ranges;
 use super::snapshot::Snapshot;
 use crate::failure::Failure;
 use crate::motion::{Drive, Setting, Span, motor_of, range_of, turns};
-use crate::quantity::{self, Measurement, Table, Units};
+use crate::quantity::{self, Load, Measurement, Table, Units};
 use mech_compiler::Compiled;
 use mech_compiler::model::Model;
 use std::sync::Arc;
@@ -21,6 +21,8 @@ pub(crate) struct Wanted {
     pub(crate) motor: Option<String>,
     /// Where the other motors stand, in degrees or scene units.
     pub(crate) others: Vec<(String, f64)>,
+    /// The loads that are not zero.
+    pub(crate) loads: Vec<Load>,
 }
 
 /// What was measured of a text.
@@ -81,7 +83,7 @@ fn measured(
         drive: &drive,
         rate: 1.0,
         steps: STEPS,
-        loads: &[],
+        loads: &wanted.loads,
         units: &Units {
             length: "unit".to_owned(),
             force: "force".to_owned(),

@@ -208,6 +208,8 @@ impl Editor {
                 if let Some(wanted) = self.wanted_curves() {
                     words.extend(wanted.motor.map(|motor| format!("--motor={motor}")));
                     words.extend(at(wanted.others));
+                    let loads = wanted.loads.iter();
+                    words.extend(loads.map(|load| format!("--load={load}")));
                 }
             }
             _ => {}

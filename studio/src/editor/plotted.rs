@@ -4,7 +4,9 @@ use super::Editor;
 use super::curves::{Curves, Wanted};
 use super::snapshot::Snapshot;
 use super::worker::Task;
-use crate::quantity::{self, Offer};
+use crate::quantity::{self, Load, Offer};
+use mech_compiler::model::LoadKind;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// What is plotted.
@@ -14,6 +16,8 @@ pub(super) struct Plotted {
     pub(super) names: Vec<String>,
     /// The motor that moves through its range; without, the first.
     pub(super) motor: Option<String>,
+    /// What is typed of the loads, by their names.
+    pub(super) loads: BTreeMap<String, String>,
     /// What is being measured.
     asked: Option<(Arc<Snapshot>, Wanted)>,
     /// What was measured last.
@@ -55,6 +59,17 @@ impl Editor {
             .or_else(|| names().next())
     }
 
+    /// The loads that somebody has given numbers, as far as these can be read. The others are zero.
+    pub(super) fn loads(&self) -> Vec<Load> {
+        let declared = self.snapshot.reading.iter();
+        let declared = declared.flat_map(|reading| &reading.model.actions.loads);
+        let given = declared.filter_map(|load| {
+            let typed = self.plotted.loads.get(&load.name)?;
+            read_load(&load.name, load.kind, typed).ok().flatten()
+        });
+        given.collect()
+    }
+
     /// What has to be measured so that the plots fit what is seen.
     pub(super) fn wanted_curves(&self) -> Option<Wanted> {
         let mechanism = self.player.as_ref()?.mechanism();
@@ -67,6 +82,7 @@ impl Editor {
             names: self.plotted.names.clone(),
             motor: Some(motor.to_owned()),
             others: others.collect(),
+            loads: self.loads(),
         })
     }
 
@@ -110,5 +126,20 @@ impl Editor {
         curves
             .zip(wanted)
             .is_some_and(|(curves, wanted)| self.fit_curves(curves, &wanted))
+    }
+}
+
+/// What is typed of a load: its numbers, or nothing for zero.
+pub(super) fn read_load(name: &str, kind: LoadKind, typed: &str) -> Result<Option<Load>, String> {
+    if typed.trim().is_empty() {
+        return Ok(None);
+    }
+    let count = typed.split(',').count();
+    match (kind, count) {
+        (LoadKind::Force(_), 2) | (LoadKind::Torque(_), 1) => {
+            format!("{name}={typed}").parse().map(Some)
+        }
+        (LoadKind::Force(_), _) => Err("a force has two parts: `x, y`".to_owned()),
+        (LoadKind::Torque(_), _) => Err("a torque is one number".to_owned()),
     }
 }

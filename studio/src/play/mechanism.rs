@@ -419,9 +419,9 @@ impl Mechanism {
     }
 
     /// The force that the first link of each joint exerts on the second, with the place of the joint, while its motors have these rates and
-    /// no load acts; none where forces are not determined.
+    /// its loads these numbers; none where forces are not determined. Loads that are not given are zero.
     #[must_use]
-    pub fn reactions(&self, rates: &Rates) -> Vec<([f64; 2], [f64; 2])> {
+    pub fn reactions(&self, rates: &Rates, loads: &[f64]) -> Vec<([f64; 2], [f64; 2])> {
         let program = self
             .with_forces()
             .and_then(|found| found.forced.inverse_dynamics.as_ref());
@@ -430,8 +430,10 @@ impl Mechanism {
         };
         let mut machine = Machine::new(program);
         machine.put_back(self.position.clone());
-        let loads = self.model.actions.loads.iter();
-        let loads = vec![0.0; loads.map(|load| load.kind.numbers()).sum()];
+        let declared = self.model.actions.loads.iter();
+        let count = declared.map(|load| load.kind.numbers()).sum();
+        let mut loads = loads.to_vec();
+        loads.resize(count, 0.0);
         let [first, second] = self.all_rates(rates);
         let Ok(Forces::InverseDynamics(found)) = machine.forces(&first, &second, &loads) else {
             return Vec::new();

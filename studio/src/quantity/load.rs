@@ -12,6 +12,13 @@ pub(crate) struct Load {
     numbers: Vec<f64>,
 }
 
+impl std::fmt::Display for Load {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let numbers: Vec<String> = self.numbers.iter().map(f64::to_string).collect();
+        write!(f, "{}={}", self.name, numbers.join(","))
+    }
+}
+
 impl std::str::FromStr for Load {
     type Err = String;
 
@@ -28,7 +35,7 @@ impl std::str::FromStr for Load {
 }
 
 /// The numbers of all loads, in their order; those that nobody gives are zero.
-pub(super) fn numbers(model: &Model, given: &[Load]) -> Result<Vec<f64>, Failure> {
+pub(crate) fn numbers(model: &Model, given: &[Load]) -> Result<Vec<f64>, Failure> {
     let loads = &model.actions.loads;
     let count = loads.iter().map(|load| load.kind.numbers()).sum();
     let mut numbers = vec![0.0; count];

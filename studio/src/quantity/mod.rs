@@ -10,6 +10,8 @@ mod round;
 mod unit;
 
 pub(crate) use load::Load;
+#[cfg(feature = "editor")]
+pub(crate) use load::numbers as load_numbers;
 pub(crate) use meter::{Measurement, Table, measure};
 pub(crate) use naming::{dyads, quantities, usual};
 #[cfg(feature = "editor")]

@@ -33,8 +33,13 @@ impl Folder {
 
     /// What `mech` writes to a file.
     fn mech(&self, words: &[&str]) -> Vec<u8> {
+        self.mech_of(FOUR_BAR, words)
+    }
+
+    /// What `mech` writes of a text.
+    fn mech_of(&self, source: &str, words: &[&str]) -> Vec<u8> {
         let text = self.file("text.mech");
-        fs::write(&text, FOUR_BAR).expect("the text");
+        fs::write(&text, source).expect("the text");
         let answer = self.file(words[words.len() - 1]);
         let mut all = vec!["mech".to_owned(), words[0].to_owned(), text];
         all.extend(
@@ -298,6 +303,45 @@ fn forces_are_seen_where_masses_act() {
     );
     user.show("Forces");
     assert!(user.editor().arrows().is_empty());
+}
+
+#[test]
+fn a_load_acts_in_plots_and_arrows() {
+    let text = FOUR_BAR.replace(
+        "motor a;",
+        "motor a;\nload push = force(coupler.tip);\neffects { force; }",
+    );
+    let mut user = User::with_text(&text);
+    user.click_on("Plots");
+    user.enter("Quantity", "torque:a");
+    user.show("Forces");
+    assert!(user.editor().arrows().is_empty(), "nothing acts yet");
+    user.enter("load push", "3, -40");
+    assert_eq!(user.editor().arrows().len(), 4, "{}", user.said());
+    let folder = Folder::new("load");
+    let path = folder.file("window.csv");
+    user.export("Table as CSV", &path);
+    let written = fs::read_to_string(&path).unwrap_or_else(|_| panic!("{}", user.said()));
+    let table = folder.mech_of(
+        &text,
+        &["table", "torque:a", "--load=push=3,-40", "mech.csv"],
+    );
+    assert_eq!(written.as_bytes(), table);
+    user.scrub(0.0);
+    let first = written
+        .lines()
+        .nth(1)
+        .and_then(|line| line.split(',').nth(1));
+    let first: f64 = first.and_then(|cell| cell.parse().ok()).expect("a number");
+    assert!(
+        first != 0.0 && user.sees(&format!("torque:a = {first:.4}")),
+        "{first}\n{}",
+        user.labels()
+    );
+
+    // What cannot be read counts as nothing.
+    user.enter("load push", "x");
+    assert!(user.editor().arrows().is_empty(), "{}", user.said());
 }
 
 #[test]

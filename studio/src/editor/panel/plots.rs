@@ -3,11 +3,13 @@
 use crate::editor::Editor;
 use crate::editor::colors::distinct;
 use crate::editor::curves::Curves;
+use crate::editor::plotted::read_load;
 use crate::editor::range::{Basis, MotorRange};
 use crate::quantity::{Table, round_step, tick};
 use eframe::egui;
 use eframe::egui::{Color32, Role, Sense, Stroke, Vec2, WidgetInfo};
 use egui_plot::{GridInput, GridMark, Line, Plot, PlotPoint, VLine};
+use mech_compiler::model::LoadKind;
 
 /// Graphs of what moves.
 #[derive(Debug, Default)]
@@ -80,7 +82,32 @@ impl Plots {
                 editor.plot(&std::mem::take(&mut self.typed));
             }
             motor(editor, ui);
+            loads(editor, ui);
         });
+    }
+}
+
+/// Asks for the numbers of the loads that the text declares.
+fn loads(editor: &mut Editor, ui: &mut egui::Ui) {
+    let Some(reading) = editor.snapshot.reading.clone() else {
+        return;
+    };
+    for load in &reading.model.actions.loads {
+        let hint = match load.kind {
+            LoadKind::Force(_) => "0, 0",
+            LoadKind::Torque(_) => "0",
+        };
+        let typed = editor.plotted.loads.entry(load.name.clone()).or_default();
+        let label = ui.label(format!("load {}", load.name));
+        let wrong = read_load(&load.name, load.kind, typed).err();
+        let mut edit = egui::TextEdit::singleline(typed)
+            .hint_text(hint)
+            .desired_width(70.0);
+        if wrong.is_some() {
+            edit = edit.text_color(ui.visuals().error_fg_color);
+        }
+        let help = wrong.unwrap_or_else(|| "what acts while plots and forces are shown".to_owned());
+        ui.add(edit).labelled_by(label.id).on_hover_text(help);
     }
 }
 
