@@ -205,15 +205,12 @@ impl Editor {
             return;
         };
         dragging.take(led);
+        let (is_released, is_awaited) = (dragging.is_released, dragging.is_awaited());
         self.tell_drag();
-        if self
-            .dragging
-            .as_ref()
-            .is_some_and(|dragging| dragging.is_released)
-        {
-            self.leave_dragged();
-        } else {
+        if !is_released {
             self.give_preview();
+        } else if !is_awaited {
+            self.leave_dragged();
         }
     }
 

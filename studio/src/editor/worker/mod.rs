@@ -89,7 +89,7 @@ pub(super) enum Finding {
 /// What was not done because something of our own is broken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Undone {
-    /// The gesture with this number was not tried.
+    /// A gesture was not tried.
     Try,
     /// What is held in the drag with this number was not led.
     Drag(u64),
@@ -235,14 +235,16 @@ impl Worker {
                 Task::Hold(..) | Task::Lead { .. } => drags.send(task).map_err(|_| ended()),
                 // A film takes its time, and nothing else waits for it.
                 Task::Export(order) => {
-                    let teller = teller.clone();
+                    let beside = teller.clone();
                     let export = move || {
                         let done = catch(|| Finding::Exported(order.fulfil()));
-                        teller.tell(done.unwrap_or_else(|what| broken(Undone::Else, what)));
+                        beside.tell(done.unwrap_or_else(|what| broken(Undone::Else, what)));
                     };
                     let thread = thread::Builder::new().name("export".to_owned());
-                    let begun = thread.stack_size(STACK).spawn(export);
-                    begun.map_err(|error| Failure::file(format!("nothing is written: {error}")))?;
+                    if let Err(error) = thread.stack_size(STACK).spawn(export) {
+                        let failure = Failure::file(format!("nothing is written: {error}"));
+                        teller.tell(Finding::Exported(Err(failure)));
+                    }
                     Ok(())
                 }
                 task => tasks.send(task).map_err(|_| ended()),
