@@ -293,36 +293,37 @@ proptest! {
         prop_assert_eq!(user.text(), text);
     }
 
-    /// In a browser the next gesture often comes while the last one is still being tried.
+    /// In a browser the next gesture often comes while the last one is still being tried; at a computer, sometimes.
     #[test]
     fn gestures_that_come_faster_than_the_analysis_lose_nothing(
         first in any::<Index>(),
         acts in prop::collection::vec(act(), 1..10),
+        has_threads in any::<bool>(),
     ) {
         let text = TEXTS[first.index(TEXTS.len())];
-        let mut user = User::in_browser();
+        let mut user = if has_threads { User::with_threads() } else { User::in_browser() };
         user.at_once(|editor| editor.type_text(text));
-        user.rest();
+        user.settle();
         for act in &acts {
             // Repairs are there when they were found.
             if matches!(act, Act::Mend(_)) {
-                user.rest();
+                user.settle();
             }
             perform(&mut user, act);
         }
-        user.rest();
+        user.settle();
         let last = user.text().to_owned();
         prop_assert!(last.trim().is_empty() || user.editor().is_readable(), "{}", user.said());
         is_drawn_as_compiled(&user);
         let made = texts_of(&user).len();
         for _ in 0..made {
             user.shortcut(Key::Z, false);
-            user.rest();
+            user.settle();
         }
         prop_assert_eq!(user.text(), "");
         for _ in 0..made {
             user.shortcut(Key::Z, true);
-            user.rest();
+            user.settle();
         }
         prop_assert_eq!(user.text(), last);
     }

@@ -76,6 +76,19 @@ impl User {
         user
     }
 
+    /// At a computer, where the analysis goes on beside the window.
+    pub(crate) fn with_threads() -> Self {
+        let editor = Editor::new(Workspace::unsaved("test.mech", ""), || {});
+        let mut user = Self::before_studio([1280.0, 800.0], Studio::new(editor));
+        user.settle();
+        user
+    }
+
+    /// Waits until the analysis is done, however it goes.
+    pub(crate) fn settle(&mut self) {
+        self.wait_until("it is not done", |user| !user.editor().is_busy());
+    }
+
     /// Waits until the analysis is done, where it goes in pieces.
     pub(crate) fn rest(&mut self) {
         for _ in 0..40 {
