@@ -18,7 +18,7 @@ fn link(name: &str) -> Command {
 fn user() -> User {
     let mut user = User::in_browser();
     user.at_once(|editor| editor.type_text(TEXT));
-    user.rest();
+    user.settle();
     assert!(user.editor().player().is_some(), "{}", user.said());
     user
 }
@@ -27,7 +27,7 @@ fn user() -> User {
 fn it_finds_what_is_found_at_once() {
     let mut user = User::in_browser();
     draw_four_bar(&mut user);
-    user.rest();
+    user.settle();
     let mut at_once = User::new();
     draw_four_bar(&mut at_once);
     assert_eq!(user.text(), at_once.text());
@@ -37,7 +37,7 @@ fn it_finds_what_is_found_at_once() {
         user.click([-2.0, 1.0]);
         user.key(Key::Delete);
     }
-    user.rest();
+    user.settle();
     let repairs = |user: &User| {
         let mendings = user.editor().mendings().iter();
         mendings
@@ -47,7 +47,7 @@ fn it_finds_what_is_found_at_once() {
     assert_eq!(repairs(&user), repairs(&at_once));
     assert!(!repairs(&user).is_empty(), "{}", user.said());
     user.mend(1);
-    user.rest();
+    user.settle();
     assert!(user.editor().messages().is_empty(), "{}", user.said());
 }
 
@@ -59,7 +59,7 @@ fn a_gesture_is_tried_again_on_what_was_typed_meanwhile() {
         editor.perform(link("second"));
         editor.type_text(&typed);
     });
-    user.rest();
+    user.settle();
     assert!(
         user.text().starts_with("// Typed meanwhile."),
         "{}",
@@ -76,7 +76,7 @@ fn a_gesture_does_not_follow_into_another_file() {
         editor.perform(link("second"));
         editor.open(Workspace::unsaved("other.mech", other.as_str()));
     });
-    user.rest();
+    user.settle();
     assert_eq!(user.text(), other);
     assert!(user.editor().player().is_some(), "{}", user.said());
 }
@@ -88,11 +88,11 @@ fn undo_gives_up_what_was_not_made_yet() {
         editor.perform(link("second"));
         editor.undo();
     });
-    user.rest();
+    user.settle();
     assert_eq!(user.text(), TEXT);
     assert!(user.editor().player().is_some(), "{}", user.said());
     user.at_once(Editor::redo);
-    user.rest();
+    user.settle();
     assert_eq!(user.text(), TEXT);
 }
 
@@ -105,7 +105,7 @@ fn gestures_wait_for_each_other() {
         }
     });
     assert!(user.editor().is_busy());
-    user.rest();
+    user.settle();
     for name in ["second", "third", "fourth"] {
         assert!(
             user.text().contains(&format!("link {name};")),
@@ -122,7 +122,7 @@ const TIP: &str = "struct Crank;\nlink crank { point tip = (2, 0); }\njoint a = 
 fn with_tip() -> User {
     let mut user = User::in_browser();
     user.at_once(|editor| editor.type_text(TIP));
-    user.rest();
+    user.settle();
     user
 }
 
@@ -130,7 +130,7 @@ fn with_tip() -> User {
 fn a_drag_ends_as_it_does_at_once() {
     let mut user = with_tip();
     user.move_handle([2.0, 0.0], [2.0, 1.0]);
-    user.rest();
+    user.settle();
     let mut at_once = User::with_text(TIP);
     at_once.move_handle([2.0, 0.0], [2.0, 1.0]);
     assert_eq!(user.text(), at_once.text(), "{}", user.said());
@@ -150,7 +150,7 @@ fn what_is_let_go_before_its_place_is_known_goes_there() {
     let mut user = with_tip();
     user.at_once(drag_tip);
     assert_eq!(user.text(), TIP);
-    user.rest();
+    user.settle();
     assert!(user.text().contains("tip = (3, 1)"), "{}", user.said());
     assert_eq!(user.editor().workspace().history().made().len(), 2);
 }
@@ -163,10 +163,10 @@ fn what_is_let_go_is_not_dragged_into_another_text() {
         drag_tip(editor);
         editor.open(Workspace::unsaved("other.mech", other.as_str()));
     });
-    user.rest();
+    user.settle();
     assert_eq!(user.text(), other, "{}", user.said());
     user.move_handle([2.0, 0.0], [2.0, 1.0]);
-    user.rest();
+    user.settle();
     assert!(user.text().contains("tip = (2, 1)"), "{}", user.said());
 }
 
@@ -178,10 +178,10 @@ fn a_place_that_cannot_be_leaves_what_is_dragged_where_it_was() {
         editor.drag_to([f64::NAN, 0.5]);
         editor.end_drag();
     });
-    user.rest();
+    user.settle();
     assert_eq!(user.text(), TIP, "{}", user.said());
     user.move_handle([2.0, 0.0], [2.0, 1.0]);
-    user.rest();
+    user.settle();
     assert!(user.text().contains("tip = (2, 1)"), "{}", user.said());
 }
 
@@ -193,7 +193,7 @@ fn undo_and_another_gesture_at_once_leave_nothing_open() {
         editor.undo();
         editor.perform(link("third"));
     });
-    user.rest();
+    user.settle();
     assert!(!user.text().contains("second"), "{}", user.said());
     assert!(user.text().contains("link third;"), "{}", user.said());
 }
@@ -207,7 +207,7 @@ fn typing_back_and_forth_while_a_gesture_is_tried_leaves_nothing_open() {
         editor.type_text(TEXT);
         editor.say("help");
     });
-    user.rest();
+    user.settle();
     assert!(user.text().contains("link second;"), "{}", user.said());
     assert!(!user.editor().mendings().is_empty(), "{}", user.said());
 }
@@ -220,7 +220,7 @@ fn a_question_does_not_take_a_drag_away() {
         editor.say("help");
         editor.choose(Tool::Bar);
     });
-    user.rest();
+    user.settle();
     assert!(user.text().contains("tip = (3, 1)"), "{}", user.said());
 }
 
@@ -231,7 +231,7 @@ fn undo_gives_up_a_drag_that_is_not_at_its_place_yet() {
         drag_tip(editor);
         editor.undo();
     });
-    user.rest();
+    user.settle();
     assert_eq!(user.text(), TIP, "{}", user.said());
     assert_eq!(user.editor().workspace().history().made().len(), 1);
 }
@@ -243,7 +243,7 @@ fn a_gesture_before_a_drag_does_not_take_it_away() {
         editor.perform(link("second"));
         drag_tip(editor);
     });
-    user.rest();
+    user.settle();
     assert!(user.text().contains("link second;"), "{}", user.said());
     assert!(user.text().contains("tip = (3, 1)"), "{}", user.said());
 }
@@ -256,17 +256,17 @@ fn what_is_picked_before_an_older_text_is_back_is_meant_there() {
             editor.perform(link(name));
         }
     });
-    user.rest();
+    user.settle();
     user.key(Key::B);
     user.drag([3.0, 1.0], [5.0, 1.0]);
-    user.rest();
+    user.settle();
     user.key(Key::P);
     user.at_once(Editor::undo);
     // The bar is still seen where it was.
     user.click([3.0, 1.0]);
-    user.rest();
+    user.settle();
     user.click([0.0, 0.0]);
-    user.rest();
+    user.settle();
     assert!(!user.text().contains("bar"), "{}", user.said());
 }
 
@@ -276,7 +276,7 @@ fn links_are_pasted_twice_at_once() {
     user.click([1.0, 0.0]);
     user.copy_and_paste();
     user.copy_and_paste();
-    user.rest();
+    user.settle();
     assert!(user.text().contains("link crank1"), "{}", user.said());
     assert!(user.text().contains("link crank2"), "{}", user.said());
 }

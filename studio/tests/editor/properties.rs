@@ -305,8 +305,8 @@ proptest! {
         user.at_once(|editor| editor.type_text(text));
         user.settle();
         for act in &acts {
-            // Repairs are there when they were found.
-            if matches!(act, Act::Mend(_)) {
+            // Repairs, and handles that are named, are there when they were found.
+            if matches!(act, Act::Mend(_) | Act::Nudge(..)) {
                 user.settle();
             }
             perform(&mut user, act);

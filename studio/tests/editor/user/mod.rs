@@ -72,7 +72,7 @@ impl User {
     pub(crate) fn in_browser() -> Self {
         let editor = Editor::in_pieces(Workspace::unsaved("test.mech", ""));
         let mut user = Self::before_studio([1280.0, 800.0], Studio::new(editor));
-        user.rest();
+        user.settle();
         user
     }
 
@@ -84,17 +84,10 @@ impl User {
         user
     }
 
-    /// Waits until the analysis is done, however it goes.
+    /// Waits until the analysis is done, however it goes, and shown.
     pub(crate) fn settle(&mut self) {
         self.wait_until("it is not done", |user| !user.editor().is_busy());
-    }
-
-    /// Waits until the analysis is done, where it goes in pieces.
-    pub(crate) fn rest(&mut self) {
-        for _ in 0..40 {
-            self.harness.run_steps(1);
-        }
-        assert!(!self.editor().is_busy(), "{}", self.said());
+        self.wait(2);
     }
 
     /// Before a file on the disk, which is watched; its text is kept while it is not saved.
