@@ -123,6 +123,13 @@ impl Snapshot {
         Some(played(model, compiled))
     }
 
+    /// The whole paths of traced points; none if it does not move.
+    pub(crate) fn paths(&self) -> Vec<Path> {
+        let moving = self.reading.as_ref().zip(self.compiled());
+        let found = moving.and_then(|(reading, compiled)| traced(&reading.model, compiled).ok());
+        found.map(|(_, paths)| paths).unwrap_or_default()
+    }
+
     /// The repairs of what is wrong, the likeliest first.
     pub(crate) fn mendings(&self) -> Result<Vec<Mending>, Failure> {
         match (self.document.declarations().get(self.index), &self.reading) {
@@ -137,10 +144,16 @@ pub(crate) type Played = (Mechanism, Vec<MotorRange>, Vec<Path>);
 
 fn played(model: &Model, compiled: &Compiled) -> Result<Played, Failure> {
     let mechanism = Mechanism::new(model.clone(), compiled.clone())?;
-    let ranges = ranges(model, compiled)?;
-    let traced: Vec<_> = model.traces.iter().map(|trace| trace.point).collect();
-    let paths = whole_paths(model, compiled, &ranges, &traced);
+    let (ranges, paths) = traced(model, compiled)?;
     Ok((mechanism, ranges, paths))
+}
+
+/// How far the motors go, and the whole paths of traced points.
+fn traced(model: &Model, compiled: &Compiled) -> Result<(Vec<MotorRange>, Vec<Path>), Failure> {
+    let ranges = ranges(model, compiled)?;
+    let points: Vec<_> = model.traces.iter().map(|trace| trace.point).collect();
+    let paths = whole_paths(model, compiled, &ranges, &points);
+    Ok((ranges, paths))
 }
 
 fn read(document: &Document, declaration: &Declaration) -> Result<(Reading, Listing), Failure> {

@@ -128,7 +128,7 @@ impl Studio {
             self.guard.stand(editor, &context);
             // What is being moved is kept when it is let go.
             if !context.input(|input| input.pointer.any_down()) {
-                editor.keep_desk();
+                editor.save_desk();
             }
         }
     }

@@ -17,6 +17,30 @@ pub(crate) fn replace(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     })
 }
 
+/// Removes a file, if it is there.
+///
+/// # Errors
+/// If it cannot be removed.
+#[cfg(feature = "editor")]
+pub(crate) fn remove(path: &Path) -> Result<(), Failure> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != ErrorKind::NotFound => {
+            let path = path.display();
+            Err(Failure::file(format!("cannot remove `{path}`: {error}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The hidden file beside another: `.NAME` with an ending.
+#[cfg(feature = "editor")]
+pub(crate) fn hidden_beside(path: &Path, ending: &str) -> PathBuf {
+    let mut name = OsString::from(".");
+    name.push(path.file_name().unwrap_or_default());
+    name.push(ending);
+    path.with_file_name(name)
+}
+
 /// Why something cannot be written, as far as there are plain words for it.
 pub(crate) fn words(error: &io::Error) -> String {
     let words = match error.kind() {

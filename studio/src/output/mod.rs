@@ -8,6 +8,6 @@ mod download;
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) use disk::replace;
 #[cfg(all(not(target_arch = "wasm32"), feature = "editor"))]
-pub(crate) use disk::words;
+pub(crate) use disk::{hidden_beside, remove, words};
 #[cfg(target_arch = "wasm32")]
 pub(crate) use download::replace;

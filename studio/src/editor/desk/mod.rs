@@ -21,9 +21,9 @@ pub(super) struct Desk {
     locked: BTreeSet<Item>,
     /// What is selected together.
     groups: Vec<BTreeSet<Item>>,
-    /// What is kept of it beside the file.
+    /// The file in which it is kept.
     #[cfg(not(target_arch = "wasm32"))]
-    kept: record::Kept,
+    file: record::DeskFile,
 }
 
 impl Desk {
@@ -60,11 +60,11 @@ impl Editor {
 
     /// Keeps it beside the file, if there is one.
     #[cfg(not(target_arch = "wasm32"))]
-    pub(super) fn keep_desk(&mut self) {
+    pub(super) fn save_desk(&mut self) {
         if self.workspace().saved().is_some() {
             let path = self.workspace().path().to_owned();
-            let kept = self.desk.keep(&path);
-            self.refuse_failed(kept);
+            let saved = self.desk.save(&path);
+            self.refuse_failed(saved);
         }
     }
 

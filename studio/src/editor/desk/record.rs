@@ -3,13 +3,15 @@
 use super::backdrop::{Backdrop, PicturePlace};
 use super::{Desk, Item};
 use crate::failure::Failure;
-use crate::output;
+use crate::output::{self, hidden_beside};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
-use std::ffi::OsString;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
+
+/// How the name of the file ends.
+const ENDING: &str = ".desk";
 
 /// What is kept of a desk: `.NAME.desk` beside the file, in JSON.
 #[derive(Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -22,7 +24,7 @@ struct Record {
 
 /// What is known of the file in which a desk is kept.
 #[derive(Default)]
-pub(super) struct Kept {
+pub(super) struct DeskFile {
     /// The file of the text.
     path: PathBuf,
     /// What it says.
@@ -33,46 +35,54 @@ pub(super) struct Kept {
     is_broken: bool,
 }
 
-/// The file in which the desk of a text is kept.
-fn beside(path: &Path) -> PathBuf {
-    let mut name = OsString::from(".");
-    name.push(path.file_name().unwrap_or_default());
-    name.push(".desk");
-    path.with_file_name(name)
-}
-
 impl Desk {
-    /// Keeps it beside the file of its text, if it has changed. An empty one needs no file.
+    /// Writes it beside the file of its text, if it has changed. An empty one needs no file.
     ///
     /// # Errors
     /// If the file cannot be written, or not be removed. That is told once.
-    pub(in crate::editor) fn keep(&mut self, path: &Path) -> Result<(), Failure> {
-        let record = self.record();
+    pub(in crate::editor) fn save(&mut self, path: &Path) -> Result<(), Failure> {
         // Under another name, nothing is known of what is there.
-        let is_new = self.kept.path != path;
-        if !is_new && (self.kept.is_broken || record == self.kept.record) {
+        let is_new = self.file.path != path;
+        if !is_new && (self.file.is_broken || self.says_the_same()) {
             return Ok(());
         }
-        path.clone_into(&mut self.kept.path);
-        self.kept.is_broken = false;
-        self.kept.record = record.clone();
-        let file = beside(path);
-        if record != Record::default() {
-            let text = serde_json::to_string_pretty(&record);
-            let text = text.map_err(|error| Failure::internal(error.to_string()))?;
-            return output::replace(&file, format!("{text}\n").as_bytes());
+        path.clone_into(&mut self.file.path);
+        self.file.is_broken = false;
+        self.file.record = self.record();
+        let file = hidden_beside(path, ENDING);
+        if self.file.record == Record::default() {
+            return output::remove(&file);
         }
-        match fs::remove_file(&file) {
-            Err(error) if error.kind() != ErrorKind::NotFound => Err(failed(&file, &error)),
-            _ => Ok(()),
-        }
+        let text = serde_json::to_string_pretty(&self.file.record);
+        let text = text.map_err(|error| Failure::internal(error.to_string()))?;
+        output::replace(&file, format!("{text}\n").as_bytes())
+    }
+
+    /// Whether the file says what is so. This is asked for each frame, so that nothing is copied for it.
+    fn says_the_same(&self) -> bool {
+        let Record {
+            picture,
+            locked,
+            groups,
+        } = &self.file.record;
+        let shown = self.backdrop.as_ref();
+        let shown = shown.map(|backdrop| (&backdrop.path, &backdrop.place));
+        let missing = || {
+            self.file
+                .missing
+                .as_ref()
+                .map(|(path, place)| (path, place))
+        };
+        picture.as_ref().map(|(path, place)| (path, place)) == shown.or_else(missing)
+            && *locked == self.locked
+            && *groups == self.groups
     }
 
     fn record(&self) -> Record {
         let backdrop = self.backdrop.as_ref();
         let shown = backdrop.map(|backdrop| (backdrop.path.clone(), backdrop.place));
         Record {
-            picture: shown.or_else(|| self.kept.missing.clone()),
+            picture: shown.or_else(|| self.file.missing.clone()),
             locked: self.locked.clone(),
             groups: self.groups.clone(),
         }
@@ -81,15 +91,15 @@ impl Desk {
     /// What was kept beside a file, and what of it cannot be read.
     pub(in crate::editor) fn of(path: &Path) -> (Self, Result<(), Failure>) {
         let mut desk = Self::default();
-        path.clone_into(&mut desk.kept.path);
-        let record = match read(&beside(path)) {
+        path.clone_into(&mut desk.file.path);
+        let record = match read(&hidden_beside(path, ENDING)) {
             Ok(record) => record,
             Err(failure) => {
-                desk.kept.is_broken = true;
+                desk.file.is_broken = true;
                 return (desk, Err(failure));
             }
         };
-        desk.kept.record = record.clone();
+        desk.file.record = record.clone();
         (desk.locked, desk.groups) = (record.locked, record.groups);
         let done = record.picture.map_or(Ok(()), |(picture, place)| {
             match picture_at(&picture, path) {
@@ -99,7 +109,7 @@ impl Desk {
                     Ok(())
                 }
                 Err(failure) => {
-                    desk.kept.missing = Some((picture, place));
+                    desk.file.missing = Some((picture, place));
                     Err(failure)
                 }
             }

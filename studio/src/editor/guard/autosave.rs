@@ -5,10 +5,10 @@
 
 use super::super::Editor;
 use super::bar::bar;
-use super::left::{Left, claim, left_at, place_of, remove};
+use super::left::{Left, claim, left_at, place_of};
 use crate::edit::Workspace;
 use crate::failure::Failure;
-use crate::output;
+use crate::output::{self, remove};
 use eframe::egui;
 use std::fs;
 use std::path::PathBuf;
@@ -74,11 +74,19 @@ impl Autosave {
         let written = output::replace(&path, text.as_bytes());
         match written {
             Ok(()) => {
-                self.kept = Some(Left::kept(path, text.to_owned()));
+                self.kept = Some(Left::at(path, text.to_owned()));
                 Ok(())
             }
-            Err(failure) if self.kept.is_none() => remove(&path).and(Err(failure)),
-            Err(failure) => Err(failure),
+            Err(failure) => {
+                let removed = match &mut self.kept {
+                    Some(kept) => {
+                        kept.lock_again();
+                        Ok(())
+                    }
+                    None => remove(&path),
+                };
+                removed.and(Err(failure))
+            }
         }
     }
 

@@ -3,8 +3,8 @@
 use crate::document::Source;
 use crate::edit::Workspace;
 use crate::failure::Failure;
-use std::ffi::OsString;
-use std::fs::{self, File, TryLockError};
+use crate::output::{hidden_beside, remove};
+use std::fs::{File, TryLockError};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -18,8 +18,8 @@ pub(super) struct Left {
 
 impl Left {
     /// A text that is kept here from now on.
-    pub(super) fn kept(path: PathBuf, text: String) -> Self {
-        let lock = locked(&path);
+    pub(super) fn at(path: PathBuf, text: String) -> Self {
+        let lock = lock(&path);
         Self { path, text, lock }
     }
 
@@ -27,10 +27,15 @@ impl Left {
     pub(super) fn unlock(&mut self) {
         self.lock = None;
     }
+
+    /// Locks its file again, if no other has taken its place.
+    pub(super) fn lock_again(&mut self) {
+        self.lock = lock(&self.path);
+    }
 }
 
-/// A file, locked against other windows; none if it cannot be, as on some disks.
-fn locked(path: &Path) -> Option<File> {
+/// Locks a file against other windows; none if it cannot be, as on some disks.
+fn lock(path: &Path) -> Option<File> {
     let file = File::open(path).ok()?;
     file.try_lock().ok()?;
     Some(file)
@@ -75,14 +80,9 @@ fn cache() -> Option<PathBuf> {
 
 /// The names under which texts are kept beside a file.
 fn slots(place: &Path) -> impl Iterator<Item = PathBuf> {
-    (1..=MOST).map(move |number| {
-        let mut name = OsString::from(".");
-        name.push(place.file_name().unwrap_or_default());
-        if number > 1 {
-            name.push(format!(".{number}"));
-        }
-        name.push(".autosave");
-        place.with_file_name(name)
+    (1..=MOST).map(move |number| match number {
+        1 => hidden_beside(place, ".autosave"),
+        number => hidden_beside(place, &format!(".{number}.autosave")),
     })
 }
 
@@ -96,7 +96,7 @@ pub(super) fn left_at(place: &Path, text: &str) -> (Vec<Left>, Result<(), Failur
             Ok(source) if source.text().is_empty() || source.text() == text => {
                 done = done.and(remove(&path));
             }
-            Ok(source) => found.push(Left::kept(path, source.text().to_owned())),
+            Ok(source) => found.push(Left::at(path, source.text().to_owned())),
             Err(failure) => done = done.and(Err(failure)),
         }
     }
@@ -116,15 +116,4 @@ pub(super) fn claim(place: &Path) -> Result<PathBuf, Failure> {
         }
     }
     Err(failed(place, &"too many texts are kept beside it"))
-}
-
-/// Removes a text that was kept.
-pub(super) fn remove(path: &Path) -> Result<(), Failure> {
-    match fs::remove_file(path) {
-        Err(error) if error.kind() != ErrorKind::NotFound => {
-            let path = path.display();
-            Err(Failure::file(format!("cannot remove `{path}`: {error}")))
-        }
-        _ => Ok(()),
-    }
 }

@@ -33,7 +33,7 @@ impl Plots {
         let is_present = editor.are_curves_present();
         let mut scrubbed = None;
         if let Some(curves) = &editor.plotted.curves {
-            told(curves, is_present, editor.player().is_some(), ui);
+            warnings(curves, is_present, editor.player().is_some(), ui);
             if let Ok(table) = &curves.table {
                 let at = cursor(editor);
                 egui::ScrollArea::vertical()
@@ -154,7 +154,7 @@ fn motor(editor: &mut Editor, ui: &mut egui::Ui) {
 }
 
 /// What is missing, and whether the graphs are of an earlier text.
-fn told(curves: &Curves, is_present: bool, moves: bool, ui: &mut egui::Ui) {
+fn warnings(curves: &Curves, is_present: bool, moves: bool, ui: &mut egui::Ui) {
     let red = ui.visuals().error_fg_color;
     if !moves {
         ui.colored_label(

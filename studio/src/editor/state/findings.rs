@@ -89,20 +89,12 @@ impl Editor {
 
     /// Reads the text anew, after it was changed other than by a gesture.
     pub(in crate::editor) fn read(&mut self) {
+        let document = self.workspace().document();
         // Of fewer mechanisms than there were, the last one is meant.
-        let last = self
-            .workspace()
-            .document()
-            .declarations()
-            .len()
-            .saturating_sub(1);
-        if self.workspace().index() > last {
-            self.session.workspace.choose(last);
-        }
-        let task = Task::Read {
-            document: self.workspace().document(),
-            index: self.workspace().index(),
-        };
+        let last = document.declarations().len().saturating_sub(1);
+        let index = self.workspace().index().min(last);
+        self.session.workspace.choose(index);
+        let task = Task::Read { document, index };
         self.give(task);
     }
 

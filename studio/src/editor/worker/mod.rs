@@ -139,22 +139,22 @@ pub(super) enum Worker {
         drags: Sender<Task>,
         findings: Receiver<Finding>,
         /// For what is done beside the thread.
-        teller: Teller,
+        outbox: Outbox,
     },
 }
 
-/// Tells what was found out, and wakes the window.
+/// Where findings go: to the window, which is woken.
 #[cfg(not(target_arch = "wasm32"))]
 #[derive(Clone)]
-pub(super) struct Teller {
+pub(super) struct Outbox {
     found: Sender<Finding>,
     wake: Arc<dyn Fn() + Send + Sync>,
 }
 
 #[cfg(not(target_arch = "wasm32"))]
-impl Teller {
-    /// Tells it. Returns whether anybody listens: nobody does any more when the window is closed.
-    fn tell(&self, finding: Finding) -> bool {
+impl Outbox {
+    /// Sends it. Returns whether anybody listens: nobody does any more when the window is closed.
+    fn send(&self, finding: Finding) -> bool {
         let is_heard = self.found.send(finding).is_ok();
         if is_heard {
             (self.wake)();
@@ -193,21 +193,21 @@ impl Worker {
     pub(super) fn beside(wake: impl Fn() + Send + Sync + 'static) -> std::io::Result<Self> {
         let (found, findings) = channel();
         let wake = Arc::new(wake);
-        let teller = Teller { found, wake };
+        let outbox = Outbox { found, wake };
         let serve = |name: &str| {
             let (tasks, to_do) = channel();
-            let teller = teller.clone();
+            let outbox = outbox.clone();
             let thread = thread::Builder::new().name(name.to_owned());
             thread
                 .stack_size(STACK)
-                .spawn(move || serve(&to_do, &teller))?;
+                .spawn(move || serve(&to_do, &outbox))?;
             std::io::Result::Ok(tasks)
         };
         Ok(Self::Thread {
             tasks: serve("analysis")?,
             drags: serve("drag")?,
             findings,
-            teller,
+            outbox,
         })
     }
 
@@ -229,21 +229,21 @@ impl Worker {
             Self::Thread {
                 tasks,
                 drags,
-                teller,
+                outbox,
                 ..
             } => match task {
                 Task::Hold(..) | Task::Lead { .. } => drags.send(task).map_err(|_| ended()),
                 // A film takes its time, and nothing else waits for it.
                 Task::Export(order) => {
-                    let beside = teller.clone();
+                    let beside = outbox.clone();
                     let export = move || {
                         let done = catch(|| Finding::Exported(order.fulfil()));
-                        beside.tell(done.unwrap_or_else(|what| broken(Undone::Else, what)));
+                        beside.send(done.unwrap_or_else(|what| broken(Undone::Else, what)));
                     };
                     let thread = thread::Builder::new().name("export".to_owned());
                     if let Err(error) = thread.stack_size(STACK).spawn(export) {
                         let failure = Failure::file(format!("nothing is written: {error}"));
-                        teller.tell(Finding::Exported(Err(failure)));
+                        outbox.send(Finding::Exported(Err(failure)));
                     }
                     Ok(())
                 }
@@ -292,7 +292,7 @@ fn broken(undone: Undone, what: String) -> Finding {
 
 /// Does what comes, until nobody listens any more.
 #[cfg(not(target_arch = "wasm32"))]
-fn serve(to_do: &Receiver<Task>, teller: &Teller) {
+fn serve(to_do: &Receiver<Task>, outbox: &Outbox) {
     let mut agenda = Agenda::default();
     loop {
         if agenda.is_done() {
@@ -305,7 +305,7 @@ fn serve(to_do: &Receiver<Task>, teller: &Teller) {
             agenda.add(task);
         }
         if let Some(finding) = agenda.go_on()
-            && !teller.tell(finding)
+            && !outbox.send(finding)
         {
             return;
         }

@@ -24,10 +24,10 @@ impl Previewed {
         let first = snapshot.messages().first();
         let fault = first.and_then(|message| message.text.lines().next());
         let fault = fault.map(ToOwned::to_owned);
-        let played = snapshot.played().and_then(Result::ok);
-        let (mechanism, paths) = match played {
-            Some((mechanism, _, paths)) => (Some(mechanism).filter(|_| has_bodies), paths),
-            None => (None, Vec::new()),
+        let played = has_bodies.then(|| snapshot.played()).flatten();
+        let (mechanism, paths) = match played.and_then(Result::ok) {
+            Some((mechanism, _, paths)) => (Some(mechanism), paths),
+            None => (None, snapshot.paths()),
         };
         Self {
             number,
