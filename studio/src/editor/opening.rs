@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::import::{self, FileKind};
 use std::path::{Path, PathBuf};
 
-/// What is edited when the present text is left.
+/// Where the user goes when the present text is left.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Destination {
     /// An empty text.
@@ -21,6 +21,19 @@ pub(crate) enum Destination {
     Text(PathBuf, String),
     /// An example.
     Example(&'static Example),
+    /// Away: the window is closed.
+    Away,
+}
+
+/// Whether the window stays.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Ending {
+    /// It does.
+    Stays,
+    /// A line wants to close it.
+    Wanted,
+    /// It may be closed, whatever is lost.
+    Granted,
 }
 
 impl Destination {
@@ -59,6 +72,10 @@ impl Editor {
             Destination::Text(path, text) => taken(Source::new(path, text)),
             Destination::Example(example) => {
                 self.open_example(example);
+                return;
+            }
+            Destination::Away => {
+                self.ending = Ending::Granted;
                 return;
             }
         };

@@ -6,6 +6,7 @@ use super::canvas::Canvas;
 use super::dropped::Dropped;
 #[cfg(not(target_arch = "wasm32"))]
 use super::guard::Guard;
+use super::opening::Ending;
 use super::panel;
 use crate::edit::Workspace;
 use eframe::egui;
@@ -95,7 +96,7 @@ impl Studio {
         let height = ui.available_height();
         egui::Panel::top("menu").show(ui, |ui| action::menu(editor, ui));
         #[cfg(not(target_arch = "wasm32"))]
-        self.guard.bars(editor, ui);
+        self.guard.ask(editor, ui);
         egui::Panel::bottom("line").show(ui, |ui| self.line.show(editor, ui));
         egui::Panel::bottom("play").show(ui, |ui| panel::play(editor, ui));
         if is_narrow {
@@ -117,7 +118,8 @@ impl Studio {
         }
         egui::CentralPanel::no_frame().show(ui, |ui| self.canvas.show(editor, ui));
         action::dialogs(editor, &context);
-        if std::mem::take(&mut editor.is_ending) {
+        if editor.ending == Ending::Wanted {
+            editor.ending = Ending::Stays;
             context.send_viewport_cmd(egui::ViewportCommand::Close);
         }
         if let Some(text) = editor.to_clipboard.take() {

@@ -11,7 +11,6 @@ pub(super) use dialog::{Dialog, FileUse, dialogs};
 pub(super) use help::help;
 pub(super) use keys::{key_of_tool, obey_keys};
 pub(super) use menu::menu;
-pub(super) use unsaved::{Answer, ask_to_save};
 
 use super::Editor;
 use eframe::egui::KeyboardShortcut;

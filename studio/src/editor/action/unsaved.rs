@@ -6,7 +6,7 @@ use eframe::egui::Key;
 
 /// What becomes of changes that are not saved.
 #[derive(Clone, Copy)]
-pub(in crate::editor) enum Answer {
+pub(super) enum Answer {
     /// They are saved.
     Save,
     /// They are lost.
@@ -16,7 +16,7 @@ pub(in crate::editor) enum Answer {
 }
 
 /// Asks what becomes of the changes, until that is answered.
-pub(in crate::editor) fn ask_to_save(editor: &Editor, context: &egui::Context) -> Option<Answer> {
+pub(super) fn ask_to_save(editor: &Editor, context: &egui::Context) -> Option<Answer> {
     let mut given = None;
     egui::Modal::new(egui::Id::unique("unsaved")).show(context, |ui| {
         ui.heading("Save the changes?");

@@ -2,14 +2,14 @@
 
 mod autosave;
 mod bar;
-mod closing;
 mod left;
 mod watch;
 
 use super::Editor;
+use crate::editor::opening::{Destination, Ending};
 use autosave::Autosave;
-use closing::Closing;
 use eframe::egui;
+use eframe::egui::ViewportCommand;
 use watch::Watch;
 
 /// What keeps the user's work. In tests it may have no files: then it only asks before the window is closed.
@@ -17,7 +17,8 @@ use watch::Watch;
 pub(super) struct Guard {
     autosave: Option<Autosave>,
     watch: Option<Watch>,
-    closing: Closing,
+    /// Whether the window is being closed.
+    is_closing: bool,
 }
 
 impl Guard {
@@ -26,12 +27,17 @@ impl Guard {
         Self {
             autosave: Some(Autosave::default()),
             watch: Some(Watch::new(wake)),
-            closing: Closing::default(),
+            is_closing: false,
         }
     }
 
-    /// Asks at the top of the window what has to be asked.
-    pub(super) fn bars(&mut self, editor: &mut Editor, ui: &mut egui::Ui) {
+    /// Asks what has to be asked: at the top of the window, or before it is closed.
+    pub(super) fn ask(&mut self, editor: &mut Editor, ui: &mut egui::Ui) {
+        let wants_to_close = ui.input(|input| input.viewport().close_requested());
+        if wants_to_close && editor.has_work() && editor.ending != Ending::Granted {
+            ui.ctx().send_viewport_cmd(ViewportCommand::CancelClose);
+            editor.leave_for(Destination::Away);
+        }
         if let Some(autosave) = &mut self.autosave {
             autosave.ask(editor, ui);
         }
@@ -45,14 +51,16 @@ impl Guard {
         if let Some(watch) = &mut self.watch {
             watch.look(editor, context);
         }
-        if !self.closing.is_answered()
-            && let Some(autosave) = &mut self.autosave
-        {
-            autosave.keep(editor);
-        }
-        let is_done = self.closing.ask(editor, context);
-        if is_done && let Some(autosave) = &mut self.autosave {
-            autosave.forget(editor);
+        // What is given up is not kept again before the window is gone.
+        if editor.ending != Ending::Granted {
+            if let Some(autosave) = &mut self.autosave {
+                autosave.keep(editor);
+            }
+        } else if !std::mem::replace(&mut self.is_closing, true) {
+            if let Some(autosave) = &mut self.autosave {
+                autosave.forget(editor);
+            }
+            context.send_viewport_cmd(ViewportCommand::Close);
         }
     }
 }

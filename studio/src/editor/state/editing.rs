@@ -5,6 +5,7 @@ use super::pending::{Pending, Waiting};
 use crate::dialogue::{Request, Turn, request};
 use crate::edit::{Command, Kind, Saving, Workspace};
 use crate::editor::dragging::Dragging;
+use crate::editor::opening::Ending;
 use crate::editor::settings::{Settings, View};
 use crate::editor::tool::{Pick, Tool};
 use crate::editor::worker::Worker;
@@ -136,7 +137,7 @@ impl Editor {
             }
             Ok(Some(Request::Quit)) => {
                 self.journal.note(line, []);
-                self.is_ending = true;
+                self.ending = Ending::Wanted;
             }
             Ok(Some(Request::Open { .. })) if !self.is_at_rest() => {
                 self.refuse("a gesture is still being tried; open the file in a moment");

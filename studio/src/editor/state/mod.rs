@@ -11,6 +11,7 @@ use super::dragging::Dragging;
 use super::drawing::Drawing;
 use super::ghost::Ghost;
 use super::journal::Journal;
+use super::opening::Ending;
 use super::path::Path;
 use super::plotted::Plotted;
 use super::range::MotorRange;
@@ -85,8 +86,8 @@ pub struct Editor {
     pub(in crate::editor) plotted: Plotted,
     /// What stands around the text.
     pub(in crate::editor) desk: Desk,
-    /// Whether somebody wants to close the window by a line.
-    pub(in crate::editor) is_ending: bool,
+    /// Whether the window stays.
+    pub(in crate::editor) ending: Ending,
     /// What goes to the clipboard next.
     pub(in crate::editor) to_clipboard: Option<String>,
 }
@@ -157,7 +158,7 @@ impl Editor {
             ghost: None,
             plotted: Plotted::default(),
             desk: Desk::default(),
-            is_ending: false,
+            ending: Ending::Stays,
             to_clipboard: None,
         };
         editor.read();
