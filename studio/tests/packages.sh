@@ -13,11 +13,20 @@ install_packages() {
     { apt-get update && apt-get install -y "$@"; } >/dev/null || fail "cannot install $*"
 }
 
-processes=()
+# Ends them one after the other, the last first, and waits until each is gone: a display that still ends takes its socket away from the
+# next one of the same number.
 end_processes() {
-    local process
-    for process in "${processes[@]}"; do
-        kill "$process" 2>/dev/null || true
+    local at
+    for ((at = ${#processes[@]} - 1; at >= 0; at--)); do
+        end_process "${processes[at]}"
     done
+}
+end_process() {
+    kill "$1" 2>/dev/null || return 0
+    for _ in {1..50}; do
+        kill -0 "$1" 2>/dev/null || return 0
+        sleep 0.1
+    done
+    kill -9 "$1" 2>/dev/null || true
 }
 trap end_processes EXIT

@@ -19,60 +19,51 @@ xdotool windowfocus "$window"
 
 # What a screenshot shows of the mechanism, below the words.
 scene() { convert "$shots/$1.png" -crop +0+80 +repage "ppm:$2"; }
-same() {
-    scene "$1" "$shots/one.ppm" && scene "$2" "$shots/other.ppm" || fail "no screenshot"
-    cmp -s "$shots/one.ppm" "$shots/other.ppm"
-}
 # How many pixels have the red of a mark.
 red() { scene "$1" - | convert ppm:- -fill black +opaque '#C94F45' -fill white -opaque '#C94F45' -format '%[fx:round(mean*w*h)]' info:; }
 until_title 'playing own motion'
 shot moving-1
-sleep 0.4
-shot moving-2
+shot_unlike moving-1 moving-2 "nothing moves"
 colors=$(convert "$shots/moving-1.png" -format %k info:)
 ((colors > 60)) || fail "the window is blank: $colors colours"
-! same moving-1 moving-2 || fail "nothing moves"
 
 press space
 until_title paused
-shot paused-1
-sleep 0.4
-shot paused-2
-same paused-1 paused-2 || fail "it moves while it is paused"
+shot_still paused "it moves while it is paused"
 
 press Right
-shot stepped
-! same paused-2 stepped || fail "a step changes nothing"
+shot_unlike paused stepped "a step changes nothing"
 
 # From the start the middle of the jib is at this pixel: it is pulled to the left and up.
 press r
-shot reset
+shot_unlike stepped reset "the start changes nothing"
 xdotool mousemove --window "$window" 400 378 mousedown 1 mousemove --window "$window" 370 351 mousemove --window "$window" 340 341
 sleep 0.3
-shot dragged
+shot_unlike reset dragged "the drag changes nothing"
 xdotool mouseup 1
-! same reset dragged || fail "the drag changes nothing"
 [[ $(title) != *'luff 55.0°'* ]] || fail "the drag does not turn the motor: $(title)"
 
 press 2 6
 press Right
-shot layers
+shot_still layers "the layers do not come to rest"
 press 2 6 d
-shot night
-! same layers night || fail "the night is as the day"
+shot_unlike layers night "the night is as the day"
 press d
 
 before=$(red dragged)
 press Tab space
 until_title 'motor `luff` stopped at 82.'
-shot limit
-after=$(red limit)
+for _ in {1..50}; do
+    shot limit
+    after=$(red limit)
+    ((after > before + 400)) && break
+    sleep 0.2
+done
 ((after > before + 400)) || fail "no mark is seen at the limit: $before and then $after red pixels"
 press b space
 until_title 'playing backwards'
 until_title 'motor `luff` stopped at 27.'
-shot other-limit
-! same limit other-limit || fail "both limits look the same"
+shot_unlike limit other-limit "both limits look the same"
 
 xdotool windowsize --sync "$window" 500 400
 sleep 0.5
