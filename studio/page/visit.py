@@ -47,7 +47,9 @@ class Browser:
 
         flags = (
             "--headless=new --remote-debugging-pipe --no-sandbox --use-gl=angle --use-angle=swiftshader "
-            "--enable-unsafe-swiftshader --no-first-run --disable-dev-shm-usage --window-size=1280,800"
+            "--enable-unsafe-swiftshader --no-first-run --disable-dev-shm-usage --window-size=1280,800 "
+            # Nothing is asked of other hosts: where there is no network, the browser would go on trying.
+            "--disable-background-networking --disable-component-update --disable-sync --disable-quic"
         )
         with open(Path(profile, "log"), "w", encoding="utf-8") as log:
             self.process = subprocess.Popen(
