@@ -13,6 +13,7 @@ install_packages() {
     { apt-get update && apt-get install -y "$@"; } >/dev/null || fail "cannot install $*"
 }
 
+processes=()
 # Ends them one after the other, the last first, and waits until each is gone: a display that still ends takes its socket away from the
 # next one of the same number.
 end_processes() {
