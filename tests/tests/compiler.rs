@@ -4,6 +4,7 @@ mod accuracy;
 mod alike;
 mod anything;
 mod assemblies;
+mod built_once;
 mod catalogue;
 mod embedded_page;
 mod expand;

@@ -1,7 +1,7 @@
 //! Frames on the heap are drawn on and shown as those in arrays are.
 #![cfg(feature = "std")]
 
-use crate::drawn_on::draw;
+use super::drawn_on::draw;
 use embedded_graphics::image::Image;
 use embedded_graphics::mock_display::MockDisplay;
 use embedded_graphics::pixelcolor::Rgb888;

@@ -1,7 +1,7 @@
 //! Mechanisms and shapes painted on a display.
 
-use super::outlines::any;
 use super::panel::{Panel, SIDE};
+use crate::outlines::any;
 use embedded_graphics::mock_display::MockDisplay;
 use embedded_graphics::pixelcolor::{BinaryColor, Rgb565, Rgb888};
 use embedded_graphics::prelude::*;

@@ -1,7 +1,7 @@
 //! Frames shown on a display.
 
-use super::outlines::any;
 use super::panel::{Panel, SIDE};
+use crate::outlines::any;
 use embedded_graphics::image::Image;
 use embedded_graphics::mock_display::MockDisplay;
 use embedded_graphics::pixelcolor::{BinaryColor, Rgb565};

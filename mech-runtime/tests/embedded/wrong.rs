@@ -1,7 +1,7 @@
 //! Displays that fail, displays without pixels, numbers that are not finite.
 
-use super::outlines::{Any, any};
 use super::panel::{Bounds, Failed, Panel};
+use crate::outlines::{Any, any};
 use embedded_graphics::image::ImageDrawable;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;

@@ -1,6 +1,6 @@
 //! Animations show the very pictures, one after the other.
 
-use crate::{films, palette, seen};
+use super::{films, palette, seen};
 use mech_runtime::files::{Apng, FileError, Gif, Picture};
 use mech_runtime::{Canvas, Frame, Outline, Palette, Pose};
 use proptest::prelude::*;

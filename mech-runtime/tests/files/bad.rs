@@ -1,6 +1,6 @@
 //! What cannot be a file is an error that says why, and leaves what was there.
 
-use crate::seen;
+use super::seen;
 use mech_runtime::files::{Apng, FileError, Gif, Picture};
 use mech_runtime::{Frame, Palette};
 use std::io::{self, Write};

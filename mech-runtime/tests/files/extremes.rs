@@ -1,7 +1,7 @@
 //! Films that are as long, wide or high as can be; and pixels that are all but the same.
 
-use crate::animations::{apng, check, colors, gif, whole};
-use crate::{films, seen};
+use super::animations::{apng, check, colors, gif, whole};
+use super::{films, seen};
 use mech_runtime::Palette;
 use mech_runtime::files::Picture;
 use proptest::prelude::*;

@@ -1,7 +1,7 @@
 //! Films that are hindered: by frames that do not fit, and by writers that write little at a time or fail once.
 
-use crate::animations::{apng, gif, whole};
-use crate::{films, palette};
+use super::animations::{apng, gif, whole};
+use super::{films, palette};
 use mech_runtime::Palette;
 use mech_runtime::files::{Apng, FileError, Gif, Picture};
 use proptest::prelude::*;

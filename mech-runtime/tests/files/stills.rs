@@ -1,6 +1,6 @@
 //! Stills: decoded, they are the very pixels.
 
-use crate::{films, palette};
+use super::{films, palette};
 use mech_runtime::files::{FileError, Picture};
 use mech_runtime::{Canvas, Frame, HeapSmooth, Outline, Palette, Pose, Smooth};
 use proptest::prelude::*;

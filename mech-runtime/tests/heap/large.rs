@@ -1,6 +1,6 @@
 //! Large pictures need no large stack, whether optimised or not.
 
-use crate::Arm;
+use super::Arm;
 use mech_runtime::{
     Canvas, Frame, HeapFrame, HeapSmooth, HeapStage, Mechanism, Outline, Palette, Pose, Smooth,
 };

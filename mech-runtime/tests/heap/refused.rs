@@ -1,6 +1,6 @@
 //! Sizes that cannot be had are an error, and all others can be painted on.
 
-use crate::Arm;
+use super::Arm;
 use mech_runtime::raster::TooLarge;
 use mech_runtime::{Canvas, HeapFrame, HeapSmooth, HeapStage, Outline, Palette, Pose, View};
 

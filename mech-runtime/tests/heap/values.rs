@@ -1,6 +1,6 @@
 //! What is promised of pictures besides their pixels.
 
-use crate::Arm;
+use super::Arm;
 use core::mem::size_of;
 use mech_runtime::files::{Picture, Sheet};
 use mech_runtime::{

@@ -1,6 +1,6 @@
 //! What springs and dampers look like.
 
-use crate::{assert_looks, draw, on};
+use super::{assert_looks, draw, on};
 use mech_runtime::overlay::{Spot, Symbol};
 
 const fn ends() -> [Spot<f64>; 2] {

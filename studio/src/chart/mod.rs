@@ -24,6 +24,8 @@ struct Panel<'t> {
     unit: &'t str,
     /// The numbers of their columns.
     columns: Vec<usize>,
+    /// Whether they are over a length too: then both axes have the same scale.
+    is_path: bool,
 }
 
 /// The width of a chart, and the height of its title, of a legend and of a graph with its axes, in pixels of a screen.
@@ -31,8 +33,14 @@ const WIDTH: u32 = 800;
 const TITLE: u32 = 40;
 const LEGEND: u32 = 26;
 const PANEL: u32 = 280;
-/// Where a graph begins, right of the numbers of its upward axis.
+/// The height of a graph in which both axes have the same scale.
+const SQUARE: u32 = 560;
+/// Where a graph begins, right of the numbers of its upward axis, and how much is left free at its right.
 const LEFT: u32 = 80;
+const RIGHT: u32 = 24;
+/// The height of the numbers and the name below a graph, and of what is left free below them.
+const BELOW: u32 = 40;
+const BOTTOM: u32 = 8;
 /// A PNG has so many pixels for each of these, so that it can be printed.
 const FINENESS: u32 = 2;
 
@@ -50,16 +58,26 @@ const COLORS: [u8; 8] = [
 
 const FONT: &str = "sans-serif";
 
+impl Panel<'_> {
+    fn height(&self) -> u32 {
+        LEGEND + if self.is_path { SQUARE } else { PANEL }
+    }
+}
+
 impl<'t> Chart<'t> {
-    /// The graphs of a table, whose first column is what the others depend on.
+    /// The graphs of a table, over one of its columns.
     pub(crate) fn new(title: &'t str, table: &'t Table) -> Self {
         let mut panels: Vec<Panel<'t>> = Vec::new();
-        for (number, (_, unit)) in table.columns.iter().enumerate().skip(1) {
+        for number in table.curves() {
+            let unit = &table.columns[number].1;
             match panels.iter_mut().find(|panel| panel.unit == unit) {
                 Some(panel) => panel.columns.push(number),
                 None => panels.push(Panel {
                     unit,
                     columns: vec![number],
+                    is_path: table.across > 0
+                        && *unit == table.columns[table.across].1
+                        && unit != "deg",
                 }),
             }
         }
@@ -95,11 +113,8 @@ impl<'t> Chart<'t> {
     }
 
     fn size(&self, fineness: u32) -> (u32, u32) {
-        let panels = u32::try_from(self.panels.len()).unwrap_or(1);
-        (
-            fineness * WIDTH,
-            fineness * (TITLE + (LEGEND + PANEL) * panels),
-        )
+        let panels: u32 = self.panels.iter().map(Panel::height).sum();
+        (fineness * WIDTH, fineness * (TITLE + panels))
     }
 
     fn draw<B: DrawingBackend>(
@@ -121,13 +136,14 @@ impl<'t> Chart<'t> {
         fineness: u32,
     ) -> Result<(), DrawingAreaErrorKind<B::ErrorType>> {
         root.fill(&WHITE)?;
-        let (head, body) = root.split_vertically(fineness * TITLE);
+        let (head, mut body) = root.split_vertically(fineness * TITLE);
         let place = (to_pixels(fineness * 16), to_pixels(fineness * 12));
         let style = (FONT, fineness * 18).into_font().color(&ink());
         head.draw(&Text::new(self.title.to_owned(), place, style))?;
-        let areas = body.split_evenly((self.panels.len(), 1));
-        for (panel, area) in self.panels.iter().zip(areas) {
+        for panel in &self.panels {
+            let (area, below) = body.split_vertically(fineness * panel.height());
             self.paint_panel(panel, &area, fineness)?;
+            body = below;
         }
         root.present()
     }
@@ -140,17 +156,26 @@ impl<'t> Chart<'t> {
     ) -> Result<(), DrawingAreaErrorKind<B::ErrorType>> {
         let (legend, area) = area.split_vertically(fineness * LEGEND);
         self.paint_legend(panel, &legend, fineness)?;
-        let (driver, unit) = &self.table.columns[0];
+        let driven = self.table.across == 0;
+        let (driver, unit) = &self.table.columns[self.table.across];
         let columns = panel.columns.iter();
         let values = columns.flat_map(|&column| self.values(column));
-        let across = Scale::exact(self.values(0), unit, 10);
-        let up = Scale::with_room(values, panel.unit, 8);
+        let mut across = if driven || unit == "s" {
+            Scale::exact(self.values(self.table.across), unit, 10)
+        } else {
+            Scale::with_room(self.values(self.table.across), unit, 10)
+        };
+        let mut up = Scale::with_room(values, panel.unit, 8);
+        if panel.is_path {
+            let size = [WIDTH - LEFT - RIGHT, SQUARE - BELOW - BOTTOM];
+            Scale::equalize([&mut across, &mut up], size);
+        }
         let [xs, ys] = [&across, &up].map(Scale::count);
         let mut chart = ChartBuilder::on(&area)
             .margin_left(fineness * 8)
-            .margin_bottom(fineness * 8)
-            .margin_right(fineness * 24)
-            .x_label_area_size(fineness * 40)
+            .margin_bottom(fineness * BOTTOM)
+            .margin_right(fineness * RIGHT)
+            .x_label_area_size(fineness * BELOW)
             .y_label_area_size(fineness * (LEFT - 8))
             .build_cartesian_2d(across, up)?;
         let text = |size: u32| (FONT, fineness * size).into_font().color(&ink());
@@ -215,7 +240,7 @@ impl<'t> Chart<'t> {
 
     /// The points of a curve, in pieces between values that are not determined.
     fn runs(&self, column: usize) -> Vec<Vec<(f64, f64)>> {
-        let point = |row: &Vec<Option<f64>>| row[0].zip(row[column]);
+        let point = |row: &Vec<Option<f64>>| row[self.table.across].zip(row[column]);
         let points: Vec<Option<(f64, f64)>> = self.table.rows.iter().map(point).collect();
         let runs = points.split(Option::is_none).filter(|run| !run.is_empty());
         runs.map(|run| run.iter().flatten().copied().collect())

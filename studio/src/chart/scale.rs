@@ -4,36 +4,58 @@ use crate::quantity::round_step;
 use plotters::coord::ranged1d::{DefaultFormatting, KeyPointHint, Ranged};
 use std::ops::Range;
 
-/// An axis: its range, and the numbers that are written at it.
-pub(super) struct Scale {
+/// An axis: its range, and about how many numbers are written at it.
+pub(super) struct Scale<'u> {
     range: Range<f64>,
-    ticks: Vec<f64>,
+    unit: &'u str,
+    count: u32,
 }
 
-impl Scale {
+impl<'u> Scale<'u> {
     /// From the least value to the greatest, with about so many numbers.
-    pub(super) fn exact(values: impl Iterator<Item = f64>, unit: &str, count: u32) -> Self {
-        let range = range_of(values);
-        let ticks = ticks(&range, unit, count);
-        Self { range, ticks }
+    pub(super) fn exact(values: impl Iterator<Item = f64>, unit: &'u str, count: u32) -> Self {
+        Self {
+            range: range_of(values),
+            unit,
+            count,
+        }
     }
 
     /// The same with some room at both ends.
-    pub(super) fn with_room(values: impl Iterator<Item = f64>, unit: &str, count: u32) -> Self {
-        let Range { start, end } = range_of(values);
-        let room = 0.05 * (end - start);
-        let range = start - room..end + room;
-        let ticks = ticks(&range, unit, count);
-        Self { range, ticks }
+    pub(super) fn with_room(values: impl Iterator<Item = f64>, unit: &'u str, count: u32) -> Self {
+        let mut scale = Self::exact(values, unit, count);
+        let length = scale.range.end - scale.range.start;
+        scale.widen(1.1 * length);
+        scale
+    }
+
+    /// Widens one of two axes, so that a unit is as long on both. They have these lengths, in pixels.
+    pub(super) fn equalize(axes: [&mut Self; 2], pixels: [u32; 2]) {
+        let [across, up] = axes;
+        let [width, height] = pixels.map(f64::from);
+        let of = |scale: &Self| scale.range.end - scale.range.start;
+        let pixel = (of(across) / width).max(of(up) / height);
+        across.widen(pixel * width);
+        up.widen(pixel * height);
+    }
+
+    /// Gives its range another length, about the same middle.
+    fn widen(&mut self, length: f64) {
+        let middle = f64::midpoint(self.range.start, self.range.end);
+        self.range = middle - 0.5 * length..middle + 0.5 * length;
     }
 
     /// How many numbers are written at it.
     pub(super) fn count(&self) -> usize {
-        self.ticks.len()
+        self.ticks().len()
+    }
+
+    fn ticks(&self) -> Vec<f64> {
+        ticks(&self.range, self.unit, self.count)
     }
 }
 
-impl Ranged for Scale {
+impl Ranged for Scale<'_> {
     type FormatOption = DefaultFormatting;
     type ValueType = f64;
 
@@ -46,7 +68,7 @@ impl Ranged for Scale {
     }
 
     fn key_points<H: KeyPointHint>(&self, _hint: H) -> Vec<f64> {
-        self.ticks.clone()
+        self.ticks()
     }
 
     fn range(&self) -> Range<f64> {

@@ -14,6 +14,9 @@ pub(super) struct Measure {
     /// What is measured, as described below; without, the coordinates of all joints.
     #[arg(value_name = "QUANTITY")]
     quantities: Vec<String>,
+    /// Shows all over this quantity, as `coupler.tip.x` or `t`; without, over what the mechanism is driven by.
+    #[arg(long, value_name = "QUANTITY")]
+    over: Option<String>,
     /// The motor that moves; without, the first, or all by their laws.
     #[arg(long, value_name = "NAME")]
     motor: Option<String>,
@@ -57,6 +60,7 @@ Quantities:
   torque:a                  what motor a exerts so that the mechanism moves so: a torque, or a force
   reaction:b                the force that the first link of joint b exerts on the second; also .norm, .torque
   transmission              the transmission angles of all dyads
+  t                         the time since the motion began
 
 Angles are in degrees, their rates in radians. Loads are zero unless `--load` gives them. A cell is
 empty where a value is not determined, as a velocity at a dead point.";
@@ -77,6 +81,8 @@ impl Measure {
         if wanted.is_empty() {
             wanted = quantity::usual(&model);
         }
+        let over = self.over.as_deref();
+        let over = over.map(|name| quantity::only_quantity(&model, &dyads, name));
         let span = Span {
             from: self.from,
             to: self.to,
@@ -85,6 +91,7 @@ impl Measure {
         let measurement = Measurement {
             model: &model,
             drive: &drive,
+            over: over.transpose()?,
             rate: self.rate,
             steps: self.steps,
             loads: &self.load,

@@ -31,7 +31,9 @@ pub(super) struct Plot {
 const EXAMPLES: &str = "\
 Examples:
   mech plot four_bar.mech -o joints.svg
-  mech plot four_bar.mech velocity:coupler.tip.norm transmission -o four_bar.png --length mm";
+  mech plot four_bar.mech velocity:coupler.tip.norm transmission -o four_bar.png --length mm
+  mech plot four_bar.mech coupler.tip.y --over coupler.tip.x -o path.svg
+  mech plot four_bar.mech coupler.tip.y --over t --rate 6.28 -o time.svg";
 
 #[derive(Clone, Copy)]
 enum Kind {

@@ -39,13 +39,13 @@ impl Table {
     }
 }
 
-/// The table as CSV: `motor a [deg],b [deg]`.
+/// The table as CSV: `motor a [deg],b [deg]`. Where it is over another quantity, that takes the place of the motor.
 fn csv(table: &quantity::Table) -> String {
-    let names = table.columns.iter();
+    let names = table.columns[table.across..].iter();
     let names = names.map(|(name, unit)| cell(&format!("{name} [{unit}]")));
     let mut text = names.collect::<Vec<_>>().join(",") + "\n";
     for row in &table.rows {
-        let cells = row
+        let cells = row[table.across..]
             .iter()
             .map(|value| value.map_or(String::new(), |value| format!("{}", value + 0.0)));
         text += &(cells.collect::<Vec<_>>().join(",") + "\n");

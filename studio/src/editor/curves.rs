@@ -17,6 +17,8 @@ const STEPS: u32 = 360;
 pub(crate) struct Wanted {
     /// The quantities, as `mech table` calls them.
     pub(crate) names: Vec<String>,
+    /// Over what they are shown, if not over the motor.
+    pub(crate) over: Option<String>,
     /// The motor that moves; none for the laws of all.
     pub(crate) motor: Option<String>,
     /// Where the other motors stand, in degrees or scene units.
@@ -71,6 +73,11 @@ fn measured(
             Err(failure) => missing.push(failure),
         }
     }
+    let over = wanted.over.as_deref();
+    let over = over.and_then(|name| {
+        let found = quantity::only_quantity(model, &dyads, name);
+        found.map_err(|failure| missing.push(failure)).ok()
+    });
     let settings = wanted.others.iter().map(|(motor, value)| Setting {
         motor: motor.clone(),
         value: *value,
@@ -81,6 +88,7 @@ fn measured(
     let measurement = Measurement {
         model,
         drive: &drive,
+        over,
         rate: 1.0,
         steps: STEPS,
         loads: &wanted.loads,

@@ -206,6 +206,7 @@ impl Editor {
             {
                 words.extend(self.plotted.names.iter().cloned());
                 if let Some(wanted) = self.wanted_curves() {
+                    words.extend(wanted.over.map(|over| format!("--over={over}")));
                     words.extend(wanted.motor.map(|motor| format!("--motor={motor}")));
                     words.extend(at(wanted.others));
                     let loads = wanted.loads.iter();

@@ -14,6 +14,8 @@ use std::sync::Arc;
 pub(super) struct Plotted {
     /// The quantities, as `mech plot` calls them.
     pub(super) names: Vec<String>,
+    /// The quantity over which they are shown, if not over the motor.
+    pub(super) over: Option<String>,
     /// The motor that moves through its range; without, the first.
     pub(super) motor: Option<String>,
     /// What is typed of the loads, by their names.
@@ -80,6 +82,7 @@ impl Editor {
             .filter(|(name, _)| name != motor);
         Some(Wanted {
             names: self.plotted.names.clone(),
+            over: self.plotted.over.clone(),
             motor: Some(motor.to_owned()),
             others: others.collect(),
             loads: self.loads(),

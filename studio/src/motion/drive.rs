@@ -32,6 +32,8 @@ enum Kind {
 pub(crate) struct Moment {
     /// What the motion is driven by: the value of its motor in radians or scene units, or the time.
     pub(crate) by: f64,
+    /// The time since the motion began, in seconds; not finite where the motor rests. By laws it is that of the laws.
+    pub(crate) time: f64,
     /// The values of all motors.
     pub(crate) values: Vec<f64>,
     /// Their rates, and their second rates.
@@ -134,6 +136,10 @@ impl Drive {
     ) -> Moment {
         let [from, to] = self.ends;
         let by = from + (to - from) * part;
+        let time = match self.kind {
+            Kind::Motor(_) => (by - from) / rate,
+            Kind::Laws => by,
+        };
         let mut values = self.base.clone();
         let mut rates = [vec![0.0; values.len()], vec![0.0; values.len()]];
         match (self.kind, &compiled.timing) {
@@ -152,7 +158,12 @@ impl Drive {
             }
             (Kind::Laws, None) => {}
         }
-        Moment { by, values, rates }
+        Moment {
+            by,
+            time,
+            values,
+            rates,
+        }
     }
 
     /// Moves a mechanism to a part of the motion.

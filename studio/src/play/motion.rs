@@ -98,6 +98,7 @@ impl Motion {
                 }
                 Moment {
                     by: phase,
+                    time: STROKE * phase,
                     values,
                     rates,
                 }

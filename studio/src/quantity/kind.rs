@@ -26,6 +26,8 @@ pub(crate) enum Subject {
     Reaction(JointId, Reaction),
     /// The transmission angle of a dyad, by its number.
     Transmission(usize),
+    /// The time since the motion began.
+    Time,
 }
 
 /// How often something is differentiated by time.
@@ -82,6 +84,7 @@ impl Needs {
                 Subject::Torque(_) | Subject::Reaction(..) | Subject::Transmission(_) => {
                     needs.force = true;
                 }
+                Subject::Time => {}
             }
         }
         needs

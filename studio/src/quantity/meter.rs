@@ -10,6 +10,7 @@ use mech_compiler::model::{AxisId, JointId, JointKind, LinkId, Model};
 use mech_compiler::program::{Forces, InverseDynamics};
 use mech_compiler::{Compiled, compile};
 use std::f64::consts::TAU;
+use std::ops::Range;
 
 /// What was measured: a row for each position.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,12 +19,23 @@ pub(crate) struct Table {
     pub(crate) columns: Vec<(String, String)>,
     /// The values of each row, in these units; none where a value is not determined, as a velocity at a dead point.
     pub(crate) rows: Vec<Vec<Option<f64>>>,
+    /// The number of the column over which the others are shown: the first, or the second.
+    pub(crate) across: usize,
+}
+
+impl Table {
+    /// The numbers of the columns that are shown over that.
+    pub(crate) fn curves(&self) -> Range<usize> {
+        self.across + 1..self.columns.len()
+    }
 }
 
 /// A motion that is measured.
 pub(crate) struct Measurement<'a> {
     pub(crate) model: &'a Model,
     pub(crate) drive: &'a Drive,
+    /// Over what the others are shown, if not over what the mechanism is driven by.
+    pub(crate) over: Option<Quantity>,
     /// How fast its motor moves, in radians or scene units per second.
     pub(crate) rate: f64,
     /// The number of steps: there is a row more.
@@ -35,6 +47,8 @@ pub(crate) struct Measurement<'a> {
 
 /// Measures quantities through a motion.
 pub(crate) fn measure(of: &Measurement<'_>, quantities: &[Quantity]) -> Result<Table, Failure> {
+    let quantities: Vec<Quantity> = of.over.iter().chain(quantities).cloned().collect();
+    let quantities = &quantities;
     let needs = Needs::of(quantities);
     let compiled = &compiled_for(of.model, needs)?;
     let mut meter = Meter::new(of, compiled, quantities)?;
@@ -56,6 +70,7 @@ pub(crate) fn measure(of: &Measurement<'_>, quantities: &[Quantity]) -> Result<T
     Ok(Table {
         columns: columns(of, quantities),
         rows,
+        across: usize::from(of.over.is_some()),
     })
 }
 
@@ -224,6 +239,7 @@ impl<'a> Meter<'a> {
                 })
             }
             Subject::Transmission(dyad) => at.forces.as_ref()?.transmission.get(dyad).copied(),
+            Subject::Time => Some(moment.time),
         }
     }
 

@@ -13,7 +13,7 @@ pub(crate) use load::Load;
 #[cfg(feature = "editor")]
 pub(crate) use load::numbers as load_numbers;
 pub(crate) use meter::{Measurement, Table, measure};
-pub(crate) use naming::{dyads, quantities, usual};
+pub(crate) use naming::{dyads, only_quantity, quantities, usual};
 #[cfg(feature = "editor")]
 pub(crate) use offer::{Offer, offers};
 pub(crate) use round::{round_step, tick};

@@ -10,6 +10,7 @@ use mech_compiler::plan::Plan;
 /// The words before a colon.
 const KINDS: [&str; 4] = ["velocity", "acceleration", "torque", "reaction"];
 const TRANSMISSION: &str = "transmission";
+const TIME: &str = "t";
 
 /// The quantities of this name: of a point without a part both parts, of `transmission` the angles of all dyads.
 pub(crate) fn quantities(
@@ -25,7 +26,11 @@ pub(crate) fn quantities(
         return transmission(model, dyads);
     }
     match name.split_once(':') {
-        None => moving(model, name, name, Order::Place),
+        None => match moving(model, name, name, Order::Place) {
+            // Only where nothing else is called so.
+            Err(_) if name == TIME => one(Subject::Time),
+            found => found,
+        },
         Some(("velocity", of)) => moving(model, name, of, Order::Velocity),
         Some(("acceleration", of)) => moving(model, name, of, Order::Acceleration),
         Some(("torque", of)) => one(Subject::Torque(motor_of(model, of)?)),
@@ -35,6 +40,23 @@ pub(crate) fn quantities(
             KINDS.join("`, `")
         ))),
     }
+}
+
+/// The quantity of this name, if it is one number.
+pub(crate) fn only_quantity(
+    model: &Model,
+    dyads: &[String],
+    name: &str,
+) -> Result<Quantity, Failure> {
+    let found = quantities(model, dyads, name)?;
+    <[Quantity; 1]>::try_from(found)
+        .map(|[only]| only)
+        .map_err(|found| {
+            let names = quoted(found.iter().map(|one| &one.name));
+            Failure::usage(format!(
+                "`{name}` is several numbers, {names}; name one of them"
+            ))
+        })
 }
 
 /// The coordinates of all joints that have one.

@@ -64,5 +64,9 @@ pub(crate) fn offers(model: &Model, dyads: &[String]) -> Vec<Offer> {
             names: vec!["transmission".to_owned()],
         });
     }
+    offers.push(Offer {
+        of: "the motion".to_owned(),
+        names: vec!["t".to_owned()],
+    });
     offers
 }

@@ -26,6 +26,7 @@ impl Units {
             Subject::Torque(_) | Subject::Reaction(_, Reaction::Force(_)) => force.clone(),
             Subject::Reaction(_, Reaction::Torque) => torque(),
             Subject::Transmission(_) => "deg".to_owned(),
+            Subject::Time => "s".to_owned(),
         }
     }
 

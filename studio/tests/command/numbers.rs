@@ -186,6 +186,72 @@ fn a_plot_has_a_graph_for_each_unit() {
 }
 
 #[test]
+fn one_quantity_over_another() {
+    let folder = Folder::new().with("a.mech", CRANK);
+    let table = folder
+        .mech("table a.mech crank.pin.y --over crank.pin.x --steps 12")
+        .done();
+    assert_eq!(
+        table.lines().next(),
+        Some("crank.pin.x [unit],crank.pin.y [unit]")
+    );
+    for row in numbers(&table) {
+        assert!(close(row[0].hypot(row[1]), 2.0), "{row:?}");
+    }
+    // Time is counted from where the motion begins.
+    let table = folder
+        .mech("table a.mech crank.pin.y --over t --from 30 --to 60 --steps 3 --rate 0.5")
+        .done();
+    assert_eq!(table.lines().next(), Some("t [s],crank.pin.y [unit]"));
+    let rows = numbers(&table);
+    assert!(close(rows[3][0], 30_f64.to_radians() / 0.5), "{rows:?}");
+    for row in rows {
+        let angle = 30_f64.to_radians() + 0.5 * row[0];
+        assert!(close(row[1], 2.0 * angle.sin()), "{row:?}");
+    }
+    folder
+        .mech("plot a.mech crank.pin.y velocity:crank.pin.y --over crank.pin.x -o a.svg")
+        .done();
+    let text = folder.text("a.svg");
+    assert_eq!(text.matches("crank.pin.x [unit]").count(), 2, "{text}");
+    for (over, why) in [
+        (
+            "crank.pin",
+            "is several numbers, `crank.pin.x`, `crank.pin.y`; name one of them",
+        ),
+        ("crank.top", "has no joint, link or point `crank.top`"),
+    ] {
+        let refusal = folder
+            .mech(&format!("table a.mech --over {over}"))
+            .refused(2);
+        assert!(refusal.contains(why), "{refusal}");
+    }
+}
+
+#[test]
+fn time_at_rest_is_not_determined() {
+    let folder = Folder::new().with("a.mech", CRANK);
+    let table = folder.mech("table a.mech t a --steps 1 --rate 0").done();
+    assert!(numbers(&table).iter().all(|row| row[1].is_nan()), "{table}");
+}
+
+/// A joint that has the name of time is meant, where it is there.
+#[test]
+fn a_joint_may_be_called_t() {
+    let text = CRANK
+        .replace("joint a", "joint t")
+        .replace("motor a", "motor t");
+    let folder = Folder::new().with("a.mech", text);
+    let table = folder
+        .mech("table a.mech t --from 30 --to 60 --steps 1")
+        .done();
+    assert!(table.starts_with("motor t [deg],t [deg]\n"), "{table}");
+    for row in numbers(&table) {
+        assert!(close(row[0], row[1]), "{row:?}");
+    }
+}
+
+#[test]
 fn tables_go_to_files_whole() {
     let folder = Folder::new().with("a.mech", FOUR_BAR).with("a.csv", "old");
     folder.mech("table a.mech -o a.csv --steps 3").done();

@@ -134,6 +134,46 @@ fn a_click_in_a_graph_moves_the_mechanism() {
 }
 
 #[test]
+fn a_quantity_is_plotted_over_another() {
+    let mut user = User::with_text(FOUR_BAR);
+    user.click_on("Plots");
+    user.enter("Quantity", "coupler.tip.y");
+    user.click_on("Over the motor");
+    user.click_on_beginning("of point coupler.tip");
+    user.click_on("coupler.tip.x");
+    assert!(user.sees("Over coupler.tip.x"), "{}", user.labels());
+    let folder = Folder::new("over");
+    let path = folder.file("window.csv");
+    user.export("Table as CSV", &path);
+    let written = fs::read_to_string(&path).unwrap_or_else(|_| panic!("{}", user.said()));
+    let table = folder.mech(&["table", "coupler.tip.y", "--over=coupler.tip.x", "mech.csv"]);
+    assert_eq!(written.as_bytes(), table);
+    // The legend says where it is at the pose, and a press leads to the nearest place of the curve.
+    let row = written.lines().nth(91).expect("a row");
+    let (_, y) = row.split_once(',').expect("two numbers");
+    let y: f64 = y.parse().expect("a number");
+    user.scrub(90_f64.to_radians());
+    assert!(
+        user.sees(&format!("coupler.tip.y = {y:.4} unit")),
+        "{}",
+        user.labels()
+    );
+    for at in [[0.1, 0.1], [0.9, 0.9]] {
+        user.click_within("graph of unit", at);
+        let [motor] = user.editor().player().expect("it moves").motors() else {
+            panic!("one motor");
+        };
+        // One of the rows: whole degrees.
+        let degrees = motor.to_degrees();
+        assert!((degrees - degrees.round()).abs() < 1e-9, "{degrees}");
+    }
+    // What it was over is gone: that is told, and it is over the motor.
+    user.click_on("Over coupler.tip.x");
+    user.click_on("the motor");
+    assert!(user.sees("Over the motor"));
+}
+
+#[test]
 fn a_quantity_that_an_edit_takes_away_is_told() {
     let mut user = plotting();
     user.type_all(&FOUR_BAR.replace(" { point tip = (2.5, 3); }", ";"));

@@ -5,10 +5,10 @@ use crate::editor::colors::distinct;
 use crate::editor::curves::Curves;
 use crate::editor::plotted::read_load;
 use crate::editor::range::{Basis, MotorRange};
-use crate::quantity::{Table, round_step, tick};
+use crate::quantity::{Offer, Table, round_step, tick};
 use eframe::egui;
 use eframe::egui::{Color32, Role, Sense, Stroke, Vec2, WidgetInfo};
-use egui_plot::{GridInput, GridMark, Line, Plot, PlotPoint, VLine};
+use egui_plot::{GridInput, GridMark, Line, Plot, PlotPoint, Points, VLine};
 use mech_compiler::model::LoadKind;
 
 /// Graphs of what moves.
@@ -27,7 +27,7 @@ impl Plots {
         self.choose(editor, ui);
         editor.renew_curves();
         if editor.plotted.names.is_empty() {
-            ui.weak("Add a quantity: a place, a rate or a force. It is drawn over the range of the motor.");
+            ui.weak("Add a quantity: a place, a rate or a force. It is drawn over the range of the motor, or over another quantity.");
             return;
         }
         let is_present = editor.are_curves_present();
@@ -55,24 +55,14 @@ impl Plots {
         let offers = editor.offers();
         ui.horizontal_wrapped(|ui| {
             ui.menu_button("Add", |ui| {
-                egui::ScrollArea::vertical()
-                    .max_height(420.0)
-                    .show(ui, |ui| {
-                        for offer in &offers {
-                            ui.menu_button(format!("of {}", offer.of), |ui| {
-                                for name in &offer.names {
-                                    if ui.button(name).clicked() {
-                                        editor.plot(name);
-                                        ui.close();
-                                    }
-                                }
-                            });
-                        }
-                    });
+                if let Some(name) = offered(&offers, ui) {
+                    editor.plot(name);
+                }
             })
             .response
             .on_hover_text("adds a quantity to the graphs");
             remove(editor, ui);
+            over(editor, &offers, ui);
             let label = ui.label("Quantity");
             let edit = egui::TextEdit::singleline(&mut self.typed)
                 .hint_text("velocity:coupler.tip.norm")
@@ -85,6 +75,41 @@ impl Plots {
             loads(editor, ui);
         });
     }
+}
+
+/// The quantity that is chosen from a menu of all.
+fn offered<'o>(offers: &'o [Offer], ui: &mut egui::Ui) -> Option<&'o str> {
+    let mut chosen = None;
+    let list = egui::ScrollArea::vertical().max_height(420.0);
+    list.show(ui, |ui| {
+        for offer in offers {
+            ui.menu_button(format!("of {}", offer.of), |ui| {
+                for name in &offer.names {
+                    if ui.button(name).clicked() {
+                        chosen = Some(name.as_str());
+                        ui.close();
+                    }
+                }
+            });
+        }
+    });
+    chosen
+}
+
+/// Chooses over what is plotted: the motor, or another quantity.
+fn over(editor: &mut Editor, offers: &[Offer], ui: &mut egui::Ui) {
+    let title = editor.plotted.over.as_deref().unwrap_or("the motor");
+    ui.menu_button(format!("Over {title}"), |ui| {
+        if ui.button("the motor").clicked() {
+            editor.plotted.over = None;
+            ui.close();
+        }
+        if let Some(name) = offered(offers, ui) {
+            editor.plotted.over = Some(name.to_owned());
+        }
+    })
+    .response
+    .on_hover_text("what the graphs are drawn over; time is at 1 rad or unit per second");
 }
 
 /// Asks for the numbers of the loads that the text declares.
@@ -141,7 +166,7 @@ fn motor(editor: &mut Editor, ui: &mut egui::Ui) {
         return;
     };
     let mut chosen = chosen.to_owned();
-    egui::ComboBox::from_label("over motor")
+    egui::ComboBox::from_label("moved motor")
         .selected_text(&chosen)
         .show_ui(ui, |ui| {
             for range in &editor.ranges {
@@ -216,10 +241,10 @@ fn scrub(editor: &mut Editor, at: f64) {
     editor.scrub(motor, value);
 }
 
-/// A graph for each unit, one below the other. Where the pointer presses, the motor is to go.
+/// A graph for each unit, one below the other. The value of the motor is given to which a press on one leads.
 fn graphs(table: &Table, is_present: bool, at: Option<f64>, ui: &mut egui::Ui) -> Option<f64> {
     let mut units: Vec<&str> = Vec::new();
-    for (_, unit) in table.columns.iter().skip(1) {
+    for (_, unit) in &table.columns[table.curves()] {
         if !units.contains(&unit.as_str()) {
             units.push(unit);
         }
@@ -228,10 +253,9 @@ fn graphs(table: &Table, is_present: bool, at: Option<f64>, ui: &mut egui::Ui) -
     #[expect(clippy::cast_precision_loss, reason = "a few graphs")]
     let share = ui.available_height() / units.len().max(1) as f32;
     for unit in units {
-        let columns = table.columns.iter().enumerate().skip(1);
+        let columns = table.curves();
         let columns: Vec<usize> = columns
-            .filter(|(_, (_, of))| of == unit)
-            .map(|(number, _)| number)
+            .filter(|&number| table.columns[number].1 == unit)
             .collect();
         #[expect(clippy::cast_precision_loss, reason = "a few curves")]
         let legend = 20.0 * columns.len() as f32 + 12.0;
@@ -261,7 +285,7 @@ fn readings(
         });
         ui.horizontal(|ui| {
             let (rect, _) = ui.allocate_exact_size(Vec2::new(16.0, 14.0), Sense::hover());
-            let line = Stroke::new(3.0, color(column, is_present));
+            let line = Stroke::new(3.0, color(table, column, is_present));
             ui.painter().hline(rect.x_range(), rect.center().y, line);
             ui.label(text);
         });
@@ -269,9 +293,9 @@ fn readings(
 }
 
 /// The colour of a curve; what is of an earlier text is grey.
-fn color(column: usize, is_present: bool) -> Color32 {
+fn color(table: &Table, column: usize, is_present: bool) -> Color32 {
     if is_present {
-        distinct(column - 1)
+        distinct(column - table.curves().start)
     } else {
         Color32::GRAY.gamma_multiply(0.6)
     }
@@ -303,9 +327,11 @@ fn graph(
     height: f32,
     ui: &mut egui::Ui,
 ) -> Option<f64> {
-    let (driver, driver_unit) = &table.columns[0];
+    let (across, across_unit) = &table.columns[table.across];
+    let is_path = table.across > 0 && across_unit == unit && unit != "deg";
+    let cursor = at.and_then(|at| value_at(table, table.across, at));
     let ink = ui.visuals().strong_text_color();
-    let plot = Plot::new(("graph", unit))
+    let mut plot = Plot::new(("graph", unit, across))
         .height(height)
         .allow_drag(false)
         .allow_zoom(false)
@@ -313,31 +339,68 @@ fn graph(
         .allow_boxed_zoom(false)
         .allow_axis_zoom_drag(false)
         .allow_double_click_reset(false)
-        .x_axis_label(format!("{driver} [{driver_unit}]"))
+        .x_axis_label(format!("{across} [{across_unit}]"))
         .y_axis_label(format!("[{unit}]"))
         .y_axis_min_width(46.0)
         .x_axis_formatter(|mark, _| tick(mark.value))
         .y_axis_formatter(|mark, _| tick(mark.value))
-        .x_grid_spacer(|input| marks(&input, driver_unit, 4))
+        .x_grid_spacer(|input| marks(&input, across_unit, 4))
         .y_grid_spacer(|input| marks(&input, unit, 6));
+    if is_path {
+        plot = plot.data_aspect(1.0);
+    }
     let shown = plot.show(ui, |plot| {
         for &column in columns {
-            let color = color(column, is_present);
+            let color = color(table, column, is_present);
             for (number, part) in parts(table, column).into_iter().enumerate() {
                 let line = Line::new(table.columns[column].0.clone(), part).id((column, number));
                 plot.line(line.color(color).width(2.0));
             }
         }
-        if let Some(at) = at {
-            plot.vline(VLine::new("", at).color(ink).width(1.5));
+        if let Some(x) = cursor {
+            plot.vline(VLine::new("", x).color(ink).width(1.5));
+        }
+        if table.across == 0 {
+            return;
+        }
+        // A line may meet a curve several times there.
+        for &column in columns {
+            let y = at.and_then(|at| value_at(table, column, at));
+            if let Some((x, y)) = cursor.zip(y) {
+                let place = Points::new("", vec![[x, y]]).id(("place", column));
+                plot.points(place.color(color(table, column, is_present)).radius(5.0));
+            }
         }
     });
     let response = shown.response;
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, format!("graph of {unit}")));
     let is_pressed = response.dragged() || response.clicked();
     let pointer = response.interact_pointer_pos().filter(|_| is_pressed)?;
-    let PlotPoint { x, .. } = shown.transform.value_from_position(pointer);
-    Some(x)
+    if table.across == 0 {
+        let PlotPoint { x, .. } = shown.transform.value_from_position(pointer);
+        return Some(x);
+    }
+    nearest(table, columns, |point| {
+        let place = shown.transform.position_from_point(&PlotPoint::from(point));
+        place.distance_sq(pointer)
+    })
+}
+
+/// The value of the motor where a curve has its least distance from something.
+fn nearest(table: &Table, columns: &[usize], distance: impl Fn([f64; 2]) -> f32) -> Option<f64> {
+    let mut found = None;
+    for row in &table.rows {
+        for &column in columns {
+            let (Some(at), Some(x), Some(y)) = (row[0], row[table.across], row[column]) else {
+                continue;
+            };
+            let far = distance([x, y]);
+            if found.is_none_or(|(_, least)| far < least) {
+                found = Some((at, far));
+            }
+        }
+    }
+    found.map(|(at, _)| at)
 }
 
 /// Lines at round numbers, at most so many and one, as in the graphs that `mech plot` writes.
@@ -362,7 +425,7 @@ fn marks(input: &GridInput, unit: &str, most: u32) -> Vec<GridMark> {
 fn parts(table: &Table, column: usize) -> Vec<Vec<[f64; 2]>> {
     let mut parts = vec![Vec::new()];
     for row in &table.rows {
-        match (row[0], row[column]) {
+        match (row[table.across], row[column]) {
             (Some(x), Some(y)) => {
                 if let Some(part) = parts.last_mut() {
                     part.push([x, y]);

@@ -1,10 +1,7 @@
 //! Pictures on the heap are those of a fixed size, and may be as large as memory is.
-#![cfg(feature = "std")]
 
 mod alike;
 mod large;
-#[path = "../embedded/outlines.rs"]
-mod outlines;
 mod refused;
 mod values;
 

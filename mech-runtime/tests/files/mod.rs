@@ -1,5 +1,4 @@
 //! Files, read by decoders that have nothing to do with what wrote them.
-#![cfg(feature = "std")]
 
 mod animations;
 mod bad;

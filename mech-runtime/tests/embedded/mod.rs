@@ -2,7 +2,6 @@
 
 mod drawn_on;
 mod heap;
-mod outlines;
 mod painted;
 mod panel;
 mod sent;
