@@ -140,12 +140,22 @@ impl Forms {
         let begin = Self::begin(self.motors, step);
         let (before, after) = self.parts.split_at_mut(begin);
         let row = &mut after[..=self.motors + step];
-        row.fill(0.0);
+        let mut is_begun = false;
         for (operand, factor) in operands.into_iter().zip(factors) {
-            if let (Some(step), true) = (operand.step, factor != 0.0) {
-                let from = Self::begin(self.motors, step);
-                add_scaled(row, factor, &before[from..=from + self.motors + step]);
+            let (Some(step), true) = (operand.step, factor != 0.0) else {
+                continue;
+            };
+            let from = Self::begin(self.motors, step);
+            let parts = &before[from..=from + self.motors + step];
+            if is_begun {
+                add_scaled(row, factor, parts);
+            } else {
+                set_scaled(row, factor, parts);
             }
+            is_begun = true;
+        }
+        if !is_begun {
+            clear(row, 0);
         }
         row[self.motors + step] = own + f64::MIN_POSITIVE;
         let radius = sum_of_sizes(row);
@@ -161,6 +171,25 @@ fn add_scaled(row: &mut [f64], factor: f64, parts: &[f64]) {
     let mut index = 0;
     while index < parts.len() {
         row[index] += factor * parts[index];
+        index += 1;
+    }
+}
+
+/// Sets a row to parts, each times a factor, and to nothing beyond them; by numbers, as in [`add_scaled`].
+fn set_scaled(row: &mut [f64], factor: f64, parts: &[f64]) {
+    let mut index = 0;
+    while index < parts.len() {
+        row[index] = factor * parts[index];
+        index += 1;
+    }
+    clear(row, index);
+}
+
+/// Sets a row to nothing from here on; by numbers, as in [`add_scaled`].
+fn clear(row: &mut [f64], from: usize) {
+    let mut index = from;
+    while index < row.len() {
+        row[index] = 0.0;
         index += 1;
     }
 }

@@ -22,8 +22,12 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
         let coordinate = Some(joint).filter(|&joint| model.shows_joint(joint));
         let coordinate = coordinate.and_then(|joint| coordinate_of(emitter, joint));
         joints.push((joint, coordinate.as_ref().map(|found| found.measure)));
-        values.push(option(coordinate.map(|_| {
+        values.push(option(coordinate.map(|coordinate| {
             let joint = model.joint(joint);
+            if joint.name.contains('.') {
+                // Views have the methods of joints in instances.
+                return coordinate.value;
+            }
             let name = emitter.ident(&joint.name, joint.origin);
             quote!(Self::#name(self))
         })));

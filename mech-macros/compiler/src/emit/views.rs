@@ -1,16 +1,18 @@
 //! Instances of parts as values: `beast.left(2).foot_tip()`.
 //!
 //! The methods of what belongs to an instance stand in the struct of the mechanism under hidden names. A view knows its instance and
-//! calls them.
+//! calls them. Where those of all instances differ in numbers only, the view has a table of these, and nothing is hidden: a mechanism with
+//! many alike parts would have as many methods to be compiled.
 
-use super::tokens::{hidden_method, integer};
+use super::instance_methods::{Owned, Shared, drop_uncalled, owner, shared, takes_mutable};
+use super::tokens::integer;
 use crate::bug::bug;
 use crate::model::Model;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 use syn::{
-    Attribute, Expr, ExprLit, FnArg, ImplItem, ImplItemFn, ItemImpl, Lit, Meta, Pat, ReturnType,
-    Type, Visibility,
+    Attribute, Expr, ExprLit, FnArg, ImplItem, ItemImpl, Lit, Meta, Pat, ReturnType, Type,
+    Visibility,
 };
 
 /// The methods of a mechanism, and the views that they return.
@@ -28,7 +30,7 @@ pub(super) struct Site<'a> {
     pub(super) this: &'a Ident,
 }
 
-/// The views of all instances, by the methods of the mechanism.
+/// The views of all instances, by the methods of the mechanism. Nothing but these methods calls hidden ones.
 pub(super) fn views(site: &Site<'_>, model: &Model, methods: TokenStream) -> Views {
     if model.instances.is_empty() {
         let items = TokenStream::new();
@@ -53,15 +55,19 @@ pub(super) fn views(site: &Site<'_>, model: &Model, methods: TokenStream) -> Vie
             });
         }
     }
-    let kinds = kinds(model);
+    let mut kinds = kinds(model);
+    for kind in &mut kinds {
+        kind.methods = shared(&kind.instances, &owned);
+    }
+    drop_uncalled(&mut methods, kinds.iter().flat_map(|kind| &kind.methods));
     let mut items = TokenStream::new();
     for kind in &kinds {
-        items.extend(view(site, model, &kinds, kind, &owned));
+        items.extend(view(site, model, &kinds, kind));
     }
     let roots = kinds.iter().filter(|kind| kind.parent.is_none());
     let getters = roots.map(|kind| {
         let getter = getter(site, model, kind, &kinds, &Holder::Mechanism);
-        let setter = setter(site, model, kind, &kinds, &owned, &Holder::Mechanism);
+        let setter = setter(site, model, kind, &kinds, &Holder::Mechanism);
         quote!(#getter #setter)
     });
     Views {
@@ -70,29 +76,8 @@ pub(super) fn views(site: &Site<'_>, model: &Model, methods: TokenStream) -> Vie
     }
 }
 
-/// A method of what belongs to an instance.
-struct Owned {
-    instance: usize,
-    /// Its name in the view.
-    local: String,
-    method: ImplItemFn,
-}
-
-/// The instance to which a hidden method belongs, and the name of the method there.
-fn owner(model: &Model, method: &Ident) -> Option<(usize, String)> {
-    let name = method.to_string();
-    let owners = model.instances.iter().enumerate();
-    let owners = owners.filter_map(|(number, instance)| {
-        let prefix = hidden_method(&format!("{}.", instance.path));
-        let local = name.strip_prefix(&prefix)?;
-        Some((prefix.len(), number, local.to_owned()))
-    });
-    let (_, number, local) = owners.max_by_key(|(length, ..)| *length)?;
-    Some((number, local))
-}
-
 /// The instances that one use has, in all instances of the part that uses it.
-struct Kind {
+struct Kind<'o> {
     /// The name of the view's type.
     name: Ident,
     /// The name of the use.
@@ -103,11 +88,13 @@ struct Kind {
     /// The path without brackets.
     path: String,
     instances: Vec<usize>,
+    /// The methods that its instances have.
+    methods: Vec<Shared<'o>>,
 }
 
-impl Kind {
+impl<'o> Kind<'o> {
     /// The kinds of the views that one of this kind returns.
-    fn inner<'k>(&'k self, kinds: &'k [Self]) -> impl Iterator<Item = &'k Self> {
+    fn inner<'k>(&'k self, kinds: &'k [Self]) -> impl Iterator<Item = &'k Kind<'o>> {
         let is_this = |parent: usize| kinds[parent].path == self.path;
         kinds
             .iter()
@@ -115,8 +102,9 @@ impl Kind {
     }
 }
 
-fn kinds(model: &Model) -> Vec<Kind> {
-    let mut kinds: Vec<Kind> = Vec::new();
+/// The kinds of instances, without their methods.
+fn kinds<'o>(model: &Model) -> Vec<Kind<'o>> {
+    let mut kinds: Vec<Kind<'o>> = Vec::new();
     for (number, instance) in model.instances.iter().enumerate() {
         let parent = instance.parent.map(|parent| {
             let mut kinds = kinds.iter();
@@ -135,6 +123,7 @@ fn kinds(model: &Model) -> Vec<Kind> {
                 parent,
                 path,
                 instances: vec![number],
+                methods: Vec::new(),
             }),
         }
     }
@@ -159,20 +148,14 @@ enum Holder {
 }
 
 /// The types of the views of a kind, and their methods.
-fn view(
-    site: &Site<'_>,
-    model: &Model,
-    kinds: &[Kind],
-    kind: &Kind,
-    owned: &[Owned],
-) -> TokenStream {
+fn view(site: &Site<'_>, model: &Model, kinds: &[Kind<'_>], kind: &Kind<'_>) -> TokenStream {
     let Site {
         visibility, this, ..
     } = site;
     let (name, mutable) = (&kind.name, mutable(kind));
     let [reads, changes] = [false, true].map(|changes| -> TokenStream {
-        let all = shared(kind, owned);
-        let all = all
+        let all = kind
+            .methods
             .iter()
             .filter(|all| takes_mutable(&all.first.method) == changes);
         all.map(|all| method(site, model, all)).collect()
@@ -183,10 +166,10 @@ fn view(
         .collect();
     let inner_mut = kind.inner(kinds);
     let inner_mut: TokenStream = inner_mut
-        .filter_map(|inner| setter(site, model, inner, kinds, owned, &Holder::View))
+        .filter_map(|inner| setter(site, model, inner, kinds, &Holder::View))
         .collect();
     let doc = format!(" An instance of `{}`.", kind.path);
-    let mutable = has_changes(kind, kinds, owned).then(|| {
+    let mutable = has_changes(kind, kinds).then(|| {
         quote! {
             #[doc = #doc]
             #visibility struct #mutable<'a> {
@@ -220,42 +203,8 @@ fn view(
 }
 
 /// The name of the view by which an instance is changed.
-fn mutable(kind: &Kind) -> Ident {
+fn mutable(kind: &Kind<'_>) -> Ident {
     format_ident!("{}Mut", kind.name)
-}
-
-/// A method of a view: for each instance of the kind, that which it calls, if it has one.
-struct Shared<'o> {
-    local: &'o str,
-    /// That of the first instance that has one.
-    first: &'o Owned,
-    all: Vec<Option<&'o Owned>>,
-}
-
-/// The methods that instances of a kind have.
-fn shared<'o>(kind: &Kind, owned: &'o [Owned]) -> Vec<Shared<'o>> {
-    let mut methods: Vec<Shared<'o>> = Vec::new();
-    for (number, instance) in kind.instances.iter().enumerate() {
-        for one in owned.iter().filter(|one| one.instance == *instance) {
-            if let Some(known) = methods.iter_mut().find(|known| known.local == one.local) {
-                known.all[number] = Some(one);
-                continue;
-            }
-            let mut all = vec![None; kind.instances.len()];
-            all[number] = Some(one);
-            methods.push(Shared {
-                local: &one.local,
-                first: one,
-                all,
-            });
-        }
-    }
-    methods
-}
-
-fn takes_mutable(method: &ImplItemFn) -> bool {
-    let receiver = method.sig.receiver().map(|receiver| &receiver.kind);
-    matches!(receiver, Some(syn::ReceiverKind::Reference(_, _, Some(_))))
 }
 
 /// A method of a view: that of its instance. What only some instances have, such as a trace, is optional.
@@ -292,9 +241,10 @@ fn method(site: &Site<'_>, model: &Model, shared: &Shared<'_>) -> TokenStream {
             }
         }
     });
-    let choice = choose(calls.collect());
+    let body = shared.body.clone();
+    let body = body.unwrap_or_else(|| choose(calls.collect()));
     let visibility = site.visibility;
-    quote!(#(#attributes)* #visibility #signature { #choice })
+    quote!(#(#attributes)* #visibility #signature { #body })
 }
 
 /// One of several expressions, by the number of the instance.
@@ -326,16 +276,14 @@ fn in_view(attribute: &Attribute, path: &str) -> TokenStream {
 }
 
 /// Whether anything of an instance can be changed, or of one in it.
-fn has_changes(kind: &Kind, kinds: &[Kind], owned: &[Owned]) -> bool {
-    let mut methods = shared(kind, owned).into_iter();
+fn has_changes(kind: &Kind<'_>, kinds: &[Kind<'_>]) -> bool {
+    let mut methods = kind.methods.iter();
     methods.any(|all| takes_mutable(&all.first.method))
-        || kind
-            .inner(kinds)
-            .any(|inner| has_changes(inner, kinds, owned))
+        || kind.inner(kinds).any(|inner| has_changes(inner, kinds))
 }
 
 /// The documentation of what returns a view.
-fn view_doc(model: &Model, kind: &Kind) -> TokenStream {
+fn view_doc(model: &Model, kind: &Kind<'_>) -> TokenStream {
     let (of, part) = (&kind.of, &model.instances[kind.instances[0]].part);
     if !kind.is_array {
         let doc = format!(" The instance `{of}` of part `{part}`.");
@@ -354,8 +302,8 @@ fn view_doc(model: &Model, kind: &Kind) -> TokenStream {
 fn getter(
     site: &Site<'_>,
     model: &Model,
-    kind: &Kind,
-    kinds: &[Kind],
+    kind: &Kind<'_>,
+    kinds: &[Kind<'_>],
     holder: &Holder,
 ) -> TokenStream {
     let Site {
@@ -386,12 +334,11 @@ fn getter(
 fn setter(
     site: &Site<'_>,
     model: &Model,
-    kind: &Kind,
-    kinds: &[Kind],
-    owned: &[Owned],
+    kind: &Kind<'_>,
+    kinds: &[Kind<'_>],
     holder: &Holder,
 ) -> Option<TokenStream> {
-    if !has_changes(kind, kinds, owned) {
+    if !has_changes(kind, kinds) {
         return None;
     }
     let Site {
@@ -419,7 +366,7 @@ fn setter(
 }
 
 /// The number of an instance among all of its kind, as an expression of the holder's number and `k`.
-fn number(krate: &TokenStream, model: &Model, kinds: &[Kind], kind: &Kind) -> TokenStream {
+fn number(krate: &TokenStream, model: &Model, kinds: &[Kind<'_>], kind: &Kind<'_>) -> TokenStream {
     let holders = match kind.parent {
         None => vec![None],
         Some(parent) => kinds[parent].instances.iter().copied().map(Some).collect(),

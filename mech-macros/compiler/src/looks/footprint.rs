@@ -46,6 +46,22 @@ impl Footprint {
             })
     }
 
+    /// The smallest box that holds everything: its lower left and its upper right corner.
+    pub(super) fn bounds(&self) -> [[f64; 2]; 2] {
+        let ends = self.bars.iter();
+        let ends = ends.flat_map(|(ends, half)| ends.map(|end| (end, *half)));
+        let plate = self.plate.iter();
+        let plate = plate.flat_map(|(corners, beyond)| corners.iter().map(|it| (*it, *beyond)));
+        let mut bounds = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+        for (place, around) in ends.chain(plate).chain(self.discs.iter().copied()) {
+            for (axis, at) in [place.x, place.y].into_iter().enumerate() {
+                bounds[0][axis] = bounds[0][axis].min(at - around);
+                bounds[1][axis] = bounds[1][axis].max(at + around);
+            }
+        }
+        bounds
+    }
+
     /// The radius of a circle around the link's origin that holds everything.
     pub(super) fn reach(&self) -> f64 {
         let bars = self

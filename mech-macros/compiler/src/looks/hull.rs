@@ -64,14 +64,17 @@ pub(super) fn depth(corners: &[Point2<f64>], point: Point2<f64>) -> f64 {
     depths.fold(f64::INFINITY, f64::min)
 }
 
-/// The distance of a point from a straight line between two points.
+/// The distance of a point from a straight line between two points. By numbers, as macros are mostly built without optimisation, and this
+/// is asked for often.
 pub(super) fn distance_to([a, b]: [Point2<f64>; 2], point: Point2<f64>) -> f64 {
-    let along: Vector2<f64> = b - a;
-    let square = along.norm_squared();
+    let along = [b.x - a.x, b.y - a.y];
+    let [x, y] = [point.x - a.x, point.y - a.y];
+    let square = along[0] * along[0] + along[1] * along[1];
     let part = if square > 0.0 {
-        ((point - a).dot(&along) / square).clamp(0.0, 1.0)
+        ((x * along[0] + y * along[1]) / square).clamp(0.0, 1.0)
     } else {
         0.0
     };
-    (point - (a + along * part)).norm()
+    let [x, y] = [x - along[0] * part, y - along[1] * part];
+    (x * x + y * y).sqrt()
 }

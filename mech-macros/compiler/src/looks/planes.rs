@@ -7,7 +7,7 @@ use super::scene::Scene;
 use super::survey::Frames;
 use crate::model::LinkId;
 use crate::structure::Pin;
-use nalgebra::{Isometry2, Point2};
+use nalgebra::Point2;
 
 /// So often a link and a pin are compared, at as many positions.
 const CHECKS: usize = 200_000;
@@ -133,10 +133,12 @@ impl Rules {
     fn is_crossed(&self, crossing: Crossing, ranks: &[usize]) -> bool {
         let (members, is_fixed) = &self.pins[crossing.pin];
         let rank = ranks[crossing.link];
-        let ranks = || members.iter().map(|&member| ranks[member]);
-        let front = ranks().max();
-        let back = if *is_fixed { None } else { ranks().min() };
-        front.is_some_and(|front| rank < front) && back.is_none_or(|back| rank > back)
+        let (mut is_behind, mut is_before) = (false, *is_fixed);
+        for &member in members {
+            is_behind |= rank < ranks[member];
+            is_before |= rank > ranks[member];
+        }
+        is_behind && is_before
     }
 
     /// What is wrong with an order, as far as one link has to do with it: how the others lie to each other does not depend on it.
@@ -236,6 +238,8 @@ fn find_crossings(scene: &Scene<'_>, links: &[LinkId], bodies: &[Body]) -> Vec<(
     let radius = PIN * scene.width;
     let reaches = bodies.iter().map(|body| body.footprint.reach() + radius);
     let reaches: Vec<f64> = reaches.collect();
+    let bounds = bodies.iter().map(|body| body.footprint.bounds());
+    let bounds: Vec<[[f64; 2]; 2]> = bounds.collect();
     let carried = pins.iter().map(|pin| {
         let on = links.iter().map(|&link| is_on(scene, pin, link));
         on.collect::<Vec<bool>>()
@@ -259,6 +263,7 @@ fn find_crossings(scene: &Scene<'_>, links: &[LinkId], bodies: &[Body]) -> Vec<(
                 }
                 if let Some(into) = &into[link]
                     && let Some(own) = into.near(place, reaches[link])
+                    && is_near_box(own, bounds[link], radius)
                 {
                     *weight = weight_of(&bodies[link].footprint, own, radius).max(*weight);
                 }
@@ -270,6 +275,13 @@ fn find_crossings(scene: &Scene<'_>, links: &[LinkId], bodies: &[Body]) -> Vec<(
         weights.map(move |(link, weight)| (Crossing { link, pin }, weight))
     });
     found.filter(|(_, weight)| *weight > 0).collect()
+}
+
+/// Whether a place is in a box or so near to it. Most places that a link can reach are beside its body.
+fn is_near_box(place: Point2<f64>, [low, high]: [[f64; 2]; 2], around: f64) -> bool {
+    let [x, y] = [place.x, place.y];
+    let around = around + SPARE * (x.abs() + y.abs() + around);
+    x >= low[0] - around && x <= high[0] + around && y >= low[1] - around && y <= high[1] + around
 }
 
 /// How much it weighs that a pin is at a place of a link.
@@ -284,18 +296,20 @@ fn weight_of(footprint: &Footprint, own: Point2<f64>, radius: f64) -> usize {
     }
 }
 
-/// The way from the scene into a link at a position.
+/// The way from the scene into a link at a position. By numbers, as macros are mostly built without optimisation.
 struct Into {
-    inverse: Isometry2<f64>,
     origin: [f64; 2],
+    cos: f64,
+    sin: f64,
 }
 
 impl Into {
     fn of(frames: &Frames, link: LinkId) -> Option<Self> {
         let frame = frames.frame(link)?;
         Some(Self {
-            inverse: frame.inverse(),
             origin: frame.translation.vector.into(),
+            cos: frame.rotation.re,
+            sin: frame.rotation.im,
         })
     }
 
@@ -304,11 +318,12 @@ impl Into {
         let ([x, y], [u, v]) = (<[f64; 2]>::from(place), self.origin);
         // Most are far away, which is seen sooner than how far in the link. Rounding is less than what is left between.
         let spare = SPARE * (x.abs() + y.abs() + u.abs() + v.abs());
-        if (x - u).abs() > reach + spare || (y - v).abs() > reach + spare {
+        let [x, y] = [x - u, y - v];
+        if x.abs() > reach + spare || y.abs() > reach + spare || x * x + y * y > reach * reach {
             return None;
         }
-        let own = self.inverse * place;
-        (own.coords.norm() <= reach).then_some(own)
+        let own = [self.cos * x + self.sin * y, self.cos * y - self.sin * x];
+        Some(own.into())
     }
 }
 

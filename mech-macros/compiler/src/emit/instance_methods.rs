@@ -1,0 +1,110 @@
+//! The methods of instances of parts: hidden ones of the mechanism, by which views have theirs.
+
+use super::merge::{merged, names};
+use super::tokens::hidden_method;
+use crate::model::Model;
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, quote};
+use std::collections::HashSet;
+use syn::{ImplItem, ImplItemFn};
+
+/// A method of what belongs to an instance.
+pub(super) struct Owned {
+    pub(super) instance: usize,
+    /// Its name in the view.
+    pub(super) local: String,
+    pub(super) method: ImplItemFn,
+}
+
+/// The instance to which a hidden method belongs, and the name of the method there.
+pub(super) fn owner(model: &Model, method: &Ident) -> Option<(usize, String)> {
+    let name = method.to_string();
+    let owners = model.instances.iter().enumerate();
+    let owners = owners.filter_map(|(number, instance)| {
+        let prefix = hidden_method(&format!("{}.", instance.path));
+        let local = name.strip_prefix(&prefix)?;
+        Some((prefix.len(), number, local.to_owned()))
+    });
+    let (_, number, local) = owners.max_by_key(|(length, ..)| *length)?;
+    Some((number, local))
+}
+
+/// A method of a view: for each instance of the kind, that which it calls, if it has one.
+pub(super) struct Shared<'o> {
+    pub(super) local: &'o str,
+    /// That of the first instance that has one.
+    pub(super) first: &'o Owned,
+    pub(super) all: Vec<Option<&'o Owned>>,
+    /// The body of all, where they differ in numbers only.
+    pub(super) body: Option<TokenStream>,
+}
+
+impl Shared<'_> {
+    fn merged_body(&self) -> Option<TokenStream> {
+        let signature = &self.first.method.sig;
+        if signature.inputs.len() != 1 || takes_mutable(&self.first.method) {
+            return None;
+        }
+        let bodies = self.all.iter().map(|one| {
+            let statements = &one.as_ref()?.method.block.stmts;
+            Some(quote!(#(#statements)*))
+        });
+        let bodies: Vec<TokenStream> = bodies.collect::<Option<_>>()?;
+        merged(&bodies, &quote!(self.mechanism), &quote!(self.instance))
+    }
+}
+
+/// The methods that these instances have.
+pub(super) fn shared<'o>(instances: &[usize], owned: &'o [Owned]) -> Vec<Shared<'o>> {
+    let mut methods: Vec<Shared<'o>> = Vec::new();
+    for (number, instance) in instances.iter().enumerate() {
+        for one in owned.iter().filter(|one| one.instance == *instance) {
+            if let Some(known) = methods.iter_mut().find(|known| known.local == one.local) {
+                known.all[number] = Some(one);
+                continue;
+            }
+            let mut all = vec![None; instances.len()];
+            all[number] = Some(one);
+            methods.push(Shared {
+                local: &one.local,
+                first: one,
+                all,
+                body: None,
+            });
+        }
+    }
+    for method in &mut methods {
+        method.body = method.merged_body();
+    }
+    methods
+}
+
+pub(super) fn takes_mutable(method: &ImplItemFn) -> bool {
+    let receiver = method.sig.receiver().map(|receiver| &receiver.kind);
+    matches!(receiver, Some(syn::ReceiverKind::Reference(_, _, Some(_))))
+}
+
+/// Drops the hidden methods that views have merged, unless others call them.
+pub(super) fn drop_uncalled<'s>(
+    methods: &mut Vec<ImplItem>,
+    shared: impl Iterator<Item = &'s Shared<'s>>,
+) {
+    let mut called = HashSet::new();
+    let merged = shared.filter(|shared| {
+        let body = shared.body.iter();
+        body.inspect(|body| names(body, &mut called)).count() > 0
+    });
+    let merged = merged.flat_map(|shared| shared.all.iter().flatten());
+    let merged: HashSet<String> = merged.map(|one| one.method.sig.ident.to_string()).collect();
+    let name = |method: &ImplItem| match method {
+        ImplItem::Fn(method) => Some(method.sig.ident.to_string()),
+        _ => None,
+    };
+    let is_merged = |method: &ImplItem| name(method).is_some_and(|name| merged.contains(&name));
+    for method in methods.iter().filter(|method| !is_merged(method)) {
+        names(&method.to_token_stream(), &mut called);
+    }
+    methods.retain(|method| {
+        !is_merged(method) || name(method).is_some_and(|name| called.contains(&name))
+    });
+}
