@@ -100,7 +100,7 @@ shot_unlike() {
 shot_still() {
     for _ in {1..50}; do
         shot "$1"
-        sleep 0.2
+        sleep 0.4
         shot later
         same "$1" later && return
     done

@@ -75,9 +75,7 @@ impl<'t> Chart<'t> {
                 None => panels.push(Panel {
                     unit,
                     columns: vec![number],
-                    is_path: table.across > 0
-                        && *unit == table.columns[table.across].1
-                        && unit != "deg",
+                    is_path: table.is_path(unit),
                 }),
             }
         }

@@ -28,6 +28,12 @@ impl Table {
     pub(crate) fn curves(&self) -> Range<usize> {
         self.across + 1..self.columns.len()
     }
+
+    /// Whether what has this unit is shown over the same unit, as the path of a point is: then both axes have one scale. Angles of links say
+    /// nothing by their shape.
+    pub(crate) fn is_path(&self, unit: &str) -> bool {
+        self.across > 0 && self.columns[self.across].1 == unit && unit != "deg"
+    }
 }
 
 /// A motion that is measured.

@@ -167,7 +167,7 @@ fn a_quantity_is_plotted_over_another() {
         let degrees = motor.to_degrees();
         assert!((degrees - degrees.round()).abs() < 1e-9, "{degrees}");
     }
-    // What it was over is gone: that is told, and it is over the motor.
+    // It goes back to being over the motor.
     user.click_on("Over coupler.tip.x");
     user.click_on("the motor");
     assert!(user.sees("Over the motor"));

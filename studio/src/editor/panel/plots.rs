@@ -328,7 +328,6 @@ fn graph(
     ui: &mut egui::Ui,
 ) -> Option<f64> {
     let (across, across_unit) = &table.columns[table.across];
-    let is_path = table.across > 0 && across_unit == unit && unit != "deg";
     let cursor = at.and_then(|at| value_at(table, table.across, at));
     let ink = ui.visuals().strong_text_color();
     let mut plot = Plot::new(("graph", unit, across))
@@ -346,7 +345,7 @@ fn graph(
         .y_axis_formatter(|mark, _| tick(mark.value))
         .x_grid_spacer(|input| marks(&input, across_unit, 4))
         .y_grid_spacer(|input| marks(&input, unit, 6));
-    if is_path {
+    if table.is_path(unit) {
         plot = plot.data_aspect(1.0);
     }
     let shown = plot.show(ui, |plot| {
