@@ -29,7 +29,10 @@ colors=$(convert "$shots/moving-1.png" -format %k info:)
 
 press space
 until_title paused
-shot_still paused "it moves while it is paused"
+shot_still paused "it does not come to rest"
+sleep 0.4
+shot paused-later
+same paused paused-later || fail "it moves while it is paused"
 
 press Right
 shot_unlike paused stepped "a step changes nothing"
