@@ -89,13 +89,13 @@ pub(super) fn drop_uncalled<'s>(
     methods: &mut Vec<ImplItem>,
     shared: impl Iterator<Item = &'s Shared<'s>>,
 ) {
-    let mut called = HashSet::new();
-    let merged = shared.filter(|shared| {
-        let body = shared.body.iter();
-        body.inspect(|body| names(body, &mut called)).count() > 0
-    });
-    let merged = merged.flat_map(|shared| shared.all.iter().flatten());
-    let merged: HashSet<String> = merged.map(|one| one.method.sig.ident.to_string()).collect();
+    let (mut merged, mut called) = (HashSet::new(), HashSet::new());
+    for shared in shared {
+        let Some(body) = &shared.body else { continue };
+        names(body, &mut called);
+        let all = shared.all.iter().flatten();
+        merged.extend(all.map(|one| one.method.sig.ident.to_string()));
+    }
     let name = |method: &ImplItem| match method {
         ImplItem::Fn(method) => Some(method.sig.ident.to_string()),
         _ => None,
