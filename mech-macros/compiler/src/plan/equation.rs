@@ -7,6 +7,7 @@
 use super::algebra::Algebra;
 use super::placement::Placement;
 use super::step::{Connection, ConnectionKind, Loop};
+use crate::bug::bug;
 use crate::model::{JointId, LinkId};
 
 /// An unknown of a loop.
@@ -287,6 +288,7 @@ impl<S: Copy + PartialEq> Equation<S> {
                         }
                         _ => class.turn,
                     };
+                    let direction = self.seen_from_cluster(algebra, placement, direction);
                     placement.pivot(algebra, *connection, direction);
                 }
                 ConnectionKind::Prismatic => {
@@ -305,6 +307,25 @@ impl<S: Copy + PartialEq> Equation<S> {
                 }
             }
         }
+    }
+}
+
+impl<S: Copy> Equation<S> {
+    /// A direction that is given relative to the first cluster of the loop, relative to the base that this has by now: it is another where one
+    /// that was placed before has a lower one.
+    fn seen_from_cluster(
+        &self,
+        algebra: &mut impl Algebra<S>,
+        placement: &Placement<'_, S>,
+        direction: [S; 2],
+    ) -> [S; 2] {
+        let Some((first, _)) = self.classes.first() else {
+            bug!("a loop without clusters is placed");
+        };
+        if placement.clusters.base(*first) == *first {
+            return direction;
+        }
+        algebra.rotate(placement.pose(*first).direction, direction)
     }
 }
 

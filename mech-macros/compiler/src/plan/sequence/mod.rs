@@ -68,6 +68,8 @@ struct Search<'m> {
     /// Links whose directions relative to each other are given by what was known before anything rolled: they slide on each
     /// other, or their clusters were merged. A joint between them has no start of its own to be chosen.
     aligned: UnionFind<usize>,
+    /// Links that form one body: they are welded, or a loop of bodies holds them that no motor has a part in.
+    bodies: UnionFind<usize>,
     /// For each source, what it depends on.
     behind: Vec<Knowledge>,
 }
@@ -87,6 +89,7 @@ impl<'m> Search<'m> {
             relations: LinearRelations::default(),
             sources: Vec::new(),
             aligned: UnionFind::new(model.links.len()),
+            bodies: UnionFind::new(model.links.len()),
             behind: Vec::new(),
         };
         search.open_ledger();
@@ -112,6 +115,7 @@ impl<'m> Search<'m> {
                 let (a, b) = self.link_of(connection);
                 if !self.clusters.are_joined(a, b) {
                     self.merge(&[a, b], &Knowledge::default());
+                    self.bodies.union(a.index(), b.index());
                     self.steps.push(Step::Weld(connection));
                 }
             }
@@ -265,7 +269,8 @@ impl<'m> Search<'m> {
         turning
     }
 
-    fn describe(&self, (rings, tree): Block) -> Loop {
+    fn describe(&self, block: Block) -> Loop {
+        let (rings, tree) = self.rooted(block);
         let members = self.members(&rings);
         let before = self.knowledge(&members);
         let ties = if self.rolls() && rings.iter().any(|ring| ring.len() > 3) {
@@ -283,7 +288,46 @@ impl<'m> Search<'m> {
         }
     }
 
+    /// A ring of three clusters, seen from the first of them that changes its form: where its pins meet, they meet as they do where a motor
+    /// on the first cluster makes them meet. What never changes its form stays an arm of constant length.
+    fn rooted(&self, (mut rings, mut tree): Block) -> Block {
+        let [ring] = &mut rings[..] else {
+            return (rings, tree);
+        };
+        let changes = |&corner: &usize| {
+            let [from, to] = self.corner(ring, corner);
+            !self.bodies.equiv(from.index(), to.index())
+        };
+        if ring.len() == 3
+            && let Some(first) = (0..3).find(changes).filter(|first| *first > 0)
+        {
+            ring.rotate_left(first);
+            tree = vec![ring[0], ring[2].reverse()];
+        }
+        (rings, tree)
+    }
+
+    /// The links of the cluster at this corner of a ring on which the connections before and behind it are.
+    fn corner(&self, ring: &[Connection], corner: usize) -> [LinkId; 2] {
+        let before = ring[(corner + ring.len() - 1) % ring.len()];
+        [before.to, ring[corner].from].map(|axis| self.model.axis(axis).link)
+    }
+
+    /// Takes note that a loop holds its clusters to each other for ever, if each of them is one body.
+    fn note_body(&mut self, found: &Loop) {
+        let [ring] = &found.rings[..] else { return };
+        let corners = (0..ring.len()).map(|corner| self.corner(ring, corner));
+        let corners: Vec<[LinkId; 2]> = corners.collect();
+        let is_body = |[a, b]: &[LinkId; 2]| self.bodies.equiv(a.index(), b.index());
+        if found.ties.is_empty() && corners.iter().all(is_body) {
+            for [a, _] in &corners {
+                self.bodies.union(corners[0][0].index(), a.index());
+            }
+        }
+    }
+
     fn accept(&mut self, found: Loop) {
+        self.note_body(&found);
         let how = Knowledge {
             needs: vec![self.loops],
             level: found.level,
