@@ -7,6 +7,7 @@ mod closure;
 mod dice;
 mod fixtures;
 mod grow;
+pub mod judge;
 mod measure;
 mod rustc;
 mod sample;
