@@ -46,7 +46,7 @@ const MOST_KNOTS: usize = 60_000;
 /// No step is longer than this, in radians or units; and between its ends the curve turns by no more than this.
 const LONGEST: f64 = 0.4;
 /// Curves that come so near to each other cross but for rounding.
-const CROSSING: f64 = 1e-6;
+const CROSSING: f64 = 2e-6;
 
 impl<'j> Curve<'j> {
     /// Follows the move from a place, where the motors have the first values, to the second values.
@@ -170,7 +170,7 @@ impl<'j> Curve<'j> {
             let part = (value / self.length).clamp(0.0, 1.0);
             // How far other curves are, if they come nearer as fast as they did.
             let room = self.knots[base].sigma / pace;
-            if room < CROSSING || self.knots[base].sigma < 1e-9 {
+            if room < CROSSING || room < 5.0 * CROSSING && step < 0.02 * room {
                 if !self.pass(base, room) {
                     return End::GivesUp(part, "curves cross, and it is not clear how it goes on");
                 }
