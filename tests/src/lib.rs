@@ -7,11 +7,14 @@ mod closure;
 mod dice;
 mod fixtures;
 mod grow;
+pub mod journeys;
 pub mod judge;
 mod measure;
 mod rustc;
 mod sample;
+pub mod sketch;
 mod source;
+pub mod symmetric;
 mod text;
 mod varied;
 

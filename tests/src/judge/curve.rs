@@ -35,10 +35,10 @@ pub struct Curve<'j> {
     knots: Vec<Knot>,
     /// How the curve ends.
     pub end: End,
-    /// The least distance at which it went round a place where curves nearly cross, and how near it came where it went through.
+    /// The least distance at which it went by a place where curves nearly cross.
     pub nearest: f64,
-    /// How often it went straight through a crossing.
-    pub crossings: usize,
+    /// The parts of the move at which it went straight through a crossing.
+    pub crossings: Vec<f64>,
 }
 
 /// More knots than these are too many.
@@ -46,7 +46,7 @@ const MOST_KNOTS: usize = 60_000;
 /// No step is longer than this, in radians or units; and between its ends the curve turns by no more than this.
 const LONGEST: f64 = 0.4;
 /// Curves that come so near to each other cross but for rounding.
-const CROSSING: f64 = 1e-6;
+const CROSSING: f64 = 2e-6;
 
 impl<'j> Curve<'j> {
     /// Follows the move from a place, where the motors have the first values, to the second values.
@@ -61,7 +61,7 @@ impl<'j> Curve<'j> {
             knots: Vec::new(),
             end: End::Arrives,
             nearest: f64::INFINITY,
-            crossings: 0,
+            crossings: Vec::new(),
         };
         let mut at = place.0.clone();
         let way = at.len() - 1;
@@ -162,16 +162,19 @@ impl<'j> Curve<'j> {
         }
         let way = self.knots[0].at.len() - 1;
         let (mut step, mut pace) = (1e-3_f64, 0.05_f64);
+        // How near other curves have come by now, while they come nearer.
+        let mut dip = f64::INFINITY;
         while self.knots.len() < MOST_KNOTS {
             let base = self.knots.len() - 1;
             let (value, slope) = (self.knots[base].at[way], self.knots[base].tangent[way]);
             let part = (value / self.length).clamp(0.0, 1.0);
             // How far other curves are, if they come nearer as fast as they did.
             let room = self.knots[base].sigma / pace;
-            if room < CROSSING || self.knots[base].sigma < 1e-9 {
+            if room < CROSSING || room < 5.0 * CROSSING && step < 0.02 * room {
                 if !self.pass(base, room) {
                     return End::GivesUp(part, "curves cross, and it is not clear how it goes on");
                 }
+                dip = f64::INFINITY;
                 (step, pace) = (self.knots.last().map_or(1e-3, |knot| 0.3 * knot.sigma), 0.05);
             } else {
                 // It ends at the target, with one knot behind it.
@@ -185,7 +188,9 @@ impl<'j> Curve<'j> {
                         let (before, gone) = (self.knots[base].sigma, knot.arc - self.knots[base].arc);
                         pace = ((knot.sigma - before).abs() / gone).max(0.8 * pace).max(0.05);
                         if knot.sigma < before {
-                            self.nearest = self.nearest.min(knot.sigma / pace);
+                            dip = knot.sigma / pace;
+                        } else {
+                            self.nearest = self.nearest.min(dip);
                         }
                         step *= (0.8 / excess.max(0.2)).clamp(0.5, 2.5);
                         self.knots.push(knot);
@@ -222,9 +227,10 @@ impl<'j> Curve<'j> {
             };
             let step = 2.0 * (crossing - self.knots[base].arc);
             if let Ok((knot, _)) = self.step(base, step) {
+                let at = &self.knots[near].at;
+                self.crossings.push(at[at.len() - 1] / self.length);
                 self.knots.truncate(base + 1);
                 self.knots.push(knot);
-                self.crossings += 1;
                 return true;
             }
         }

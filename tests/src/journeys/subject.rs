@@ -1,0 +1,144 @@
+//! From the text of a mechanism to what can be moved and judged.
+
+use crate::judge::{Curve, End, Judge};
+use crate::{size, with_ground};
+use mech_compiler::evaluate::Machine;
+use mech_compiler::model::{JointKind, Model};
+use mech_compiler::program::Position;
+use mech_compiler::syntax::parse;
+use mech_compiler::{Compiled, compile, reporter};
+use mech_compiler::program::Real;
+
+/// A mechanism that compiles.
+pub struct Subject {
+    /// Its text.
+    pub text: String,
+    /// What the text declares.
+    pub model: Model,
+    /// What the compiler makes of it.
+    pub compiled: Compiled,
+}
+
+impl Subject {
+    /// Reads and compiles a text.
+    ///
+    /// # Errors
+    /// What the compiler says.
+    pub fn read(text: &str) -> Result<Self, String> {
+        let tokens = text.parse().map_err(|error| format!("no text of a mechanism: {error}"))?;
+        let parsed = parse(tokens);
+        if let Some(error) = parsed.errors.first() {
+            return Err(format!("no text of a mechanism: {}", error.text));
+        }
+        let model = parsed.model;
+        let compiled = compile(&model).map_err(|wrong| {
+            let messages: Vec<String> = wrong.iter().map(|one| reporter::text(one, &model)).collect();
+            messages.join("; ")
+        })?;
+        Ok(Self { text: text.to_owned(), model, compiled })
+    }
+
+    /// The poses of all links, the ground first.
+    pub fn poses<T: Real>(&self, at: &Position<T>) -> Vec<[f64; 4]> {
+        let poses: Vec<[f64; 4]> = at.poses.iter().map(|pose| pose.map(T::to_f64)).collect();
+        with_ground(&self.model, &poses)
+    }
+
+    /// The judge where the mechanism is assembled.
+    pub fn judge(&self) -> Judge<'_> {
+        let start = Machine::<f64>::new(&self.compiled.program);
+        let at = start.position();
+        Judge::new(&self.model, &self.compiled.structure.rollings, &self.poses(at), &at.motors)
+    }
+
+    /// Whether a motor slides.
+    pub fn slides(&self, motor: usize) -> bool {
+        matches!(self.model.joint(self.model.motors[motor].joint).kind, JointKind::Prismatic(..))
+    }
+}
+
+/// All that one motor can do from the start, to both sides.
+pub struct Track<'j> {
+    judge: &'j Judge<'j>,
+    start: f64,
+    reach: f64,
+    sides: [Curve<'j>; 2],
+}
+
+/// What the judge says of a value of the motor.
+pub enum Judged {
+    /// There the links are so, where rounding is so many times more than itself.
+    Reached(Vec<[f64; 4]>, f64),
+    /// It stops before, at this value.
+    Beyond(f64),
+    /// The judge does not know.
+    Unknown,
+}
+
+impl<'j> Track<'j> {
+    /// Follows the motor to both sides.
+    pub fn new(judge: &'j Judge<'j>, start: f64, reach: f64) -> Self {
+        let side = |by: f64| Curve::new(judge, &judge.start(), [&[start], &[start + by]]);
+        Self { judge, start, reach, sides: [side(reach), side(-reach)] }
+    }
+
+    fn side(&self, value: f64) -> (&Curve<'j>, f64) {
+        let by = value - self.start;
+        (&self.sides[usize::from(by < 0.0)], by.abs() / self.reach)
+    }
+
+    /// What it says of a value.
+    pub fn judge(&self, value: f64) -> Judged {
+        let (curve, part) = self.side(value);
+        let end = match curve.end {
+            End::Arrives => 1.0,
+            End::Stops(end) | End::GivesUp(end, _) => end,
+        };
+        if part <= end && let Some((place, condition)) = curve.at(part) {
+            return Judged::Reached(self.judge.poses(&place), condition);
+        }
+        match curve.end {
+            End::Stops(end) => Judged::Beyond(self.start + end * self.reach * (value - self.start).signum()),
+            _ => Judged::Unknown,
+        }
+    }
+
+    /// The values at which it goes through crossings.
+    pub fn crossings(&self) -> Vec<f64> {
+        let [up, down] = &self.sides;
+        let value = |sign: f64| move |part: &f64| self.start + sign * part * self.reach;
+        up.crossings.iter().map(value(1.0)).chain(down.crossings.iter().map(value(-1.0))).collect()
+    }
+
+    /// How near it comes to where curves cross without going through.
+    pub fn nearest(&self) -> f64 {
+        self.sides[0].nearest.min(self.sides[1].nearest)
+    }
+
+    /// The values between which it is known.
+    pub fn known(&self) -> [f64; 2] {
+        let far = |curve: &Curve<'_>| match curve.end {
+            End::Arrives => 1.0,
+            End::Stops(end) | End::GivesUp(end, _) => end,
+        };
+        [self.start - far(&self.sides[1]) * self.reach, self.start + far(&self.sides[0]) * self.reach]
+    }
+
+    /// Why it is not known farther, if it is not.
+    pub fn gave_up(&self) -> Option<&'static str> {
+        self.sides.iter().find_map(|side| match side.end {
+            End::GivesUp(_, why) => Some(why),
+            _ => None,
+        })
+    }
+}
+
+/// How far poses are apart: in radians, or in sizes.
+pub fn apart(model: &Model, a: &[[f64; 4]], b: &[[f64; 4]]) -> f64 {
+    let extent = b.iter().map(|[_, _, x, y]| x.hypot(*y)).fold(size(model), f64::max).max(1e-9);
+    let off = |(a, b): (&[f64; 4], &[f64; 4])| {
+        let turned = (a[0] - b[0]).abs().max((a[1] - b[1]).abs());
+        turned.max((a[2] - b[2]).hypot(a[3] - b[3]) / extent)
+    };
+    a.iter().zip(b).map(off).fold(0.0, f64::max)
+}
