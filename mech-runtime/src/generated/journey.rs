@@ -2,7 +2,7 @@
 
 use super::{Motors, MoveLimits, Position, Stepping, Stop, Watched};
 use crate::{Blocked, Cause, Pose, Scalar};
-use mech_core::journey::{AtZero, Growth, Journey, Watch};
+use mech_core::journey::{AtZero, Growth, Journey, Turn, Watch};
 use mech_core::motors;
 
 /// A move from a position to a target.
@@ -74,6 +74,11 @@ where
         Blocked::new(stop.place, stop.cause, self.motors(part).total()).of(self.limits.inputs)
     }
 
+    /// The index in the state of the number that tells whether a watched loop has passed the change point that it stands at.
+    fn place_of_passed(&self, index: usize) -> Option<usize> {
+        Some(self.limits.motion_signs? + M + index)
+    }
+
     /// A number of the state by which a loop is watched. `None` for a loop that does not exist.
     fn state(
         &self,
@@ -142,13 +147,20 @@ where
     }
 
     #[inline]
-    fn turn(&self, index: usize) -> T {
-        let rates = self
-            .limits
-            .follows
-            .get(index)
-            .map(|followed| followed.rates);
-        motors::change(rates.into_iter().flatten(), &self.displacements)
+    fn turn(&self, index: usize) -> Turn<T> {
+        let followed = self.limits.follows.get(index);
+        let rates = followed.map(|followed| followed.rates);
+        Turn {
+            change: motors::change(rates.into_iter().flatten(), &self.displacements),
+            guessed: followed.is_some_and(|followed| followed.guessed),
+        }
+    }
+
+    #[inline]
+    fn angle(&self, position: &Self::Position, index: usize) -> T {
+        let followed = self.limits.follows.get(index);
+        let angle = followed.and_then(|followed| position.state.get(followed.angle));
+        angle.copied().unwrap_or(T::ZERO)
     }
 
     #[inline]
@@ -182,6 +194,20 @@ where
         {
             *sine = -*sine;
         }
+        self.set_passed(position, index, true);
+    }
+
+    fn has_passed(&self, position: &Self::Position, index: usize) -> bool {
+        let place = self.place_of_passed(index);
+        let passed = place.and_then(|place| position.state.get(place));
+        passed.is_some_and(|passed| *passed < T::ZERO)
+    }
+
+    fn set_passed(&self, position: &mut Self::Position, index: usize, passed: bool) {
+        let place = self.place_of_passed(index);
+        if let Some(number) = place.and_then(|place| position.state.get_mut(place)) {
+            *number = if passed { T::ZERO - T::ONE } else { T::ONE };
+        }
     }
 
     fn beyond(&self, before: &Self::Position, at: &Self::Position) -> Self::Position {
@@ -202,14 +228,14 @@ where
         beyond
     }
 
-    fn goes_on(&self, position: &Self::Position, index: usize) -> bool {
+    fn sense(&self, position: &Self::Position, index: usize) -> T {
         let (Some(first), Some(watched)) =
             (self.limits.motion_signs, self.limits.watched.get(index))
         else {
-            return false;
+            return T::ZERO;
         };
         let motion_signs = position.state.get(first..).unwrap_or_default();
-        motors::along(watched.rates, &self.displacements, motion_signs) > T::ZERO
+        motors::along(watched.rates, &self.displacements, motion_signs)
     }
 
     #[inline]

@@ -29,10 +29,14 @@ pub struct Watched<T: 'static, const MOTORS: usize> {
 /// An angle that is followed over whole turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Followed<T: 'static, const MOTORS: usize> {
+    /// The index in the state of the angle.
+    pub angle: usize,
     /// The greatest rate of the angle for each motor.
     pub rates: [T; MOTORS],
     /// The inputs that increase this rate.
     pub growth: &'static [Growth<T>],
+    /// Whether these are guesses, not bounds.
+    pub guessed: bool,
 }
 
 /// The dependence of a position on the last one.

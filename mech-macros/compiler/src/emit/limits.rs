@@ -47,7 +47,8 @@ pub(super) fn limits(emitter: &Emitter<'_>) -> TokenStream {
     let follows = program.follows.iter().map(|follow| {
         let rates = follow.rates.iter().copied().map(n);
         let growth = growth(emitter, &follow.growth);
-        quote!(Followed { rates: [#(#rates),*], growth: #growth })
+        let (angle, guessed) = (integer(follow.angle), follow.guessed);
+        quote!(Followed { angle: #angle, rates: [#(#rates),*], growth: #growth, guessed: #guessed })
     });
     let motion_signs = option(program.layout.motion_signs.map(|first| {
         let first = integer(first);

@@ -3,7 +3,7 @@
 use super::Stop;
 use super::run::Runner;
 use crate::program::Position;
-use mech_core::journey::{self, Growth, Halt, Journey, Watch};
+use mech_core::journey::{self, Growth, Halt, Journey, Turn, Watch};
 use mech_core::{Real, motors};
 
 /// A move under way.
@@ -35,6 +35,12 @@ impl<'a, 'p, T: Real> Move<'a, 'p, T> {
             values,
             turns,
         }
+    }
+
+    /// The index in the state of the number that tells whether a watched loop has passed the change point that it stands at.
+    fn place_of_passed(&self, index: usize) -> Option<usize> {
+        let first = self.runner.program.layout.motion_signs?;
+        Some(first + self.displacements.len() + index)
     }
 
     fn max_steps(&self) -> impl Iterator<Item = T> + '_ {
@@ -97,9 +103,17 @@ impl<T: Real> Journey<T> for Move<'_, '_, T> {
         self.runner.program.follows.len()
     }
 
-    fn turn(&self, index: usize) -> T {
-        let rates = self.runner.program.follows[index].rates.iter();
-        motors::change(rates.map(|rate| T::from_f64(*rate)), &self.displacements)
+    fn turn(&self, index: usize) -> Turn<T> {
+        let follow = &self.runner.program.follows[index];
+        let rates = follow.rates.iter().map(|rate| T::from_f64(*rate));
+        Turn {
+            change: motors::change(rates, &self.displacements),
+            guessed: follow.guessed,
+        }
+    }
+
+    fn angle(&self, position: &Position<T>, index: usize) -> T {
+        position.state[self.runner.program.follows[index].angle]
     }
 
     fn turn_growth(&self, index: usize) -> impl Iterator<Item = Growth<T>> {
@@ -118,6 +132,18 @@ impl<T: Real> Journey<T> for Move<'_, '_, T> {
     fn turn_over(&self, position: &mut Position<T>, index: usize) {
         let sine = &mut position.state[self.runner.program.watches[index].sine];
         *sine = -*sine;
+        self.set_passed(position, index, true);
+    }
+
+    fn has_passed(&self, position: &Position<T>, index: usize) -> bool {
+        let place = self.place_of_passed(index);
+        place.is_some_and(|place| position.state[place] < T::ZERO)
+    }
+
+    fn set_passed(&self, position: &mut Position<T>, index: usize, passed: bool) {
+        if let Some(place) = self.place_of_passed(index) {
+            position.state[place] = T::from_f64(if passed { -1.0 } else { 1.0 });
+        }
     }
 
     fn beyond(&self, before: &Position<T>, at: &Position<T>) -> Position<T> {
@@ -139,13 +165,13 @@ impl<T: Real> Journey<T> for Move<'_, '_, T> {
         beyond
     }
 
-    fn goes_on(&self, position: &Position<T>, index: usize) -> bool {
+    fn sense(&self, position: &Position<T>, index: usize) -> T {
         let Some(first) = self.runner.program.layout.motion_signs else {
-            return false;
+            return T::ZERO;
         };
         let rates = self.runner.program.watches[index].rates.iter();
         let rates = rates.map(|rate| T::from_f64(*rate));
-        motors::along(rates, &self.displacements, &position.state[first..]) > T::ZERO
+        motors::along(rates, &self.displacements, &position.state[first..])
     }
 
     fn note_motion_signs(&self, position: &mut Position<T>) {

@@ -4,7 +4,7 @@ use super::node::{BlockId, Node, Op, Slot, Value};
 use super::{Block, BlockKind, Position, Ssa};
 use crate::model::{Axis, Number, Precision};
 use crate::plan::{Algebra, Arithmetic};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// The operations of a program that is being built, and the state that its positions carry.
 #[derive(Debug, Default)]
@@ -26,6 +26,10 @@ pub(super) struct SsaBuilder {
     pub(super) motors: usize,
     /// Whether a value is made from a param.
     varies: Vec<bool>,
+    /// The cosines and sines of directions.
+    of_directions: HashSet<Value>,
+    /// For each motor the greatest part of it that an angle is: gears make more of its rounding.
+    pub(super) gains: Vec<f64>,
     /// The values of the model's formulas, by their numbers.
     pub(super) formulas: Vec<Value>,
     /// The variable of the law that is being lowered.
@@ -54,6 +58,11 @@ impl SsaBuilder {
     /// Whether a value is made from a param: what is constant otherwise has another size then.
     pub(super) fn varies(&self, value: Value) -> bool {
         self.varies[value.index()]
+    }
+
+    /// Whether a value is the cosine or sine of a direction: no greater than one.
+    pub(super) fn is_of_direction(&self, value: Value) -> bool {
+        self.of_directions.contains(&value)
     }
 
     /// A value at the start.
@@ -177,6 +186,7 @@ impl SsaBuilder {
 
     /// Gives the cosine and sine of a direction names.
     pub(super) fn name_direction(&mut self, v: [Value; 2], name: &str) -> [Value; 2] {
+        self.of_directions.extend(v);
         [
             self.name(v[0], format!("{name}_cos")),
             self.name(v[1], format!("{name}_sin")),

@@ -233,8 +233,12 @@ impl Program {
             )?;
         }
         for follow in &self.follows {
+            let bounds = if follow.guessed { "guessed" } else { "bounded" };
             let rates = short(&follow.rates);
-            writeln!(f, "follow an angle over whole turns: rates {rates}")?;
+            writeln!(
+                f,
+                "follow an angle over whole turns: rates {bounds} {rates}"
+            )?;
         }
         Ok(())
     }

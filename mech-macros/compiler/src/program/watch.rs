@@ -29,8 +29,12 @@ pub struct Watch {
 /// An angle that is followed over whole turns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Follow {
+    /// The index in the state of the angle.
+    pub angle: usize,
     /// Its greatest rate with each motor.
     pub rates: Vec<f64>,
     /// The causes that increase it: loops by their place among those that are watched.
     pub growth: Vec<Growth<f64>>,
+    /// Whether these are no bounds but guesses.
+    pub guessed: bool,
 }

@@ -299,8 +299,12 @@ impl<P: Clone, T: Real> Line<'_, P, T> {
         let last = self.last.0;
         let mut beyond = journey.beyond(self.before.0, last);
         let mut stops = false;
+        // What has passed its change point does not pass it once more.
+        let has_passed = |index| journey.has_passed(last, index) && is_zero(journey, last, index);
         let turns = |index| {
-            journey.watch(index).at_zero != AtZero::Stay && self.crosses(journey, index, end)
+            journey.watch(index).at_zero != AtZero::Stay
+                && !has_passed(index)
+                && self.crosses(journey, index, end)
         };
         for index in (0..journey.watches()).filter(|index| turns(*index)) {
             journey.turn_over(&mut beyond, index);

@@ -12,8 +12,8 @@ mod piece;
 
 use crate::Real;
 pub use pace::is_clear;
-use pace::{TURN, first, is_passable, is_short, lesser, likely, most_stretch};
-use piece::travel_piece;
+use pace::{TURN, first, is_foretold, is_passable, is_short, lesser, likely, most_stretch};
+use piece::{forget_passed, travel_piece};
 
 /// A loop that is watched. All numbers are for the whole move, from the start to the target.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,6 +26,15 @@ pub struct Watch<T> {
     pub at_zero: AtZero,
     /// Whether it is solved by iteration, which fails where the sine is zero.
     pub iterated: bool,
+}
+
+/// An angle that is followed over whole turns. The number is for the whole move, from the start to the target.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turn<T> {
+    /// By how much it may change in the whole move, at most, as long as that does not grow.
+    pub change: T,
+    /// Whether that is no bound but a guess.
+    pub guessed: bool,
 }
 
 /// What makes something change faster than its rates say.
@@ -68,8 +77,10 @@ pub trait Journey<T: Real> {
     fn growth(&self, index: usize) -> impl Iterator<Item = Growth<T>>;
     /// How many angles are followed over whole turns.
     fn follows(&self) -> usize;
-    /// By how much such an angle may change in the whole move, at most, as long as that does not grow.
-    fn turn(&self, index: usize) -> T;
+    /// Such an angle.
+    fn turn(&self, index: usize) -> Turn<T>;
+    /// Its value, in radians, whole turns included.
+    fn angle(&self, position: &Self::Position, index: usize) -> T;
     /// What makes such an angle change faster.
     fn turn_growth(&self, index: usize) -> impl Iterator<Item = Growth<T>>;
     /// The value of a motor or param.
@@ -78,12 +89,16 @@ pub trait Journey<T: Real> {
     fn sine(&self, position: &Self::Position, index: usize) -> T;
     /// The square of a sine of this loop below which rounding hides its sign.
     fn rounding_square(&self, position: &Self::Position, index: usize) -> T;
-    /// Puts the dyad of a watched loop on its other side.
+    /// Puts the dyad of a watched loop on its other side, and notes that it has passed the change point it stands at.
     fn turn_over(&self, position: &mut Self::Position, index: usize);
+    /// Whether a watched loop that stands at a change point has passed it already, seen in the sense in which the motors came.
+    fn has_passed(&self, position: &Self::Position, index: usize) -> bool;
+    /// Notes whether it has.
+    fn set_passed(&self, position: &mut Self::Position, index: usize, passed: bool);
     /// Where everything would be as far beyond a position as another is before it, if it went straight on: an iteration begins there.
     fn beyond(&self, before: &Self::Position, at: &Self::Position) -> Self::Position;
-    /// Whether the motors that a watched loop follows go on in the sense in which they came.
-    fn goes_on(&self, position: &Self::Position, index: usize) -> bool;
+    /// Positive if the motors that a watched loop follows go on in the sense in which they came, negative if they go back.
+    fn sense(&self, position: &Self::Position, index: usize) -> T;
     /// Notes the sense in which the motors go.
     fn note_motion_signs(&self, position: &mut Self::Position);
     /// Why it does not go so far at once.
@@ -150,7 +165,7 @@ fn is_endless<T: Real, J: Journey<T>>(journey: &J) -> bool {
     // No sine is greater than one, so no piece in which one may come to zero can be passed in one step.
     !(journey.pieces() <= most
         && (0..journey.watches()).all(|index| journey.watch(index).change <= most)
-        && (0..journey.follows()).all(|index| journey.turn(index) / turn <= most))
+        && (0..journey.follows()).all(|index| journey.turn(index).change / turn <= most))
 }
 
 /// Moves to the target, past the change points before it. A move that even the longest pieces would divide too often is not begun.
@@ -201,7 +216,9 @@ fn travel_on<T: Real, J: Journey<T>>(
         }
         if let Ok(mut to) = journey.at(&position, target)
             && is_passable(journey, &position, &to, part)
+            && is_foretold(journey, (&position, done), (&to, target))
         {
+            forget_passed(journey, &mut to);
             journey.note_motion_signs(&mut to);
             position = to;
             done = target;

@@ -1,6 +1,7 @@
 //! How long a piece may be: from the sines where it begins and how fast they change.
 
-use super::{Growth, Journey};
+use super::piece::is_zero;
+use super::{Growth, Journey, Turn};
 use crate::Real;
 
 /// In a piece in which a sine may come to zero its square changes by no more than this: zero is there then, or near.
@@ -9,8 +10,12 @@ const PIECE: f64 = 0.02;
 const LIKELY: f64 = 0.4;
 /// A little less than a short piece, whatever rounding does.
 const LIKELY_SHORT: f64 = 0.99 * PIECE;
+/// Rounding never hides more of the square of a sine than this.
+const SEEN: f64 = 0.015_625;
 /// In one piece an angle that is followed over whole turns changes by no more than this: more than half a turn would be lost.
 pub(super) const TURN: f64 = 2.5;
+/// The same where that rests on a guess.
+const TURN_GUESSED: f64 = 0.5;
 /// Near their zeros earlier loops make later ones faster without end: pieces are no smaller than for so many times as fast.
 const MOST_GROWTH: f64 = 16.0;
 
@@ -20,6 +25,13 @@ const FIRST: f64 = 0.07;
 /// as a parabola to its zero is seen to fall on a piece that is two thirds of the next one.
 const LONGER: f64 = 2.0;
 const LONGER_GUESSED: f64 = 1.5;
+/// Where the square of a sine rests on a guess, it is off in the middle of a piece from the mean of the ends by no more than this part of
+/// their sum.
+const OFF_MEAN: f64 = 0.03125;
+/// Where an angle does, its halves of a piece differ by no more than this.
+const OFF_HALF: f64 = 0.25;
+/// Pieces that rest on guesses are short only if they are so much shorter.
+const SHORTER_GUESSED: f64 = 0.25;
 
 /// Whether nothing can stop a step between two positions that are this part of the move apart: no watched loop comes to zero, and
 /// no angle loses a turn.
@@ -33,6 +45,34 @@ pub fn is_clear<T: Real, J: Journey<T>>(
     journey.is_one_piece()
         && guesses(journey).all(|change| change * part <= T::from_f64(FIRST))
         && is_passable(journey, from, to, part)
+}
+
+/// Whether the middle of a piece is where its ends foretell it: by how far the sines and angles in it change nothing but a guess tells, which
+/// is not believed.
+pub(super) fn is_foretold<T: Real, J: Journey<T>>(
+    journey: &J,
+    (from, begun): (&J::Position, T),
+    (to, end): (&J::Position, T),
+) -> bool {
+    let watches = || (0..journey.watches()).filter(|index| journey.watch(*index).guessed);
+    let follows = || (0..journey.follows()).filter(|index| journey.turn(*index).guessed);
+    if watches().next().is_none() && follows().next().is_none() {
+        return true;
+    }
+    let Ok(middle) = journey.at(from, begun + (end - begun) * T::HALF) else {
+        return false;
+    };
+    let is_even = |index| {
+        let [a, m, b] = [from, &middle, to].map(|at| journey.sine(at, index));
+        let (ends, between) = (a * a + b * b, m * m);
+        let off = (between + between - ends).abs();
+        a * m > T::ZERO && off <= T::from_f64(OFF_MEAN + OFF_MEAN) * ends
+    };
+    let turns_evenly = |index| {
+        let [a, m, b] = [from, &middle, to].map(|at| journey.angle(at, index));
+        ((m - a) - (b - m)).abs() <= T::from_f64(OFF_HALF)
+    };
+    watches().all(is_even) && follows().all(turns_evenly)
 }
 
 /// By how much the squares of those sines change in the whole move of which that is guessed.
@@ -63,12 +103,18 @@ pub(super) fn is_passable<T: Real, J: Journey<T>>(
     to: &J::Position,
     part: T,
 ) -> bool {
-    let most = T::from_f64(TURN);
     (0..journey.watches()).all(|index| is_far(journey, from, to, part, index))
         && (0..journey.follows()).all(|index| {
             let speed = speed(journey, from, to, journey.turn_growth(index));
-            journey.turn(index) * part * speed <= most
+            let turn = journey.turn(index);
+            turn.change * part * speed <= most_turn(turn)
         })
+}
+
+/// By how much such an angle may change in a piece.
+#[inline]
+fn most_turn<T: Real>(turn: Turn<T>) -> T {
+    T::from_f64(if turn.guessed { TURN_GUESSED } else { TURN })
 }
 
 /// Whether a watched loop stays away from zero, if those before it do: of the squares of its sine at both ends it has at least a
@@ -85,6 +131,7 @@ pub(super) fn is_far<T: Real, J: Journey<T>>(
     let (squares, watch) = (squares(journey, from, to, index), journey.watch(index));
     squares > T::from_f64(2.0) * watch.change * part * speed
         && (!watch.guessed || is_calm(journey, from, to, (index, squares)))
+        && (squares > T::from_f64(SEEN) || ![from, to].iter().any(|at| is_zero(journey, at, index)))
 }
 
 /// Whether a sine changes little, and not its sign.
@@ -136,14 +183,21 @@ pub(super) fn likely<T: Real, J: Journey<T>>(journey: &J, from: &J::Position, lo
     let mut length = longest;
     for index in 0..journey.watches() {
         let speed = speed(journey, from, from, journey.growth(index));
-        let change = journey.watch(index).change;
+        let watch = journey.watch(index);
+        let change = watch.change;
         let passable = T::from_f64(LIKELY) * squares(journey, from, from, index) / (change * speed);
         let short = T::from_f64(LIKELY_SHORT) / (change * slow(speed));
+        let short = if watch.guessed {
+            short * T::from_f64(SHORTER_GUESSED)
+        } else {
+            short
+        };
         length = lesser(length, passable.max(short));
     }
     for index in 0..journey.follows() {
         let speed = speed(journey, from, from, journey.turn_growth(index));
-        let short = T::from_f64(TURN) / (journey.turn(index) * slow(speed));
+        let turn = journey.turn(index);
+        let short = most_turn(turn) / (turn.change * slow(speed));
         length = lesser(length, short);
     }
     length
@@ -162,11 +216,14 @@ pub(super) fn lesser<T: Real>(a: T, b: T) -> T {
 /// Whether a piece from here is so short that a loop which may come to zero in it does so once at most.
 pub(super) fn is_short<T: Real, J: Journey<T>>(journey: &J, from: &J::Position, part: T) -> bool {
     let faster = |change: T, growth: T| change * part * slow(growth);
+    let guessed = |guessed: bool| T::from_f64(if guessed { SHORTER_GUESSED } else { 1.0 });
     (0..journey.watches()).all(|index| {
         let speed = speed(journey, from, from, journey.growth(index));
-        faster(journey.watch(index).change, speed) <= T::from_f64(PIECE)
+        let watch = journey.watch(index);
+        faster(watch.change, speed) <= T::from_f64(PIECE) * guessed(watch.guessed)
     }) && (0..journey.follows()).all(|index| {
         let speed = speed(journey, from, from, journey.turn_growth(index));
-        faster(journey.turn(index), speed) <= T::from_f64(TURN)
+        let turn = journey.turn(index);
+        faster(turn.change, speed) <= most_turn(turn) * guessed(turn.guessed)
     })
 }

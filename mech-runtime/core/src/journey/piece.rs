@@ -27,19 +27,23 @@ pub(super) fn travel_piece<T: Real, J: Journey<T>>(
     mut target: T,
 ) -> Reach<J::Position, J::Stop, T> {
     let mut aim = target;
+    orient(journey, &mut from);
     // Each round passes a change point, or finds a dead point before its aim.
     for _ in 0..=8 * journey.watches() {
         let mut reach = reach(journey, &from, done, aim);
-        match leave(journey, (&mut from, done), &reach.to) {
-            Leaving::Stopped(index) => {
-                return Reach {
-                    to: from,
-                    end: done,
-                    stop: Some(journey.stopped_at(index)),
-                };
+        // Where one is on its other side, others may not leave theirs any more.
+        for _ in 0..journey.watches() {
+            match leave(journey, (&mut from, done), &reach.to) {
+                Leaving::Stopped(index) => {
+                    return Reach {
+                        to: from,
+                        end: done,
+                        stop: Some(journey.stopped_at(index)),
+                    };
+                }
+                Leaving::Other => reach = self::reach(journey, &from, done, aim),
+                Leaving::Same => break,
             }
-            Leaving::Other => reach = self::reach(journey, &from, done, aim),
-            Leaving::Same => {}
         }
         let event = first_event(journey, &from, done, &reach);
         let mut meeting = meeting(journey, (&from, done), &reach, &event);
@@ -83,13 +87,11 @@ pub(super) fn travel_piece<T: Real, J: Journey<T>>(
             }
             Event::None | Event::Near(..) => {
                 settle(journey, &from, done, &mut reach);
-                note_motion_signs(journey, &from, &mut reach.to);
                 return reach;
             }
             Event::Blocked(part) => aim = part,
             Event::Zero(part, index) => {
-                if let Ok(mut at_zero) = journey.at(&from, part) {
-                    journey.note_motion_signs(&mut at_zero);
+                if let Ok(at_zero) = journey.at(&from, part) {
                     from = at_zero;
                     done = part;
                 }
@@ -172,28 +174,48 @@ enum Leaving {
     Stopped(usize),
 }
 
-/// Where a loop stands at its change point, the sense in which it goes decides on which side it leaves.
+/// Notes the sense in which the motors go: loops that stand at change points have passed these, seen in the other sense, if they go back.
+fn orient<T: Real, J: Journey<T>>(journey: &J, from: &mut J::Position) {
+    forget_passed(journey, from);
+    for index in 0..journey.watches() {
+        if is_zero(journey, from, index) && journey.sense(from, index) < T::ZERO {
+            let passed = journey.has_passed(from, index);
+            journey.set_passed(from, index, !passed);
+        }
+    }
+    journey.note_motion_signs(from);
+}
+
+/// Forgets of loops that stand at no change point that they have passed one.
+pub(super) fn forget_passed<T: Real, J: Journey<T>>(journey: &J, position: &mut J::Position) {
+    for index in 0..journey.watches() {
+        if journey.has_passed(position, index) && !is_zero(journey, position, index) {
+            journey.set_passed(position, index, false);
+        }
+    }
+}
+
+/// Where a loop stands at its change point and leaves it, it goes over to its other side, unless it has passed it already.
 fn leave<T: Real, J: Journey<T>>(
     journey: &J,
     (from, done): (&mut J::Position, T),
     to: &J::Position,
 ) -> Leaving {
-    let mut leaving = Leaving::Same;
     for index in 0..journey.watches() {
         let leaves = is_zero(journey, from, index) && !is_zero(journey, to, index);
-        if leaves && journey.goes_on(from, index) {
+        if leaves && !journey.has_passed(from, index) && journey.sense(from, index) > T::ZERO {
             match journey.watch(index).at_zero {
                 AtZero::Stay => {}
                 AtZero::ChangeBranch if touches(journey, (from, done), index) => {}
                 AtZero::Stop => return Leaving::Stopped(index),
                 AtZero::ChangeBranch => {
                     journey.turn_over(from, index);
-                    leaving = Leaving::Other;
+                    return Leaving::Other;
                 }
             }
         }
     }
-    leaving
+    Leaving::Same
 }
 
 /// Where a step was stopped with a loop at its change point: the same place on the loop's other side, if that goes on.
@@ -207,7 +229,7 @@ fn other_side<T: Real, J: Journey<T>>(
         let watch = journey.watch(index);
         let stands = watch.at_zero == AtZero::ChangeBranch
             && !watch.iterated
-            && is_near_zero(journey, &reach.to, index);
+            && is_zero(journey, &reach.to, index);
         if !stands {
             return None;
         }
@@ -216,12 +238,6 @@ fn other_side<T: Real, J: Journey<T>>(
         let goes_on = journey.at(&other, aim).is_ok();
         goes_on.then_some(other)
     })
-}
-
-/// Whether a sine is so near zero that the side of its loop shows in nothing that rounding leaves.
-fn is_near_zero<T: Real, J: Journey<T>>(journey: &J, position: &J::Position, index: usize) -> bool {
-    let sine = journey.sine(position, index);
-    sine * sine <= T::from_f64(T::EPSILON).sqrt()
 }
 
 /// Where a change point is arrived at in which pins meet, the directions of the links between them are those of the position
@@ -245,19 +261,6 @@ fn settle<T: Real, J: Journey<T>>(
         {
             reach.to = to;
         }
-    }
-}
-
-/// The sense in which the motors go is that in which a change point was reached, as long as it is not left.
-fn note_motion_signs<T: Real, J: Journey<T>>(
-    journey: &J,
-    from: &J::Position,
-    to: &mut J::Position,
-) {
-    let rests = (0..journey.watches())
-        .any(|index| is_zero(journey, from, index) && is_zero(journey, to, index));
-    if !rests {
-        journey.note_motion_signs(to);
     }
 }
 

@@ -1,57 +1,95 @@
 //! Which motors have a part in whether a loop closes.
 //!
-//! A loop closes or not by the coordinates of its own joints. Where its links are carried about as a whole, as the bucket of an
-//! excavator is by its boom, what carries them has no part in it.
+//! A loop closes or not by how the links of its clusters lie to each other. Where its clusters are carried about as a whole, as the bucket
+//! of an excavator is by its boom, what carries them has no part in it.
 
-use crate::model::JointId;
-use crate::plan::{Loop, Plan, Source, Step};
-use std::collections::{BTreeMap, BTreeSet};
+use crate::model::{AxisId, LinkId, Model};
+use crate::plan::{Connection, Loop, Plan, Source, Step};
+use std::collections::BTreeSet;
 
 /// The numbers of motors, or none if any motor may have a part.
 pub(super) type Motors = Option<BTreeSet<usize>>;
 
 /// For each loop of a plan the motors that have a part in whether it closes. Params are not looked at.
-pub(super) fn motors_of_loops(plan: &Plan) -> Vec<Motors> {
-    let mut of_joints = BTreeMap::new();
+pub(super) fn motors_of_loops(model: &Model, plan: &Plan) -> Vec<Motors> {
+    let mut joined = Joined {
+        model,
+        of_link: vec![Vec::new(); model.links.len()],
+    };
     let mut of_loops = Vec::new();
     for step in &plan.steps {
-        let (joint, motors) = match step {
-            Step::Weld(weld) => (weld.joint, Some(BTreeSet::new())),
-            Step::Drive(drive) => (
-                drive.connection.joint,
-                Some(BTreeSet::from([drive.motor.index()])),
-            ),
-            Step::Mesh(mesh) => (mesh.connection.joint, of_parts(plan, &mesh.parts)),
-            Step::Cam(cam) => (cam.connection.joint, of_parts(plan, &cam.parts)),
-            Step::Close(closing) => {
-                let motors = of_loop(closing, &of_joints);
-                let unknowns = closing.unknowns().into_iter();
-                of_joints.extend(unknowns.map(|joint| (joint, motors.clone())));
-                of_loops.push(motors);
-                continue;
+        match step {
+            Step::Weld(weld) => joined.add(*weld, &Some(BTreeSet::new())),
+            Step::Drive(drive) => {
+                joined.add(
+                    drive.connection,
+                    &Some(BTreeSet::from([drive.motor.index()])),
+                );
             }
-        };
-        of_joints.insert(joint, motors);
+            Step::Mesh(mesh) => joined.add(mesh.connection, &of_parts(plan, &mesh.parts)),
+            Step::Cam(cam) => joined.add(cam.connection, &of_parts(plan, &cam.parts)),
+            Step::Close(closing) => {
+                let motors = joined.of_loop(closing);
+                for connection in &closing.tree {
+                    joined.add(*connection, &motors);
+                }
+                of_loops.push(motors);
+            }
+        }
     }
     of_loops
 }
 
-/// Those that determine the coordinates of a loop's known joints.
-fn of_loop(closing: &Loop, of_joints: &BTreeMap<JointId, Motors>) -> Motors {
-    if !closing.ties.is_empty() {
-        return None;
+/// The links that steps have joined so far: each step adds branches to a forest, so between two links there is one path at most.
+struct Joined<'m> {
+    model: &'m Model,
+    /// For each link those it was joined with, and the motors that determine how the two lie to each other.
+    of_link: Vec<Vec<(LinkId, Motors)>>,
+}
+
+impl Joined<'_> {
+    fn link(&self, axis: AxisId) -> LinkId {
+        self.model.axis(axis).link
     }
-    let unknowns = closing.unknowns();
-    let known = closing
-        .members
-        .iter()
-        .filter(|joint| !unknowns.contains(joint));
-    known
-        .map(|joint| of_joints.get(joint).cloned().flatten())
-        .try_fold(BTreeSet::new(), |mut all, motors| {
-            all.extend(motors?);
-            Some(all)
-        })
+
+    fn add(&mut self, connection: Connection, motors: &Motors) {
+        let (from, to) = (self.link(connection.from), self.link(connection.to));
+        self.of_link[from.index()].push((to, motors.clone()));
+        self.of_link[to.index()].push((from, motors.clone()));
+    }
+
+    /// Those that determine how the links of each of its clusters lie to each other on which its connections are.
+    fn of_loop(&self, closing: &Loop) -> Motors {
+        if !closing.ties.is_empty() {
+            return None;
+        }
+        let mut all = BTreeSet::new();
+        for ring in &closing.rings {
+            let before = ring.iter().cycle().skip(ring.len().saturating_sub(1));
+            for (before, connection) in before.zip(ring) {
+                let (from, to) = (self.link(before.to), self.link(connection.from));
+                all.extend(self.between(from, to)?);
+            }
+        }
+        Some(all)
+    }
+
+    /// Those that determine how two links lie to each other; any may, if nothing joins them.
+    fn between(&self, from: LinkId, to: LinkId) -> Motors {
+        let mut waiting = vec![(from, from, BTreeSet::new())];
+        while let Some((link, before, motors)) = waiting.pop() {
+            if link == to {
+                return Some(motors);
+            }
+            for (next, own) in &self.of_link[link.index()] {
+                // What any motor may have a part in leads nowhere.
+                if let (true, Some(own)) = (*next != before, own) {
+                    waiting.push((*next, link, &motors | own));
+                }
+            }
+        }
+        None
+    }
 }
 
 /// The motors among what rolling or a cam is solved from.

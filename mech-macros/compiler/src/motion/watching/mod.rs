@@ -46,7 +46,7 @@ pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decisi
         .collect();
     let program = build_as(model, plan, &closed);
     let mut domain = Domain::new(model, &program, choices.len());
-    free::prove(&mut domain, &influence::motors_of_loops(plan));
+    free::prove(&mut domain, &influence::motors_of_loops(model, plan));
     let mut paces = Paces::new(&domain);
     let all_free = program
         .closed_forms()

@@ -13,9 +13,13 @@ const MOST_PARTS: usize = 512;
 /// Whether a loop has dead points only. Known is that only of a loop of one variable that goes on in one sense while motors do:
 /// where its discriminant is zero, it changes with the variable.
 pub(super) fn only_ends(domain: &Domain<'_>, closed: &ClosedForm) -> bool {
-    let cone = domain
-        .cutter
-        .cone(&[closed.discriminant, closed.tolerance], &Cuts::ALONE);
+    let outputs = [
+        closed.discriminant,
+        closed.tolerance,
+        closed.sine,
+        closed.rounding_square,
+    ];
+    let cone = domain.cutter.cone(&outputs, &Cuts::ALONE);
     let goes_on = match cone.variables[..] {
         [Variable::Angle(angle)] => domain.cutter.parts(angle).is_some(),
         [Variable::Input(_)] => true,
@@ -24,7 +28,8 @@ pub(super) fn only_ends(domain: &Domain<'_>, closed: &ClosedForm) -> bool {
     if !goes_on {
         return false;
     }
-    let [discriminant, tolerance] = [cone.outputs[0], cone.outputs[1]];
+    let [discriminant, tolerance, sine, rounding_square] =
+        [0, 1, 2, 3].map(|output| cone.outputs[output]);
     let mut slopes = Slopes::new(&cone);
     let mut waiting: Vec<Vec<Interval>> = vec![
         cone.variables
@@ -37,9 +42,11 @@ pub(super) fn only_ends(domain: &Domain<'_>, closed: &ClosedForm) -> bool {
             return true;
         };
         slopes.run(&place);
-        let tolerance = slopes.value(tolerance).abs().high();
-        let value = slopes.value(discriminant);
-        let is_away = value.low() > tolerance || value.high() < -tolerance;
+        // Where pins meet but for rounding, the tolerance vanishes with their distance: what rounding hides of the sine does not.
+        let hidden = slopes.value(rounding_square).high();
+        let is_seen = slopes.value(sine).square().low() > hidden;
+        let is_open = slopes.value(discriminant).high() < -slopes.value(tolerance).abs().high();
+        let is_away = is_seen || is_open;
         if is_away || !slopes.slope(discriminant, 0).contains(0.0) {
             continue;
         }

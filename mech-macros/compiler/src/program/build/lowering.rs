@@ -52,6 +52,7 @@ impl<'m> Lowering<'m> {
     pub(super) fn place(&mut self, connection: Connection, value: Value, name: &str) {
         let coordinate = match connection.kind {
             ConnectionKind::Revolute => {
+                self.ssa.note_gains(value);
                 let (sin, cos) = (self.ssa.make(Op::Sin(value)), self.ssa.make(Op::Cos(value)));
                 Solution::Direction(self.ssa.name_direction([cos, sin], name))
             }
@@ -82,7 +83,8 @@ impl<'m> Lowering<'m> {
         self.placement.spot(&mut self.ssa, axis)
     }
 
-    /// Carries the signs of the inputs' last motions, if a loop passes change points: they say on which side it leaves one.
+    /// Carries the signs of the inputs' last motions, if a loop passes change points, and after them for each watched loop a number that is
+    /// negative where it has passed the one that it stands at: they say on which side it leaves it.
     pub(super) fn carry_motion_signs(&mut self, watches: &Watches) {
         let mut loops = watches.loops.iter();
         if loops.all(|watch| watch.at_zero == AtZero::Stay) {
@@ -90,5 +92,8 @@ impl<'m> Lowering<'m> {
         }
         let signs = (0..self.model.inputs()).map(|_| self.ssa.carry(1.0).index);
         self.layout.motion_signs = signs.min();
+        for _ in &watches.loops {
+            self.ssa.carry(1.0);
+        }
     }
 }

@@ -2,7 +2,8 @@
 
 use crate::plan::{Arithmetic, Equation};
 use crate::program::builder::SsaBuilder;
-use crate::program::node::Value;
+use crate::program::node::{Op, Value};
+use std::collections::HashMap;
 
 /// A length that tolerances are relative to.
 #[derive(Clone, Copy, Debug)]
@@ -66,10 +67,43 @@ impl SsaBuilder {
         sides.iter().map(length).sum()
     }
 
+    /// The sum of these vectors' lengths as far as they reach, wherever what they are made from points: where pins meet at the start, that of
+    /// the links between them.
+    pub(super) fn reach(&self, sides: &[[Value; 2]]) -> f64 {
+        let mut known = HashMap::new();
+        let mut length = |side: &[Value; 2]| {
+            let [x, y] = side.map(|part| self.magnitude(part, &mut known));
+            let [u, v] = side.map(|part| self.at_start(part));
+            // A vector of constant length has it in no more than one direction.
+            f64::max(x.max(y), u.hypot(v))
+        };
+        sides.iter().map(&mut length).sum()
+    }
+
+    /// How great a value is at most where directions are anything, and all else as great as at the start.
+    fn magnitude(&self, value: Value, known: &mut HashMap<Value, f64>) -> f64 {
+        if let Some(&found) = known.get(&value) {
+            return found;
+        }
+        let mut of = |value| self.magnitude(value, known);
+        let found = if self.is_of_direction(value) {
+            1.0
+        } else {
+            match self.op(value) {
+                Op::Neg(a) => of(a),
+                Op::Add(a, b) | Op::Sub(a, b) => of(a) + of(b),
+                Op::Mul(a, b) => of(a) * of(b),
+                _ => self.at_start(value).abs(),
+            }
+        };
+        known.insert(value, found);
+        found
+    }
+
     /// The sum of these vectors' lengths.
     pub(super) fn size(&mut self, sides: &[[Value; 2]]) -> Size {
         if !self.any_varies(sides.as_flattened()) {
-            return Size::Fixed(self.size_at_start(sides));
+            return Size::Fixed(self.reach(sides));
         }
         let mut size = self.constant(0.0);
         for side in sides {

@@ -5,6 +5,33 @@ use crate::program::builder::SsaBuilder;
 use crate::program::node::{Op, Value};
 
 impl SsaBuilder {
+    /// Takes note how many times as far as motors an angle turns.
+    pub(super) fn note_gains(&mut self, angle: Value) {
+        let mut gains = std::mem::take(&mut self.gains);
+        gains.resize(self.motors, 1.0);
+        for (motor, gain) in gains.iter_mut().enumerate() {
+            *gain = gain.max(self.part_of_motor(angle, motor).abs());
+        }
+        self.gains = gains;
+    }
+
+    /// The part of a motor that is in a sum of constant parts.
+    fn part_of_motor(&self, value: Value, motor: usize) -> f64 {
+        let of = |value| self.part_of_motor(value, motor);
+        match self.op(value) {
+            Op::Input(input) if input.index() == motor => 1.0,
+            Op::Neg(a) => -of(a),
+            Op::Add(a, b) => of(a) + of(b),
+            Op::Sub(a, b) => of(a) - of(b),
+            Op::Mul(a, b) => match (self.number(a), self.number(b)) {
+                (Some(a), _) => a * of(b),
+                (_, Some(b)) => of(a) * b,
+                _ => 0.0,
+            },
+            _ => 0.0,
+        }
+    }
+
     /// One step towards length one, so that rounding never adds up.
     pub(super) fn normalise(&mut self, v: [Value; 2], name: &str) -> [Value; 2] {
         let square = self.dot(v, v);

@@ -119,12 +119,14 @@ impl Watches {
         let bound = bound.map(|(_, bound)| bound.clone());
         // As long as nobody has looked, nothing moves.
         let bound = bound.unwrap_or_else(|| Bound::still(lowering.model.inputs()));
-        self.follows.push(Follow {
-            growth: self.growth(&bound),
-            rates: bound.rates,
-        });
         let ssa = &mut lowering.ssa;
         let carried = ssa.carry(start);
+        self.follows.push(Follow {
+            angle: carried.index,
+            growth: self.growth(&bound),
+            rates: bound.rates,
+            guessed: bound.guessed,
+        });
         let behind = ssa.sub(carried.last, principal);
         let turn = ssa.constant(TAU);
         let turns = ssa.div(behind, turn);

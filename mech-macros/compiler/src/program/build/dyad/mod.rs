@@ -84,7 +84,7 @@ impl DyadLowering<'_> {
             rounding_square: found.rounding_square,
             has_branches: !matches!(dyad, Dyad::TwoLines { .. }),
             found: numbers.collect(),
-            size: self.ssa.size_at_start(&sides),
+            size: self.ssa.reach(&sides),
             dyad,
         };
         (closed, found.solution)
@@ -148,12 +148,16 @@ impl DyadLowering<'_> {
         self.ssa.mul(tolerance, length)
     }
 
-    /// The number of roundings that a length has suffered: the motors' values are rounded too, the more the farther they have turned.
+    /// The number of roundings that a length has suffered: the motors' values are rounded too, the more the farther they have turned, and the
+    /// farther gears turn what they drive.
     fn roundings(&mut self) -> Value {
         let mut turned = self.ssa.constant(0.0);
         for motor in 0..self.ssa.motors {
             let value = self.ssa.make(Op::Input(InputId::new(motor)));
             let value = self.ssa.abs(value);
+            let gain = self.ssa.gains.get(motor).copied().unwrap_or(1.0);
+            let gain = self.ssa.constant(gain);
+            let value = self.ssa.mul(gain, value);
             turned = self.ssa.add(turned, value);
         }
         let (two, sixteen) = (self.ssa.constant(2.0), self.ssa.constant(16.0));
