@@ -11,6 +11,9 @@ use crate::Real;
 /// So many roundings displace a loop, at most.
 const ROUNDINGS: f64 = 64.0;
 
+/// A loop has left a change point for good where its sine is so many times as great as what rounding hides.
+const WELL_AWAY: f64 = 4.0;
+
 /// Where a piece ends: at its target, or before it for a reason.
 pub(super) struct Reach<P, S, T> {
     pub(super) to: P,
@@ -129,12 +132,16 @@ pub(super) fn is_zero<T: Real, J: Journey<T>>(
     index: usize,
 ) -> bool {
     let sine = journey.sine(position, index);
+    !is_stepped_over(journey, index) && sine * sine <= hidden_square(journey, position, index)
+}
+
+/// The square of a sine of a loop below which rounding hides its sign.
+fn hidden_square<T: Real, J: Journey<T>>(journey: &J, position: &J::Position, index: usize) -> T {
     // Between two parts of the move that rounding tells apart a sine changes by so much.
     let resolution = journey.watch(index).change * T::from_f64(T::EPSILON);
-    let tiny = journey.rounding_square(position, index)
+    journey.rounding_square(position, index)
         + passed_on(journey, position, index)
-        + resolution * resolution;
-    !is_stepped_over(journey, index) && sine * sine <= tiny
+        + resolution * resolution
 }
 
 /// What rounding does to an earlier loop near its zero is so many times as great as one is greater than its sine: the square of what
@@ -178,19 +185,25 @@ enum Leaving {
 fn orient<T: Real, J: Journey<T>>(journey: &J, from: &mut J::Position) {
     forget_passed(journey, from);
     for index in 0..journey.watches() {
-        if is_zero(journey, from, index) && journey.sense(from, index) < T::ZERO {
-            let passed = journey.has_passed(from, index);
+        let passed = journey.has_passed(from, index);
+        let stands = passed || is_zero(journey, from, index);
+        if stands && journey.sense(from, index) < T::ZERO {
             journey.set_passed(from, index, !passed);
         }
     }
     journey.note_motion_signs(from);
 }
 
-/// Forgets of loops that stand at no change point that they have passed one.
+/// Forgets of loops that are well away from the change points which they have passed that they have. Beside them rounding makes sines vanish
+/// here and there.
 pub(super) fn forget_passed<T: Real, J: Journey<T>>(journey: &J, position: &mut J::Position) {
     for index in 0..journey.watches() {
-        if journey.has_passed(position, index) && !is_zero(journey, position, index) {
-            journey.set_passed(position, index, false);
+        if journey.has_passed(position, index) {
+            let sine = journey.sine(position, index) * T::from_f64(1.0 / WELL_AWAY);
+            let tiny = hidden_square(journey, position, index);
+            if sine * sine > tiny {
+                journey.set_passed(position, index, false);
+            }
         }
     }
 }
