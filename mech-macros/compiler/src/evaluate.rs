@@ -214,6 +214,18 @@ impl<'p, T: Real> Machine<'p, T> {
         })
     }
 
+    /// Runs the program once without moving a motor: what a fixed number of rounds left open becomes less.
+    ///
+    /// # Errors
+    /// The loop that does not close; it then stays as it was.
+    pub fn step_on_the_spot(&mut self) -> Result<(), Stop> {
+        let position = &self.position;
+        self.position = self
+            .runner
+            .step(position, (&position.motors, &position.turns))?;
+        Ok(())
+    }
+
     /// Exactly as the generated code's runtime does it.
     fn advance(&mut self, motors: &[T], turns: &[i32]) -> Result<(), Halt<Position<T>, Stop, T>> {
         let refuse = |stop| Halt {
@@ -242,11 +254,9 @@ impl<'p, T: Real> Machine<'p, T> {
 /// # Errors
 /// The loop that does not close.
 pub fn settle(program: &mut Program) -> Result<(), Stop> {
-    let machine = Machine::<f64>::new(program);
-    let position = machine.position();
-    let start = machine
-        .runner
-        .step(position, (&position.motors, &position.turns))?;
+    let mut machine = Machine::<f64>::new(program);
+    machine.step_on_the_spot()?;
+    let start = machine.into_position();
     program.start = start;
     Ok(())
 }
