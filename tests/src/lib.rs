@@ -10,6 +10,7 @@ mod grow;
 mod measure;
 mod rustc;
 mod sample;
+mod shuffled;
 mod source;
 mod text;
 mod varied;
@@ -24,6 +25,7 @@ pub use grow::{Grown, grow, grow_coupled, grow_coupled_from, grow_from, in_own_f
 pub use measure::{apart, differences, in_f64, lengths, reach};
 pub use rustc::rustc;
 pub use sample::{Sample, coupled_samples, dice, for_all, samples};
+pub use shuffled::{driven_elsewhere, on_any_ground, reordered, shuffle, shuffled};
 pub use source::{bodies, mechanism_of, mechanisms, model, models};
 pub use text::text;
 pub use varied::{direction, place, scale, vary, with_params};

@@ -8,7 +8,9 @@ use mech_compiler::evaluate::{Machine, Stop};
 use mech_compiler::model::{AtChangePoints, Method, Model, Precision};
 use mech_compiler::program::{Position, Program};
 use mech_runtime::Real;
-use mech_tests::{Dice, apart, grow, lengths, with_ground, worst_gap, worst_stretch};
+use mech_tests::{
+    Dice, apart, driven_elsewhere, grow, lengths, with_ground, worst_gap, worst_stretch,
+};
 use std::f64::consts::SQRT_2;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -46,6 +48,9 @@ impl Subject {
         let mut dice = Dice::new(seed);
         let additions = 1 + dice.below(8);
         let mut model = grow(&mut dice, additions).model;
+        if dice.once_in(3) {
+            model = driven_elsewhere(&model, &mut dice).unwrap_or(model);
+        }
         model.method = Some(method);
         model.precision = precision;
         model.change_points = *dice.pick(&[
