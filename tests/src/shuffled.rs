@@ -87,11 +87,22 @@ pub fn reordered(values: &[f64], from: &Model, to: &Model) -> Vec<f64> {
     to.motors.iter().map(|motor| value(motor.joint)).collect()
 }
 
-/// The same mechanism as drawn, standing on any of its links: the ground moves in its place.
+/// The same mechanism as drawn, standing on any of its links.
 #[must_use]
 pub fn on_any_ground(model: &Model, dice: &mut Dice) -> Model {
     let links: Vec<LinkId> = model.declared_links().chain([LinkId::GROUND]).collect();
-    let ground = *dice.pick(&links);
+    standing_on(model, *dice.pick(&links))
+}
+
+/// The same mechanism as drawn, standing on a link of its first motor that is not a die.
+#[must_use]
+pub fn driven_on_the_ground(model: &Model) -> Model {
+    let (a, b) = model.ends(model.motors[0].joint);
+    standing_on(model, if model.link(a).die.is_none() { a } else { b })
+}
+
+/// The same mechanism as drawn, standing on this link: the ground moves in its place.
+fn standing_on(model: &Model, ground: LinkId) -> Model {
     let mut other = model.clone();
     let moved = |link: LinkId| match link {
         LinkId::GROUND => ground,

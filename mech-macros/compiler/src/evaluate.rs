@@ -214,15 +214,13 @@ impl<'p, T: Real> Machine<'p, T> {
         })
     }
 
-    /// Runs the program once without moving a motor: what a fixed number of rounds left open becomes less.
+    /// Runs the program once for these values of motors and params: what lies on the way there is not looked at.
     ///
     /// # Errors
-    /// The loop that does not close; it then stays as it was.
-    pub fn step_on_the_spot(&mut self) -> Result<(), Stop> {
+    /// The loop that does not close; it then stays where it was.
+    pub(crate) fn step_to(&mut self, inputs: &[T]) -> Result<(), Stop> {
         let position = &self.position;
-        self.position = self
-            .runner
-            .step(position, (&position.motors, &position.turns))?;
+        self.position = self.runner.step(position, (inputs, &position.turns))?;
         Ok(())
     }
 
@@ -255,7 +253,8 @@ impl<'p, T: Real> Machine<'p, T> {
 /// The loop that does not close.
 pub fn settle(program: &mut Program) -> Result<(), Stop> {
     let mut machine = Machine::<f64>::new(program);
-    machine.step_on_the_spot()?;
+    let inputs = machine.position.motors.clone();
+    machine.step_to(&inputs)?;
     let start = machine.into_position();
     program.start = start;
     Ok(())

@@ -11,8 +11,9 @@ use crate::program::Program;
 use crate::structure::{Factor, Rolling, RollingEnd, Structure};
 use std::f64::consts::TAU;
 
-/// How far motors go from the start, one distance after the other: in radians, or as a part of the mechanism's size.
-const DISTANCES: [f64; 4] = [1e-3, 0.02, 0.1, 0.5];
+/// How far motors go from the start, one distance after the other: in radians, or as a part of the mechanism's size. A joint that is torn by
+/// a wrong formula is so wherever that is evaluated: what lies between is left to moves, as that would take longer.
+const DISTANCES: [f64; 3] = [1e-3, 0.05, 0.3];
 /// So many motors are moved alone; of more, some go together.
 const GROUPS: usize = 4;
 /// So many units of rounding, for each link, are rounding: of the extent, or of a radian.
@@ -26,7 +27,7 @@ const TURNS: i32 = 64;
 /// Where wheels turn more than so many times as fast as others, whole turns over the least distance are not known.
 const FASTEST: f64 = 1e3;
 
-/// Runs a program at its start and at positions of all its motors beside it, as far as these can be reached.
+/// Runs a program at its start and at positions of all its motors beside it, as far as it closes there.
 ///
 /// A joint that is torn there is a mistake of the compiler's, and no code is made.
 pub(super) fn check(model: &Model, structure: &Structure, program: &Program) {
@@ -40,7 +41,7 @@ pub(super) fn check(model: &Model, structure: &Structure, program: &Program) {
         for (number, distance) in DISTANCES.into_iter().enumerate() {
             let moved = |motor: usize| motor % GROUPS == group;
             let goal = goal(model, &start.motors, direction * distance, moved);
-            if machine.move_to(&goal).is_err() {
+            if machine.step_to(&goal).is_err() {
                 break;
             }
             judge.look(&mut machine, number == 0);
@@ -111,7 +112,8 @@ impl<'m> Judge<'m> {
                 return;
             };
             // What has a fixed number of rounds closes by and by; what is torn stays torn.
-            if machine.step_on_the_spot().is_err() {
+            let here = machine.position().motors.clone();
+            if machine.step_to(&here).is_err() {
                 return;
             }
         }
@@ -162,11 +164,15 @@ impl<'m> Judge<'m> {
     }
 
     /// By how much two parts that roll on each other have slipped since the start, up to whole turns: as a part of the greater wheel, or of
-    /// the extent. None if turns are not known.
+    /// the extent. None if that is not known.
     fn slip(&self, rolling: &Rolling, now: &LinkFrames<'_>, extent: f64) -> Option<f64> {
         let [a, b] = rolling.ends;
         let moved = moved(rolling, &self.start, now);
         let sum = moved[0] + moved[1];
+        if sum.is_nan() {
+            // Not all that it joins is computed.
+            return None;
+        }
         let is_wheel = |end: RollingEnd| matches!(end, RollingEnd::Wheel(_));
         match ((a.0, a.1), (b.0, b.1)) {
             ((_, Factor::Whole(p)), (_, Factor::Whole(q))) if is_wheel(a.0) && is_wheel(b.0) => {

@@ -2,6 +2,7 @@
 //! three cranks is one. They are tested by moving them.
 
 use super::closure::{moved, size};
+use crate::bug::bug;
 use crate::evaluate::{self, Machine};
 use crate::kinematics::LinkFrames;
 use crate::model::{Allowances, JointId, JointKind, Model, MotorId};
@@ -108,8 +109,21 @@ fn displace(
             .iter()
             .any(|rolling| slip(rolling, &start, &now).abs() > 1e-9)
     };
+    // A motor between links that other joints hold to each other moves nothing.
+    let idle = || {
+        let joint = model.motor(motor).joint;
+        let [now, start] = [&now, &start].map(|frames| frames.coordinate(joint));
+        let (Some(now), Some(start)) = (now, start) else {
+            bug!("a motor drives what has no coordinate");
+        };
+        let wanted = motors[motor.index()] - program.start.motors[motor.index()];
+        let off = now - start - wanted;
+        let off = if slides { off } else { off.sin() };
+        off.abs() > 1e-9 * if slides { reach } else { 1.0 }
+    };
     // Turns are only known up to whole ones: the least displacement is decisive.
-    let open = now.gap() > 1e-9 * reach || (displacement.abs() <= DISPLACEMENTS[0] && slips());
+    let open =
+        now.gap() > 1e-9 * reach || idle() || (displacement.abs() <= DISPLACEMENTS[0] && slips());
     if open { Outcome::Open } else { Outcome::Moved }
 }
 
