@@ -25,7 +25,7 @@ const TEXT: &str = "struct M;
     joint x = prismatic(ground, bar) at (0, -2) along (1, 0);
     joint k = rack(crank, bar, radius 2.0);
     joint f = prismatic(ground, follower) at (0, 5) along (0, 1);
-    joint z = cam(a, f, 0.3 * sin(t));
+    joint z = cam(a, f, 0.3 * sin(q));
     motor a;";
 
 fn read(text: &str) -> Model {
@@ -84,7 +84,7 @@ fn what_is_inexact_by_design_is_let_pass() {
         "method linear;",
         "method newton(1);",
         "method newton;",
-        "accuracy 0.01;",
+        "method newton(4);",
         "show follower;",
     ];
     for (setting, precision) in settings.iter().flat_map(|s| [(s, "M"), (s, "M: f32")]) {
