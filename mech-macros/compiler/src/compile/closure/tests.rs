@@ -4,7 +4,7 @@ use super::check;
 use crate::bug::catch;
 use crate::model::Model;
 use crate::program::Program;
-use crate::structure::Structure;
+use crate::structure::{Structure, analyse};
 use crate::syntax::parse;
 use crate::{Compiled, compile};
 
@@ -44,7 +44,7 @@ fn built() -> (Model, Structure, Program) {
 
 #[test]
 fn a_joint_that_is_not_where_it_was_declared_is_named() {
-    let (_, structure, program) = built();
+    let (_, _, program) = built();
     let changes = [
         ("b", "(0.8, 0.6)", "(0.8, 0.600001)"),
         ("d", "(4, 0)", "(4.000001, 0)"),
@@ -57,6 +57,7 @@ fn a_joint_that_is_not_where_it_was_declared_is_named() {
     ];
     for (joint, old, new) in changes {
         let other = read(&TEXT.replace(old, new));
+        let structure = analyse(&other).expect(new);
         let found = catch(|| check(&other, &structure, &program));
         let said = found.expect_err(new);
         assert!(said.starts_with(&format!("joint `{joint}` ")), "{said}");
@@ -70,6 +71,10 @@ fn a_link_that_is_not_where_the_program_should_put_it_is_noticed() {
         for part in 0..4 {
             let mut torn = program.clone();
             torn.poses[link][part] = program.poses[(link + 1) % program.poses.len()][3 - part];
+            if torn.poses == program.poses {
+                // Both are the same constant.
+                continue;
+            }
             let found = catch(|| check(&model, &structure, &torn));
             assert!(found.is_err(), "part {part} of link {link}");
         }
