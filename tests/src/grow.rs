@@ -3,7 +3,7 @@
 
 mod coupled;
 
-use crate::Dice;
+use crate::{Dice, on_any_ground, shuffled};
 pub use coupled::{grow_coupled, grow_coupled_from};
 use mech_compiler::model::{
     Axis, AxisId, AxisKind, Joint, JointId, JointKind, Link, LinkId, Model, Motor, Near, Origin,
@@ -25,6 +25,8 @@ pub struct Grown {
     pub gears: usize,
     /// How many joints belong to no loop.
     pub arms: usize,
+    /// Whether dyads have equal pairs.
+    has_equals: bool,
     /// Slots that are still to be added.
     slots: Vec<(AxisId, AxisId)>,
 }
@@ -34,14 +36,14 @@ type Point = [f64; 2];
 /// The least sine of the transmission angle at the start: well away from any dead point.
 const LEAST_SINE: f64 = 0.3;
 
-/// Grows a mechanism: a motor on the ground, then as many additions as asked for.
+/// Grows a mechanism: a motor, then as many additions as asked for. It stands on any of its links, and is declared in any order.
 #[must_use]
 pub fn grow(dice: &mut Dice, additions: usize) -> Grown {
     let mut grown = Grown::new(dice, false);
     for _ in 0..additions {
         grown.add(dice);
     }
-    grown.finish()
+    grown.finish(dice)
 }
 
 /// Grows a mechanism as [`grow`] does, each of whose additions draws from dice of its own: it stays when another is left out.
@@ -51,7 +53,7 @@ pub fn grow_from(motor: &mut Dice, additions: &[Dice]) -> Grown {
     for addition in additions {
         grown.add(&mut addition.clone());
     }
-    grown.finish()
+    grown.finish(motor)
 }
 
 impl Grown {
@@ -64,6 +66,7 @@ impl Grown {
             loops: 0,
             gears: 0,
             arms: 0,
+            has_equals: dice.once_in(4),
             slots: Vec::new(),
         };
         grown.arm(dice, LinkId::GROUND);
@@ -85,12 +88,14 @@ impl Grown {
         }
     }
 
-    fn finish(mut self) -> Self {
+    /// Adds what has to come last, and then forgets in which order it has grown, and on what it stood.
+    fn finish(mut self, dice: &mut Dice) -> Self {
         // Dies come after all links that are declared.
         for (point, line) in std::mem::take(&mut self.slots) {
             let name = format!("j{}", self.model.joints.len());
             self.model.add_slot(&name, Origin::default(), point, line);
         }
+        self.model = shuffled(&on_any_ground(&self.model, dice), dice);
         self.count_arms();
         self
     }
@@ -253,8 +258,11 @@ impl Grown {
             return self.dyad(dice);
         }
         let kinds = *dice.pick(&["RRR", "RRR", "RRP", "RPR", "PRR", "PRP", "RPP", "PPR"]);
-        let (p, q, r) = (point(dice), point(dice), point(dice));
+        let (p, mut q, r) = (point(dice), point(dice), point(dice));
         let (d, e) = (direction(dice), direction(dice));
+        if self.has_equals && kinds == "RRR" {
+            q = self.equal(dice, [first, second], [p, r]);
+        }
         if !well_placed(kinds, [p, q, r], [d, e]) {
             return self.dyad(dice);
         }
@@ -297,6 +305,38 @@ impl Grown {
             }
         }
         self.loops += 1;
+    }
+
+    /// Where the middle pin of a dyad makes equal pairs: of an isosceles triangle; and where its ends have a pin in common, of a parallelogram
+    /// or of a kite.
+    fn equal(&self, dice: &mut Dice, [first, second]: [LinkId; 2], [p, r]: [Point; 2]) -> Point {
+        let joins = |joint: &&Joint| match joint.kind {
+            JointKind::Revolute(a, b) => {
+                let links = [a, b].map(|axis| self.model.axis(axis).link);
+                links == [first, second] || links == [second, first]
+            }
+            _ => false,
+        };
+        let common = self.model.joints.iter().find(joins);
+        let common = common.and_then(|joint| joint.kind.axes());
+        let along = [r[0] - p[0], r[1] - p[1]];
+        match common.map(|[axis, _]| self.model.axis(axis).at) {
+            Some([x, y]) if dice.once_in(2) => [p[0] + r[0] - x, p[1] + r[1] - y],
+            Some([x, y]) => {
+                // Its mirror image in the line through both ends.
+                let square = along[0] * along[0] + along[1] * along[1];
+                let off = along[0] * (y - p[1]) - along[1] * (x - p[0]);
+                let back = 2.0 * off / square;
+                [x + back * along[1], y - back * along[0]]
+            }
+            None => {
+                let height = dice.between(-1.5, 1.5);
+                [
+                    p[0] + 0.5 * along[0] - height * along[1],
+                    p[1] + 0.5 * along[1] + height * along[0],
+                ]
+            }
+        }
     }
 
     /// Joints whose removal disconnects the mechanism, found by the slow and obvious method.

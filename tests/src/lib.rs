@@ -12,6 +12,7 @@ pub mod judge;
 mod measure;
 mod rustc;
 mod sample;
+mod shuffled;
 pub mod sketch;
 mod source;
 pub mod symmetric;
@@ -28,6 +29,9 @@ pub use grow::{Grown, grow, grow_coupled, grow_coupled_from, grow_from, in_own_f
 pub use measure::{apart, differences, in_f64, lengths, reach};
 pub use rustc::rustc;
 pub use sample::{Sample, coupled_samples, dice, for_all, samples};
+pub use shuffled::{
+    driven_elsewhere, driven_on_the_ground, on_any_ground, reordered, shuffle, shuffled,
+};
 pub use source::{bodies, mechanism_of, mechanisms, model, models};
 pub use text::text;
 pub use varied::{direction, place, scale, vary, with_params};

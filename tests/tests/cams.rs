@@ -6,7 +6,9 @@ use mech_compiler::model::Shown;
 use mech_compiler::program::build;
 use mech_compiler::structure::{Diagnosis, RangeTrouble};
 use mech_runtime::{Cause, Phase};
-use mech_tests::{Sample, add_cam, cases, for_all, model, reach, samples, with_ground, worst_gap};
+use mech_tests::{
+    Sample, add_cam, cases, for_all, model, reach, samples, shuffled, with_ground, worst_gap,
+};
 use std::f64::consts::{PI, TAU};
 
 mod generated {
@@ -323,6 +325,12 @@ fn random_followers_are_where_their_laws_have_them() {
             .filter_map(|_| add_cam(&mut model, &mut dice))
             .collect();
         let Some(&last) = cams.last() else { return };
+        let name = model.joint(last).name.clone();
+        let model = shuffled(&model, &mut dice);
+        let last = model
+            .joint_ids()
+            .find(|&joint| model.joint(joint).name == name)
+            .expect("it is there");
         let whole = compile(&model).unwrap_or_else(|wrong| panic!("{wrong:?}"));
         compiled += 1;
         let link = model.ends(last).1;

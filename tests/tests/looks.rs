@@ -4,7 +4,7 @@ use i_overlay::core::fill_rule::FillRule;
 use i_overlay::core::overlay_rule::OverlayRule;
 use i_overlay::float::single::SingleFloatOverlay;
 use mech_compiler::evaluate::Machine;
-use mech_compiler::model::{LinkId, Model};
+use mech_compiler::model::{JointKind, LinkId, Model};
 use mech_compiler::structure::Pin;
 use mech_compiler::{Compiled, Looks, Measure, Outline, Painted, compile, looks};
 use mech_runtime::Palette;
@@ -333,7 +333,13 @@ fn no_bar_crosses_a_pin_that_it_does_not_carry() {
                 positions.push(machine.position().poses.clone());
                 came
             });
-            if came {
+            // What slides is elsewhere in the other sense.
+            let joints = model
+                .motors
+                .iter()
+                .map(|motor| model.joint(motor.joint).kind);
+            let mut slides = joints.filter(|kind| matches!(kind, JointKind::Prismatic(..)));
+            if came && slides.next().is_none() {
                 break;
             }
         }

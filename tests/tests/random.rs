@@ -12,6 +12,13 @@ use mech_tests::{
 /// How many mechanisms a test tries.
 const CASES: u64 = 100;
 
+/// Every joint is closed as it is declared.
+fn is_closed(model: &Model, poses: &[[f64; 4]]) {
+    let reach = reach(poses).max(size(model));
+    let gap = worst_gap(model, poses);
+    assert!(gap < 1e-13 * reach, "gap {gap:e} at reach {reach}");
+}
+
 fn messages(diagnoses: &[Diagnosis], model: &Model) -> String {
     let texts = diagnoses
         .iter()
@@ -69,6 +76,7 @@ fn in_own_frames_it_has_the_same_assembly() {
                 "link {link}: {is:?} instead of {should:?}"
             );
         }
+        is_closed(&model, &start);
     });
 }
 
@@ -95,9 +103,7 @@ fn it_moves_and_closes_or_stays_where_it_was() {
                 continue;
             }
             let poses = with_ground(&grown.model, &machine.position().poses);
-            let reach = reach(&poses).max(size(&grown.model));
-            let gap = worst_gap(&grown.model, &poses);
-            assert!(gap < 1e-13 * reach, "gap {gap:e} at reach {reach}");
+            is_closed(&grown.model, &poses);
             assert!(worst_stretch(&poses) < 1e-14, "a link is stretched");
         }
     });

@@ -167,7 +167,8 @@ fn exactly_the_loops_are_solved_that_what_is_shown_depends_on() {
         }
     }
     assert!(fewer > 50 * other.min(2), "it is worth it: {fewer}");
-    assert!(fewer > 5 * other, "{fewer}, {other}");
+    // On any ground, every fourth link or so is held in its direction by slides alone.
+    assert!(fewer > 3 * other, "{fewer}, {other}");
 }
 
 /// How many mechanisms are moved, whole and in part.

@@ -214,6 +214,16 @@ impl<'p, T: Real> Machine<'p, T> {
         })
     }
 
+    /// Runs the program once for these values of motors and params: what lies on the way there is not looked at.
+    ///
+    /// # Errors
+    /// The loop that does not close; it then stays where it was.
+    pub(crate) fn step_to(&mut self, inputs: &[T]) -> Result<(), Stop> {
+        let position = &self.position;
+        self.position = self.runner.step(position, (inputs, &position.turns))?;
+        Ok(())
+    }
+
     /// Exactly as the generated code's runtime does it.
     fn advance(&mut self, motors: &[T], turns: &[i32]) -> Result<(), Halt<Position<T>, Stop, T>> {
         let refuse = |stop| Halt {
@@ -242,11 +252,10 @@ impl<'p, T: Real> Machine<'p, T> {
 /// # Errors
 /// The loop that does not close.
 pub fn settle(program: &mut Program) -> Result<(), Stop> {
-    let machine = Machine::<f64>::new(program);
-    let position = machine.position();
-    let start = machine
-        .runner
-        .step(position, (&position.motors, &position.turns))?;
+    let mut machine = Machine::<f64>::new(program);
+    let inputs = machine.position.motors.clone();
+    machine.step_to(&inputs)?;
+    let start = machine.into_position();
     program.start = start;
     Ok(())
 }

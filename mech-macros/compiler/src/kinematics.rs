@@ -1,7 +1,7 @@
 //! Where links, axes and joints are at a position, by numbers.
 
 use crate::bug::bug;
-use crate::model::{AxisId, Joint, JointId, JointKind, LinkId, Model};
+use crate::model::{AxisId, JointId, JointKind, LinkId, Model};
 use nalgebra::{Complex, Isometry2, Point2, Translation2, UnitComplex, Vector2};
 
 /// The frames of all links at a position.
@@ -17,14 +17,19 @@ impl<'m> LinkFrames<'m> {
         Self { model, frames }
     }
 
-    /// The frames if the declared links have these poses. A die is where its pin is, and points where its slot does.
-    pub(crate) fn with_dies(model: &'m Model, declared: &[[f64; 4]]) -> Self {
-        let mut all = Self::new(model, declared);
-        all.frames.insert(0, Isometry2::identity());
-        for (pin, guide) in model.links.iter().filter_map(|link| link.die) {
-            let (place, direction) = (all.place(pin), all.direction(guide));
-            all.frames
-                .push(frame([direction.x, direction.y, place.x, place.y]));
+    /// The frames if these links have these poses, and no others have any: what is asked of them is not a number. A die is where its pin is,
+    /// and points where its slot does.
+    pub(crate) fn of_some(model: &'m Model, links: &[LinkId], poses: &[[f64; 4]]) -> Self {
+        let mut all = Self::new(model, &vec![[f64::NAN; 4]; model.links.len()]);
+        all.frames[LinkId::GROUND.index()] = Isometry2::identity();
+        for (link, pose) in links.iter().zip(poses) {
+            all.frames[link.index()] = frame(*pose);
+        }
+        for (number, link) in model.links.iter().enumerate() {
+            if let Some((pin, guide)) = link.die {
+                let (place, direction) = (all.place(pin), all.direction(guide));
+                all.frames[number] = frame([direction.x, direction.y, place.x, place.y]);
+            }
         }
         all
     }
@@ -66,26 +71,35 @@ impl<'m> LinkFrames<'m> {
         }
     }
 
-    /// The greatest distance, and sine of an angle, by which axes that a joint makes coincide do not.
+    /// The distance, and the sine of an angle, by which the axes that a joint makes coincide do not; none of what rolls and of cams.
+    pub(crate) fn misfit(&self, joint: JointId) -> Option<[f64; 2]> {
+        let kind = self.model.joint(joint).kind;
+        let [a, b] = kind.axes()?;
+        let offset = self.place(b) - self.place(a);
+        let along = self.direction(a);
+        let askew = along.perp(&self.direction(b)).abs();
+        Some(match kind {
+            JointKind::Revolute(..) => [offset.norm(), 0.0],
+            JointKind::Weld(..) => [offset.norm(), askew],
+            _ => [along.perp(&offset).abs(), askew],
+        })
+    }
+
+    /// The greatest of all misfits.
     pub(crate) fn gap(&self) -> f64 {
-        let apart = |joint: &Joint| match joint.kind {
-            JointKind::Revolute(a, b) | JointKind::Weld(a, b) | JointKind::Prismatic(a, b) => {
-                let offset = self.place(b) - self.place(a);
-                let along = self.direction(a);
-                let twist = along.perp(&self.direction(b)).abs();
-                match joint.kind {
-                    JointKind::Revolute(..) => offset.norm(),
-                    JointKind::Weld(..) => offset.norm().max(twist),
-                    _ => along.perp(&offset).abs().max(twist),
-                }
-            }
-            // What rolls is looked at apart.
-            JointKind::Gear { .. }
-            | JointKind::Belt { .. }
-            | JointKind::Rack { .. }
-            | JointKind::Cam { .. } => 0.0,
-        };
-        self.model.joints.iter().map(apart).fold(0.0, f64::max)
+        let joints = self.model.joint_ids();
+        let misfits = joints.filter_map(|joint| self.misfit(joint)).flatten();
+        misfits.fold(0.0, f64::max)
+    }
+
+    /// How far axes are from the origins of the scene and of their links, at most.
+    pub(crate) fn extent(&self) -> f64 {
+        let axes = self.model.axes.iter().zip(0..);
+        let far = axes.flat_map(|(axis, id)| {
+            let place = self.place(AxisId::new(id));
+            [place.coords.norm(), axis.at[0].hypot(axis.at[1])]
+        });
+        far.fold(0.0, f64::max)
     }
 }
 

@@ -11,7 +11,7 @@ pub fn grow_coupled(dice: &mut Dice, additions: usize) -> Grown {
     for addition in 0..additions {
         grown.add_coupled(dice, addition == 0);
     }
-    grown.finish()
+    grown.finish(dice)
 }
 
 /// Grows a mechanism as [`grow_coupled`] does, each of whose additions draws from dice of its own.
@@ -21,7 +21,7 @@ pub fn grow_coupled_from(motor: &mut Dice, additions: &[Dice]) -> Grown {
     for (number, addition) in additions.iter().enumerate() {
         grown.add_coupled(&mut addition.clone(), number == 0);
     }
-    grown.finish()
+    grown.finish(motor)
 }
 
 impl Grown {

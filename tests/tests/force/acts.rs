@@ -44,6 +44,24 @@ pub(super) fn by_joints(
     (acts, rolls)
 }
 
+/// Follows the angles of all revolute joints to a position nearby.
+pub(super) fn follow(angles: &mut [f64], model: &Model, at: &Position) {
+    let direction = |axis: AxisId| {
+        let axis = model.axis(axis);
+        let own = axis.direction[1].atan2(axis.direction[0]);
+        let link = axis.link.index().checked_sub(1).map(|link| at.poses[link]);
+        link.map_or(own, |[cos, sin, ..]| own + sin.atan2(cos))
+    };
+    for (angle, joint) in angles.iter_mut().zip(&model.joints) {
+        if let JointKind::Revolute(a, b) = joint.kind
+            && model.link(model.axis(b).link).die.is_none()
+        {
+            let off = direction(b) - direction(a) - *angle;
+            *angle += off.sin().atan2(off.cos());
+        }
+    }
+}
+
 /// What springs, dampers and loads do to links.
 pub(super) fn by_actions(
     model: &Model,
@@ -92,23 +110,11 @@ pub(super) fn by_actions(
                 let JointKind::Revolute(a, b) = model.joint(joint).kind else {
                     panic!("a spring turns revolutes");
                 };
-                let angle = |axis: AxisId| {
-                    let (axis, [x, y]) = (model.axis(axis), model.axis(axis).direction);
-                    let own = y.atan2(x);
-                    axis.link
-                        .index()
-                        .checked_sub(1)
-                        .map_or(own, |link| own + at.poses[link][1].atan2(at.poses[link][0]))
-                };
                 let turning = |axis: AxisId| {
                     let link = model.axis(axis).link.index().checked_sub(1);
                     link.map_or(0.0, |link| moved.velocities[link][0])
                 };
-                let between = angle(b) - angle(a) - length_at_rest;
-                let deflection = match model.motor_of(joint) {
-                    Some(motor) => at.motors[motor.index()] - length_at_rest,
-                    None => between.sin().atan2(between.cos()),
-                };
+                let deflection = given.angles[joint.index()] - length_at_rest;
                 let torque = stiffness * deflection + damping * (turning(b) - turning(a));
                 acts.push((model.axis(a).link, [0.0; 2], [0.0; 2], torque));
                 acts.push((model.axis(b).link, [0.0; 2], [0.0; 2], -torque));

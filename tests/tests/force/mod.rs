@@ -5,7 +5,7 @@
 mod acts;
 mod random_actions;
 
-use acts::{by_actions, by_joints, scene_point};
+use acts::{by_actions, by_joints, follow, scene_point};
 use mech_compiler::evaluate::{Machine, Stop};
 use mech_compiler::model::Model;
 use mech_compiler::program::{Forces, Inertia, InverseDynamics};
@@ -28,6 +28,8 @@ struct Given {
     rates: Vec<f64>,
     seconds: Vec<f64>,
     loads: Vec<f64>,
+    /// The angle of each revolute joint, over any number of turns.
+    angles: Vec<f64>,
 }
 
 fn check(model: &Model, dice: &mut Dice, places: usize, seen: &mut Seen) {
@@ -43,20 +45,25 @@ fn check(model: &Model, dice: &mut Dice, places: usize, seen: &mut Seen) {
     };
     let mut machine = Machine::<f64>::new(&compiled.program);
     let count = compiled.program.motors.len();
+    let mut angles = vec![0.0; model.joints.len()];
+    follow(&mut angles, model, machine.position());
     for _ in 0..places {
-        let motors: Vec<f64> = machine
-            .position()
-            .motors
-            .iter()
-            .map(|motor| motor + dice.between(-0.7, 0.7))
+        let steps: Vec<f64> = (0..machine.position().motors.len())
+            .map(|_| dice.between(-0.7, 0.7) / 64.0)
             .collect();
-        let _ = machine.move_toward(&motors);
+        for _ in 0..64 {
+            let motors = machine.position().motors.iter().zip(&steps);
+            let motors: Vec<f64> = motors.map(|(motor, step)| motor + step).collect();
+            let _ = machine.move_toward(&motors);
+            follow(&mut angles, model, machine.position());
+        }
         let mut some =
             |count: usize| -> Vec<f64> { (0..count).map(|_| dice.between(-1.0, 1.0)).collect() };
         let given = Given {
             rates: some(count),
             seconds: some(count),
             loads: some(model.actions.load_names().len()),
+            angles: angles.clone(),
         };
         let at = machine.position().clone();
         let found = |program, rates: &[f64], seconds: &[f64]| {

@@ -1,12 +1,13 @@
 //! The driver: it builds a program, watches it move, and builds it again with what it learnt.
 //!
 //! ```text
-//! structure → plan → program ──────────────────────────→ Compiled
+//! structure → plan → program ──────────────→ closure ─────→ Compiled
 //!                     │    ↑ choices: solver and watching of each loop
 //!                     └→ motion: watching, accuracy, proof of ranges
 //! ```
 
 mod change_point_start;
+mod closure;
 mod overconstrained;
 
 use crate::bug::bug;
@@ -35,6 +36,7 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         choices,
         prediction,
     } = analyse(model, Depth::WholeMotion)?;
+    closure::check(model, &structure, &program);
     let derive = |output: Output<'_>| {
         let derived = program::derive(model, &plan, &choices, &program, output)?;
         Some(Program {

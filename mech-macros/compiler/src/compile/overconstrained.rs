@@ -1,14 +1,14 @@
 //! Overconstrained mechanisms: counting finds them rigid, but they move, because their lengths match exactly. A parallelogram with
 //! three cranks is one. They are tested by moving them.
 
+use super::closure::{moved, size};
 use crate::bug::bug;
 use crate::evaluate::{self, Machine};
 use crate::kinematics::LinkFrames;
 use crate::model::{Allowances, JointId, JointKind, Model, MotorId};
 use crate::plan::{self, Plan, Step};
 use crate::program::{self, Program};
-use crate::structure::{self, Factor, Rolling, RollingEnd, Structure};
-use std::f64::consts::TAU;
+use crate::structure::{self, Rolling, Structure};
 
 /// Displacements by which each motor is tried, in radians, or as a part of the mechanism's size. They are large enough for a link that
 /// only touches its circle to leave it. The first must be possible in one direction at least; where the others are, the joints must
@@ -102,54 +102,36 @@ fn displace(
         .poses
         .iter()
         .fold(size, |reach, pose| reach.max(pose[2].hypot(pose[3])));
-    let start = LinkFrames::with_dies(model, &program.start.poses);
-    let now = LinkFrames::with_dies(model, &machine.position().poses);
+    let start = LinkFrames::of_some(model, &program.stored, &program.start.poses);
+    let now = LinkFrames::of_some(model, &program.stored, &machine.position().poses);
     let slips = || {
         rollings
             .iter()
             .any(|rolling| slip(rolling, &start, &now).abs() > 1e-9)
     };
+    // A motor between links that other joints hold to each other moves nothing.
+    let idle = || {
+        let joint = model.motor(motor).joint;
+        let [now, start] = [&now, &start].map(|frames| frames.coordinate(joint));
+        let (Some(now), Some(start)) = (now, start) else {
+            bug!("a motor drives what has no coordinate");
+        };
+        let wanted = motors[motor.index()] - program.start.motors[motor.index()];
+        let off = now - start - wanted;
+        let off = if slides { off } else { off.sin() };
+        off.abs() > 1e-9 * if slides { reach } else { 1.0 }
+    };
     // Turns are only known up to whole ones: the least displacement is decisive.
-    let open = now.gap() > 1e-9 * reach || (displacement.abs() <= DISPLACEMENTS[0] && slips());
+    let open =
+        now.gap() > 1e-9 * reach || idle() || (displacement.abs() <= DISPLACEMENTS[0] && slips());
     if open { Outcome::Open } else { Outcome::Moved }
 }
 
 /// How much the two parts that roll on each other have slipped from one scene to another, as a part of their size.
 fn slip(rolling: &Rolling, start: &LinkFrames<'_>, now: &LinkFrames<'_>) -> f64 {
-    let size = |factor: Factor| match factor {
-        #[expect(
-            clippy::cast_precision_loss,
-            reason = "a wheel of 2^53 teeth does not exist"
-        )]
-        Factor::Whole(value) => value as f64,
-        Factor::Float(value) => value,
-    };
-    let moved = rolling.ends.map(|(end, factor)| {
-        let moved = match end {
-            RollingEnd::Wheel(wheel) => {
-                let carrier = rolling.carrier;
-                let off = now.turn(carrier, wheel) - start.turn(carrier, wheel);
-                off - TAU * (off / TAU).round()
-            }
-            RollingEnd::Bar {
-                slide, forwards, ..
-            } => {
-                let [now, start] = [now, start].map(|frames| frames.coordinate(slide));
-                let (Some(now), Some(start)) = (now, start) else {
-                    bug!("a bar has no slide");
-                };
-                let off = now - start;
-                if forwards { off } else { -off }
-            }
-        };
-        size(factor) * moved
-    });
-    let largest = rolling
-        .ends
-        .iter()
-        .map(|(_, factor)| size(*factor).abs())
-        .fold(0.0, f64::max);
-    (moved[0] + moved[1]) / largest
+    let sizes = rolling.ends.map(|(_, factor)| size(factor).abs());
+    let moved = moved(rolling, start, now);
+    (moved[0] + moved[1]) / sizes[0].max(sizes[1])
 }
 
 /// The joints that were not needed to find where everything is.
