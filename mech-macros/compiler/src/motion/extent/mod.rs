@@ -17,7 +17,7 @@ use crate::program::{AtZero, Op, Position, Program};
 use bounds::Bounds;
 use line::{Line, Sample};
 pub(crate) use seen::Reach;
-use seen::{EMPTY, SIDES, SeenPoints, Sides, outwards};
+use seen::{EMPTY, SIDES, SeenPoints, Sides};
 use std::f64::consts::TAU;
 
 /// How many operations all of it may cost: some ten milliseconds of an optimised build. Of a small mechanism it costs no more than so many
@@ -494,15 +494,10 @@ fn most(
     let ranges: Vec<Interval> = ranges.iter().map(anywhere).collect();
     let bounds = Bounds::new(model, &ranges);
     let of_link = |(&link, points): (&LinkId, &Vec<Reach>)| {
-        points.iter().fold(EMPTY, |mut sides, &(at, radius)| {
+        points.iter().fold(EMPTY, |sides, &(at, radius)| {
             let [x, y] = bounds.of_point(link, at);
-            for (corner, pick) in [([x.low(), y.low()], [0, 1]), ([x.high(), y.high()], [2, 3])] {
-                let out = outwards((corner, radius), [1.0, 0.0, 0.0, 0.0]);
-                for side in pick {
-                    sides[side] = sides[side].max(out[side]);
-                }
-            }
-            sides
+            let out = [-x.low(), -y.low(), x.high(), y.high()];
+            SIDES.map(|side| sides[side].max(radius + out[side]))
         })
     };
     program
