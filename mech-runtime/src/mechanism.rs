@@ -41,9 +41,14 @@ pub trait Mechanism: Clone {
     /// The upright box around the shapes throughout the motion: lower left and upper right corner, in scene units. Without shapes, the
     /// box around joints and points.
     ///
-    /// The compiler finds it by moving the mechanism: each motor alone through its range or whole turns, then all of them to some
-    /// hundred combinations, and from the outermost positions farther out. A motor that slides without a range moves by four sizes of
-    /// the mechanism. Params are as at the start.
+    /// It holds everything that is painted wherever the motors go within their ranges. A motor that turns without a range makes all turns;
+    /// what moves on with every turn, as a rack does, is followed for one turn either way, or for as many as gears take until all wheels
+    /// stand as before. A motor that slides without a range goes as far as loops let it, at most four sizes of the mechanism either way.
+    /// Params are as at the start, and paths of traced points are seen.
+    ///
+    /// The compiler proves how far links reach at most, by their lengths and ranges, and moves the mechanism within a budget. Open chains
+    /// and one motor's motion are met to a ten-millionth of the box. Where several motors move loops, not all positions are tried: there
+    /// the box is wider by a 25th of each link's motion, and is no proof.
     const EXTENT: [[Self::Scalar; 2]; 2];
 
     /// The mechanism as assembled at compile time.

@@ -10,6 +10,7 @@ mod grow;
 pub mod journeys;
 pub mod judge;
 mod measure;
+mod painted;
 mod rustc;
 mod sample;
 mod shuffled;
@@ -27,6 +28,7 @@ pub use dice::Dice;
 pub use fixtures::{SOURCES, four_bar_text};
 pub use grow::{Grown, grow, grow_coupled, grow_coupled_from, grow_from, in_own_frames};
 pub use measure::{apart, differences, in_f64, lengths, reach};
+pub use painted::painted_outside;
 pub use rustc::rustc;
 pub use sample::{Sample, coupled_samples, dice, for_all, samples};
 pub use shuffled::{

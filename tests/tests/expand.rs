@@ -1,8 +1,11 @@
 //! What people see who look at the generated code. Renew with `INSTA_UPDATE=always cargo test -p mech-tests --test compiler expand`,
 //! and read it.
 
-use mech_tests::four_bar_text;
-use proc_macro2::TokenStream;
+use mech_tests::{bodies, four_bar_text};
+use proc_macro2::{TokenStream, TokenTree};
+use quote::ToTokens as _;
+use std::fs;
+use std::path::Path;
 
 fn expansion(text: &str) -> String {
     let text: TokenStream = text.parse().expect("tokens");
@@ -234,4 +237,98 @@ fn a_cam_and_what_follows_it() {
         .find("        /// The position at these motor values, and for each loop a margin")
         .expect("a step");
     insta::assert_snapshot!(all.split_at(start).1);
+}
+
+/// Equal cranks under a table: all but two hold it again, and share what they are compared with.
+#[test]
+fn rows_of_equal_cranks_expand() {
+    for (cranks, precision) in [(3, "f64"), (4, "f64"), (4, "f32"), (7, "f64")] {
+        let mut text = format!("struct Row: {precision}; link table; allow redundant;");
+        for crank in 0..cranks {
+            text += &format!(
+                "link c{crank}; joint a{crank} = revolute(ground, c{crank}) at ({crank}, 0);
+                joint b{crank} = revolute(c{crank}, table) at ({crank}.5, 1);"
+            );
+        }
+        let all = expansion(&(text + "motor a0;"));
+        assert!(!all.contains("compile_error"), "{cranks} cranks: {all}");
+    }
+}
+
+/// Everything that a test, an example or a page declares expands to Rust, if the analysis finds nothing wrong.
+#[test]
+fn what_the_analysis_accepts_expands() {
+    let mut texts = Vec::new();
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    for folder in [
+        "tests",
+        "examples",
+        "studio",
+        "docs",
+        "mech-runtime",
+        "mech-macros",
+    ] {
+        collect(&root.join(folder), &mut texts);
+    }
+    let mut expanded = 0;
+    for text in texts {
+        let analysis = mech_compiler::analyse(text.clone());
+        if analysis.result.is_err() {
+            continue;
+        }
+        let written = mech_compiler::catch(|| {
+            mech_compiler::write(&quote::quote!(::mech_runtime), &analysis)
+        });
+        let written = written.unwrap_or_else(|what| panic!("{what}: {text}"));
+        assert!(syn::parse2::<syn::File>(written).is_ok(), "{text}");
+        expanded += 1;
+    }
+    assert!(expanded > 200, "only {expanded} texts were found");
+}
+
+/// The texts of mechanisms in all files of a folder: in calls of the macro, in strings, and in files and pages of their own.
+fn collect(path: &Path, texts: &mut Vec<TokenStream>) {
+    if path.is_dir() {
+        if !path.ends_with("target") {
+            let entries = fs::read_dir(path).expect("a folder").flatten();
+            entries.for_each(|entry| collect(&entry.path(), texts));
+        }
+        return;
+    }
+    let kind = path.extension().and_then(|kind| kind.to_str());
+    let Ok(text) = fs::read_to_string(path) else {
+        return;
+    };
+    match kind {
+        Some("rs") => {
+            let Ok(tokens) = text.parse::<TokenStream>() else {
+                return;
+            };
+            texts.extend(bodies(&text));
+            strings(tokens, texts);
+        }
+        Some("md") => texts.extend(text.split("```").skip(1).step_by(2).filter_map(text_in)),
+        Some("mech") => texts.extend(text_in(&text)),
+        _ => {}
+    }
+}
+
+fn strings(tokens: TokenStream, texts: &mut Vec<TokenStream>) {
+    for tree in tokens {
+        match tree {
+            TokenTree::Group(group) => strings(group.stream(), texts),
+            TokenTree::Literal(literal) => {
+                let literal = syn::parse2::<syn::LitStr>(literal.into_token_stream());
+                texts.extend(literal.ok().and_then(|literal| text_in(&literal.value())));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// A text that declares a mechanism, perhaps.
+fn text_in(text: &str) -> Option<TokenStream> {
+    let declares = text.contains("struct ") && text.contains("motor ");
+    let text = text.trim_start_matches("text").trim_start_matches("rust");
+    declares.then(|| text.parse().ok())?
 }

@@ -8,11 +8,12 @@ use mech_compiler::model::{JointKind, LinkId, Model};
 use mech_compiler::structure::Pin;
 use mech_compiler::{Compiled, Looks, Measure, Outline, Painted, compile, looks};
 use mech_runtime::Palette;
-use mech_tests::{Sample, cases, for_all, model, samples};
+use mech_tests::{Sample, cases, for_all, model, painted_outside, samples};
 use nalgebra::{Complex, Isometry2, Point2, Translation2, UnitComplex};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
+use std::time::{Duration, Instant};
 
 /// The colours of eyes and belts.
 const MARKS: [u8; 2] = [Palette::INK, Palette::EYE];
@@ -432,4 +433,95 @@ fn a_link_with_shapes_keeps_them() {
     assert_eq!(of(a).count(), 1);
     assert!(of(a).all(|painted| painted.color == Palette::RED && painted.plane == 0));
     assert!(of(b).count() > 1);
+}
+
+#[track_caller]
+fn assert_box(text: &str, expected: [[f64; 2]; 2]) {
+    let (model, compiled, looks) = compiled(text);
+    let found = looks.extent(&model, &compiled);
+    let pairs = found.as_flattened().iter().zip(expected.as_flattened());
+    let off = pairs.map(|(is, should)| (is - should).abs());
+    assert!(
+        off.fold(0.0, f64::max) < 1e-6,
+        "{found:?} is not {expected:?}"
+    );
+}
+
+/// Boxes that are known by a sum of lengths.
+#[test]
+fn a_box_is_as_large_as_arms_and_slides_reach() {
+    let hand = "link u; link f; link g { circle (5, 1) radius 0.25; }
+        joint a = revolute(ground, u) at (0, 0);
+        joint b = revolute(u, f) at (2, 0); joint c = revolute(f, g) at (3, 1);";
+    let far = 2.0 + 2.0_f64.sqrt() + 2.0 + 0.25;
+    let arm = format!("struct Arm; {hand} motor a; motor b; motor c;");
+    assert_box(&arm, [[-far, -far], [far, far]]);
+    // A slide goes four sizes either way; one whose axes lie in one place is as large as what is painted.
+    let slide = |at: &str| {
+        format!(
+            "struct Slide; link a {{ circle (0, 0) radius 2; }} joint j = prismatic(ground, a) at {at} along (1, 0); motor j;"
+        )
+    };
+    assert_box(&slide("(0, 0)"), [[-10.0, -2.0], [10.0, 2.0]]);
+    assert_box(&slide("(0, -5)"), [[-22.0, -2.0], [22.0, 2.0]]);
+    // What rolls on goes a turn either way.
+    let rack = "struct Rack; link pinion; link bar { circle (0, 0) radius 1; }
+        joint turn = revolute(ground, pinion) at (0, 0); joint slide = prismatic(ground, bar) at (0, 1) along (1, 0);
+        joint mesh = rack(pinion, bar, radius 1); motor turn;";
+    assert_box(rack, [[-1.0 - TAU, -1.0], [1.0 + TAU, 1.0]]);
+    // A point whose path is painted is seen, too.
+    let traced = "struct Traced; ground { point o = (0, 0); } link a { point o = (0, 0); point tip = (3, 0); circle (0, 0) radius 1; }
+        joint j = revolute(ground.o, a.o); motor j; effects { trace a.tip 64; }";
+    assert_box(traced, [[-3.0, -3.0], [3.0, 3.0]]);
+}
+
+/// Mechanisms whose moves go in so small pieces that their boxes took half a minute of an optimised build.
+#[test]
+fn a_box_costs_little_however_small_the_pieces_of_a_move_are() {
+    let texts = [
+        "struct Rack; link l1; link l2; link l3;
+        joint j0 = revolute(ground, l1) at (-0.5, 2.0);
+        joint j1 = prismatic(l1, l2) at (2.3836808125343194, 2.0) along (0.0, -1.0);
+        joint j2 = rack(ground, l2, radius 2.8836808125343194 on l1);
+        joint j3 = revolute(ground, l3) at (2.5, -3.0);
+        joint j4 = slot(l2, l3) at (1.0, 1.0) along (1.0, -1.0);
+        motor j0;",
+        "struct Belt; link l1; link l2; link l3; link l4; link l5; link l6; link l7;
+        joint j0 = revolute(ground, l1) at (2.4, -1.84);
+        joint j1 = revolute(l1, l2) at (0.16, 1.99);
+        joint j2 = revolute(l1, l3) at (-0.99, 0.34);
+        joint j3 = prismatic(l3, l4) at (-0.99, 0.34) along (0.255, -1.386);
+        joint j4 = revolute(l4, l2) at (-0.735, -1.046);
+        joint j5 = revolute(l3, l5) at (-0.27, 1.23);
+        joint j6 = belt(l1, l5, 3 : 2 on l3);
+        joint j7 = prismatic(l6, l5) at (-3.48, -3.89) along (0.206, 0.979);
+        joint j8 = revolute(l6, l7) at (-3.16, 2.05);
+        joint j9 = revolute(ground, l7) at (-2.73, -3.84);
+        motor j0; motor j3;",
+    ];
+    for text in texts {
+        let (model, compiled, looks) = compiled(text);
+        let begin = Instant::now();
+        let _ = looks.extent(&model, &compiled);
+        // Without a budget it takes minutes here.
+        assert!(
+            begin.elapsed() < Duration::from_secs(10),
+            "{:?}",
+            begin.elapsed()
+        );
+    }
+}
+
+/// What a motor reaches by random walks is painted within the box. Where several motors move loops, the box is no proof.
+#[test]
+fn nothing_is_painted_outside_of_the_box_of_one_motor() {
+    for_all(60, &samples(1..6), |Sample { grown, mut dice }: Sample| {
+        let Ok(compiled) = compile(&grown.model) else {
+            return;
+        };
+        if grown.model.motors.len() == 1 {
+            let outside = painted_outside(&grown.model, &compiled, &mut dice, 60);
+            assert!(outside <= 1e-6, "{outside:e} of the box");
+        }
+    });
 }

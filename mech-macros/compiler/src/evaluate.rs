@@ -101,6 +101,23 @@ impl<'p, T: Real> Machine<'p, T> {
         self.position = position;
     }
 
+    /// Lets its moves take so many operations from now on: what needs more stops where it is then, as if it were too far.
+    pub(crate) fn allow(&mut self, operations: usize) {
+        self.runner.left.set(operations);
+    }
+
+    /// How many operations of these are left.
+    pub(crate) fn left(&self) -> usize {
+        self.runner.left.get()
+    }
+
+    /// Goes there in one step, whatever lies between. It stays where it was if something does not close there.
+    pub(crate) fn leap(&mut self, motors: &[T]) -> Result<(), Stop> {
+        let turns = &self.position.turns;
+        self.position = self.runner.step(&self.position, (motors, turns))?;
+        Ok(())
+    }
+
     /// Gives the motors these values, one for each in order of declaration, in radians or scene units. The values of all params may
     /// follow; else these stay as they are.
     ///

@@ -35,5 +35,5 @@ pub use analysis::{Analysis, Faults, analyse};
 pub use bug::catch;
 pub use compile::compile;
 pub use compiled::{Compiled, ForcePrograms};
-pub use expand::{Import, PartText, expand, expand_part, macro_calls};
+pub use expand::{Import, PartText, expand, expand_part, macro_calls, write};
 pub use looks::{Looks, Measure, Outline, Painted, Place, Symbols, Toothed, looks};

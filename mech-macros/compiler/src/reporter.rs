@@ -146,6 +146,7 @@ impl Words<'_> {
                 self.at_joint(joints.first()),
                 self.matched_only(joints, *param),
             ),
+            Diagnosis::Overflow { culprit } => self.overflow(*culprit),
             Diagnosis::TooLarge => (self.model.origin, self.too_large()),
             Diagnosis::TooSmall => (self.model.origin, self.too_small()),
             Diagnosis::EndlessAccuracy { accuracy, motor } => (

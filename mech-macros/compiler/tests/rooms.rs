@@ -42,7 +42,6 @@ const ROOMS: &[(&str, &[&str])] = &[
         &[
             "bug",
             "compiled",
-            "evaluate",
             "kinematics",
             "model",
             "motion",

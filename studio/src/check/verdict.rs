@@ -48,7 +48,7 @@ pub(crate) fn verdicts(document: &Document, name: Option<&str>) -> Result<Vec<Ve
 }
 
 fn verdict(document: &Document, declaration: &Declaration) -> Result<Verdict, Failure> {
-    let Reading { model, result, .. } = document.analyse(declaration)?;
+    let Reading { model, result, .. } = document.check(declaration)?;
     let place = declaration.whole.clone();
     Ok(match result {
         Ok(compiled) => Verdict::Moves {

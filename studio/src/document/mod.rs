@@ -170,6 +170,14 @@ impl Document {
         reading::analyse(self, declaration)
     }
 
+    /// Reads and analyses one of its mechanisms, and writes its code as the macro does: what is right here is right there.
+    ///
+    /// # Errors
+    /// If the compiler itself fails, which is a mistake of ours.
+    pub(crate) fn check(&self, declaration: &Declaration) -> Result<Reading, Failure> {
+        reading::check(self, declaration)
+    }
+
     /// What the text of one of its mechanisms says, whether or not that is a mechanism; none if the text is wrong.
     ///
     /// # Errors

@@ -58,6 +58,23 @@ impl Reading {
 
 /// Reads and analyses a mechanism.
 pub(super) fn analyse(document: &Document, declaration: &Declaration) -> Result<Reading, Failure> {
+    read(document, declaration, mech_compiler::analyse)
+}
+
+/// The same as far as the macro goes: its code is written, too, and thrown away.
+pub(super) fn check(document: &Document, declaration: &Declaration) -> Result<Reading, Failure> {
+    read(document, declaration, |text| {
+        let analysis = mech_compiler::analyse(text);
+        drop(mech_compiler::write(&TokenStream::new(), &analysis));
+        analysis
+    })
+}
+
+fn read(
+    document: &Document,
+    declaration: &Declaration,
+    analyse: impl FnOnce(TokenStream) -> Analysis,
+) -> Result<Reading, Failure> {
     proc_macro2::extra::invalidate_current_thread_spans();
     let whole = &declaration.whole;
     let text = match text_of(document, declaration) {
@@ -75,7 +92,7 @@ pub(super) fn analyse(document: &Document, declaration: &Declaration) -> Result<
             });
         }
     };
-    let analysis = catch(|| mech_compiler::analyse(text)).map_err(Failure::internal)?;
+    let analysis = catch(|| analyse(text)).map_err(Failure::internal)?;
     let Analysis { parsed, result } = analysis;
     let result = result.map_err(|faults| Faults {
         messages: in_bytes(&faults.messages, whole),

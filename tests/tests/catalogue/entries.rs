@@ -490,6 +490,18 @@ effects { dynamics; }",
         ),
     },
     Entry {
+        variant: "Overflow",
+        example: "
+struct Arm: f32;
+gravity (0, -1e10);
+link arm { mass 1e30 at (1, 0); }
+joint a = revolute(ground, arm) at (0, 0);
+motor a;
+effects { force; }",
+        remedy: "Choose units in which the numbers are nearer to one, or compute in `f64`.",
+        edit: (": f32", ": f64"),
+    },
+    Entry {
         variant: "TooLarge",
         example: "
 struct Arm: f32;

@@ -9,6 +9,7 @@
 mod change_point_start;
 mod closure;
 mod overconstrained;
+mod overflow;
 
 use crate::bug::bug;
 use crate::compiled::{Compiled, ForcePrograms};
@@ -51,10 +52,6 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         inverse_dynamics: derive(Output::InverseDynamics(&structure)),
         inertia: derive(Output::Inertia),
     };
-    let massless = forced.inertia.as_ref().map_or(Vec::new(), massless_motors);
-    if !massless.is_empty() {
-        return Err(vec![Diagnosis::Massless { motors: massless }]);
-    }
     let sensitive = derive(Output::Sensitivity);
     let loops = accuracy::solved_loops(&program, prediction.as_ref());
     let saved = saved_cost(model, &plan, &program, &choices);
@@ -71,6 +68,14 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         saved,
         report: String::new(),
     };
+    if let Some(overflow) = overflow::overflow(model, &compiled) {
+        return Err(vec![overflow]);
+    }
+    let inertia = compiled.forced.inertia.as_ref();
+    let massless = inertia.map_or(Vec::new(), massless_motors);
+    if !massless.is_empty() {
+        return Err(vec![Diagnosis::Massless { motors: massless }]);
+    }
     compiled.report = report::report(model, &compiled);
     Ok(compiled)
 }

@@ -11,6 +11,7 @@ use mech_core::contraction::{before_first, contracts};
 use mech_core::dense::solve;
 use mech_core::motors::turned;
 use std::borrow::Cow;
+use std::cell::Cell;
 
 /// The inputs of a program of rates or forces, besides the motors' values.
 #[derive(Clone, Copy, Debug)]
@@ -25,6 +26,8 @@ pub(super) struct MotionInputs<'g, T> {
 pub(super) struct Runner<'p, T: Real> {
     pub(super) program: &'p Program,
     prepared: Cow<'p, Prepared<T>>,
+    /// How many operations it may still make.
+    pub(super) left: Cell<usize>,
 }
 
 /// What is made once of a program so that it can be run.
@@ -75,6 +78,7 @@ impl<'p, T: Real> Runner<'p, T> {
         Self {
             program,
             prepared: Cow::Owned(Prepared::new(program)),
+            left: Cell::new(usize::MAX),
         }
     }
 
@@ -83,6 +87,7 @@ impl<'p, T: Real> Runner<'p, T> {
         Self {
             program,
             prepared: Cow::Borrowed(prepared),
+            left: Cell::new(usize::MAX),
         }
     }
 
@@ -92,6 +97,7 @@ impl<'p, T: Real> Runner<'p, T> {
         last: &Position<T>,
         (motors, turns): (&[T], &[i32]),
     ) -> Result<Position<T>, Stop> {
+        self.spend(self.prepared.steps.len() + 1)?;
         let zero = vec![T::ZERO; motors.len()];
         let given = MotionInputs {
             rates: &zero,
@@ -100,6 +106,13 @@ impl<'p, T: Real> Runner<'p, T> {
         };
         let values = self.values(last, (motors, turns), given)?;
         self.position(&values, (motors, turns))
+    }
+
+    /// Counts operations: none are made that are not left.
+    fn spend(&self, operations: usize) -> Result<(), Stop> {
+        let left = self.left.get().checked_sub(operations);
+        self.left.set(left.unwrap_or(0));
+        left.map(drop).ok_or(Stop::TooFar)
     }
 
     /// The rates of everything at a position.
@@ -309,6 +322,7 @@ impl<'p, T: Real> Runner<'p, T> {
         let mut before = before_first();
         loop {
             let mut dense = None;
+            self.spend(self.prepared.rounds[block.index()].len())?;
             for &Step { value, op } in &self.prepared.rounds[block.index()] {
                 if let Op::Dense(_, index) = op {
                     let solve = || solve_system(&newton.columns, &newton.gap, values);

@@ -30,13 +30,19 @@ pub fn expand(input: TokenStream) -> TokenStream {
 
 /// The items of a mechanism, or its errors beside a stub of its type.
 fn analyse_and_emit(krate: &TokenStream, body: TokenStream) -> TokenStream {
-    let Analysis { parsed, result } = analyse(body);
+    write(krate, &analyse(body))
+}
+
+/// What the macro writes for a text that was analysed, if this is the path of the runtime crate.
+#[must_use]
+pub fn write(krate: &TokenStream, analysis: &Analysis) -> TokenStream {
+    let Analysis { parsed, result } = analysis;
     let header = parsed.header.as_ref();
     match (header, result) {
-        (Some(header), Ok(compiled)) => emit::items(krate, header, &parsed, &compiled),
+        (Some(header), Ok(compiled)) => emit::items(krate, header, parsed, compiled),
         (header, Err(faults)) => {
             let errors = compile_errors(&faults.messages);
-            let stub = header.map(|header| emit::stub(krate, header, &parsed));
+            let stub = header.map(|header| emit::stub(krate, header, parsed));
             quote!(#errors #stub)
         }
         (None, Ok(_)) => bug!("a mechanism without a name was compiled"),

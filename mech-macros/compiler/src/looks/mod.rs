@@ -84,6 +84,10 @@ impl Looks {
         for painted in &self.painted {
             all[painted.link.index()].extend(painted.points());
         }
+        for trace in &model.traces {
+            let point = model.axis(trace.point);
+            all[point.link.index()].push((point.at, 0.0));
+        }
         if let Some(Symbols::Elastic { symbols, unit }) = &self.symbols {
             for spot in symbols.iter().flat_map(Symbol::spots) {
                 all[spot.link.index()].push((spot.at, BESIDE_PIXELS * unit));

@@ -1,15 +1,18 @@
 //! Where the links of a mechanism come to when its motors move.
 
-use crate::evaluate::Machine;
 use crate::kinematics;
 use crate::model::{AxisId, LinkId, Model};
 use crate::motion::sweep::{MostTurns, Sweep, interpolate, sweep_motors};
+use crate::motion::walk::{Arrival, Walker};
 use crate::plan::Plan;
 use crate::program::Program;
 use nalgebra::{Isometry2, Point2, Vector2};
 
-/// How many operations all positions may cost.
+/// How many operations all positions may cost if each takes one step, and if moves go in pieces.
 const BUDGET: usize = 400_000;
+const BUDGET_OF_PIECES: usize = 1_600_000;
+/// So many positions may a sweep cost where it goes in pieces.
+const OF_SWEEP: usize = 384;
 /// Positions in a turn of the fastest link, and of a whole sweep.
 const SAMPLES: [usize; 2] = [8, 36];
 const MOST_SAMPLES: usize = 144;
@@ -64,9 +67,9 @@ impl Survey {
     pub(super) fn new(model: &Model, plan: &Plan, program: &Program) -> Self {
         let start = &program.start;
         let mut positions = vec![Frames::new(model, program, &start.poses)];
-        let live = program.live.iter().filter(|live| **live).count();
+        let mut walker = Walker::new(program, BUDGET_OF_PIECES);
         let sweeps = model.motors.len().max(1);
-        let affordable = (BUDGET / (live + 1) / sweeps).min(MOST_SAMPLES);
+        let affordable = (BUDGET / walker.price / sweeps).min(MOST_SAMPLES);
         sweep_motors(model, plan, MostTurns::OfMotor(MOST_TURNS), |sweep| {
             let Sweep {
                 displacements,
@@ -75,14 +78,14 @@ impl Survey {
             let samples = affordable
                 .min(turns * SAMPLES[1])
                 .max((turns * SAMPLES[0]).min(MOST_SAMPLES));
-            let mut machine = Machine::<f64>::new(program);
+            walker.begin(start.clone(), OF_SWEEP);
             (1..=samples).all(|sample| {
                 #[expect(clippy::cast_precision_loss, reason = "a hundred samples")]
                 let part = sample as f64 / samples as f64;
                 let target = interpolate(&start.motors, displacements, part);
-                let came = matches!(machine.move_toward(&target), Ok(None));
-                positions.push(Frames::new(model, program, &machine.position().poses));
-                came
+                let arrival = walker.visit(&target);
+                positions.push(Frames::new(model, program, &walker.position().poses));
+                arrival == Arrival::There
             })
         });
         Self { positions }

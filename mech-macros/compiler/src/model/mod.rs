@@ -71,6 +71,15 @@ impl Precision {
         }
     }
 
+    /// The least number that it holds with all its digits.
+    #[must_use]
+    pub fn least(self) -> f64 {
+        match self {
+            Self::F32 => f64::from(f32::MIN_POSITIVE),
+            Self::F64 => f64::MIN_POSITIVE,
+        }
+    }
+
     /// The distance from one to the next greater number.
     #[must_use]
     pub fn epsilon(self) -> f64 {
@@ -218,7 +227,13 @@ impl Model {
         let in_shape = |([x, y], reach): ([f64; 2], f64)| {
             [x, y, reach].iter().all(|n| self.precision.holds(2.0 * n))
         };
-        let in_axis = |axis: &Axis| axis.at.iter().all(|&n| self.precision.holds(n));
+        // Links reach as far as all of them together.
+        #[expect(clippy::cast_precision_loss, reason = "no mechanism has 2⁵² links")]
+        let together = 16.0 * self.links.len() as f64;
+        let in_axis = |axis: &Axis| {
+            let mut parts = axis.at.iter();
+            parts.all(|&n| self.precision.holds(together * n))
+        };
         let in_start = |value: &StartValue| self.precision.holds(value.value);
         let in_joint = |joint: &Joint| match joint.kind {
             JointKind::Rack { radius, .. } => self.precision.holds(radius),

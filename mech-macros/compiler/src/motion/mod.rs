@@ -5,4 +5,5 @@ pub mod accuracy;
 pub(crate) mod extent;
 pub(crate) mod proof;
 pub(crate) mod sweep;
+pub(crate) mod walk;
 pub(crate) mod watching;

@@ -57,11 +57,24 @@ pub(crate) fn sweep_motors(
     most_turns: MostTurns,
     mut run: impl FnMut(&Sweep) -> bool,
 ) {
-    for motor in model.motor_ids() {
-        sweep_alone(model, plan, (motor, most_turns), &mut run);
-    }
+    sweep_each(model, plan, (most_turns, model.size()), &mut run);
     if model.motors.len() > 1 {
         sweep_together(model, &mut run);
+    }
+}
+
+/// How far a motor that slides without a range is moved to either side, in sizes of the mechanism.
+pub(crate) const FARTHEST_SLIDE: f64 = 4.0;
+
+/// Makes the sweeps of each motor alone, of a mechanism of this size.
+pub(crate) fn sweep_each(
+    model: &Model,
+    plan: &Plan,
+    farthest: (MostTurns, f64),
+    run: &mut impl FnMut(&Sweep) -> bool,
+) {
+    for motor in model.motor_ids() {
+        sweep_alone(model, plan, (motor, farthest), run);
     }
 }
 
@@ -69,7 +82,7 @@ pub(crate) fn sweep_motors(
 fn sweep_alone(
     model: &Model,
     plan: &Plan,
-    (motor, most_turns): (MotorId, MostTurns),
+    (motor, (most_turns, size)): (MotorId, (MostTurns, f64)),
     run: &mut impl FnMut(&Sweep) -> bool,
 ) {
     let index = motor.index();
@@ -100,7 +113,7 @@ fn sweep_alone(
         let turns = turns_until_whole(&parts, most_turns.of(&parts)) as f64;
         TAU * turns
     } else {
-        4.0 * model.size()
+        FARTHEST_SLIDE * size
     };
     let reached_end = run_to(displacement);
     if !(reached_end && is_revolute) {

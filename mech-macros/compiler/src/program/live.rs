@@ -24,8 +24,8 @@ pub(super) fn live(program: &Program) -> Vec<bool> {
     live
 }
 
-/// The values that an iteration needs.
-pub(super) fn iteration(blocks: &[Block], block: BlockId) -> Vec<Value> {
+/// The values that an iteration needs; they may stand in blocks before it.
+pub(crate) fn iteration(blocks: &[Block], block: BlockId) -> Vec<Value> {
     match &blocks[block.index()].kind {
         BlockKind::Straight | BlockKind::ClosedForm(_) => Vec::new(),
         BlockKind::Newton(newton) => {

@@ -29,6 +29,7 @@ pub use build::{Output, build, build_as, derive};
 pub use choice::{Choice, Solver, Watching};
 pub use closed_form::ClosedForm;
 pub use forces::{Forces, Inertia, InverseDynamics};
+pub(crate) use live::iteration;
 pub use mech_core::Real;
 pub use mech_core::journey::AtZero;
 pub use motion::{Motion, RateMargin, System};
@@ -171,7 +172,12 @@ impl Program {
             Op::Constant(number) => Some(number.get()),
             _ => None,
         });
+        let watched = self.watches.iter().flat_map(|watch| &watch.rates);
+        let followed = self.follows.iter().flat_map(|follow| &follow.rates);
+        let steps = self.max_steps.iter().flatten();
+        let emitted = watched.chain(followed).chain(steps);
         start
+            .chain(emitted)
             .copied()
             .chain(constants)
             .all(|number| self.precision.holds(number))

@@ -1,7 +1,8 @@
 //! What is said about accuracy.
 
 use super::Words;
-use crate::model::{MotorId, Precision};
+use crate::model::{MotorId, Origin, Precision};
+use crate::structure::Extreme;
 
 impl Words<'_> {
     fn scalar(&self) -> &'static str {
@@ -21,6 +22,42 @@ impl Words<'_> {
             );
         }
         format!("a length or a position of this mechanism is beyond the range of `{scalar}`")
+    }
+
+    pub(super) fn overflow(&self, culprit: Option<Extreme>) -> (Origin, String) {
+        let (scalar, model) = (self.scalar(), self.model);
+        let (origin, what) = match culprit {
+            Some(Extreme::Mass(link)) => (
+                self.at_link(Some(&link)),
+                format!("the mass of {}", self.link(link)),
+            ),
+            Some(Extreme::Spring(number)) => {
+                let spring = &model.actions.springs[number];
+                (spring.origin, format!("spring `{}`", spring.name))
+            }
+            Some(Extreme::Damper(number)) => {
+                let damper = &model.actions.dampers[number];
+                (damper.origin, format!("damper `{}`", damper.name))
+            }
+            Some(Extreme::Gravity) => (model.origin, "`gravity`".to_owned()),
+            Some(Extreme::Law(motor)) => {
+                let name = &model.joint(model.motor(motor).joint).name;
+                (
+                    model.motor(motor).origin,
+                    format!("the law of motor `{name}`"),
+                )
+            }
+            None => (model.origin, "this mechanism".to_owned()),
+        };
+        let double = match model.precision {
+            Precision::F32 => ", or compute in `f64`",
+            Precision::F64 => "",
+        };
+        let text = format!(
+            "`{scalar}` does not hold the numbers that {what} leads to: they are too large, or too small\nhelp: choose units in which \
+             the numbers are nearer to one{double}"
+        );
+        (origin, text)
     }
 
     pub(super) fn too_small(&self) -> String {

@@ -2,6 +2,21 @@
 
 use crate::model::{AxisId, JointId, LinkId, MotorId, ParamId, Ratio};
 
+/// What has numbers that forces are made from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extreme {
+    /// The mass of a link, its moment of inertia or its centre.
+    Mass(LinkId),
+    /// A spring, by its number.
+    Spring(usize),
+    /// A damper, by its number.
+    Damper(usize),
+    /// Gravity.
+    Gravity,
+    /// The law of a motor.
+    Law(MotorId),
+}
+
 /// Something that keeps a mechanism from moving as a mechanism should.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -162,6 +177,11 @@ pub enum Diagnosis {
     Massless {
         /// The motors.
         motors: Vec<MotorId>,
+    },
+    /// Forces, rates or laws are computed with numbers that the scalar type does not hold.
+    Overflow {
+        /// Whose numbers are farthest from one, if any are declared.
+        culprit: Option<Extreme>,
     },
     /// A length or a position is beyond the range of the scalar type, or a power of it is that its loops take.
     TooLarge,

@@ -10,7 +10,7 @@ mod pin;
 mod rolling;
 mod verdict;
 
-pub use diagnosis::{Diagnosis, LoopAssembly, MeshTrouble, OpenLoop, RangeTrouble};
+pub use diagnosis::{Diagnosis, Extreme, LoopAssembly, MeshTrouble, OpenLoop, RangeTrouble};
 pub(crate) use graph::KinematicGraph;
 pub use pin::Pin;
 pub use rolling::{Factor, Rolling, RollingEnd};

@@ -1,6 +1,6 @@
 //! The flow of values between blocks.
 
-use crate::program::{BlockId, Op, Program, Slot, Value};
+use crate::program::{BlockId, Op, Program, Slot, Value, iteration};
 use std::collections::BTreeSet;
 
 /// The inputs and outputs of a block.
@@ -68,8 +68,9 @@ pub(super) fn flows(program: &Program) -> Vec<Flow> {
         // A block whose result nothing needs is not run.
         let mut scalars = newton.scalars.iter();
         if scalars.all(|scalar| program.live[scalar.now.index()]) {
-            let scalars = newton.scalars.iter();
-            scalars.for_each(|scalar| read(scalar.first, block));
+            // Loops that hold the same lengths again share what those add up to.
+            let values = iteration(&program.ssa.blocks, block);
+            values.into_iter().for_each(|value| read(value, block));
         }
     }
     for system in program.live_systems() {

@@ -16,6 +16,8 @@ use std::f64::consts::TAU;
 
 /// How many operations a trial may cost.
 const BUDGET: usize = 1_200_000;
+/// How many the moves of the exact program may cost where they go in pieces.
+const BUDGET_OF_PIECES: usize = 8_000_000;
 /// Turns of a motor: what is read of more turns is read of their rest.
 const MOST_TURNS: i64 = 8;
 /// Samples in a turn.
@@ -87,6 +89,7 @@ pub(super) fn compare(model: &Model, plan: &Plan, exact: &Program, rivals: &mut 
     let extents = Extents::of(model, &exact.stored);
     let mut trial = Trial {
         affordable: BUDGET / (per_sample * model.motors.len()).max(1),
+        left: BUDGET_OF_PIECES,
         found: Exact {
             single: vec![0.0; exact.poses.len()],
             seen: false,
@@ -143,6 +146,8 @@ fn patterns(model: &Model) -> Vec<Vec<f64>> {
 
 struct Trial<'a, 'p> {
     affordable: usize,
+    /// The operations that are left.
+    left: usize,
     patterns: Vec<Vec<f64>>,
     extents: Extents,
     exact: &'p Program,
@@ -168,7 +173,10 @@ impl Trial<'_, '_> {
             let part = sample as f64 / samples as f64;
             let motors = representable(interpolate(&start.motors, displacements, part));
             let before = machine.position().clone();
-            if machine.move_to(&motors).is_ok() {
+            let Some(came) = self.pay(&mut machine, &motors) else {
+                return false;
+            };
+            if came {
                 self.in_single(&before, machine.position());
                 self.try_around(machine.position(), 0..self.patterns.len());
             } else {
@@ -177,6 +185,15 @@ impl Trial<'_, '_> {
             }
         }
         true
+    }
+
+    /// Moves the exact program; returns whether it came there, or none if that costs more than is left.
+    fn pay(&mut self, machine: &mut Machine<'_, f64>, motors: &[f64]) -> Option<bool> {
+        machine.allow(self.left);
+        let came = machine.move_to(motors).is_ok();
+        self.left = machine.left();
+        machine.allow(usize::MAX);
+        (self.left > 0).then_some(came)
     }
 
     /// Wanders about with all motors, turning back where it is blocked.
@@ -217,7 +234,10 @@ impl Trial<'_, '_> {
                 paces[turned] = -paces[turned];
                 continue;
             }
-            if machine.move_to(&next).is_ok() {
+            let Some(came) = self.pay(&mut machine, &next) else {
+                return;
+            };
+            if came {
                 self.in_single(&before, machine.position());
             } else {
                 self.end(&mut machine, &next);

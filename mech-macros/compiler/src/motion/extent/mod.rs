@@ -1,35 +1,60 @@
-//! How much room a mechanism takes, found by moving it: each motor alone, all together, and from the outermost positions on outwards.
+//! How much room a mechanism takes: found by moving it within a budget, and held by what lengths and ranges allow at most.
+//!
+//! Each motor goes alone through its range or whole turns, then all go together. Between two positions of one motor parabolas tell how far
+//! out something may be seen, and there the next position is tried. What is guessed stays in the box, but nothing beyond what [`Bounds`]
+//! proves. So the box is as wide as the motion where that was seen well, and never wider than the links reach.
 
+mod bounds;
+mod line;
 mod seen;
 
-use crate::evaluate::Machine;
-use crate::model::{JointKind, Model, Motor};
-use crate::motion::sweep::{MostTurns, Sweep, interpolate, sweep_motors};
+use crate::certify::Interval;
+use crate::model::{JointKind, LinkId, Model};
+use crate::motion::sweep::{FARTHEST_SLIDE, MostTurns, Sweep, interpolate, sweep_each};
+use crate::motion::walk::{Arrival, Walker, price};
 use crate::plan::{Halton, Plan};
-use crate::program::{Position, Program};
+use crate::program::{AtZero, Op, Position, Program};
+use bounds::Bounds;
+use line::{Line, Sample};
 pub(crate) use seen::Reach;
 use seen::{EMPTY, SIDES, SeenPoints, Sides};
 use std::f64::consts::TAU;
 
-/// How many operations a sweep, the positions of all motors together, and the way outwards may cost, each.
-const BUDGET: usize = 150_000;
+/// How many operations all of it may cost: some ten milliseconds of an optimised build. Of a small mechanism it costs no more than so many
+/// positions, and so many for each motor.
+const BUDGET: usize = 1_500_000;
+const POSITIONS: [usize; 2] = [1024, 512];
+/// Positions that a way may cost where it goes in pieces, and a move from an outermost position.
+const OF_WAY: usize = 640;
+const OF_PUSH: usize = 48;
 /// Turns of a motor: a wheel behind a worm has turned as a whole after so many.
 const MOST_TURNS: i64 = 1 << 16;
-/// Where a move goes in pieces, each turn on the way costs some: operations that all turns of a sweep may cost.
-const BUDGET_OF_PIECES: usize = 4_000_000;
-/// About as many pieces take a turn of the fastest link.
-const PIECES: usize = 4;
-/// Samples in a turn of the fastest link.
-const SAMPLES: [usize; 2] = [24, 120];
-/// Positions of all motors together.
-const TOGETHER: [usize; 2] = [16, 512];
-/// Rounds on the way outwards, each with steps half as long: the last are a millionth of a turn.
-const ROUNDS: usize = 16;
-/// The first of these steps, as a part of a motor's turn or range.
-const FIRST_STEP: f64 = 1.0 / 48.0;
+/// Positions of one turn of the fastest link, at least and at most, and of all turns if that is between.
+const OF_TURN: [usize; 2] = [12, 36];
+const OF_TURNS: usize = 96;
+/// Before the end of a motor's way links may be quick: there positions are these parts of a step away from it.
+const BEFORE_END: [f64; 4] = [0.25, 0.063, 0.016, 0.004];
+/// So often is a way gone on that does not end where it began.
+const MOST_WAYS: usize = 4;
+/// Positions of all motors together, for each motor.
+const TOGETHER: usize = 16;
+/// Rounds on the way outwards; the first step is this part of what is tried of a motor, each next one an eighth of that before it.
+const ROUNDS: usize = 4;
+const FIRST_STEP: f64 = 1.0 / 24.0;
+const SHORTER: f64 = 0.125;
+/// Positions that are tried between others where something may be farther out.
+const BETWEEN: usize = 32;
+/// A box is known well enough by this part of itself.
+const WELL_KNOWN: f64 = 1e-7;
+/// What is so little farther out, as a part of the box, is rounding.
+const ROUNDING: f64 = 1e-14;
+/// Positions are equal within this part of the mechanism.
+const SAME: f64 = 1e-6;
+/// Where several motors move a link, not every combination is tried: it may be farther out by this part of its motion.
+const UNSEEN: f64 = 0.04;
 
-/// The upright box around all that was seen wherever the mechanism was moved to: lower left and upper right corner. What is seen are
-/// the shapes of each link, or joints and named points if there is no shape; if there is nothing, the box is the origin.
+/// An upright box around all that is seen wherever the motors move the mechanism: lower left and upper right corner. What is seen are the
+/// shapes of each link, or joints and named points if there is no shape; if there is nothing, the box is the origin.
 pub(crate) fn extent(
     model: &Model,
     plan: &Plan,
@@ -37,162 +62,471 @@ pub(crate) fn extent(
     shapes: &[Vec<Reach>],
 ) -> [[f64; 2]; 2] {
     let mut survey = Survey::new(model, program, shapes);
-    let most_turns = survey.most_turns();
-    sweep_motors(model, plan, most_turns, |sweep| survey.follow(sweep));
+    survey.sweep(plan);
     if model.motors.len() > 1 {
         survey.visit_combinations();
+        survey.push_outwards();
     }
-    survey.push_outwards();
+    survey.look_between();
     survey.corners()
 }
 
 /// A mechanism that is moved, and the outermost that was seen of it.
 struct Survey<'a> {
+    model: &'a Model,
     program: &'a Program,
     seen: SeenPoints,
-    machine: Machine<'a, f64>,
-    /// The values of each motor that are tried.
-    ranges: Vec<[f64; 2]>,
-    /// Whether a motor may not leave these.
-    limited: Vec<bool>,
+    walker: Walker<'a>,
+    /// How large the mechanism is.
+    size: f64,
+    /// The values of each motor that are tried, and whether it may go beyond them.
+    ranges: Vec<([f64; 2], bool)>,
+    /// How far out each link can be at most.
+    most: Vec<Sides>,
+    /// How far out each link was seen, and everything.
+    links: Vec<Sides>,
     sides: Sides,
     /// For each side the position that reaches farthest out.
     outermost: [Position<f64>; 4],
-    /// Operations for one position.
-    cost: usize,
+    /// The ways of single motors.
+    lines: Vec<Line>,
+    /// Whether a motor was stopped before the end of its way: others may let it go on.
+    was_blocked: bool,
+    /// Whether some positions could not be paid.
+    is_cut_short: bool,
 }
 
 impl<'a> Survey<'a> {
-    fn new(model: &Model, program: &'a Program, shapes: &[Vec<Reach>]) -> Self {
+    fn new(model: &'a Model, program: &'a Program, shapes: &[Vec<Reach>]) -> Self {
         let seen = SeenPoints::new(model, program, shapes);
-        let live = program.live.iter().filter(|live| **live).count();
-        let size = model.size();
-        let range = |(motor, start): (&Motor, &f64)| match motor.range {
-            Some(range) => [range.low, range.high],
-            None => match model.joint(motor.joint).kind {
-                JointKind::Revolute(..) => [start - 0.5 * TAU, start + 0.5 * TAU],
-                _ => [start - size, start + size],
-            },
+        let positions = POSITIONS[0] + POSITIONS[1] * model.motors.len();
+        let walker = Walker::new(program, BUDGET.min(positions * price(program)));
+        let start = &program.start;
+        // What has all its axes in one place is as large as what is seen of it.
+        let size = if model.size() > 0.0 {
+            model.size()
+        } else {
+            seen.size()
         };
-        let machine = Machine::new(program);
+        let slide = FARTHEST_SLIDE * size;
+        let range = |(motor, start): (_, &f64)| {
+            let motor: &crate::model::Motor = motor;
+            match (motor.range, model.joint(motor.joint).kind) {
+                (Some(range), _) => ([range.low, range.high], false),
+                (None, JointKind::Revolute(..)) => ([start - 0.5 * TAU, start + 0.5 * TAU], true),
+                (None, _) => ([start - slide, start + slide], false),
+            }
+        };
+        let ranges: Vec<([f64; 2], bool)> =
+            model.motors.iter().zip(&start.motors).map(range).collect();
+        let most = most(model, program, &seen, &ranges);
         let mut survey = Self {
+            links: vec![EMPTY; seen.moving.len()],
+            sides: seen.ground,
+            outermost: std::array::from_fn(|_| start.clone()),
+            lines: Vec::new(),
+            was_blocked: false,
+            is_cut_short: false,
+            model,
             program,
-            cost: live + seen.count() + 1,
-            sides: EMPTY,
-            outermost: std::array::from_fn(|_| machine.position().clone()),
-            ranges: model
-                .motors
-                .iter()
-                .zip(&program.start.motors)
-                .map(range)
-                .collect(),
-            limited: model
-                .motors
-                .iter()
-                .map(|motor| motor.range.is_some())
-                .collect(),
-            machine,
             seen,
+            walker,
+            ranges,
+            most,
+            size,
         };
         survey.look();
         survey
     }
 
-    /// How far a motor is turned at most.
-    fn most_turns(&self) -> MostTurns {
-        if self.program.watches.is_empty() && self.program.follows.is_empty() {
-            return MostTurns::OfMotor(MOST_TURNS);
-        }
-        let turns = BUDGET_OF_PIECES / (PIECES * self.cost);
-        MostTurns::OfFastest(i64::try_from(turns).map_or(MOST_TURNS, |turns| turns.min(MOST_TURNS)))
-    }
-
-    /// Notes how far out is what is seen where the machine is.
-    fn look(&mut self) {
-        let position = self.machine.position();
-        let sides = self.seen.sides(&position.poses);
-        for side in SIDES {
-            if sides[side] > self.sides[side] {
-                self.sides[side] = sides[side];
-                self.outermost[side] = position.clone();
+    /// Notes how far out is what is seen where the mechanism is.
+    fn look(&mut self) -> Vec<seen::Outermost> {
+        self.walker.pay(self.seen.count());
+        let position = self.walker.position();
+        let links = self.seen.outermost(&position.poses);
+        for (known, found) in self.links.iter_mut().zip(&links) {
+            for side in SIDES {
+                known[side] = known[side].max(found.sides[side]);
+                if found.sides[side] > self.sides[side] {
+                    self.sides[side] = found.sides[side];
+                    self.outermost[side] = position.clone();
+                }
             }
         }
+        links
     }
 
-    /// Moves along a sweep from the start; returns whether it reached the end.
+    /// Moves towards a target as far as it can and looks; none if that cannot be paid.
+    fn visit(&mut self, target: &[f64]) -> Option<(Arrival, Vec<seen::Outermost>)> {
+        match self.walker.visit(target) {
+            Arrival::Unpaid => None,
+            arrival => Some((arrival, self.look())),
+        }
+    }
+
+    /// Where the machine is, on the way of a motor.
+    fn sample(&self, motor: usize, links: Vec<seen::Outermost>) -> Sample {
+        let position = self.walker.position().clone();
+        Sample {
+            at: position.motors[motor],
+            position,
+            links,
+        }
+    }
+
+    /// Moves each motor alone.
+    fn sweep(&mut self, plan: &Plan) {
+        let is_counted = !(self.program.watches.is_empty() && self.program.follows.is_empty());
+        let affordable = BUDGET / (self.walker.price * OF_TURN[0]);
+        let most_turns = if is_counted {
+            MostTurns::OfFastest(
+                i64::try_from(affordable).map_or(MOST_TURNS, |turns| turns.min(64)),
+            )
+        } else {
+            MostTurns::OfMotor(MOST_TURNS)
+        };
+        let (model, size) = (self.model, self.size);
+        sweep_each(model, plan, (most_turns, size), &mut |sweep| {
+            self.follow(sweep)
+        });
+    }
+
+    /// Moves one motor along a sweep from the start; returns whether all that is seen on its way was seen then.
     fn follow(&mut self, sweep: &Sweep) -> bool {
         let Sweep {
             displacements,
             turns,
         } = sweep;
-        let affordable = BUDGET / (self.cost * turns * displacements.len()).max(1);
-        let samples = turns * affordable.clamp(SAMPLES[0], SAMPLES[1]);
-        self.machine = Machine::new(self.program);
-        (1..=samples).all(|sample| {
-            #[expect(clippy::cast_precision_loss, reason = "a few thousand samples")]
-            let part = sample as f64 / samples as f64;
-            let target = interpolate(&self.program.start.motors, displacements, part);
-            self.visit(&target)
-        })
+        let samples = (OF_TURNS / turns).clamp(OF_TURN[0], OF_TURN[1]) * turns;
+        let affordable =
+            BUDGET / (4 * (self.walker.price + self.seen.count()) * self.ranges.len().max(1));
+        let samples = samples.min(affordable.max(OF_TURN[0]));
+        let Some(motor) = displacements
+            .iter()
+            .position(|displacement| *displacement != 0.0)
+        else {
+            return true;
+        };
+        self.walker.begin(self.program.start.clone(), OF_WAY);
+        let links = self.look();
+        let mut way = vec![self.sample(motor, links)];
+        let passes = self
+            .program
+            .watches
+            .iter()
+            .any(|watch| watch.at_zero == AtZero::ChangeBranch);
+        let mut goes_on = true;
+        let mut ways = 0;
+        while goes_on {
+            let from = self.walker.position().motors.clone();
+            for sample in 1..=samples {
+                #[expect(clippy::cast_precision_loss, reason = "a few thousand samples")]
+                let part = sample as f64 / samples as f64;
+                let Some((arrival, links)) = self.visit(&interpolate(&from, displacements, part))
+                else {
+                    self.is_cut_short = true;
+                    goes_on = false;
+                    break;
+                };
+                way.push(self.sample(motor, links));
+                if arrival == Arrival::Blocked {
+                    self.approach_end(motor, &mut way);
+                    goes_on = false;
+                    break;
+                }
+            }
+            ways += 1;
+            // Past change points it may take several turns until everything is where it was.
+            if !goes_on || self.is_as_at_start() || !passes || ways == MOST_WAYS {
+                break;
+            }
+        }
+        self.add_way(motor, way);
+        let at = self.walker.position().motors[motor];
+        let ([low, high], is_endless) = self.ranges[motor];
+        if !goes_on && (is_endless || low < at && at < high) {
+            self.was_blocked = true;
+        }
+        goes_on && self.is_as_at_start()
     }
 
-    /// Moves towards a target as far as it can and looks; returns whether it came there.
-    fn visit(&mut self, target: &[f64]) -> bool {
-        let came = matches!(self.machine.move_toward(target), Ok(None));
-        self.look();
-        came
+    /// Adds positions nearer and nearer to the last one of a way.
+    fn approach_end(&mut self, motor: usize, way: &mut Vec<Sample>) {
+        let Some(end) = way.pop() else {
+            return;
+        };
+        if let Some(before) = way.last() {
+            let step = before.at - end.at;
+            self.walker.begin(before.position.clone(), OF_PUSH);
+            for part in BEFORE_END {
+                let mut target = end.position.motors.clone();
+                target[motor] += step * part;
+                let Some((Arrival::There, links)) = self.visit(&target) else {
+                    break;
+                };
+                way.push(self.sample(motor, links));
+            }
+        }
+        self.walker.begin(end.position.clone(), 0);
+        way.push(end);
+    }
+
+    /// Whether every link is where it was at the start.
+    fn is_as_at_start(&self) -> bool {
+        let poses = self.walker.position().poses.as_flattened();
+        let start = self.program.start.poses.as_flattened();
+        let size = self.size.max(1.0);
+        let mut parts = poses.iter().zip(start);
+        parts.all(|(now, start)| (now - start).abs() <= SAME * size)
+    }
+
+    /// Adds positions from the start on to the way of a motor.
+    fn add_way(&mut self, motor: usize, mut way: Vec<Sample>) {
+        let [.., last] = &way[..] else {
+            return;
+        };
+        let forwards = last.at >= way[0].at;
+        let known = self.lines.iter_mut().find(|line| line.motor == motor);
+        // Both ways begin at the start.
+        if let Some(line) = known {
+            if forwards {
+                line.samples.extend(way.drain(1..));
+            } else {
+                let rest = way.drain(1..).rev().collect::<Vec<Sample>>();
+                line.samples.splice(0..0, rest);
+            }
+            return;
+        }
+        if !forwards {
+            way.reverse();
+        }
+        self.lines.push(Line {
+            motor,
+            samples: way,
+            guesses: Vec::new(),
+        });
     }
 
     /// Moves to combinations of the motors' values, evenly distributed.
     fn visit_combinations(&mut self) {
-        self.machine = Machine::new(self.program);
+        self.walker.begin(self.program.start.clone(), OF_WAY);
         let mut points = Halton::default();
-        for _ in 0..(BUDGET / self.cost).clamp(TOGETHER[0], TOGETHER[1]) {
+        for _ in 0..TOGETHER * self.ranges.len() {
             let ranges = self.ranges.iter().enumerate();
-            let target: Vec<f64> = ranges
-                .map(|(motor, [low, high])| low + (high - low) * points.at(motor))
+            let mut target: Vec<f64> = ranges
+                .map(|(motor, ([low, high], _))| low + (high - low) * points.at(motor))
                 .collect();
-            self.visit(&target);
+            target.extend_from_slice(&self.program.start.motors[target.len()..]);
+            if self.visit(&target).is_none() {
+                self.is_cut_short = true;
+                return;
+            }
             points.advance();
         }
     }
 
-    /// From the outermost position on each side it goes farther out as long as it can, in ever shorter steps.
+    /// From the outermost position on each side it goes farther out as long as it can, motor by motor.
     fn push_outwards(&mut self) {
-        let moves = self.cost * SIDES.len() * 2 * self.ranges.len();
-        let rounds = (BUDGET / moves.max(1)).min(ROUNDS);
         for side in SIDES {
             let mut part = FIRST_STEP;
-            for _ in 0..rounds {
+            for _ in 0..ROUNDS {
                 for motor in 0..self.ranges.len() {
-                    self.push(side, motor, part);
+                    let positions = 3 * SIDES.len() * ROUNDS * self.ranges.len();
+                    if self.walker.can_pay(positions) {
+                        self.push(side, motor, part);
+                    }
                 }
-                part *= 0.5;
+                part *= SHORTER;
             }
         }
     }
 
-    /// Moves one motor by a part of what is tried of it, both ways, from where a side is outermost.
+    /// Moves one motor both ways by a part of what is tried of it, from where a side is outermost; then to where a parabola has its top.
     fn push(&mut self, side: usize, motor: usize, part: f64) {
-        let [low, high] = self.ranges[motor];
-        for step in [part, -part] {
-            let from = self.outermost[side].clone();
-            let mut target = from.motors.clone();
-            target[motor] += step * (high - low);
-            if self.limited[motor] {
-                target[motor] = target[motor].clamp(low, high);
-            }
-            self.machine.put_back(from);
-            self.visit(&target);
+        let from = self.outermost[side].clone();
+        let step = part * (self.ranges[motor].0[1] - self.ranges[motor].0[0]);
+        let before = self.sides[side];
+        let outs = [step, -step].map(|step| {
+            self.walker.begin(from.clone(), OF_PUSH);
+            self.push_to(side, motor, from.motors[motor] + step)
+        });
+        let [above, below] = outs;
+        let bend = above + below - 2.0 * before;
+        if bend < 0.0 {
+            let top = 0.5 * (below - above) / bend;
+            self.walker.begin(from.clone(), OF_PUSH);
+            self.push_to(
+                side,
+                motor,
+                from.motors[motor] + step * top.clamp(-8.0, 8.0),
+            );
         }
+    }
+
+    /// Moves one motor to a value within what is tried of it; how far out it then is on a side.
+    fn push_to(&mut self, side: usize, motor: usize, value: f64) -> f64 {
+        let mut target = self.walker.position().motors.clone();
+        let ([low, high], is_endless) = self.ranges[motor];
+        target[motor] = if is_endless {
+            value
+        } else {
+            value.clamp(low, high)
+        };
+        let found = self.visit(&target);
+        let links = found.map(|(_, links)| links).unwrap_or_default();
+        links
+            .iter()
+            .map(|link| link.sides[side])
+            .fold(self.seen.ground[side], f64::max)
+    }
+
+    /// Tries positions between others where something may be farther out than was seen, the farthest first.
+    fn look_between(&mut self) {
+        let mut lines = std::mem::take(&mut self.lines);
+        for line in &mut lines {
+            line.guess_all(&self.seen.moving, &self.most, self.sides);
+        }
+        for _ in 0..BETWEEN {
+            let enough = WELL_KNOWN * self.width();
+            let Some((line, pair, guess)) = self.farthest(&lines, enough) else {
+                break;
+            };
+            let Line { motor, samples, .. } = &lines[line];
+            let [from, to] = [pair, pair + 1].map(|sample| samples[sample].at);
+            let mut target = samples[pair].position.motors.clone();
+            target[*motor] = guess;
+            self.walker.begin(samples[pair].position.clone(), OF_PUSH);
+            let Some((_, links)) = self.visit(&target) else {
+                break;
+            };
+            let sample = self.sample(*motor, links);
+            let is_between = from < sample.at && sample.at < to;
+            if !is_between {
+                // It is as near to one of them as the motor can be.
+                break;
+            }
+            lines[line].insert((pair, sample), &self.seen.moving, &self.most, self.sides);
+        }
+        self.lines = lines;
+    }
+
+    /// The way and the pair of neighbours with the farthest guess beyond what was seen, and the motor's value there.
+    fn farthest(&self, lines: &[Line], enough: f64) -> Option<(usize, usize, f64)> {
+        let mut found = None;
+        let mut most = enough;
+        for (number, line) in lines.iter().enumerate() {
+            for (pair, guesses) in line.guesses.iter().enumerate() {
+                for side in SIDES {
+                    let beyond = guesses[side].out - self.sides[side];
+                    if beyond > most {
+                        most = beyond;
+                        found = Some((number, pair, guesses[side].at));
+                    }
+                }
+            }
+        }
+        found
+    }
+
+    /// The longer side of what was seen.
+    fn width(&self) -> f64 {
+        let [left, lower, right, upper] = self.sides;
+        (left + right).max(lower + upper).max(f64::MIN_POSITIVE)
     }
 
     fn corners(&self) -> [[f64; 2]; 2] {
-        let [left, lower, right, upper] =
-            SIDES.map(|side| self.sides[side].max(self.seen.ground[side]));
+        let mut sides = self.sides;
+        let guesses = self.lines.iter().flat_map(|line| &line.guesses);
+        for guess in guesses.flatten().zip(SIDES.into_iter().cycle()) {
+            let (guess, side) = guess;
+            sides[side] = sides[side].max(guess.out);
+        }
+        let several = self.ranges.len() > 1;
+        let motors = if several {
+            motors_of_links(self.program)
+        } else {
+            Vec::new()
+        };
+        for (link, (seen, most)) in self.links.iter().zip(&self.most).enumerate() {
+            let is_moved_by_several =
+                several && (self.was_blocked || motors[link].count_ones() > 1);
+            if !(is_moved_by_several || self.is_cut_short) {
+                continue;
+            }
+            let motion = (seen[0] + seen[2]).max(seen[1] + seen[3]);
+            for side in SIDES {
+                let may_be = if self.is_cut_short && most[side].is_finite() {
+                    most[side]
+                } else {
+                    (seen[side] + UNSEEN * motion).min(most[side])
+                };
+                sides[side] = sides[side].max(may_be);
+            }
+        }
+        let rounding = ROUNDING * self.width();
+        for side in SIDES {
+            if sides[side] - self.sides[side] <= rounding {
+                sides[side] = self.sides[side];
+            }
+        }
+        let [left, lower, right, upper] = sides;
         if left == f64::NEG_INFINITY {
             return [[0.0; 2]; 2];
         }
         [[-left, -lower], [right, upper]]
     }
+}
+
+/// How far out each link can be at most, wherever the motors are within what is tried of them.
+fn most(
+    model: &Model,
+    program: &Program,
+    seen: &SeenPoints,
+    ranges: &[([f64; 2], bool)],
+) -> Vec<Sides> {
+    let anywhere = |&(range, is_endless): &([f64; 2], bool)| {
+        if is_endless {
+            Interval::ENTIRE
+        } else {
+            Interval::new(range[0], range[1])
+        }
+    };
+    let ranges: Vec<Interval> = ranges.iter().map(anywhere).collect();
+    let bounds = Bounds::new(model, &ranges);
+    let of_link = |(&link, points): (&LinkId, &Vec<Reach>)| {
+        points.iter().fold(EMPTY, |sides, &(at, radius)| {
+            let [x, y] = bounds.of_point(link, at);
+            let out = [-x.low(), -y.low(), x.high(), y.high()];
+            SIDES.map(|side| sides[side].max(radius + out[side]))
+        })
+    };
+    program
+        .stored
+        .iter()
+        .zip(&seen.moving)
+        .map(of_link)
+        .collect()
+}
+
+/// For each stored link the motors that move it, as bits.
+fn motors_of_links(program: &Program) -> Vec<u64> {
+    let mut motors = vec![0_u64; program.ssa.nodes.len()];
+    for value in program.live_values() {
+        motors[value.index()] = match program.node(value).op {
+            Op::Input(input) | Op::Turns(input) | Op::PartOfTurns(input, ..) => {
+                1 << input.index().min(63)
+            }
+            // What is iterated waits for everything.
+            Op::Unknown(..) | Op::Solved(..) | Op::Dense(..) => u64::MAX,
+            op => op
+                .operands()
+                .fold(0, |all, operand| all | motors[operand.index()]),
+        };
+    }
+    let of_pose = |pose: &[_; 4]| {
+        pose.iter().fold(0, |all, value: &crate::program::Value| {
+            all | motors[value.index()]
+        })
+    };
+    program.poses.iter().map(of_pose).collect()
 }

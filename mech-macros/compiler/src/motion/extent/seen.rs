@@ -15,12 +15,19 @@ pub(super) type Sides = [f64; 4];
 /// A box that holds nothing.
 pub(super) const EMPTY: Sides = [f64::NEG_INFINITY; 4];
 
+/// How far out a link is seen on each side, and the number of the point that is farthest.
+#[derive(Clone, Copy)]
+pub(super) struct Outermost {
+    pub(super) sides: Sides,
+    pub(super) points: [u32; 4],
+}
+
 /// The points that are seen: corners and centres of shapes, or joints and named points where there is no shape.
 pub(super) struct SeenPoints {
     /// The box around what the ground carries.
     pub(super) ground: Sides,
-    /// For each pose its points, and the radius of what is seen around each.
-    moving: Vec<Vec<Reach>>,
+    /// For each pose its points that may be outermost, and the radius of what is seen around each.
+    pub(super) moving: Vec<Vec<Reach>>,
 }
 
 impl SeenPoints {
@@ -34,13 +41,24 @@ impl SeenPoints {
             }
         };
         let mut ground = EMPTY;
-        for (point, radius) in points(LinkId::GROUND) {
-            grow(&mut ground, point, radius);
+        for reach in points(LinkId::GROUND) {
+            for (side, out) in ground.iter_mut().zip(outwards(reach, [1.0, 0.0, 0.0, 0.0])) {
+                *side = side.max(out);
+            }
         }
-        Self {
-            ground,
-            moving: program.stored.iter().map(|&id| points(id)).collect(),
-        }
+        let moving = program.stored.iter();
+        let moving = moving.map(|&id| outer(points(id))).collect();
+        Self { ground, moving }
+    }
+
+    /// The greatest number that it takes to say where a point is in its link.
+    pub(super) fn size(&self) -> f64 {
+        let numbers = |&([x, y], radius): &Reach| x.abs().max(y.abs()) + radius;
+        self.moving
+            .iter()
+            .flatten()
+            .map(numbers)
+            .fold(0.0, f64::max)
     }
 
     /// How many points move.
@@ -48,21 +66,73 @@ impl SeenPoints {
         self.moving.iter().map(Vec::len).sum()
     }
 
-    /// The box around everything that moves, if the links have these poses.
-    pub(super) fn sides(&self, poses: &[[f64; 4]]) -> Sides {
-        let mut sides = EMPTY;
-        for (&[cos, sin, x, y], points) in poses.iter().zip(&self.moving) {
-            for &([u, v], radius) in points {
-                let point = [x + cos * u - sin * v, y + sin * u + cos * v];
-                grow(&mut sides, point, radius);
+    /// How far out each link is seen, if the links have these poses.
+    pub(super) fn outermost(&self, poses: &[[f64; 4]]) -> Vec<Outermost> {
+        let of_link = |(pose, points): (&[f64; 4], &Vec<Reach>)| {
+            let mut found = Outermost {
+                sides: EMPTY,
+                points: [0; 4],
+            };
+            for (number, &point) in (0..).zip(points) {
+                let out = outwards(point, *pose);
+                for side in SIDES {
+                    if out[side] > found.sides[side] {
+                        found.sides[side] = out[side];
+                        found.points[side] = number;
+                    }
+                }
             }
-        }
-        sides
+            found
+        };
+        poses.iter().zip(&self.moving).map(of_link).collect()
     }
 }
 
-fn grow(sides: &mut Sides, [x, y]: [f64; 2], radius: f64) {
-    for (side, out) in sides.iter_mut().zip([-x, -y, x, y]) {
-        *side = side.max(out + radius);
+/// How far out a point is seen on each side, if its link has this pose.
+pub(super) fn outwards(([u, v], radius): Reach, [cos, sin, x, y]: [f64; 4]) -> Sides {
+    let [x, y] = [x + cos * u - sin * v, y + sin * u + cos * v];
+    [radius - x, radius - y, radius + x, radius + y]
+}
+
+/// Those of the points that may be outermost in some direction: the corners of what they span, of each radius by itself.
+fn outer(mut points: Vec<Reach>) -> Vec<Reach> {
+    points.sort_by(|([ax, ay], a), ([bx, by], b)| {
+        b.total_cmp(a).then(ax.total_cmp(bx)).then(ay.total_cmp(by))
+    });
+    points.dedup();
+    let groups = points.chunk_by(|a, b| a.1 == b.1);
+    let mut corners: Vec<Reach> = Vec::new();
+    for group in groups {
+        let half = |points: &mut dyn Iterator<Item = &Reach>| {
+            let mut half: Vec<Reach> = Vec::new();
+            for &(next, radius) in points {
+                while let [.., (before, _), (last, _)] = half[..]
+                    && turns_right(before, last, next)
+                {
+                    half.pop();
+                }
+                half.push((next, radius));
+            }
+            half
+        };
+        // Discs of greater radius come first: what lies within one is never outermost.
+        let is_hidden = |&(at, radius): &Reach, corners: &[Reach]| {
+            let hides = |(other, most): &Reach| {
+                (other[0] - at[0]).hypot(other[1] - at[1]) + radius <= *most
+            };
+            corners.iter().any(hides)
+        };
+        let mut all = half(&mut group.iter());
+        all.extend(half(&mut group.iter().rev()));
+        all.sort_by(|([ax, ay], _), ([bx, by], _)| ax.total_cmp(bx).then(ay.total_cmp(by)));
+        all.dedup();
+        all.retain(|point| !is_hidden(point, &corners));
+        corners.extend(all);
     }
+    corners
+}
+
+/// Whether a way through three points turns to the right, or not at all.
+fn turns_right(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> bool {
+    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) <= 0.0
 }
