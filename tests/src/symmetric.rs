@@ -1,7 +1,8 @@
 //! Random mechanisms with equal lengths, as people draw them, and fast ones.
 
 use crate::sketch::{Bond, Sketch};
-use crate::Dice;
+use crate::{Dice, grow};
+use mech_compiler::model::Ratio;
 
 type Point = [f64; 2];
 
@@ -73,11 +74,18 @@ fn add_dyad(sketch: &mut Sketch, dice: &mut Dice, ends: [usize; 2]) {
     sketch.join(b, ends[1], if dice.once_in(4) { Bond::Slide(r, [1.0, 0.0]) } else { Bond::Pin(r) });
 }
 
+/// Gears or a belt.
+fn rolling(dice: &mut Dice, [a, b]: [i64; 2], carrier: usize) -> Bond {
+    let ratio = Ratio::Teeth(a, b);
+    if dice.once_in(2) { Bond::Gear(ratio, Some(carrier)) } else { Bond::Belt(ratio, Some(carrier)) }
+}
+
 /// Gears or a belt from a new wheel on the ground to a link that turns on it at this pin. Gives the joint of the wheel.
-fn add_wheel(sketch: &mut Sketch, dice: &mut Dice, [carrier, link]: [usize; 2], teeth: [u32; 2]) -> usize {
+fn add_wheel(sketch: &mut Sketch, dice: &mut Dice, [carrier, link]: [usize; 2], [a, b]: [i64; 2]) -> usize {
     let wheel = sketch.link();
     let joint = sketch.join(carrier, wheel, Bond::Pin([signed(dice) + 6.0, signed(dice)]));
-    sketch.join(wheel, link, Bond::Wheels(teeth, carrier, dice.once_in(2)));
+    let bond = rolling(dice, [a, b], carrier);
+    sketch.join(wheel, link, bond);
     joint
 }
 
@@ -137,7 +145,7 @@ fn in_series(sketch: &mut Sketch, dice: &mut Dice, links: [usize; 4]) {
 }
 
 /// A wheel on one of the two links of a pin, tied to the other.
-fn wheeled(sketch: &mut Sketch, dice: &mut Dice, joint: usize, ratios: &[[u32; 2]]) -> Option<usize> {
+fn wheeled(sketch: &mut Sketch, dice: &mut Dice, joint: usize, ratios: &[[i64; 2]]) -> Option<usize> {
     let (a, b, bond) = sketch.joints[joint];
     matches!(bond, Bond::Pin(_)).then(|| {
         let ends = if dice.once_in(2) { [a, b] } else { [b, a] };
@@ -182,8 +190,8 @@ pub fn fast(dice: &mut Dice) -> Sketch {
                 let wheel = sketch.link();
                 sketch.join(table, wheel, Bond::Pin([x, 0.0]));
                 let teeth = *dice.pick(&[[2, 1], [5, 2], [1, 2], [5, 1], [3, 1], [2, 5]]);
-                let belt = dice.once_in(2);
-                sketch.join(driver, wheel, Bond::Wheels(teeth, table, belt));
+                let bond = rolling(dice, teeth, table);
+                sketch.join(driver, wheel, bond);
                 wheel
             }
             2 => guided(&mut sketch, dice, [table, driver], x - 6.0),
@@ -227,4 +235,20 @@ fn four_bar(sketch: &mut Sketch, dice: &mut Dice, [table, driver]: [usize; 2], x
     sketch.join(coupler, rocker, Bond::Pin(top));
     sketch.join(table, rocker, Bond::Pin(pivot));
     rocker
+}
+
+/// Anything that grows, as it has grown or with any other joints driven and any link as ground.
+pub fn generic(dice: &mut Dice) -> Sketch {
+    let additions = 1 + dice.below(6);
+    let model = grow(dice, additions).model;
+    let mut sketch = Sketch::of(&model);
+    sketch.motors = model.motors.iter().map(|motor| motor.joint.index()).collect();
+    if dice.once_in(2) {
+        sketch.ground = dice.below(sketch.links);
+    }
+    if dice.once_in(2) {
+        let number = dice.below(sketch.motors.len());
+        sketch.motors[number] = sketch.any_motor(dice);
+    }
+    sketch
 }

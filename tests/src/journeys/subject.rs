@@ -1,6 +1,6 @@
 //! From the text of a mechanism to what can be moved and judged.
 
-use crate::judge::{Curve, End, Judge};
+use crate::judge::{Curve, End, Judge, Place};
 use crate::{size, with_ground};
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{JointKind, Model};
@@ -57,12 +57,13 @@ impl Subject {
     }
 }
 
-/// All that one motor can do from the start, to both sides.
+/// All that one motor can do from the start, to both sides; or one move of several motors, as parts of it.
 pub struct Track<'j> {
     judge: &'j Judge<'j>,
     start: f64,
     reach: f64,
-    sides: [Curve<'j>; 2],
+    /// To greater values, and to lesser ones.
+    sides: Vec<Curve<'j>>,
 }
 
 /// What the judge says of a value of the motor.
@@ -79,12 +80,22 @@ impl<'j> Track<'j> {
     /// Follows the motor to both sides.
     pub fn new(judge: &'j Judge<'j>, start: f64, reach: f64) -> Self {
         let side = |by: f64| Curve::new(judge, &judge.start(), [&[start], &[start + by]]);
-        Self { judge, start, reach, sides: [side(reach), side(-reach)] }
+        Self { judge, start, reach, sides: vec![side(reach), side(-reach)] }
+    }
+
+    /// Follows one move.
+    pub fn of_move(judge: &'j Judge<'j>, place: &Place, motors: [&[f64]; 2]) -> Self {
+        Self { judge, start: 0.0, reach: 1.0, sides: vec![Curve::new(judge, place, motors)] }
+    }
+
+    /// Where a move leads.
+    pub fn target(&self) -> Option<Place> {
+        Some(self.sides[0].at(1.0)?.0)
     }
 
     fn side(&self, value: f64) -> (&Curve<'j>, f64) {
         let by = value - self.start;
-        (&self.sides[usize::from(by < 0.0)], by.abs() / self.reach)
+        (&self.sides[usize::from(by < 0.0).min(self.sides.len() - 1)], by.abs() / self.reach)
     }
 
     /// What it says of a value.
@@ -105,23 +116,14 @@ impl<'j> Track<'j> {
 
     /// The values at which it goes through crossings.
     pub fn crossings(&self) -> Vec<f64> {
-        let [up, down] = &self.sides;
-        let value = |sign: f64| move |part: &f64| self.start + sign * part * self.reach;
-        up.crossings.iter().map(value(1.0)).chain(down.crossings.iter().map(value(-1.0))).collect()
+        let sides = self.sides.iter().zip([1.0, -1.0]);
+        let values = sides.flat_map(|(side, sign)| side.crossings.iter().map(move |part| self.start + sign * part * self.reach));
+        values.collect()
     }
 
     /// How near it comes to where curves cross without going through.
     pub fn nearest(&self) -> f64 {
-        self.sides[0].nearest.min(self.sides[1].nearest)
-    }
-
-    /// The values between which it is known.
-    pub fn known(&self) -> [f64; 2] {
-        let far = |curve: &Curve<'_>| match curve.end {
-            End::Arrives => 1.0,
-            End::Stops(end) | End::GivesUp(end, _) => end,
-        };
-        [self.start - far(&self.sides[1]) * self.reach, self.start + far(&self.sides[0]) * self.reach]
+        self.sides.iter().map(|side| side.nearest).fold(f64::INFINITY, f64::min)
     }
 
     /// Why it is not known farther, if it is not.

@@ -43,6 +43,8 @@ pub struct Curve<'j> {
 
 /// More knots than these are too many.
 const MOST_KNOTS: usize = 60_000;
+/// Where links have gone farther than that, for a motor that has not moved at all, they run away: slides that become parallel.
+const FARTHEST: f64 = 1e3;
 /// No step is longer than this, in radians or units; and between its ends the curve turns by no more than this.
 const LONGEST: f64 = 0.4;
 /// Curves that come so near to each other cross but for rounding.
@@ -181,6 +183,9 @@ impl<'j> Curve<'j> {
                 if value >= self.length {
                     return End::Arrives;
                 }
+                if self.knots[base].arc > FARTHEST + 100.0 * self.length {
+                    return End::GivesUp(part, "it runs away");
+                }
                 let rest = (self.length - value) / slope.max(1e-3) + 1e-3;
                 step = step.min(LONGEST).min(0.5 * room).min(rest);
                 match self.step(base, step) {
@@ -268,7 +273,7 @@ impl<'j> Curve<'j> {
         let way = self.knots.first()?.at.len() - 1;
         let after = self.knots.partition_point(|knot| knot.at[way] < goal);
         let [low, high] = match (after, self.knots.get(after)) {
-            (0, _) => return Some((Place(self.knots[0].at.clone()), self.condition(&self.knots[0]))),
+            (0, _) => return Some((Place(self.knots[0].at.clone()), 1.0 / self.knots[0].sigma.min(1.0))),
             (_, None) => return None,
             (_, Some(high)) => [&self.knots[after - 1], high],
         };
@@ -284,21 +289,15 @@ impl<'j> Curve<'j> {
             if between(middle)[way] < goal { a = middle } else { b = middle }
         }
         let guess = between(a);
+        let small = 1e-4;
+        let slope = (between((a + small).min(1.0))[way] - between((a - small).max(0.0))[way]) / (span * small);
+        let condition = 1.0 / low.sigma.min(high.sigma).min(slope.abs()).clamp(1e-12, 1.0);
         let mut across = DVector::zeros(way + 1);
         across[way] = 1.0;
-        let sigma = low.sigma.min(high.sigma);
-        let slope = low.tangent[way].min(high.tangent[way]).max(1e-9);
-        let condition = self.condition(low).max(self.condition(high));
-        let corrected = self.correct(guess.clone(), &across).filter(|(_, off)| *off < 0.1 * sigma.min(slope));
+        let corrected = self.correct(guess.clone(), &across).filter(|(_, off)| off * condition < 0.1);
         let (mut found, _) = corrected.unwrap_or((guess, 0.0));
         found[way] = 0.0;
         Some((Place(found), condition))
-    }
-
-    /// By how much rounding is more than itself at a knot.
-    fn condition(&self, knot: &Knot) -> f64 {
-        let way = knot.at.len() - 1;
-        (1.0 / knot.sigma.max(1e-12)).max(1.0 / knot.tangent[way].abs().max(1e-12)).max(1.0)
     }
 }
 
