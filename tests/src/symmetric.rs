@@ -1,7 +1,8 @@
 //! Random mechanisms with equal lengths, as people draw them, and fast ones.
 
 use crate::sketch::{Bond, Sketch};
-use crate::Dice;
+use crate::{Dice, grow};
+use mech_compiler::model::Ratio;
 
 type Point = [f64; 2];
 
@@ -29,18 +30,47 @@ fn ring(dice: &mut Dice, kinds: &[&str]) -> [Bond; 4] {
         }
         "antiparallelogram" => pins([[-a, 0.0], [a + c, b], [a, 0.0], [-a - c, b]]),
         // Crank and rod are equal; the slide passes the crank's pivot.
-        "slider" => [Bond::Pin([0.0, 0.0]), Bond::Pin([a, b]), Bond::Pin([2.0 * a, 0.0]), Bond::Slide([2.0 * a, 0.0], [1.0, 0.0])],
+        "slider" => [
+            Bond::Pin([0.0, 0.0]),
+            Bond::Pin([a, b]),
+            Bond::Pin([2.0 * a, 0.0]),
+            Bond::Slide([2.0 * a, 0.0], [1.0, 0.0]),
+        ],
         // A pin goes round a pivot as far from it as the pivot of the guide is.
-        "guide" => [Bond::Pin([0.0, 0.0]), Bond::Slide([2.0 * a, 0.0], [1.0, 0.0]), Bond::Pin([2.0 * a, 0.0]), Bond::Pin([a, b])],
+        "guide" => [
+            Bond::Pin([0.0, 0.0]),
+            Bond::Slide([2.0 * a, 0.0], [1.0, 0.0]),
+            Bond::Pin([2.0 * a, 0.0]),
+            Bond::Pin([a, b]),
+        ],
         // Two slides, square to each other or not.
-        "yoke" => [Bond::Pin([0.0, 0.0]), Bond::Pin([a, b]), Bond::Slide([a, b], [0.0, 1.0]), Bond::Slide([a + c, 0.0], [1.0, 0.0])],
-        _ => [Bond::Pin([0.0, b]), Bond::Pin([a, 0.0]), Bond::Slide([a, 0.0], [1.0, 0.0]), Bond::Slide([0.0, b], [0.0, 1.0])],
+        "yoke" => [
+            Bond::Pin([0.0, 0.0]),
+            Bond::Pin([a, b]),
+            Bond::Slide([a, b], [0.0, 1.0]),
+            Bond::Slide([a + c, 0.0], [1.0, 0.0]),
+        ],
+        _ => [
+            Bond::Pin([0.0, b]),
+            Bond::Pin([a, 0.0]),
+            Bond::Slide([a, 0.0], [1.0, 0.0]),
+            Bond::Slide([0.0, b], [0.0, 1.0]),
+        ],
     };
     bonds.rotate_left(dice.below(4));
     bonds
 }
 
-const RINGS: [&str; 8] = ["rhombus", "kite", "parallelogram", "antiparallelogram", "slider", "guide", "yoke", "trammel"];
+const RINGS: [&str; 8] = [
+    "rhombus",
+    "kite",
+    "parallelogram",
+    "antiparallelogram",
+    "slider",
+    "guide",
+    "yoke",
+    "trammel",
+];
 
 /// Moves a ring.
 fn moved(bonds: [Bond; 4], [dx, dy]: Point) -> [Bond; 4] {
@@ -52,7 +82,11 @@ fn moved(bonds: [Bond; 4], [dx, dy]: Point) -> [Bond; 4] {
 }
 
 /// A ring of links, two of which are there already.
-fn add_ring(sketch: &mut Sketch, bonds: [Bond; 4], [first, second]: [Option<usize>; 2]) -> [usize; 4] {
+fn add_ring(
+    sketch: &mut Sketch,
+    bonds: [Bond; 4],
+    [first, second]: [Option<usize>; 2],
+) -> [usize; 4] {
     let first = first.unwrap_or_else(|| sketch.link());
     let second = second.unwrap_or_else(|| sketch.link());
     let links = [first, second, sketch.link(), sketch.link()];
@@ -70,14 +104,42 @@ fn add_dyad(sketch: &mut Sketch, dice: &mut Dice, ends: [usize; 2]) {
     let (a, b) = (sketch.link(), sketch.link());
     sketch.join(ends[0], a, Bond::Pin(p));
     sketch.join(a, b, Bond::Pin(q));
-    sketch.join(b, ends[1], if dice.once_in(4) { Bond::Slide(r, [1.0, 0.0]) } else { Bond::Pin(r) });
+    sketch.join(
+        b,
+        ends[1],
+        if dice.once_in(4) {
+            Bond::Slide(r, [1.0, 0.0])
+        } else {
+            Bond::Pin(r)
+        },
+    );
+}
+
+/// Gears or a belt.
+fn rolling(dice: &mut Dice, [a, b]: [i64; 2], carrier: usize) -> Bond {
+    let ratio = Ratio::Teeth(a, b);
+    if dice.once_in(2) {
+        Bond::Gear(ratio, Some(carrier))
+    } else {
+        Bond::Belt(ratio, Some(carrier))
+    }
 }
 
 /// Gears or a belt from a new wheel on the ground to a link that turns on it at this pin. Gives the joint of the wheel.
-fn add_wheel(sketch: &mut Sketch, dice: &mut Dice, [carrier, link]: [usize; 2], teeth: [u32; 2]) -> usize {
+fn add_wheel(
+    sketch: &mut Sketch,
+    dice: &mut Dice,
+    [carrier, link]: [usize; 2],
+    [a, b]: [i64; 2],
+) -> usize {
     let wheel = sketch.link();
-    let joint = sketch.join(carrier, wheel, Bond::Pin([signed(dice) + 6.0, signed(dice)]));
-    sketch.join(wheel, link, Bond::Wheels(teeth, carrier, dice.once_in(2)));
+    let joint = sketch.join(
+        carrier,
+        wheel,
+        Bond::Pin([signed(dice) + 6.0, signed(dice)]),
+    );
+    let bond = rolling(dice, [a, b], carrier);
+    sketch.join(wheel, link, bond);
     joint
 }
 
@@ -97,7 +159,9 @@ pub fn symmetric(dice: &mut Dice) -> Sketch {
         }
         3 => in_series(&mut sketch, dice, links),
         4 => {
-            if let Some(wheel) = wheeled(&mut sketch, dice, motor, &[[1, 1], [2, 1], [1, 2], [3, 2]]) {
+            if let Some(wheel) =
+                wheeled(&mut sketch, dice, motor, &[[1, 1], [2, 1], [1, 2], [3, 2]])
+            {
                 motor = wheel;
             }
         }
@@ -137,7 +201,12 @@ fn in_series(sketch: &mut Sketch, dice: &mut Dice, links: [usize; 4]) {
 }
 
 /// A wheel on one of the two links of a pin, tied to the other.
-fn wheeled(sketch: &mut Sketch, dice: &mut Dice, joint: usize, ratios: &[[u32; 2]]) -> Option<usize> {
+fn wheeled(
+    sketch: &mut Sketch,
+    dice: &mut Dice,
+    joint: usize,
+    ratios: &[[i64; 2]],
+) -> Option<usize> {
     let (a, b, bond) = sketch.joints[joint];
     matches!(bond, Bond::Pin(_)).then(|| {
         let ends = if dice.once_in(2) { [a, b] } else { [b, a] };
@@ -153,7 +222,8 @@ pub fn row(dice: &mut Dice) -> Sketch {
     let (u, v) = (signed(dice), signed(dice));
     let straight = dice.once_in(2);
     for number in 0..3 + dice.below(2) {
-        let x = 2.0 * f64::from(u32::try_from(number).unwrap_or(0)) + if straight { 0.0 } else { 0.25 * length(dice) };
+        let x = 2.0 * f64::from(u32::try_from(number).unwrap_or(0))
+            + if straight { 0.0 } else { 0.25 * length(dice) };
         let y = if straight { 0.0 } else { signed(dice) };
         let crank = sketch.link();
         sketch.join(table, crank, Bond::Pin([x, y]));
@@ -182,8 +252,8 @@ pub fn fast(dice: &mut Dice) -> Sketch {
                 let wheel = sketch.link();
                 sketch.join(table, wheel, Bond::Pin([x, 0.0]));
                 let teeth = *dice.pick(&[[2, 1], [5, 2], [1, 2], [5, 1], [3, 1], [2, 5]]);
-                let belt = dice.once_in(2);
-                sketch.join(driver, wheel, Bond::Wheels(teeth, table, belt));
+                let bond = rolling(dice, teeth, table);
+                sketch.join(driver, wheel, bond);
                 wheel
             }
             2 => guided(&mut sketch, dice, [table, driver], x - 6.0),
@@ -203,10 +273,17 @@ pub fn fast(dice: &mut Dice) -> Sketch {
 fn guided(sketch: &mut Sketch, dice: &mut Dice, [table, driver]: [usize; 2], x: f64) -> usize {
     let [u, v] = [signed(dice), signed(dice)];
     let guide = sketch.link();
-    let pivot = [x + 0.7 * u * dice.between(-1.0, 1.0), 0.7 * v * dice.between(-1.0, 1.0)];
+    let pivot = [
+        x + 0.7 * u * dice.between(-1.0, 1.0),
+        0.7 * v * dice.between(-1.0, 1.0),
+    ];
     let pin = [x + u, v];
     sketch.join(table, guide, Bond::Pin(pivot));
-    sketch.join(driver, guide, Bond::Slot(pin, [pin[0] - pivot[0], pin[1] - pivot[1]]));
+    sketch.join(
+        driver,
+        guide,
+        Bond::Slot(pin, [pin[0] - pivot[0], pin[1] - pivot[1]]),
+    );
     guide
 }
 
@@ -218,13 +295,48 @@ fn four_bar(sketch: &mut Sketch, dice: &mut Dice, [table, driver]: [usize; 2], x
     let (top, pivot) = match dice.below(3) {
         0 => {
             let apart = [length(dice), signed(dice)];
-            ([pin[0] + apart[0], pin[1] + apart[1]], [x + apart[0], apart[1]])
+            (
+                [pin[0] + apart[0], pin[1] + apart[1]],
+                [x + apart[0], apart[1]],
+            )
         }
-        1 => ([x + 3.0 + dice.between(-0.5, 0.5), 2.0 + dice.between(-0.5, 0.5)], [x + 3.0, -0.5]),
-        _ => ([x + signed(dice), signed(dice)], [x + 2.0 + length(dice), signed(dice)]),
+        1 => (
+            [
+                x + 3.0 + dice.between(-0.5, 0.5),
+                2.0 + dice.between(-0.5, 0.5),
+            ],
+            [x + 3.0, -0.5],
+        ),
+        _ => (
+            [x + signed(dice), signed(dice)],
+            [x + 2.0 + length(dice), signed(dice)],
+        ),
     };
     sketch.join(driver, coupler, Bond::Pin(pin));
     sketch.join(coupler, rocker, Bond::Pin(top));
     sketch.join(table, rocker, Bond::Pin(pivot));
     rocker
+}
+
+/// Anything that grows, as it has grown or with any other joints driven and any link as ground.
+pub fn generic(dice: &mut Dice) -> Sketch {
+    let additions = 1 + dice.below(6);
+    let model = grow(dice, additions).model;
+    let mut sketch = Sketch::of(&model);
+    sketch.motors = model
+        .motors
+        .iter()
+        .map(|motor| motor.joint.index())
+        .collect();
+    if dice.once_in(2) {
+        sketch.ground = dice.below(sketch.links);
+    }
+    if dice.once_in(2) {
+        let number = dice.below(sketch.motors.len());
+        let motor = sketch.any_motor(dice);
+        if !sketch.motors.contains(&motor) {
+            sketch.motors[number] = motor;
+        }
+    }
+    sketch
 }

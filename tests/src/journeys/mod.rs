@@ -4,12 +4,16 @@ mod subject;
 
 pub use subject::{Judged, Subject, Track, apart};
 
+use crate::judge::Judge;
 use crate::sketch::Sketch;
-use crate::{Dice, grow, symmetric, worst_gap};
-use mech_compiler::evaluate::Machine;
+use crate::{Dice, symmetric, worst_gap};
+use mech_compiler::evaluate::{Machine, Stop};
+use mech_compiler::model::Precision;
 use mech_compiler::program::Real;
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
+use std::ops::Range;
+use std::time::Instant;
 
 /// What is done with a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,7 +27,7 @@ pub enum Kind {
 }
 
 /// Which mechanisms.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Family {
     /// Four-bars with equal pairs and what hangs on them.
     Symmetric,
@@ -31,24 +35,23 @@ pub enum Family {
     Rows,
     /// Trains of gears, guides and four-bars.
     Fast,
-    /// Anything, with one motor.
+    /// Anything.
     Generic,
+    /// This text, in random journeys.
+    Text(String),
 }
 
 impl Family {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::Symmetric, Self::Rows, Self::Fast, Self::Generic];
 
-    fn text(self, dice: &mut Dice, single: bool) -> String {
+    fn text(&self, dice: &mut Dice, single: bool) -> String {
         let mut sketch: Sketch = match self {
             Self::Symmetric => symmetric::symmetric(dice),
             Self::Rows => symmetric::row(dice),
             Self::Fast => symmetric::fast(dice),
-            Self::Generic => {
-                let additions = 2 + dice.below(5);
-                let text = crate::text(&grow(dice, additions).model);
-                return if single { text.replacen(';', ": f32;", 1) } else { text };
-            }
+            Self::Generic => symmetric::generic(dice),
+            Self::Text(text) => return text.clone(),
         };
         sketch.single = single;
         sketch.text(dice)
@@ -87,12 +90,20 @@ pub struct Tally {
     pub faults: BTreeMap<Fault, [usize; 2]>,
     /// Some of them as text.
     pub examples: BTreeMap<Fault, Vec<String>>,
+    /// How long the judge took, of everything, in seconds.
+    pub judging: f64,
     /// Why the judge gave up.
     pub reasons: BTreeMap<String, usize>,
 }
 
 /// Tries so many mechanisms of a family.
-pub fn tally(kind: Kind, family: Family, seeds: std::ops::Range<u64>, single: bool, examples: usize) -> Tally {
+pub fn tally(
+    kind: Kind,
+    family: &Family,
+    seeds: Range<u64>,
+    single: bool,
+    examples: usize,
+) -> Tally {
     let mut tally = Tally::default();
     for seed in seeds {
         let mut dice = Dice::new(seed);
@@ -105,11 +116,12 @@ pub fn tally(kind: Kind, family: Family, seeds: std::ops::Range<u64>, single: bo
                 continue;
             }
         };
-        if subject.model.motors.len() != 1 {
-            continue;
-        }
         tally.mechanisms += 1;
-        let found = if single { journeys::<f32>(kind, &subject, &mut dice, &mut tally) } else { journeys::<f64>(kind, &subject, &mut dice, &mut tally) };
+        let found = if single {
+            journeys::<f32>(kind, &subject, &mut dice, &mut tally)
+        } else {
+            journeys::<f64>(kind, &subject, &mut dice, &mut tally)
+        };
         let mut seen = Vec::new();
         for (fault, what) in found {
             let count = tally.faults.entry(fault).or_default();
@@ -127,42 +139,102 @@ pub fn tally(kind: Kind, family: Family, seeds: std::ops::Range<u64>, single: bo
     tally
 }
 
+/// Whether it goes on from here, or what is wrong.
+type Verdict = Result<bool, (Fault, String)>;
+
+/// Moves, as far as it goes; and why no farther.
+fn go<T: Real>(machine: &mut Machine<'_, T>, to: &[T]) -> Option<Stop> {
+    let stop = machine.move_to(to).err()?;
+    let _ = machine.move_toward(to);
+    Some(stop)
+}
+
 /// What is off by this counts as elsewhere.
 const ELSEWHERE: f64 = 0.02;
 
-fn journeys<T: Real>(kind: Kind, subject: &Subject, dice: &mut Dice, tally: &mut Tally) -> Vec<(Fault, String)> {
+fn journeys<T: Real>(
+    kind: Kind,
+    subject: &Subject,
+    dice: &mut Dice,
+    tally: &mut Tally,
+) -> Vec<(Fault, String)> {
     let judge = subject.judge();
     let mut machine = Machine::<T>::new(&subject.compiled.program);
-    let start = machine.position().motors[0].to_f64();
-    let mut found = Vec::new();
-    let gap = judge.gap(&judge.start(), &[start]);
-    if gap > if subject.model.precision == mech_compiler::model::Precision::F32 { 1e-3 } else { 1e-7 } {
-        found.push((Fault::Torn, format!("it is torn by {gap:.1e} of a link where it starts")));
-        return found;
+    let mut trial = Trial {
+        subject,
+        judge: &judge,
+        found: Vec::new(),
+        moves: 0,
+        judging: 0.0,
+    };
+    let start: Vec<f64> = machine
+        .position()
+        .motors
+        .iter()
+        .map(|value| value.to_f64())
+        .collect();
+    let gap = judge.gap(&judge.start(), &start);
+    if gap > if trial.is_single() { 1e-3 } else { 1e-7 } {
+        trial.find(
+            Fault::Torn,
+            format!("it is torn by {gap:.1e} of a link where it starts"),
+        );
+        return trial.found;
     }
-    let reach = if subject.slides(0) { 2.0 * crate::size(&subject.model) } else { 2.5 * TAU };
-    let track = Track::new(&judge, start, reach);
-    if let Some(why) = track.gave_up() {
-        *tally.reasons.entry(why.to_owned()).or_default() += 1;
-    }
-    let mut trial = Trial { subject, track: &track, start, reach, found, moves: 0 };
-    match kind {
-        Kind::Steps => trial.steps(&mut machine),
-        Kind::Leaps => trial.leaps(&mut machine, dice),
-        Kind::Stops => trial.stops(&mut machine, dice),
+    if start.len() > 1 {
+        trial.several(&mut machine, dice);
+    } else {
+        let reach = if subject.slides(0) {
+            2.0 * crate::size(&subject.model)
+        } else {
+            2.5 * TAU
+        };
+        let begin = Instant::now();
+        let track = Track::new(&judge, start[0], reach);
+        tally.judging += begin.elapsed().as_secs_f64();
+        if let Some(why) = track.gave_up() {
+            *tally.reasons.entry(why.to_owned()).or_default() += 1;
+        }
+        let line = Line {
+            track,
+            start: start[0],
+            reach,
+        };
+        match kind {
+            Kind::Steps => trial.steps(&line, &mut machine),
+            Kind::Leaps => trial.leaps(&line, &mut machine, dice),
+            Kind::Stops => trial.stops(&line, &mut machine, dice),
+        }
     }
     tally.moves += trial.moves;
+    tally.judging += trial.judging;
     trial.found
+}
+
+/// All that one motor can do.
+struct Line<'a> {
+    track: Track<'a>,
+    start: f64,
+    reach: f64,
 }
 
 /// One mechanism on trial.
 struct Trial<'a> {
     subject: &'a Subject,
-    track: &'a Track<'a>,
-    start: f64,
-    reach: f64,
+    judge: &'a Judge<'a>,
     found: Vec<(Fault, String)>,
     moves: usize,
+    judging: f64,
+}
+
+/// The numbers of a position's motors.
+fn motors<T: Real>(machine: &Machine<'_, T>) -> Vec<f64> {
+    machine
+        .position()
+        .motors
+        .iter()
+        .map(|value| value.to_f64())
+        .collect()
 }
 
 impl Trial<'_> {
@@ -171,128 +243,242 @@ impl Trial<'_> {
     }
 
     fn is_single(&self) -> bool {
-        self.subject.model.precision == mech_compiler::model::Precision::F32
+        self.subject.model.precision == Precision::F32
     }
 
-    /// Makes a move and judges it. Whether it may go on from there.
-    fn judged<T: Real>(&mut self, machine: &mut Machine<'_, T>, to: f64, path: &mut Vec<f64>) -> bool {
+    /// Moves the one motor and judges it. Whether it may go on from there.
+    fn judged<T: Real>(
+        &mut self,
+        line: &Line<'_>,
+        machine: &mut Machine<'_, T>,
+        to: f64,
+        path: &mut Vec<f64>,
+    ) -> bool {
+        let (from, to) = (motors(machine)[0], T::from_f64(to));
+        let stop = go(machine, &[to]);
+        path.push(to.to_f64());
+        let at = motors(machine)[0];
+        let loose = 1.0 + at.abs();
+        let verdict = self.verdict(&line.track, machine, [at, to.to_f64()], stop, loose);
+        self.conclude(verdict, || format!("path {path:?}: from {from} at {at}"))
+    }
+
+    fn conclude(&mut self, verdict: Verdict, story: impl Fn() -> String) -> bool {
         self.moves += 1;
-        let to = T::from_f64(to);
-        let from = machine.position().motors[0].to_f64();
-        let outcome = machine.move_to(&[to]);
-        if outcome.is_err() {
-            let _ = machine.move_toward(&[to]);
+        match verdict {
+            Ok(goes_on) => goes_on,
+            Err((fault, what)) => {
+                self.find(fault, format!("{}: {what}", story()));
+                false
+            }
         }
-        let (goal, at) = (to.to_f64(), machine.position().motors[0].to_f64());
-        path.push(goal);
-        let story = |what: String| format!("path {path:?}: {what}");
-        let loose = if self.is_single() { 1e-3 } else { 1e-6 } * (1.0 + at.abs());
+    }
+
+    /// Whether a machine is where the judge says, at this value of this track, on its way to that value; or what is wrong.
+    fn verdict<T: Real>(
+        &self,
+        track: &Track<'_>,
+        machine: &Machine<'_, T>,
+        [at, goal]: [f64; 2],
+        stop: Option<Stop>,
+        length: f64,
+    ) -> Verdict {
+        let single = self.is_single();
+        let loose = if single { 1e-3 } else { 1e-6 } * length;
         let poses = self.subject.poses(machine.position());
-        let extent = poses.iter().map(|[_, _, x, y]| x.hypot(*y)).fold(crate::size(&self.subject.model), f64::max);
-        let gap = worst_gap(&self.subject.model, &poses) / extent;
-        if gap > if self.is_single() { 1e-4 } else { 1e-9 } {
-            let what = story(format!("at {at} it is torn by {gap:.1e}"));
-            self.find(Fault::Torn, what);
-            return false;
-        }
         // Whether rounding decides how it goes on where curves nearly cross, is nobody's mistake.
-        let unsure = self.track.nearest() < if self.is_single() { 0.05 } else { 2e-5 };
-        let blame = |fault| if unsure { Fault::Unknown } else { fault };
-        match self.track.judge(at) {
+        let unsure = track.nearest() < if single { 0.05 } else { 2e-5 };
+        let blame = |fault, what| Err((if unsure { Fault::Unknown } else { fault }, what));
+        let judged = track.judge(at);
+        let condition = if let Judged::Reached(_, condition) = judged {
+            condition
+        } else {
+            1.0
+        };
+        let extent = self.subject.extent(&poses);
+        let gap = worst_gap(&self.subject.model, &poses) / extent;
+        // What is redundant closes as well as the rest is known.
+        let worse = if self.subject.model.allow.redundant {
+            condition.min(1e3)
+        } else {
+            1.0
+        };
+        if gap > worse * if single { 3e-5 } else { 1e-9 } {
+            return Err((
+                Fault::Torn,
+                format!("torn by {gap:.1e}, condition {condition:.1e}"),
+            ));
+        }
+        match judged {
             Judged::Reached(there, condition) => {
-                let least = if self.is_single() { [2e-4, 1e-5] } else { [1e-6, 1e-9] };
+                let least = if single { [2e-4, 1e-5] } else { [1e-6, 1e-9] };
                 let allowed = least[0].max(least[1] * condition).min(ELSEWHERE);
-                let off = apart(&self.subject.model, &poses, &there);
+                let off = apart(&poses, &there, extent);
                 if off > allowed {
-                    let fault = if off > ELSEWHERE { Fault::Elsewhere } else { Fault::Off };
-                    let what = story(format!("from {from} to {goal} it is at {at}, off by {off:.2e} (condition {condition:.1e})"));
-                    self.find(blame(fault), what);
-                    return false;
+                    let fault = if off > ELSEWHERE {
+                        Fault::Elsewhere
+                    } else {
+                        Fault::Off
+                    };
+                    return blame(
+                        fault,
+                        format!("off by {off:.2e}, condition {condition:.1e}"),
+                    );
                 }
             }
             Judged::Beyond(end) if (at - end).abs() > loose => {
-                let what = story(format!("from {from} to {goal} it is at {at}, the judge stops at {end}"));
-                self.find(blame(Fault::Passes), what);
-                return false;
+                return blame(Fault::Passes, format!("the judge stops at {end}"));
             }
             Judged::Beyond(_) => {}
             Judged::Unknown => {
-                let what = story(format!("at {at} the judge gives up: {:?}", self.track.gave_up()));
-                self.find(Fault::Unknown, what);
-                return false;
+                return Err((
+                    Fault::Unknown,
+                    format!("the judge gives up: {:?}", track.gave_up()),
+                ));
             }
         }
-        if let Err(stop) = outcome {
-            let end = match self.track.judge(goal) {
-                Judged::Beyond(end) => end,
-                Judged::Reached(..) => goal,
-                Judged::Unknown => return false,
-            };
-            if (at - end).abs() > loose {
-                let what = story(format!("from {from} to {goal} it stops at {at} by {stop:?}, the judge at {end}"));
-                self.find(blame(Fault::StopsEarly), what);
-            }
-            return false;
+        let Some(stop) = stop else {
+            return Ok(true);
+        };
+        let end = match track.judge(goal) {
+            Judged::Beyond(end) => end,
+            Judged::Reached(..) => goal,
+            Judged::Unknown => return Ok(false),
+        };
+        if (at - end).abs() > loose {
+            return blame(
+                Fault::StopsEarly,
+                format!("it stops by {stop:?}, the judge at {end}"),
+            );
         }
-        true
+        Ok(false)
     }
 
-    fn leaps<T: Real>(&mut self, machine: &mut Machine<'_, T>, dice: &mut Dice) {
+    /// Leaps of several motors, long and short.
+    fn several<T: Real>(&mut self, machine: &mut Machine<'_, T>, dice: &mut Dice) {
+        let (begin, start) = (machine.position().clone(), motors(machine));
+        let mut place = self.judge.start();
+        let mut path: Vec<Vec<f64>> = Vec::new();
+        for _ in 0..12 {
+            let from = motors(machine);
+            let only = dice.below(2 * from.len());
+            let far = *dice.pick(&[0.05, 0.5, 1.0, 1.0]);
+            let goal = (0..from.len()).map(|motor| {
+                let reach = far
+                    * if self.subject.slides(motor) {
+                        crate::size(&self.subject.model)
+                    } else {
+                        TAU
+                    };
+                let to = dice.between(-reach, reach)
+                    + if far < 0.5 { from[motor] } else { start[motor] };
+                T::from_f64(if only >= from.len() || only == motor {
+                    to
+                } else {
+                    from[motor]
+                })
+            });
+            let goal: Vec<T> = goal.collect();
+            let to: Vec<f64> = goal.iter().map(|value| value.to_f64()).collect();
+            let instant = Instant::now();
+            let track = Track::of_move(self.judge, &place, [&from, &to]);
+            self.judging += instant.elapsed().as_secs_f64();
+            let stop = go(machine, &goal);
+            let longest = (0..to.len())
+                .max_by(|a, b| {
+                    (to[*a] - from[*a])
+                        .abs()
+                        .total_cmp(&(to[*b] - from[*b]).abs())
+                })
+                .unwrap_or(0);
+            let length = to[longest] - from[longest];
+            let at = if stop.is_none() {
+                1.0
+            } else {
+                (motors(machine)[longest] - from[longest]) / length
+            };
+            path.push(to);
+            let verdict = self.verdict(&track, machine, [at, 1.0], stop, 1.0 + 1.0 / length.abs());
+            let goes_on = self.conclude(verdict, || {
+                format!("path {path:?}: from {from:?}, part {at}")
+            });
+            match track.target().filter(|_| goes_on) {
+                Some(target) => place = target,
+                None => {
+                    machine.put_back(begin.clone());
+                    place = self.judge.start();
+                    path.clear();
+                }
+            }
+        }
+    }
+
+    fn leaps<T: Real>(&mut self, line: &Line<'_>, machine: &mut Machine<'_, T>, dice: &mut Dice) {
         let begin = machine.position().clone();
         let mut path = Vec::new();
         for _ in 0..12 {
-            let far = *dice.pick(&[0.3, 1.0, 1.0, 1.0]) * self.reach;
-            let to = self.start + dice.between(-far, far);
-            if !self.judged(machine, to, &mut path) {
+            let far = *dice.pick(&[0.3, 1.0, 1.0, 1.0]) * line.reach;
+            let to = line.start + dice.between(-far, far);
+            if !self.judged(line, machine, to, &mut path) {
                 machine.put_back(begin.clone());
                 path.clear();
             }
         }
     }
 
-    fn stops<T: Real>(&mut self, machine: &mut Machine<'_, T>, dice: &mut Dice) {
+    fn stops<T: Real>(&mut self, line: &Line<'_>, machine: &mut Machine<'_, T>, dice: &mut Dice) {
         let begin = machine.position().clone();
         let mut path = Vec::new();
-        let crossings = self.track.crossings();
-        let unit = if self.subject.slides(0) { self.reach / 12.0 } else { 1.0 };
+        let crossings = line.track.crossings();
+        let unit = if self.subject.slides(0) {
+            line.reach / 12.0
+        } else {
+            1.0
+        };
         for _ in 0..24 {
             let at = machine.position().motors[0].to_f64();
-            let by = *dice.pick(&[1e-7, 1e-7, 1e-5, 1e-3, 1e-3, 0.1, 1.0, 1.0, PI]) * unit * *dice.pick(&[1.0, -1.0]);
+            let by = *dice.pick(&[1e-7, 1e-7, 1e-5, 1e-3, 1e-3, 0.1, 1.0, 1.0, PI])
+                * unit
+                * *dice.pick(&[1.0, -1.0]);
             let to = if crossings.is_empty() || dice.once_in(2) {
                 at + by
             } else {
                 *dice.pick(&crossings) + if dice.once_in(3) { 0.0 } else { by }
             };
-            if (to - self.start).abs() < self.reach && !self.judged(machine, to, &mut path) {
+            if (to - line.start).abs() < line.reach && !self.judged(line, machine, to, &mut path) {
                 machine.put_back(begin.clone());
                 path.clear();
             }
         }
     }
 
-    fn steps<T: Real>(&mut self, machine: &mut Machine<'_, T>) {
+    fn steps<T: Real>(&mut self, line: &Line<'_>, machine: &mut Machine<'_, T>) {
         let begin = machine.position().clone();
-        let step = if self.subject.slides(0) { self.reach / 14_400.0 } else { TAU / 7200.0 };
+        let step = if self.subject.slides(0) {
+            line.reach / 14_400.0
+        } else {
+            TAU / 7200.0
+        };
         for sign in [1.0, -1.0] {
             machine.put_back(begin.clone());
             let mut rows = vec![self.subject.poses(&begin)];
             let mut path = Vec::new();
             for number in 1..14_400_u32 {
-                let to = self.start + sign * step * f64::from(number);
+                let to = line.start + sign * step * f64::from(number);
                 if number % 500 == 0 {
                     path.clear();
-                    if !self.judged(machine, to, &mut path) {
+                    if !self.judged(line, machine, to, &mut path) {
                         break;
                     }
                 } else if machine.move_to(&[T::from_f64(to)]).is_err() {
-                    self.judged(machine, to, &mut path);
+                    self.judged(line, machine, to, &mut path);
                     break;
                 }
                 self.moves += 1;
                 rows.push(self.subject.poses(machine.position()));
             }
             if let Some(what) = jump(&rows) {
-                let what = format!("steps of {}: {what}, from {}", sign * step, self.start);
+                let what = format!("steps of {}: {what}, from {}", sign * step, line.start);
                 self.find(Fault::Jumped, what);
             }
         }
@@ -304,13 +490,20 @@ fn jump(rows: &[Vec<[f64; 4]>]) -> Option<String> {
     let wrapped = |angle: f64| angle - TAU * (angle / TAU).round();
     for link in 1..rows[0].len() {
         let angle = |row: &Vec<[f64; 4]>| row[link][1].atan2(row[link][0]);
-        let turns: Vec<f64> = rows.windows(2).map(|pair| wrapped(angle(&pair[1]) - angle(&pair[0])).abs()).collect();
+        let turns: Vec<f64> = rows
+            .windows(2)
+            .map(|pair| wrapped(angle(&pair[1]) - angle(&pair[0])).abs())
+            .collect();
         for (number, turn) in turns.iter().enumerate() {
             if *turn > 20.0_f64.to_radians() {
-                let mut near = turns[number.saturating_sub(8)..(number + 9).min(turns.len())].to_vec();
+                let mut near =
+                    turns[number.saturating_sub(8)..(number + 9).min(turns.len())].to_vec();
                 near.sort_by(f64::total_cmp);
                 if *turn > 12.0 * near[near.len() / 2] {
-                    return Some(format!("link {link} jumps by {:.0} deg in step {number}", turn.to_degrees()));
+                    return Some(format!(
+                        "link {link} jumps by {:.0} deg in step {number}",
+                        turn.to_degrees()
+                    ));
                 }
             }
         }

@@ -1,13 +1,13 @@
 //! From the text of a mechanism to what can be moved and judged.
 
-use crate::judge::{Curve, End, Judge};
+use crate::judge::{Curve, End, Judge, Place};
 use crate::{size, with_ground};
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{JointKind, Model};
 use mech_compiler::program::Position;
+use mech_compiler::program::Real;
 use mech_compiler::syntax::parse;
 use mech_compiler::{Compiled, compile, reporter};
-use mech_compiler::program::Real;
 
 /// A mechanism that compiles.
 pub struct Subject {
@@ -25,44 +25,102 @@ impl Subject {
     /// # Errors
     /// What the compiler says.
     pub fn read(text: &str) -> Result<Self, String> {
-        let tokens = text.parse().map_err(|error| format!("no text of a mechanism: {error}"))?;
+        let tokens = text
+            .parse()
+            .map_err(|error| format!("no text of a mechanism: {error}"))?;
         let parsed = parse(tokens);
         if let Some(error) = parsed.errors.first() {
             return Err(format!("no text of a mechanism: {}", error.text));
         }
         let model = parsed.model;
         let compiled = compile(&model).map_err(|wrong| {
-            let messages: Vec<String> = wrong.iter().map(|one| reporter::text(one, &model)).collect();
+            let messages: Vec<String> = wrong
+                .iter()
+                .map(|one| reporter::text(one, &model))
+                .collect();
             messages.join("; ")
         })?;
-        Ok(Self { text: text.to_owned(), model, compiled })
+        Ok(Self {
+            text: text.to_owned(),
+            model,
+            compiled,
+        })
+    }
+
+    /// The mechanism of a text that is right.
+    ///
+    /// # Panics
+    /// If it is not.
+    #[must_use]
+    pub fn of(text: &str) -> Self {
+        Self::read(text).unwrap_or_else(|why| panic!("{why}\n{text}"))
+    }
+
+    /// The mechanism of a text in which a word stands for a number or a ratio.
+    ///
+    /// # Panics
+    /// If it is not right.
+    #[must_use]
+    pub fn with(text: &str, word: &str, value: &str) -> Self {
+        Self::of(&text.replace(word, value))
+    }
+
+    /// A length that poses are measured by.
+    #[must_use]
+    pub fn extent(&self, poses: &[[f64; 4]]) -> f64 {
+        let far = poses.iter().map(|[_, _, x, y]| x.hypot(*y));
+        far.fold(size(&self.model), f64::max).max(1e-9)
+    }
+
+    /// Whether a link only turns and slides as something that rolls has it.
+    #[must_use]
+    pub fn is_rolling(&self, link: usize) -> bool {
+        let rollings = self.compiled.structure.rollings.iter();
+        let mut ends = rollings.flat_map(|rolling| rolling.ends);
+        ends.any(|(end, _)| end.link().index() == link)
+    }
+
+    /// The judge at a position.
+    #[must_use]
+    pub fn judge_at(&self, at: &Position<f64>) -> Judge<'_> {
+        Judge::new(
+            &self.model,
+            &self.compiled.structure.rollings,
+            &self.poses(at),
+            &at.motors,
+        )
     }
 
     /// The poses of all links, the ground first.
+    #[must_use]
     pub fn poses<T: Real>(&self, at: &Position<T>) -> Vec<[f64; 4]> {
         let poses: Vec<[f64; 4]> = at.poses.iter().map(|pose| pose.map(T::to_f64)).collect();
         with_ground(&self.model, &poses)
     }
 
     /// The judge where the mechanism is assembled.
+    #[must_use]
     pub fn judge(&self) -> Judge<'_> {
-        let start = Machine::<f64>::new(&self.compiled.program);
-        let at = start.position();
-        Judge::new(&self.model, &self.compiled.structure.rollings, &self.poses(at), &at.motors)
+        self.judge_at(Machine::<f64>::new(&self.compiled.program).position())
     }
 
     /// Whether a motor slides.
+    #[must_use]
     pub fn slides(&self, motor: usize) -> bool {
-        matches!(self.model.joint(self.model.motors[motor].joint).kind, JointKind::Prismatic(..))
+        matches!(
+            self.model.joint(self.model.motors[motor].joint).kind,
+            JointKind::Prismatic(..)
+        )
     }
 }
 
-/// All that one motor can do from the start, to both sides.
+/// All that one motor can do from the start, to both sides; or one move of several motors, as parts of it.
 pub struct Track<'j> {
     judge: &'j Judge<'j>,
     start: f64,
     reach: f64,
-    sides: [Curve<'j>; 2],
+    /// To greater values, and to lesser ones.
+    sides: Vec<Curve<'j>>,
 }
 
 /// What the judge says of a value of the motor.
@@ -79,12 +137,35 @@ impl<'j> Track<'j> {
     /// Follows the motor to both sides.
     pub fn new(judge: &'j Judge<'j>, start: f64, reach: f64) -> Self {
         let side = |by: f64| Curve::new(judge, &judge.start(), [&[start], &[start + by]]);
-        Self { judge, start, reach, sides: [side(reach), side(-reach)] }
+        Self {
+            judge,
+            start,
+            reach,
+            sides: vec![side(reach), side(-reach)],
+        }
+    }
+
+    /// Follows one move.
+    pub fn of_move(judge: &'j Judge<'j>, place: &Place, motors: [&[f64]; 2]) -> Self {
+        Self {
+            judge,
+            start: 0.0,
+            reach: 1.0,
+            sides: vec![Curve::new(judge, place, motors)],
+        }
+    }
+
+    /// Where a move leads.
+    pub fn target(&self) -> Option<Place> {
+        Some(self.sides[0].at(1.0)?.0)
     }
 
     fn side(&self, value: f64) -> (&Curve<'j>, f64) {
         let by = value - self.start;
-        (&self.sides[usize::from(by < 0.0)], by.abs() / self.reach)
+        (
+            &self.sides[usize::from(by < 0.0).min(self.sides.len() - 1)],
+            by.abs() / self.reach,
+        )
     }
 
     /// What it says of a value.
@@ -94,34 +175,36 @@ impl<'j> Track<'j> {
             End::Arrives => 1.0,
             End::Stops(end) | End::GivesUp(end, _) => end,
         };
-        if part <= end && let Some((place, condition)) = curve.at(part) {
+        if part <= end
+            && let Some((place, condition)) = curve.at(part)
+        {
             return Judged::Reached(self.judge.poses(&place), condition);
         }
         match curve.end {
-            End::Stops(end) => Judged::Beyond(self.start + end * self.reach * (value - self.start).signum()),
+            End::Stops(end) => {
+                Judged::Beyond(self.start + end * self.reach * (value - self.start).signum())
+            }
             _ => Judged::Unknown,
         }
     }
 
     /// The values at which it goes through crossings.
     pub fn crossings(&self) -> Vec<f64> {
-        let [up, down] = &self.sides;
-        let value = |sign: f64| move |part: &f64| self.start + sign * part * self.reach;
-        up.crossings.iter().map(value(1.0)).chain(down.crossings.iter().map(value(-1.0))).collect()
+        let sides = self.sides.iter().zip([1.0, -1.0]);
+        let values = sides.flat_map(|(side, sign)| {
+            side.crossings
+                .iter()
+                .map(move |part| self.start + sign * part * self.reach)
+        });
+        values.collect()
     }
 
     /// How near it comes to where curves cross without going through.
     pub fn nearest(&self) -> f64 {
-        self.sides[0].nearest.min(self.sides[1].nearest)
-    }
-
-    /// The values between which it is known.
-    pub fn known(&self) -> [f64; 2] {
-        let far = |curve: &Curve<'_>| match curve.end {
-            End::Arrives => 1.0,
-            End::Stops(end) | End::GivesUp(end, _) => end,
-        };
-        [self.start - far(&self.sides[1]) * self.reach, self.start + far(&self.sides[0]) * self.reach]
+        self.sides
+            .iter()
+            .map(|side| side.nearest)
+            .fold(f64::INFINITY, f64::min)
     }
 
     /// Why it is not known farther, if it is not.
@@ -133,9 +216,9 @@ impl<'j> Track<'j> {
     }
 }
 
-/// How far poses are apart: in radians, or in sizes.
-pub fn apart(model: &Model, a: &[[f64; 4]], b: &[[f64; 4]]) -> f64 {
-    let extent = b.iter().map(|[_, _, x, y]| x.hypot(*y)).fold(size(model), f64::max).max(1e-9);
+/// How far poses are apart: in radians, or as parts of this length.
+#[must_use]
+pub fn apart(a: &[[f64; 4]], b: &[[f64; 4]], extent: f64) -> f64 {
     let off = |(a, b): (&[f64; 4], &[f64; 4])| {
         let turned = (a[0] - b[0]).abs().max((a[1] - b[1]).abs());
         turned.max((a[2] - b[2]).hypot(a[3] - b[3]) / extent)

@@ -43,6 +43,8 @@ pub struct Curve<'j> {
 
 /// More knots than these are too many.
 const MOST_KNOTS: usize = 60_000;
+/// Links that are so many units away run away: their slides become parallel.
+const FARTHEST: f64 = 200.0;
 /// No step is longer than this, in radians or units; and between its ends the curve turns by no more than this.
 const LONGEST: f64 = 0.4;
 /// Curves that come so near to each other cross but for rounding.
@@ -55,9 +57,15 @@ impl<'j> Curve<'j> {
         let [from, to] = motors.map(|values| judge.scaled(values));
         let by: Vec<f64> = from.iter().zip(&to).map(|(from, to)| to - from).collect();
         let length = by.iter().fold(0.0_f64, |most, by| most.max(by.abs()));
-        let direction = by.iter().map(|by| by / length.max(f64::MIN_POSITIVE)).collect();
+        let direction = by
+            .iter()
+            .map(|by| by / length.max(f64::MIN_POSITIVE))
+            .collect();
         let mut curve = Self {
-            judge, from, direction, length,
+            judge,
+            from,
+            direction,
+            length,
             knots: Vec::new(),
             end: End::Arrives,
             nearest: f64::INFINITY,
@@ -88,8 +96,14 @@ impl<'j> Curve<'j> {
         square.rows_mut(0, slopes.nrows()).copy_from(&slopes);
         let svd = square.svd(false, true);
         let least = svd.singular_values.imin();
-        let others = svd.singular_values.iter().enumerate().filter(|(number, _)| *number != least);
-        let sigma = others.map(|(_, value)| *value).fold(f64::INFINITY, f64::min);
+        let others = svd
+            .singular_values
+            .iter()
+            .enumerate()
+            .filter(|(number, _)| *number != least);
+        let sigma = others
+            .map(|(_, value)| *value)
+            .fold(f64::INFINITY, f64::min);
         let mut tangent = svd.v_t?.row(least).transpose();
         let way = columns - 1;
         if sigma < CROSSING || tangent[way].abs() < 1e-9 {
@@ -99,7 +113,12 @@ impl<'j> Curve<'j> {
             tangent = -tangent;
         }
         let (at, _) = self.correct(at, &tangent)?;
-        Some(Knot { at, tangent, arc: 0.0, sigma })
+        Some(Knot {
+            at,
+            tangent,
+            arc: 0.0,
+            sigma,
+        })
     }
 
     /// Newton's method from a guess, across a direction. Gives how far the guess was off.
@@ -146,14 +165,34 @@ impl<'j> Curve<'j> {
     /// much too long the step is.
     fn step(&self, base: usize, step: f64) -> Result<(Knot, f64), f64> {
         let now = &self.knots[base];
-        let (at, off) = self.correct(self.predict(base, step), &now.tangent).ok_or(4.0)?;
+        let (at, off) = self
+            .correct(self.predict(base, step), &now.tangent)
+            .ok_or(4.0)?;
         let system = System::new(self.equations(&at), &now.tangent, 0.0).ok_or(4.0)?;
         let (tangent, sigma) = (system.tangent().ok_or(4.0)?, system.least());
         let turned = (&tangent - &now.tangent).norm();
         let gone = (&at - &now.at).norm();
         let excess = (off / (0.1 * sigma.min(step))).cbrt().max(turned / LONGEST);
-        let knot = Knot { at, tangent, arc: now.arc + gone, sigma };
-        if excess <= 1.0 && gone > 0.5 * step && gone < 2.0 * step { Ok((knot, excess)) } else { Err(excess.max(1.5)) }
+        let knot = Knot {
+            at,
+            tangent,
+            arc: now.arc + gone,
+            sigma,
+        };
+        if excess <= 1.0 && gone > 0.5 * step && gone < 2.0 * step {
+            Ok((knot, excess))
+        } else {
+            Err(excess.max(1.5))
+        }
+    }
+
+    /// How far links have gone from where they were.
+    fn far(&self, knot: usize) -> f64 {
+        let gone = &self.knots[knot].at - &self.knots[0].at;
+        let places = gone.as_slice().chunks_exact(3);
+        places
+            .map(|place| place[0].hypot(place[1]))
+            .fold(0.0, f64::max)
     }
 
     fn follow(&mut self) -> End {
@@ -175,18 +214,27 @@ impl<'j> Curve<'j> {
                     return End::GivesUp(part, "curves cross, and it is not clear how it goes on");
                 }
                 dip = f64::INFINITY;
-                (step, pace) = (self.knots.last().map_or(1e-3, |knot| 0.3 * knot.sigma), 0.05);
+                (step, pace) = (
+                    self.knots.last().map_or(1e-3, |knot| 0.3 * knot.sigma),
+                    0.05,
+                );
             } else {
                 // It ends at the target, with one knot behind it.
                 if value >= self.length {
                     return End::Arrives;
                 }
+                if self.far(base) > FARTHEST + 10.0 * self.length {
+                    return End::GivesUp(part, "it runs away");
+                }
                 let rest = (self.length - value) / slope.max(1e-3) + 1e-3;
                 step = step.min(LONGEST).min(0.5 * room).min(rest);
                 match self.step(base, step) {
                     Ok((knot, excess)) => {
-                        let (before, gone) = (self.knots[base].sigma, knot.arc - self.knots[base].arc);
-                        pace = ((knot.sigma - before).abs() / gone).max(0.8 * pace).max(0.05);
+                        let (before, gone) =
+                            (self.knots[base].sigma, knot.arc - self.knots[base].arc);
+                        pace = ((knot.sigma - before).abs() / gone)
+                            .max(0.8 * pace)
+                            .max(0.05);
                         if knot.sigma < before {
                             dip = knot.sigma / pace;
                         } else {
@@ -205,7 +253,10 @@ impl<'j> Curve<'j> {
                 }
             }
             let last = self.knots.len() - 1;
-            if self.knots[last].tangent[way] <= 0.0 && (self.knots[last].at[way] < self.length || self.knots[base.min(last)].at[way] < self.length) {
+            if self.knots[last].tangent[way] <= 0.0
+                && (self.knots[last].at[way] < self.length
+                    || self.knots[base.min(last)].at[way] < self.length)
+            {
                 if let Some(turn) = self.turn(last) {
                     if turn < self.length {
                         return End::Stops(turn / self.length);
@@ -215,14 +266,22 @@ impl<'j> Curve<'j> {
                 return End::GivesUp(part, "the motors turn back, but it is not clear where");
             }
         }
-        End::GivesUp(self.knots.last().map_or(0.0, |knot| knot.at[way] / self.length), "there are too many knots")
+        End::GivesUp(
+            self.knots
+                .last()
+                .map_or(0.0, |knot| knot.at[way] / self.length),
+            "there are too many knots",
+        )
     }
 
     /// Goes straight through a crossing that is about as far as `room` behind a knot, from a knot before it to behind it.
     fn pass(&mut self, near: usize, room: f64) -> bool {
         let crossing = self.knots[near].arc + room;
         for distance in [3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2] {
-            let Some(base) = self.knots[..=near].iter().rposition(|knot| crossing - knot.arc >= distance) else {
+            let Some(base) = self.knots[..=near]
+                .iter()
+                .rposition(|knot| crossing - knot.arc >= distance)
+            else {
                 break;
             };
             let step = 2.0 * (crossing - self.knots[base].arc);
@@ -240,19 +299,33 @@ impl<'j> Curve<'j> {
     /// Where the motors turn back between the last two knots: the last becomes that point.
     fn turn(&mut self, last: usize) -> Option<f64> {
         let way = self.knots[last].at.len() - 1;
-        let (mut low, mut high) = ((0.0, self.knots[last - 1].tangent[way]), (self.knots[last].arc - self.knots[last - 1].arc, self.knots[last].tangent[way]));
+        let (mut low, mut high) = (
+            (0.0, self.knots[last - 1].tangent[way]),
+            (
+                self.knots[last].arc - self.knots[last - 1].arc,
+                self.knots[last].tangent[way],
+            ),
+        );
         let mut best = self.knots[last].clone();
         for round in 0..60 {
             if high.0 - low.0 < 1e-13 || best.tangent[way].abs() < 1e-13 {
                 break;
             }
             let secant = low.0 + (high.0 - low.0) * low.1 / (low.1 - high.1);
-            let middle = if round % 3 == 2 { f64::midpoint(low.0, high.0) } else { secant };
+            let middle = if round % 3 == 2 {
+                f64::midpoint(low.0, high.0)
+            } else {
+                secant
+            };
             let Ok((knot, _)) = self.step(last - 1, middle) else {
                 break;
             };
             let side = (middle, knot.tangent[way]);
-            if side.1 > 0.0 { low = side } else { high = side }
+            if side.1 > 0.0 {
+                low = side
+            } else {
+                high = side
+            }
             best = knot;
         }
         let turn = best.at[way];
@@ -268,7 +341,12 @@ impl<'j> Curve<'j> {
         let way = self.knots.first()?.at.len() - 1;
         let after = self.knots.partition_point(|knot| knot.at[way] < goal);
         let [low, high] = match (after, self.knots.get(after)) {
-            (0, _) => return Some((Place(self.knots[0].at.clone()), self.condition(&self.knots[0]))),
+            (0, _) => {
+                return Some((
+                    Place(self.knots[0].at.clone()),
+                    1.0 / self.knots[0].sigma.min(1.0),
+                ));
+            }
             (_, None) => return None,
             (_, Some(high)) => [&self.knots[after - 1], high],
         };
@@ -276,29 +354,32 @@ impl<'j> Curve<'j> {
         let span = high.arc - low.arc;
         let between = |t: f64| {
             let (u, v) = (t * t * (3.0 - 2.0 * t), t * (1.0 - t));
-            &low.at * (1.0 - u) + &high.at * u + (&low.tangent * ((1.0 - t) * v) - &high.tangent * (t * v)) * span
+            &low.at * (1.0 - u)
+                + &high.at * u
+                + (&low.tangent * ((1.0 - t) * v) - &high.tangent * (t * v)) * span
         };
         let (mut a, mut b) = (0.0, 1.0);
         for _ in 0..60 {
             let middle = f64::midpoint(a, b);
-            if between(middle)[way] < goal { a = middle } else { b = middle }
+            if between(middle)[way] < goal {
+                a = middle
+            } else {
+                b = middle
+            }
         }
         let guess = between(a);
+        let small = 1e-4;
+        let slope = (between((a + small).min(1.0))[way] - between((a - small).max(0.0))[way])
+            / (span * small);
+        let condition = 1.0 / low.sigma.min(high.sigma).min(slope.abs()).clamp(1e-12, 1.0);
         let mut across = DVector::zeros(way + 1);
         across[way] = 1.0;
-        let sigma = low.sigma.min(high.sigma);
-        let slope = low.tangent[way].min(high.tangent[way]).max(1e-9);
-        let condition = self.condition(low).max(self.condition(high));
-        let corrected = self.correct(guess.clone(), &across).filter(|(_, off)| *off < 0.1 * sigma.min(slope));
+        let corrected = self
+            .correct(guess.clone(), &across)
+            .filter(|(_, off)| off * condition < 0.1);
         let (mut found, _) = corrected.unwrap_or((guess, 0.0));
         found[way] = 0.0;
         Some((Place(found), condition))
-    }
-
-    /// By how much rounding is more than itself at a knot.
-    fn condition(&self, knot: &Knot) -> f64 {
-        let way = knot.at.len() - 1;
-        (1.0 / knot.sigma.max(1e-12)).max(1.0 / knot.tangent[way].abs().max(1e-12)).max(1.0)
     }
 }
 
@@ -323,7 +404,11 @@ impl System {
         let qr = matrix.qr();
         qr.q_tr_mul(&mut right);
         qr.q_tr_mul(&mut last);
-        Some(Self { upper: qr.r(), right: right.rows(0, columns).into_owned(), last: last.rows(0, columns).into_owned() })
+        Some(Self {
+            upper: qr.r(),
+            right: right.rows(0, columns).into_owned(),
+            last: last.rows(0, columns).into_owned(),
+        })
     }
 
     fn solve(&self) -> Option<DVector<f64>> {
@@ -333,7 +418,10 @@ impl System {
 
     fn tangent(&self) -> Option<DVector<f64>> {
         let found = self.upper.solve_upper_triangular(&self.last)?;
-        found.iter().all(|one| one.is_finite()).then(|| found.normalize())
+        found
+            .iter()
+            .all(|one| one.is_finite())
+            .then(|| found.normalize())
     }
 
     /// Its least singular value, by inverse iteration.

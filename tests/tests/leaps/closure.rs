@@ -1,10 +1,10 @@
 //! Whether every joint holds by its definition, what rolls and what follows a cam among them.
 
-use super::judge::wrap;
 use super::reading::Subject;
 use mech_compiler::model::{JointId, JointKind};
 use mech_compiler::program::Position;
 use mech_compiler::structure::{Factor, Rolling, RollingEnd};
+use mech_tests::judge::wrap;
 use mech_tests::{worst_gap, worst_stretch};
 use std::f64::consts::TAU;
 

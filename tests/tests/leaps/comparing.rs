@@ -1,10 +1,10 @@
 //! One leap against its own small steps, and the judge between them.
 
 use super::closure::fault;
-use super::judge::{Judge, Verdict};
 use super::reading::{Subject, bits};
 use mech_compiler::evaluate::{Machine, Stop};
 use mech_compiler::program::Position;
+use mech_tests::judge::{Curve, End};
 use std::time::{Duration, Instant};
 
 /// How a leap is wrong.
@@ -284,18 +284,14 @@ pub(crate) fn shorten(subject: &Subject, start: &Position<f64>, to: &[f64], most
 }
 
 /// What the judge finds on this move.
-fn judge_move(
-    subject: &Subject,
-    start: &Position<f64>,
-    to: &[f64],
-    fineness: f64,
-) -> Option<Judged> {
-    let rollings = &subject.compiled.structure.rollings;
-    let mut judge = Judge::new(&subject.model, rollings, start);
-    match judge.follow(to, fineness) {
-        Verdict::Arrives => Some((None, judge.poses())),
-        Verdict::Stops(part) => Some((Some(part), judge.poses())),
-        Verdict::GivesUp => None,
+fn judge_move(subject: &Subject, start: &Position<f64>, to: &[f64]) -> Option<Judged> {
+    let judge = subject.judge_at(start);
+    let curve = Curve::new(&judge, &judge.start(), [&start.motors, to]);
+    let poses = |part| Some(judge.poses(&curve.at(part)?.0));
+    match curve.end {
+        End::Arrives => Some((None, poses(1.0)?)),
+        End::Stops(part) => Some((Some(part), poses(part)?)),
+        End::GivesUp(..) => None,
     }
 }
 
@@ -315,16 +311,6 @@ fn agrees(subject: &Subject, verdict: &Judged, outcome: &Outcome, distance: f64)
         }
         (Some(part), None) | (None, Some((part, _))) => 1.0 - part <= same,
         (Some(a), Some((b, _))) => (a - b).abs() <= same,
-    }
-}
-
-/// Whether two verdicts are the same.
-fn agree(subject: &Subject, a: &Judged, b: &Judged, distance: f64) -> bool {
-    let same = (1e-5 * (1.0 + distance)).max(1e-9) / distance;
-    match (a.0, b.0) {
-        (None, None) => apart(subject, &a.1, &b.1, 1e-4).is_none(),
-        (Some(part), None) | (None, Some(part)) => 1.0 - part <= same,
-        (Some(a), Some(b)) => (a - b).abs() <= same,
     }
 }
 
@@ -374,7 +360,7 @@ pub(crate) fn compare(
     }
     if let Some((part, Stop::TooFar)) = steps.stop {
         // However small the steps are, too far: only the judge can tell.
-        let farther = match judge_move(subject, start, to, 1.0) {
+        let farther = match judge_move(subject, start, to) {
             Some((None, _)) => Some(1.0),
             Some((Some(judged), _)) => Some(judged),
             None => None,
@@ -398,12 +384,7 @@ pub(crate) fn compare(
         return (findings, None);
     };
     let stable = difference(subject, &steps, &finer, distance).is_none();
-    let verdict = judge_move(subject, start, to, 1.0).filter(|verdict| {
-        // Where nothing else is sure, it has to agree with itself.
-        stable
-            || judge_move(subject, start, to, 3.0)
-                .is_some_and(|finer| agree(subject, verdict, &finer, distance))
-    });
+    let verdict = judge_move(subject, start, to);
     let by_judge = |outcome: &Outcome| {
         verdict
             .as_ref()

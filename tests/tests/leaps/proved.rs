@@ -2,12 +2,13 @@
 
 use super::closure::fault;
 use super::drawing::{Drawn, sequential};
-use super::judge::{Judge, Verdict};
 use super::random::runner;
 use super::reading::Subject;
 use mech_compiler::evaluate::{Machine, Stop};
 use mech_compiler::model::JointKind;
 use mech_compiler::program::Position;
+use mech_tests::journeys::apart;
+use mech_tests::judge::{Curve, End};
 use mech_tests::{Dice, cases, seeds};
 use proptest::strategy::{Strategy as _, ValueTree as _};
 
@@ -77,9 +78,7 @@ fn unsound(subject: &Subject, seed: u64) -> Option<String> {
             return Some(format!("from {:?} to {to:?}: {text}", start.motors));
         }
         if judged {
-            // Beside a change point coarse steps may lose the branch.
-            let agrees = |fineness| agrees(subject, &start, &machine, &to, fineness);
-            if let Err(text) = agrees(1.0).or_else(|_| agrees(8.0)) {
+            if let Err(text) = agrees(subject, &start, &machine, &to) {
                 return Some(format!("from {:?} to {to:?}: {text}", start.motors));
             }
         }
@@ -93,20 +92,16 @@ fn agrees(
     start: &Position<f64>,
     machine: &Machine<'_, f64>,
     to: &[f64],
-    fineness: f64,
 ) -> Result<(), String> {
-    let mut judge = Judge::new(&subject.model, &subject.compiled.structure.rollings, start);
-    let verdict = judge.follow(to, fineness);
+    let judge = subject.judge_at(start);
+    let curve = Curve::new(&judge, &judge.start(), [&start.motors, to]);
     let poses = subject.poses(machine.position());
-    let all = judge.poses();
-    let pairs = all.iter().flatten().zip(poses.iter().flatten());
-    let off = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    match verdict {
-        Verdict::GivesUp => Ok(()),
-        // The judge does not pass change points; these are still watched, in a proved range too.
-        Verdict::Stops(_) if !subject.compiled.program.watches.is_empty() => Ok(()),
-        Verdict::Arrives if off <= 1e-5 * subject.extent(&poses) => Ok(()),
-        _ => Err(format!("the judge {verdict:?}, off by {off:.2e}")),
+    let there = curve.at(1.0).map(|(place, _)| judge.poses(&place));
+    let off = there.map(|there| apart(&there, &poses, subject.extent(&poses)));
+    match (curve.end, off) {
+        (End::GivesUp(..), _) => Ok(()),
+        (End::Arrives, Some(off)) if off <= 1e-5 => Ok(()),
+        (end, off) => Err(format!("the judge {end:?}, off by {off:?}")),
     }
 }
 

@@ -1,10 +1,10 @@
 //! What compiles, moves: from its start each motor goes a little in one direction at least, or stops in both at a real limit.
 
 use super::drawing::{Drawing, coupled, sequential};
-use super::judge::{Judge, Verdict};
 use super::random::runner;
 use super::reading::Subject;
 use mech_compiler::evaluate::{Machine, Stop};
+use mech_tests::judge::{Curve, End};
 use mech_tests::{cases, seeds};
 use proptest::strategy::{Strategy, ValueTree as _};
 
@@ -39,9 +39,8 @@ fn stuck(subject: &Subject) -> Vec<String> {
             )
         };
         let judged = |goal: &[f64]| {
-            let rollings = &subject.compiled.structure.rollings;
-            let mut judge = Judge::new(&subject.model, rollings, start.position());
-            judge.follow(goal, 1.0) == Verdict::Arrives
+            let judge = subject.judge_at(start.position());
+            Curve::new(&judge, &judge.start(), [motors, goal]).end == End::Arrives
         };
         // Nothing so near is too far; and of two limits side by side one is none.
         let all_limits = outcomes.iter().all(is_limit);
