@@ -7,7 +7,7 @@ use mech_tests::{Dice, Sample, coupled_samples, for_all, model, samples};
 use std::collections::BTreeSet;
 
 /// The same mechanism, declared in another order.
-fn shuffle(model: &Model, dice: &mut Dice) -> Model {
+pub(crate) fn shuffle(model: &Model, dice: &mut Dice) -> Model {
     // Dies come after all links that are declared.
     let declared = 1 + model.declared_links().count();
     let mut links = permutation(declared, dice, true);
