@@ -1,5 +1,7 @@
 //! Forces in a mechanism.
 
+use crate::Scalar;
+
 /// The forces that a given motion takes, in units of the declared masses, lengths and times. The mechanism has `MOTORS` motors and `JOINTS`
 /// joints. `LOADS` numbers describe its loads, and `DYADS` of its loops are dyads.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,4 +32,13 @@ pub struct Reaction<T> {
     pub y: T,
     /// The torque. In a revolute joint it is that of its motor, if any. In a gear, belt or rack it is zero.
     pub torque: T,
+}
+
+impl<T: Scalar> Reaction<T> {
+    /// None.
+    pub(crate) const NONE: Self = Self {
+        x: T::ZERO,
+        y: T::ZERO,
+        torque: T::ZERO,
+    };
 }

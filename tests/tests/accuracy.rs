@@ -1,4 +1,4 @@
-//! What is predicted about errors, beside what is measured: programs moved by their declared steps, from anywhere, to and fro,
+//! What is estimated about errors, beside what is measured: programs moved by their declared steps, from anywhere, to and fro,
 //! beside the exact ones.
 
 use mech_compiler::compile;
@@ -7,7 +7,7 @@ use mech_compiler::model::{JointKind, Method, Model, Precision};
 use mech_compiler::program::Program;
 use mech_compiler::structure::Diagnosis;
 use mech_runtime::Real;
-use mech_tests::{Dice, SOURCES, grow, model, models, size};
+use mech_tests::{Dice, SOURCES, grow, grow_coupled, model, models, shuffled, size};
 
 /// Methods, and from how many differences their iterations are started.
 const METHODS: [(Method, u8); 5] = [
@@ -174,7 +174,7 @@ impl Seen {
             self.ratios.push(measured / predicted);
             if measured > predicted {
                 self.below += 1;
-                println!("{what}: {measured:.2e} measured, {predicted:.2e} predicted");
+                println!("{what}: {measured:.2e} measured, {predicted:.2e} estimated");
             }
         }
     }
@@ -183,7 +183,7 @@ impl Seen {
         self.ratios.sort_by(f64::total_cmp);
         let median = self.ratios.get(self.ratios.len() / 2).copied();
         println!(
-            "{what}: {} cases, {} predicted, {} below what was measured; measured at most {:.2} and in the middle {:.2} of it",
+            "{what}: {} cases, {} estimated, {} below what was measured; measured at most {:.2} and in the middle {:.2} of it",
             self.cases,
             self.bounded,
             self.below,
@@ -221,7 +221,7 @@ fn hold(model: &Model, what: &str, seen: &mut Seen, dice: &mut Dice) {
 }
 
 #[test]
-fn nothing_in_the_gallery_is_worse_than_predicted() {
+fn nothing_in_the_gallery_is_worse_than_estimated() {
     let mut dice = Dice::new(5);
     for precision in [Precision::F64, Precision::F32] {
         let mut seen = Seen::default();
@@ -249,13 +249,14 @@ fn cases() -> u64 {
 }
 
 #[test]
-fn nothing_at_random_is_worse_than_predicted() {
+fn dyads_at_random_are_hardly_worse_than_estimated() {
     for precision in [Precision::F64, Precision::F32] {
         let mut seen = Seen::default();
         for seed in mech_tests::seeds(cases()) {
             let mut dice = Dice::new(seed);
             let additions = 1 + dice.below(5);
-            let mut model = grow(&mut dice, additions).model;
+            let model = grow(&mut dice, additions).model;
+            let mut model = shuffled(&model, &mut dice);
             model.precision = precision;
             let degrees = *dice.pick(&[0.1, 1.0, 5.0]);
             let what = format!("seed {seed} {degrees}°");
@@ -264,6 +265,33 @@ fn nothing_at_random_is_worse_than_predicted() {
         seen.tell(&format!("random, {precision:?}"));
         assert!(
             100 * seen.below <= seen.bounded,
+            "{} of {}",
+            seen.below,
+            seen.bounded
+        );
+    }
+}
+
+/// Estimates of coupled and tied loops are seldom exceeded, as `language::moves` says; the accuracy that is declared never is.
+#[test]
+fn coupled_loops_at_random_are_seldom_worse_than_estimated() {
+    for precision in [Precision::F64, Precision::F32] {
+        let mut seen = Seen::default();
+        for seed in mech_tests::seeds(4 * cases()) {
+            let mut dice = Dice::new(seed);
+            let additions = 1 + dice.below(3);
+            let model = grow_coupled(&mut dice, additions).model;
+            let mut model = shuffled(&model, &mut dice);
+            model.precision = precision;
+            let degrees = *dice.pick(&[0.1, 1.0, 5.0]);
+            let what = format!("seed {seed} {degrees}°");
+            hold(&with_step(&model, degrees), &what, &mut seen, &mut dice);
+        }
+        seen.tell(&format!("coupled at random, {precision:?}"));
+        assert!(seen.bounded > 0);
+        assert!(seen.tightest < 32.0, "{}", seen.tightest);
+        assert!(
+            10 * seen.below <= seen.bounded.max(100),
             "{} of {}",
             seen.below,
             seen.bounded

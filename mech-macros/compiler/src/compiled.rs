@@ -25,7 +25,7 @@ pub struct Compiled {
     pub sensitive: Option<Program>,
     /// The method of each loop, in the order in which they are solved.
     pub loops: Vec<SolvedLoop>,
-    /// The predicted error. There is one if an accuracy is declared, or if a loop is solved in a fixed number of steps and the steps of all
+    /// The error that is estimated. There is one if an accuracy is declared, or if a loop is solved in a fixed number of steps and the steps of all
     /// motors that move it are declared.
     pub prediction: Option<Prediction>,
     /// The operations that are saved because only what is shown is computed; none if nothing is left out.

@@ -1,5 +1,6 @@
 //! Runs a program now: for the studio, and to check the generated code against.
 
+mod beside;
 mod journey;
 mod run;
 mod sensitivity;
@@ -183,24 +184,30 @@ impl<'p, T: Real> Machine<'p, T> {
         }
     }
 
-    /// The rates of all links where it is, if the motors move at these rates and second rates.
+    /// The rates of all links where it is, if the motors move at these rates and second rates: at a change point that it passes, their
+    /// limit.
     ///
     /// # Errors
-    /// If a loop is at a dead point or a change point, where rates are not determined; if a rate is not finite; or if the
+    /// If a loop is at a dead point, where rates are not determined; if a rate is not finite; or if the
     /// program does not compute rates.
     pub fn motion(&self, rates: &[T], accelerations: &[T]) -> Result<LinkRates<T>, Stop> {
         let given = self.given(rates, accelerations, &[])?;
-        self.runner.motion(&self.position, given)
+        beside::limit(&self.runner, &self.position, |at| {
+            self.runner.motion(at, given)
+        })
     }
 
-    /// The forces where it is, if the motors move at these rates and second rates, and the loads are these numbers.
+    /// The forces where it is, if the motors move at these rates and second rates, and the loads are these numbers: at a
+    /// change point that it passes, their limit.
     ///
     /// # Errors
-    /// If a loop is at a dead point or a change point, where that is not determined; if a number is not finite or missing; or if
+    /// If a loop is at a dead point, or at a change point where forces grow without bound; if a number is not finite or missing; or if
     /// the program does not compute forces.
     pub fn forces(&self, rates: &[T], accelerations: &[T], loads: &[T]) -> Result<Forces<T>, Stop> {
         let given = self.given(rates, accelerations, loads)?;
-        self.runner.forces(&self.position, given)
+        beside::limit(&self.runner, &self.position, |at| {
+            self.runner.forces(at, given)
+        })
     }
 
     fn given<'g>(

@@ -16,6 +16,7 @@ pub mod dense;
 pub mod font;
 pub mod journey;
 mod kernel;
+pub mod limit;
 pub mod motors;
 mod phase;
 mod power;

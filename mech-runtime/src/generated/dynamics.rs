@@ -12,6 +12,8 @@ use crate::{Blocked, Cause, GaussLegendre, Real, Scalar};
 const STAGES: usize = 3;
 /// The most rounds until the second rates at the stages are settled.
 const ROUNDS: usize = 64;
+/// After so many rounds in which nothing comes nearer, only rounding goes on: it is greater beside dead points and change points.
+const STALLED: usize = 4;
 
 /// The end of a step of time. The inputs are the motors and, after them, the params, which stay constant.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -163,8 +165,9 @@ where
     let mut positions = [position; STAGES];
     let near = <T as Real>::from_f64(1024.0 * T::EPSILON);
     let hidden = <T as Real>::from_f64(16.0 * T::EPSILON);
-    let mut before = T::ONE;
-    let mut settled = false;
+    let small = Real::sqrt(<T as Real>::from_f64(T::EPSILON));
+    let (mut before, mut least) = (T::ONE, T::ONE);
+    let (mut settled, mut stalled) = (false, 0);
     for _ in 0..ROUNDS {
         let mut next = stages;
         let found = next.iter_mut().zip(&mut positions);
@@ -184,7 +187,18 @@ where
         // To rounding, or as near as possible: where forces cancel each other, until nothing is displaced.
         let is_near = change.of_rates <= near || change.of_places <= hidden;
         let is_exact = change.of_rates <= <T as Real>::from_f64(T::EPSILON);
-        if is_exact || (change.of_rates >= before && is_near) {
+        stalled = if change.of_rates < least {
+            0
+        } else {
+            stalled + 1
+        };
+        least = if change.of_rates < least {
+            change.of_rates
+        } else {
+            least
+        };
+        let is_stalled = stalled >= STALLED && change.of_rates <= small;
+        if is_exact || (change.of_rates >= before && is_near) || is_stalled {
             settled = true;
             break;
         }

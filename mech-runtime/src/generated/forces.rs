@@ -1,9 +1,10 @@
 //! Forces of motors and joints.
 
 use super::Stop;
-use super::rates::Rates;
+use super::rates::{Interpolated, Rates, array, row};
 use crate::blocked::Input;
-use crate::{Cause, Forces, Real, Scalar};
+use crate::{Cause, Forces, Reaction, Real, Scalar};
+use mech_core::limit::NODES;
 
 /// The torques of the motors that hold the mechanism still.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,6 +17,14 @@ impl<T: Scalar, const MOTORS: usize> Rates for Holding<T, MOTORS> {
     #[inline]
     fn is_finite(&self) -> bool {
         all_finite(&self.torques)
+    }
+}
+
+impl<T: Scalar, const MOTORS: usize> Interpolated<T> for Holding<T, MOTORS> {
+    fn interpolate(nodes: [&Self; NODES], by: &mut impl FnMut([T; NODES]) -> T) -> Self {
+        Self {
+            torques: row(nodes.map(|node| &node.torques), by),
+        }
     }
 }
 
@@ -32,6 +41,37 @@ impl<T: Scalar, const M: usize, const J: usize, const L: usize, const D: usize> 
                 .map(|reaction| reaction.x + reaction.y + reaction.torque)
                 .all(Real::is_finite)
     }
+}
+
+impl<T: Scalar, const M: usize, const J: usize, const L: usize, const D: usize> Interpolated<T>
+    for Forces<T, M, J, L, D>
+{
+    fn interpolate(nodes: [&Self; NODES], by: &mut impl FnMut([T; NODES]) -> T) -> Self {
+        Self {
+            torques: row(nodes.map(|node| &node.torques), by),
+            reactions: array(nodes.map(|node| &node.reactions), Reaction::NONE, |nodes| {
+                Reaction {
+                    x: by(nodes.map(|reaction| reaction.x)),
+                    y: by(nodes.map(|reaction| reaction.y)),
+                    torque: by(nodes.map(|reaction| reaction.torque)),
+                }
+            }),
+            velocity_ratios: rows(nodes.map(|node| &node.velocity_ratios), by),
+            // It is not smooth where it is zero; its square is.
+            transmission: row(nodes.map(|node| &node.transmission), &mut |angles| {
+                let square = by(angles.map(|angle| angle * angle));
+                Real::sqrt(Real::max(square, T::ZERO))
+            }),
+        }
+    }
+}
+
+/// Rows of numbers made number by number.
+fn rows<T: Scalar, const ROWS: usize, const COUNT: usize>(
+    nodes: [&[[T; COUNT]; ROWS]; NODES],
+    by: &mut impl FnMut([T; NODES]) -> T,
+) -> [[T; COUNT]; ROWS] {
+    array(nodes, [T::ZERO; COUNT], |nodes| row(nodes.each_ref(), by))
 }
 
 /// Inertia and forces, reduced to the motors.
@@ -53,6 +93,17 @@ impl<T: Scalar, const MOTORS: usize> Rates for Inertia<T, MOTORS> {
         self.matrix.iter().all(|row| all_finite(row))
             && all_finite(&self.drive)
             && Real::is_finite(self.kinetic + self.potential)
+    }
+}
+
+impl<T: Scalar, const MOTORS: usize> Interpolated<T> for Inertia<T, MOTORS> {
+    fn interpolate(nodes: [&Self; NODES], by: &mut impl FnMut([T; NODES]) -> T) -> Self {
+        Self {
+            matrix: rows(nodes.map(|node| &node.matrix), by),
+            drive: row(nodes.map(|node| &node.drive), by),
+            kinetic: by(nodes.map(|node| node.kinetic)),
+            potential: by(nodes.map(|node| node.potential)),
+        }
     }
 }
 

@@ -1,9 +1,10 @@
 //! Bounds of moves, from compile time.
 
-use super::{Motors, Stop};
+use super::{Motors, Position, Stop};
 use crate::blocked::Input;
 use crate::{Cause, Scalar};
 use mech_core::journey::{AtZero, Growth};
+use mech_core::limit;
 
 /// A loop that has dead points or change points.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,6 +82,25 @@ impl<T: Scalar, const MOTORS: usize, const WATCHED: usize> MoveLimits<T, MOTORS,
             && self.motion_signs.is_none()
             && self.max_steps.is_none()
             && self.follows.is_empty()
+    }
+
+    /// The loops that pass change points.
+    #[inline]
+    pub(super) fn passing(&self) -> impl Iterator<Item = &Watched<T, MOTORS>> {
+        let passes = |watched: &&Watched<T, MOTORS>| watched.at_zero == AtZero::ChangeBranch;
+        self.watched.iter().filter(passes)
+    }
+
+    /// Whether a loop is so near its change point that rounding spoils rates.
+    #[inline]
+    pub(super) fn is_near_change_point<const L: usize, const K: usize>(
+        &self,
+        position: &Position<T, MOTORS, L, K>,
+    ) -> bool {
+        let mut sines = self
+            .passing()
+            .filter_map(|watched| position.state.get(watched.sine));
+        sines.any(|sine| limit::is_near(*sine))
     }
 
     /// Whether these values are within the declared ranges.

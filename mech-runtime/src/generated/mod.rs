@@ -2,6 +2,7 @@
 
 mod advance;
 mod arrows;
+mod beside;
 mod coordinates;
 mod dynamics;
 mod forces;

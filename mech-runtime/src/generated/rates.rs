@@ -1,15 +1,40 @@
 //! Moves with the rates of everything.
 
 use super::advance::follow;
+use super::beside;
 use super::journey::Move;
 use super::{Motors, MoveLimits, Position, Stop};
 use crate::{Acceleration, Blocked, Cause, Real, Scalar, Velocity};
 use mech_core::journey;
+use mech_core::limit::NODES;
 
 /// The rates of all links.
 pub trait Rates: Copy {
     /// Whether all rates are finite, and so small that the rates of points and joints are finite too.
     fn is_finite(&self) -> bool;
+}
+
+/// Rates or forces that have a limit at change points.
+pub trait Interpolated<T>: Rates {
+    /// The same made number by number from those at some positions.
+    fn interpolate(nodes: [&Self; NODES], by: &mut impl FnMut([T; NODES]) -> T) -> Self;
+}
+
+/// A row of numbers made number by number.
+pub(super) fn row<T: Scalar, const COUNT: usize>(
+    nodes: [&[T; COUNT]; NODES],
+    by: &mut impl FnMut([T; NODES]) -> T,
+) -> [T; COUNT] {
+    array(nodes, T::ZERO, |numbers| by(numbers))
+}
+
+/// An array made element by element. Nothing is beyond its end, but the compiler cannot see that everywhere.
+pub(super) fn array<E: Copy, const COUNT: usize>(
+    nodes: [&[E; COUNT]; NODES],
+    none: E,
+    mut by: impl FnMut([E; NODES]) -> E,
+) -> [E; COUNT] {
+    core::array::from_fn(|index| by(nodes.map(|node| node.get(index).copied().unwrap_or(none))))
 }
 
 /// Whether numbers are so small that their products with other rates and lengths are finite.
@@ -21,18 +46,43 @@ fn leave_room<T: Scalar>(rates: impl Iterator<Item = [T; 3]>) -> bool {
     Real::is_finite(sum * sum * sum)
 }
 
-impl<T: Scalar, const LINKS: usize> Rates for [Velocity<T>; LINKS] {
-    #[inline]
-    fn is_finite(&self) -> bool {
-        leave_room(self.iter().map(|rate| [rate.angular, rate.x, rate.y]))
-    }
+macro_rules! rates_of_links {
+    ($rates:ident) => {
+        impl<T: Scalar, const LINKS: usize> Rates for [$rates<T>; LINKS] {
+            #[inline]
+            fn is_finite(&self) -> bool {
+                leave_room(self.iter().map(|rate| [rate.angular, rate.x, rate.y]))
+            }
+        }
+
+        impl<T: Scalar, const LINKS: usize> Interpolated<T> for [$rates<T>; LINKS] {
+            fn interpolate(nodes: [&Self; NODES], by: &mut impl FnMut([T; NODES]) -> T) -> Self {
+                array(nodes, $rates::ZERO, |nodes| $rates {
+                    angular: by(nodes.map(|node| node.angular)),
+                    x: by(nodes.map(|node| node.x)),
+                    y: by(nodes.map(|node| node.y)),
+                })
+            }
+        }
+    };
 }
+rates_of_links!(Velocity);
+rates_of_links!(Acceleration);
 
 impl<T: Scalar, const LINKS: usize> Rates for ([Velocity<T>; LINKS], [Acceleration<T>; LINKS]) {
     #[inline]
     fn is_finite(&self) -> bool {
-        let seconds = self.1.iter().map(|rate| [rate.angular, rate.x, rate.y]);
-        self.0.is_finite() && leave_room(seconds)
+        self.0.is_finite() && self.1.is_finite()
+    }
+}
+
+impl<T: Scalar, const LINKS: usize> Interpolated<T>
+    for ([Velocity<T>; LINKS], [Acceleration<T>; LINKS])
+{
+    fn interpolate(nodes: [&Self; NODES], by: &mut impl FnMut([T; NODES]) -> T) -> Self {
+        let velocities = <[Velocity<T>; LINKS]>::interpolate(nodes.map(|node| &node.0), by);
+        let accelerations = <[Acceleration<T>; LINKS]>::interpolate(nodes.map(|node| &node.1), by);
+        (velocities, accelerations)
     }
 }
 
@@ -59,7 +109,7 @@ pub fn advance_with<T, R, const M: usize, const L: usize, const K: usize, const 
 ) -> Result<R, Blocked<[T; M]>>
 where
     T: Scalar,
-    R: Rates,
+    R: Interpolated<T>,
 {
     // As in `advance`.
     #[cfg(not(feature = "std"))]
@@ -74,7 +124,8 @@ where
         && (!limits.overflows || there.is_finite())
     {
         let going = Move::new(limits, position, target, &step);
-        if limits.is_free() || journey::is_clear(&going, position, &there, T::ONE) {
+        let is_sure = !limits.is_near_change_point(&there);
+        if limits.is_free() || is_sure && journey::is_clear(&going, position, &there, T::ONE) {
             journey::Journey::note_motion_signs(&going, &mut there);
             *position = there;
             return Ok(rates);
@@ -95,29 +146,37 @@ fn follow_with<T, R, const M: usize, const L: usize, const K: usize, const W: us
 ) -> Result<R, Blocked<[T; M]>>
 where
     T: Scalar,
-    R: Rates,
+    R: Interpolated<T>,
 {
     let start = *position;
     follow(position, target, limits, step)?;
-    rates_at(position, step_full).map_err(|stop| {
+    rates_at(position, limits, step_full, step).map_err(|stop| {
         let reached = position.motors.total();
         *position = start;
         Blocked::new(stop.place, stop.cause, reached).of(limits.inputs)
     })
 }
 
-/// The rates at the present position.
+/// The rates at the present position: beside a change point their limit, if they have one.
 ///
 /// # Errors
 /// If they are not determined, or not finite.
-pub fn rates_at<T, R, const M: usize, const L: usize, const K: usize>(
+pub fn rates_at<T, R, const M: usize, const L: usize, const K: usize, const W: usize>(
     position: &Position<T, M, L, K>,
+    limits: &MoveLimits<T, M, W>,
     step_full: impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<(Position<T, M, L, K>, R), Stop>,
+    step: impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
 ) -> Result<R, Stop>
 where
     T: Scalar,
-    R: Rates,
+    R: Interpolated<T>,
 {
+    if limits.is_near_change_point(position)
+        && let Some(rates) = beside::rates(position, limits, &step_full, &step)
+        && rates.is_finite()
+    {
+        return Ok(rates);
+    }
     match step_full(position, position.motors) {
         Ok((_, rates)) if rates.is_finite() => Ok(rates),
         Ok(_) => Err(Stop::new("", Cause::Overflow)),

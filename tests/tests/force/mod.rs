@@ -3,6 +3,7 @@
 //! and loads, and on those of the zoo.
 
 mod acts;
+mod flat;
 mod random_actions;
 
 use acts::{by_actions, by_joints, follow, scene_point};

@@ -55,7 +55,14 @@ pub(super) fn rates_at(
     arguments: &TokenStream,
 ) -> TokenStream {
     let module = module::name(derived);
-    quote!(generated::rates_at(&#position, |last, motors| #module::step(last, motors #arguments)))
+    quote! {
+        generated::rates_at(
+            &#position,
+            &known::MOVE_LIMITS,
+            |last, motors| #module::step(last, motors #arguments),
+            positions::step,
+        )
+    }
 }
 
 /// The forces that a derived program computes where the mechanism is, by the variables that are named as its parameters.

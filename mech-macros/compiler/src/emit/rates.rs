@@ -124,8 +124,8 @@ fn methods(emitter: &Emitter<'_>, moving: &Program) -> TokenStream {
         /// After a move without rates it rests.
         ///
         /// # Errors
-        /// If a value is not finite, a loop cannot be closed on the way there, or it is at a dead point or a change point there,
-        /// where rates are not determined; the mechanism then stays where it was.
+        /// If a value is not finite, a loop cannot be closed on the way there, or rates are not determined there, as at a dead point;
+        /// the mechanism then stays where it was.
         #[inline]
         #visibility fn move_with(&mut self, motors: #values #parameters) -> Result<(), #blocked> {
             #before
@@ -143,7 +143,7 @@ fn methods(emitter: &Emitter<'_>, moving: &Program) -> TokenStream {
         /// The influence coefficients: for each motor, the velocities of the moving links if it alone moves, at a rate of one.
         ///
         /// # Errors
-        /// If the mechanism is at a dead point or a change point, where these are not determined.
+        /// If the mechanism is at a dead point, or at a change point where these have no limit.
         #visibility fn influence_coefficients(&self) -> Result<[[Velocity<#scalar>; #links]; #motors], #blocked> {
             let mut influence_coefficients = [[Velocity::ZERO; #links]; #motors];
             for (motor, influence) in Iterator::enumerate(<[_]>::iter_mut(&mut influence_coefficients)) {

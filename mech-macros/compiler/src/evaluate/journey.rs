@@ -56,6 +56,11 @@ impl<'a, 'p, T: Real> Move<'a, 'p, T> {
             self.note_motion_signs(&mut position);
             return Ok(position);
         }
+        self.travel()
+    }
+
+    /// The same, always as a journey.
+    pub(super) fn travel(&self) -> Result<Position<T>, Halt<Position<T>, Stop, T>> {
         journey::travel(self, self.start)
     }
 }

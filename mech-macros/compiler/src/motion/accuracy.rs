@@ -31,7 +31,8 @@ const MOST_ROUNDS: u32 = 4;
 /// How often a combination of solvers is tried that were good enough one by one.
 const COMBINATIONS: usize = 6;
 
-/// How exact a mechanism will be: the greatest distance of anything on its links from where it should be, in scene units.
+/// How exact a mechanism will be: the greatest distance of anything on its links from where it should be, in scene units. An estimate
+/// from samples, with a reserve; no bound.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Prediction {
     /// Of anything.
@@ -48,7 +49,7 @@ pub struct SolvedLoop {
     pub number: usize,
     /// By which method, in words.
     pub method: String,
-    /// How far the links may be from where they should be that wait for it and for no later one, if that was predicted: in scene
+    /// How far the links may be from where they should be that wait for it and for no later one, if that was estimated: in scene
     /// units. Infinite if it may stop where the mechanism could move on.
     pub error: Option<f64>,
     /// Its operations.

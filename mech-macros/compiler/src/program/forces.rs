@@ -44,6 +44,18 @@ impl<V: Copy> Forces<V> {
         roots
     }
 
+    /// The same with other transmission angles.
+    #[must_use]
+    pub fn with_transmission(&self, each: impl Fn(V) -> V) -> Self {
+        let mut forces = self.map(|value| value);
+        if let Self::InverseDynamics(found) = &mut forces {
+            for angle in &mut found.transmission {
+                *angle = each(*angle);
+            }
+        }
+        forces
+    }
+
     /// The same of something else.
     pub fn map<W>(&self, mut each: impl FnMut(V) -> W) -> Forces<W> {
         let mut row =

@@ -63,11 +63,11 @@ fn drivers(model: &Model, plan: &Plan, closing: &Loop) -> String {
     }
 }
 
-/// The method of a loop, its predicted error and its cost.
+/// The method of a loop, its estimated error and its cost.
 pub(super) fn method_line(solved: &SolvedLoop) -> String {
     let error = match solved.error {
         None => String::new(),
-        Some(error) if error.is_finite() => format!(", predicted error {error:.1e}"),
+        Some(error) if error.is_finite() => format!(", estimated error {error:.1e}"),
         Some(_) => ", may stop for no reason but its method".to_owned(),
     };
     format!("{}{error}: {}", solved.method, solved.cost)
@@ -86,11 +86,11 @@ pub(super) fn method(model: &Model, program: &Program) -> String {
     }
 }
 
-/// The predicted error and the declared accuracy, in scene units.
+/// The estimated error and the declared accuracy, in scene units.
 pub(super) fn accuracy(model: &Model, prediction: &Prediction) -> String {
     let error = match prediction.error {
-        error if error.is_finite() => format!("{error:.1e} predicted"),
-        _ => "not bounded by the declared steps".to_owned(),
+        error if error.is_finite() => format!("{error:.1e} estimated"),
+        _ => "not estimated: it may stop for no reason but its method".to_owned(),
     };
     match model.accuracy {
         Some(accuracy) => format!("{error}, {accuracy:e} wanted"),

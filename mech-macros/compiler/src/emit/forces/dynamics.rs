@@ -65,7 +65,7 @@ pub(super) fn dynamics(emitter: &Emitter<'_>) -> Parts {
         /// loads.
         ///
         /// # Errors
-        /// If a torque is not finite, no mass resists a motor, or the mechanism is at a dead point or a change point.
+        /// If a torque is not finite, no mass resists a motor, or the mechanism is at a dead point.
         #visibility fn motor_accelerations(&self, torques: #values) -> Result<#values, #blocked> {
             #loads
             let rates = self.rates;
@@ -78,7 +78,7 @@ pub(super) fn dynamics(emitter: &Emitter<'_>) -> Parts {
         /// The kinetic energy, and the potential energy of gravity and springs.
         ///
         /// # Errors
-        /// If the mechanism is at a dead point or a change point, where velocities are not determined.
+        /// If the mechanism is at a dead point, or at a change point where velocities have no limit.
         #visibility fn energy(&self) -> Result<[#scalar; 2], #blocked> {
             #loads
             let rates = self.rates;
@@ -99,8 +99,8 @@ pub(super) fn dynamics(emitter: &Emitter<'_>) -> Parts {
         /// The same by a method of one's choice: what is more exact takes longer.
         ///
         /// # Errors
-        /// If something given is not finite, a loop cannot be closed on the way, the mechanism is at a dead point or a change
-        /// point, no mass resists a motor, or the step is too long to be followed; everything then stays as it was.
+        /// If something given is not finite, a loop cannot be closed on the way, the mechanism is at a dead point,
+        /// no mass resists a motor, or the step is too long to be followed; everything then stays as it was.
         #visibility fn simulate_by(&mut self, method: GaussLegendre, time: #scalar, torques: #values) -> Result<(), #blocked> {
             #loads
             let moment = Moment {

@@ -35,8 +35,8 @@ pub(super) fn holding(emitter: &Emitter<'_>) -> Parts {
         /// there at rest, in the order of their declaration: against gravity, springs and loads.
         ///
         /// # Errors
-        /// If a value is not finite, a loop cannot be closed on the way there, or it is at a dead point or a change point
-        /// there, where torques are not determined; the mechanism then stays where it was.
+        /// If a value is not finite, a loop cannot be closed on the way there, or torques are not determined there, as at a dead point;
+        /// the mechanism then stays where it was.
         #[inline]
         #visibility fn hold_at(&mut self, motors: #values) -> Result<#values, #blocked> {
             #loads
@@ -49,7 +49,7 @@ pub(super) fn holding(emitter: &Emitter<'_>) -> Parts {
         /// The torques of the motors (the forces of those that slide) that hold it at rest where it is.
         ///
         /// # Errors
-        /// If the mechanism is at a dead point or a change point, where these are not determined.
+        /// If the mechanism is at a dead point, or at a change point where these have no limit.
         #visibility fn torques(&self) -> Result<#values, #blocked> {
             #loads
             #found
@@ -79,7 +79,7 @@ pub(super) fn forces(emitter: &Emitter<'_>) -> Parts {
         /// the reaction in each joint, the transmission angles.
         ///
         /// # Errors
-        /// If a rate is not finite, or the mechanism is at a dead point or a change point, where forces are not determined.
+        /// If a rate is not finite, or the mechanism is at a dead point, or at a change point where forces have no limit.
         #visibility fn forces(&self, rates: #values, accelerations: #values) -> Result<#kind, #blocked> {
             #loads
             generated::finite(rates, known::MOVE_LIMITS.inputs)
@@ -131,7 +131,7 @@ fn advantage(emitter: &Emitter<'_>, first: usize, load: &Load) -> TokenStream {
         /// balances, if there is nothing else. It is infinite where the load stands still while the motor moves.
         ///
         /// # Errors
-        /// If the mechanism is at a dead point or a change point, where this is not determined, or a direction is zero.
+        /// If the mechanism is at a dead point, or at a change point where this has no limit, or a direction is zero.
         #visibility fn #name(&self #parameter) -> Result<#values, #blocked> {
             #test
             let forces = Self::forces(self, [0.0; #motors], [0.0; #motors])?;
