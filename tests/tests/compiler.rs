@@ -22,4 +22,5 @@ mod ranges;
 mod rates;
 mod repairs;
 mod show;
+mod slides;
 mod ui;

@@ -2,6 +2,7 @@
 //! them does.
 
 use mech_compiler::compile;
+use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{
     Axis, AxisId, AxisKind, Joint, JointId, JointKind, Link, LinkId, Model, Motor, MotorId, Origin,
 };
@@ -9,7 +10,7 @@ use mech_compiler::repair::{Offers, Repair, Search, apply_all, offers};
 use mech_compiler::reporter;
 use mech_compiler::structure::Diagnosis;
 use mech_compiler::syntax::Places;
-use mech_tests::{Dice, Sample, chain, for_all, samples};
+use mech_tests::{Dice, Sample, chain, for_all, model, samples, with_ground, worst_gap};
 
 /// Tries a test on random mechanisms, which are coherent.
 fn for_coherent(test: impl Fn(Model, Dice)) {
@@ -398,4 +399,76 @@ fn wheels_on_one_shaft_may_go() {
         let found = assert_mended(&model, &diagnoses);
         assert!(found.iter().all(|offers| !offers.is_empty()), "{text}");
     }
+}
+
+/// A ring's element, a gripper on two guides, and a coupler of two straps: they move, but only because their lengths match.
+const MATCHED: [&str; 3] = [
+    "struct Element; const psi = 50 deg; const r = 2 * sin(psi); link one; link two; joint c = revolute(one, two) at (r, 0);
+        joint o1 = slot(one, ground) at (r + cos(psi + 30 deg), sin(psi + 30 deg)) along 30 deg;
+        joint i1 = slot(one, ground) at (r + cos(psi + 150 deg), sin(psi + 150 deg)) along -30 deg;
+        joint o2 = slot(two, ground) at (r + cos(psi + 30 deg), -sin(psi + 30 deg)) along -30 deg;
+        joint i2 = slot(two, ground) at (r + cos(psi + 150 deg), -sin(psi + 150 deg)) along 30 deg;",
+    "struct Gripper; link plate; link bf; link dg; link ch; link ei; link upper; link lower;
+        joint push = slot(plate, ground) at (-1.925, 0) along (1, 0);
+        joint b = revolute(plate, bf) at (-1.133, 1.005); joint d = revolute(plate, dg) at (0.867, 1.005);
+        joint c = revolute(plate, ch) at (-1.133, -0.995); joint e = revolute(plate, ei) at (0.867, -0.995);
+        joint f = revolute(bf, upper) at (-1.99, 2.121); joint g = revolute(dg, upper) at (0.01, 2.121);
+        joint h = revolute(ch, lower) at (-1.99, -2.112); joint i = revolute(ei, lower) at (0.01, -2.112);
+        joint up = prismatic(upper, ground) at (-1.99, 2.121) along (0, 1);
+        joint down = prismatic(lower, ground) at (-1.99, -2.112) along (0, 1);",
+    "struct Straps; link swing; link strap; link plate; link tie; joint n = revolute(ground, swing) at (4, -2);
+        joint m = revolute(strap, swing) at (4, 1); joint g = revolute(plate, tie) at (5, 2);
+        joint k = revolute(ground, tie) at (9, 0); joint e = revolute(plate, strap) at (4, 1);
+        joint f = revolute(plate, strap) at (5, 2);",
+];
+
+/// What such a mechanism lacks is offered, whatever is allowed already, and then it moves with all its pins closed.
+#[test]
+fn what_moves_by_its_lengths_is_offered_what_it_lacks() {
+    let mut lacked_both = 0;
+    for text in MATCHED {
+        let still = model(text);
+        // The straps hold each other still.
+        let moves = |joint: &JointId| {
+            !matches!(&still.joint(*joint).name[..], "e" | "f") || text.contains("push")
+        };
+        let drivable = still
+            .joint_ids()
+            .filter(|joint| can_take_a_motor(&still, *joint));
+        for joint in drivable.filter(moves) {
+            for allowed in 0..4 {
+                let mut model = still.with_edit(|edit| edit.add_motor(joint));
+                (model.allow.redundant, model.allow.coupled) = (allowed & 1 > 0, allowed & 2 > 0);
+                let (name, before) = (&still.joint(joint).name, model.allow);
+                if let Err(wrong) = compile(&model) {
+                    let found = assert_mended(&model, &wrong);
+                    let lacks = |offered: &[Repair], repair| offered.contains(&repair);
+                    if lacks(&found[0].coupled, Repair::AllowRedundant) {
+                        (model.allow.redundant, model.allow.coupled) = (true, true);
+                        lacked_both += 1;
+                    } else if lacks(&found[0].single, Repair::AllowRedundant) {
+                        model.allow.redundant = true;
+                    } else if lacks(&found[0].single, Repair::AllowCoupled) {
+                        model.allow.coupled = true;
+                    }
+                    assert_ne!(
+                        model.allow, before,
+                        "{name}: nothing is offered for {wrong:?}"
+                    );
+                }
+                assert!(model.allow.redundant, "{name}: it is held twice");
+                let compiled = compile(&model).unwrap_or_else(|found| panic!("{name}: {found:?}"));
+                let mut machine = Machine::<f64>::new(&compiled.program);
+                let mut closed = 0;
+                for step in (0..=10).chain(-10..0) {
+                    // One way it may come to its limit.
+                    closed += i32::from(machine.move_to(&[0.01 * f64::from(step)]).is_ok());
+                    let gap = worst_gap(&model, &with_ground(&model, &machine.position().poses));
+                    assert!(gap < 1e-11, "{name}: a gap of {gap:e}");
+                }
+                assert!(closed > 10, "{name}: it moves {closed} times");
+            }
+        }
+    }
+    assert!(lacked_both >= 4, "{lacked_both} lacked both");
 }

@@ -55,7 +55,6 @@ macro_rules! variants {
     };
     (@exact_f64 $body:tt $checks:tt) => { variants!(@variant exact_f64 f64 {exact} $body $checks); };
     (@exact_f32 $body:tt $checks:tt) => { variants!(@variant exact_f32 f32 {exact} $body $checks); };
-    (@newton_f32 $body:tt $checks:tt) => { variants!(@variant newton_f32 f32 {newton} $body $checks); };
     (@newton_f64 $body:tt $checks:tt) => { variants!(@variant newton_f64 f64 {newton} $body $checks); };
     (@newton $body:tt $checks:tt) => {
         variants!(@variant newton_f64 f64 {newton} $body $checks);

@@ -253,7 +253,9 @@ fn analyse_overconstrained(
     let is_held = |diagnosis: &Diagnosis| {
         matches!(
             diagnosis,
-            Diagnosis::Blocked { .. } | Diagnosis::Overdetermined { .. }
+            Diagnosis::Blocked { .. }
+                | Diagnosis::Overdetermined { .. }
+                | Diagnosis::TooManyMotors { .. }
         )
     };
     if let [Diagnosis::Rigid] = diagnoses[..] {
@@ -267,27 +269,24 @@ fn analyse_overconstrained(
     let Some(Overconstrained {
         mut structure,
         plan,
+        waits,
     }) = found
     else {
         return Err(diagnoses);
     };
-    if structure.redundant.is_empty() {
-        structure.redundant = diagnoses.iter().flat_map(held_joints).collect();
-        structure.redundant.sort_unstable();
-        structure.redundant.dedup();
-    }
+    structure.redundant = too_many(&structure.redundant, &diagnoses);
     let joints = structure.redundant.clone();
     let mut params = model.params.ids();
     if let Some(param) = params.find(|&id| model.param_scale(id).is_some()) {
         return Err(vec![Diagnosis::OverconstrainedWithParam { joints, param }]);
     }
-    if model.allow.redundant {
-        build(model, structure, plan, depth).map_err(|diagnosis| vec![diagnosis])
-    } else {
-        Err(vec![Diagnosis::Overdetermined {
+    match waits {
+        _ if !model.allow.redundant => Err(vec![Diagnosis::Overdetermined {
             joints,
             is_mobile: true,
-        }])
+        }]),
+        Some(waits) => Err(vec![waits]),
+        None => build(model, structure, plan, depth).map_err(|diagnosis| vec![diagnosis]),
     }
 }
 
@@ -305,15 +304,36 @@ fn missing_motor(model: &Model) -> Option<Diagnosis> {
         ) && !joint.hidden
     };
     let driven = |joint| model.with_edit(|edit| edit.add_motor(joint));
-    let moves = |&joint: &JointId| overconstrained::assemble(&driven(joint)).is_some();
+    let moves = |joint: JointId| {
+        let found = overconstrained::assemble(&driven(joint))?;
+        Some((joint, found.waits.is_some()))
+    };
     // Each of them is assembled and moved: in a large mechanism not all are tried.
     let most = MOST_MOVED.div_ceil(model.joints.len().pow(2).max(1));
     let joints = model.joint_ids().filter(can_have_motor).take(most);
-    let candidates: Vec<JointId> = joints.filter(moves).collect();
+    let found: Vec<(JointId, bool)> = joints.filter_map(moves).collect();
+    // Motors that leave nothing to be solved together come before those that do.
+    let all_wait = found.iter().all(|(_, waits)| *waits);
+    let wanted = found.iter().filter(|(_, waits)| *waits == all_wait);
+    let candidates: Vec<JointId> = wanted.map(|(joint, _)| *joint).collect();
     (!candidates.is_empty()).then_some(Diagnosis::NoMotor {
         freedom: 1,
         candidates,
     })
+}
+
+/// Of the joints that were not needed those that counting finds held; else all that either finds.
+fn too_many(idle: &[JointId], diagnoses: &[Diagnosis]) -> Vec<JointId> {
+    let mut held: Vec<JointId> = diagnoses.iter().flat_map(held_joints).collect();
+    held.sort_unstable();
+    held.dedup();
+    let both = idle.iter().copied().filter(|joint| held.contains(joint));
+    let both: Vec<JointId> = both.collect();
+    match (both.is_empty(), idle.is_empty()) {
+        (false, _) => both,
+        (true, false) => idle.to_vec(),
+        (true, true) => held,
+    }
 }
 
 fn held_joints(diagnosis: &Diagnosis) -> Vec<JointId> {

@@ -8,7 +8,7 @@ use crate::kinematics::LinkFrames;
 use crate::model::{Allowances, JointId, JointKind, Model, MotorId};
 use crate::plan::{self, Plan, Step};
 use crate::program::{self, Program};
-use crate::structure::{self, Rolling, Structure};
+use crate::structure::{self, Diagnosis, Rolling, Structure};
 
 /// Displacements by which each motor is tried, in radians, or as a part of the mechanism's size. They are large enough for a link that
 /// only touches its circle to leave it. The first must be possible in one direction at least; where the others are, the joints must
@@ -19,15 +19,17 @@ const DISPLACEMENTS: [f64; 3] = [0.02, 0.11, 0.37];
 pub(super) struct Overconstrained {
     pub(super) structure: Structure,
     pub(super) plan: Plan,
+    /// Which loops wait for each other, if they were solved together without being allowed to be.
+    pub(super) waits: Option<Diagnosis>,
 }
 
 /// Assembles and moves a mechanism whose joints hold each other more than once; none if it does not move.
 pub(super) fn assemble(model: &Model) -> Option<Overconstrained> {
     // A cam that does not fit would go unnoticed.
-    if model.cams().next().is_some() {
+    if model.motors.is_empty() || model.cams().next().is_some() {
         return None;
     }
-    let lenient = Model {
+    let mut lenient = Model {
         allow: Allowances {
             redundant: true,
             ..model.allow
@@ -37,7 +39,14 @@ pub(super) fn assemble(model: &Model) -> Option<Overconstrained> {
         ..model.clone()
     };
     let mut structure = structure::layout(&lenient).ok()?;
-    let plan = plan::plan(&lenient, &structure).ok()?;
+    let (plan, waits) = match plan::plan(&lenient, &structure) {
+        Ok(plan) => (plan, None),
+        Err(waits @ Diagnosis::NotSequential { .. }) if !model.allow.coupled => {
+            lenient.allow.coupled = true;
+            (plan::plan(&lenient, &structure).ok()?, Some(waits))
+        }
+        Err(_) => return None,
+    };
     let mut program = program::build(&lenient, &plan);
     evaluate::settle(&mut program).ok()?;
     let rollings = structure.rollings.clone();
@@ -56,11 +65,23 @@ pub(super) fn assemble(model: &Model) -> Option<Overconstrained> {
                 .into_iter()
                 .all(|displacement| closes(both(displacement)))
     };
-    if model.motors.is_empty() || !model.motor_ids().all(moves) {
+    // A motor whose joint others move is not driven.
+    let is_driven = |motor: MotorId| {
+        let drives = |step: &Step| matches!(step, Step::Drive(drive) if drive.motor == motor);
+        plan.steps.iter().any(drives)
+    };
+    if !model
+        .motor_ids()
+        .all(|motor| is_driven(motor) && moves(motor))
+    {
         return None;
     }
     structure.redundant = redundant_joints(&lenient, &plan);
-    Some(Overconstrained { structure, plan })
+    Some(Overconstrained {
+        structure,
+        plan,
+        waits,
+    })
 }
 
 /// What became of a displacement.

@@ -2,8 +2,10 @@
 
 use super::coupled::Block;
 use super::step::{Connection, ConnectionKind};
-use crate::model::{Axis, LinkId, Model};
+use crate::model::LinkId;
 use crate::structure::Pin;
+use petgraph::unionfind::UnionFind;
+use std::collections::BTreeMap;
 
 /// Two clusters, by their bases, the lower first, and an unknown connection that joins them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,6 +15,8 @@ pub(super) struct Between {
     pub(super) connection: Connection,
     /// The pin it lies on, by its number.
     pub(super) pin: Option<usize>,
+    /// The direction in which it slides, by its number: slides of one number stay parallel.
+    pub(super) direction: Option<usize>,
 }
 
 impl Between {
@@ -28,6 +32,11 @@ impl Between {
     /// The cluster on the other side.
     pub(super) fn beyond(self, base: LinkId) -> LinkId {
         if base == self.a { self.b } else { self.a }
+    }
+
+    /// Whether both turn about one pin, or slide in one direction.
+    fn is_like(&self, other: &Self) -> bool {
+        (self.pin, self.direction) == (other.pin, other.direction)
     }
 
     fn slides(self) -> bool {
@@ -49,10 +58,11 @@ pub(super) fn pivot(pin: &Pin, from: LinkId, to: LinkId) -> Option<Connection> {
 /// The ring of three connections between three clusters: from the lowest to the next, across, and back. With it stand the
 /// connections by which the others hang on the lowest.
 pub(super) fn ring_of_three(near: Between, across: Between, far: Between) -> Option<Block> {
-    // Three clusters on one pin are no loop, and three slides say only two things.
-    let one_pin = near.pin.is_some() && near.pin == far.pin && far.pin == across.pin;
+    // Three slides say only two things, and two of one direction, or two turns about one pin, leave the cluster between them free.
     let turns = !(near.slides() && across.slides() && far.slides());
-    (turns && !one_pin).then(|| {
+    let pairs = [(near, across), (across, far), (far, near)];
+    let alike = pairs.iter().any(|(one, other)| one.is_like(other));
+    (turns && !alike).then(|| {
         let ring = vec![near.connection, across.connection, far.connection.reverse()];
         (vec![ring], vec![near.connection, far.connection])
     })
@@ -60,24 +70,37 @@ pub(super) fn ring_of_three(near: Between, across: Between, far: Between) -> Opt
 
 /// The ring that two connections between the same two clusters form, if it determines their places: two slides that are not
 /// parallel.
-pub(super) fn ring_of_two(model: &Model, first: Between, second: Between) -> Option<Block> {
+pub(super) fn ring_of_two(first: Between, second: Between) -> Option<Block> {
     let slide = first.slides() && second.slides();
-    let [p, q] = [first, second].map(|between| {
-        (
-            model.axis(between.connection.from),
-            model.axis(between.connection.to),
-        )
-    });
-    // Guides of one link in both clusters are seen to be parallel at once; those that params turn differently are not.
-    let parallel = |a: &Axis, b: &Axis| {
-        let ([x, y], [u, v]) = (a.direction, b.direction);
-        a.link == b.link
-            && a.direction_formulas == b.direction_formulas
-            && (x * v - y * u).abs() < 1e-12
-    };
-    let aligned = parallel(p.0, q.0) || parallel(p.1, q.1);
-    (slide && !aligned).then(|| {
+    (slide && !first.is_like(&second)).then(|| {
         let ring = vec![first.connection, second.connection.reverse()];
         (vec![ring], vec![first.connection])
     })
+}
+
+/// What slides on what in one direction, over whatever is between.
+pub(super) struct Sliding {
+    /// Links or clusters, for each direction on which they slide.
+    places: BTreeMap<(usize, LinkId), usize>,
+    joined: UnionFind<usize>,
+}
+
+impl Default for Sliding {
+    fn default() -> Self {
+        Self {
+            places: BTreeMap::new(),
+            joined: UnionFind::new_empty(),
+        }
+    }
+}
+
+impl Sliding {
+    /// Lets two slide on each other in a direction; whether they did not before.
+    pub(super) fn join(&mut self, direction: usize, a: LinkId, b: LinkId) -> bool {
+        let [a, b] = [a, b].map(|one| {
+            let new = || self.joined.new_set();
+            *self.places.entry((direction, one)).or_insert_with(new)
+        });
+        self.joined.union(a, b)
+    }
 }

@@ -1,6 +1,6 @@
 //! Loops that wait for each other, and joints that hold a part more than once.
 
-use super::between::Between;
+use super::between::{Between, Sliding};
 use super::step::{Connection, ConnectionKind};
 use crate::model::LinkId;
 
@@ -40,6 +40,16 @@ pub(super) fn redundant_block(connections: &[Between]) -> Option<Block> {
         pair[1].connection
     };
     Some((vec![ring], vec![tree]))
+}
+
+/// Without the slides that follow from those before them: what slides in one direction on two clusters lets these slide on each other.
+pub(super) fn drop_parallel(connections: Vec<Between>) -> Vec<Between> {
+    let mut sliding = Sliding::default();
+    let is_new = |between: &Between| {
+        let mut directions = between.direction.into_iter();
+        directions.all(|direction| sliding.join(direction, between.a, between.b))
+    };
+    connections.into_iter().filter(is_new).collect()
 }
 
 /// On a pin of several clusters all pairs are joined; all but one connection a cluster follow from the others.

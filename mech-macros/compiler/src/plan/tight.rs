@@ -1,27 +1,30 @@
 //! Which clusters hold each other: the smallest sets of clusters whose relative positions follow from what joins these clusters
 //! alone. Two such sets share one cluster at most, so what is solved together does not depend on the order of declaration.
 //!
-//! They are found by counting (a pebble game). A cluster has three freedoms, a pin two. An equation takes a freedom from one of
-//! the parts it speaks of. A set holds itself where no more than three freedoms are left to it: those of a body.
+//! They are found by counting (a pebble game). A cluster has two freedoms and an angle, which it shares with those that it slides on; a
+//! pin has two. An equation takes a freedom from one of the parts it speaks of: a loop of slides has two, and not three. A set holds
+//! itself where no more than three freedoms are left to it: those of a body.
 
 use super::between::Between;
 use crate::model::LinkId;
+use petgraph::unionfind::UnionFind;
 
 /// The freedoms of a body in the plane.
 const BODY: usize = 3;
-/// The freedoms of a pin.
-const PIN: usize = 2;
+/// The freedoms of a place: of a pin, or of a cluster but for its angle.
+const PLACE: usize = 2;
+/// The freedom of an angle.
+const ANGLE: usize = 1;
 
 /// The smallest sets of clusters that hold each other, the smallest first. `rolls` are the clusters of each gear, belt or rack.
 pub(super) fn sets(connections: &[Between], rolls: &[Vec<LinkId>]) -> Vec<Vec<LinkId>> {
-    let (clusters, mut count) = count_freedoms(connections, rolls);
-    let place = |base| clusters.binary_search(&base).ok();
+    let parts = Parts::of(connections);
+    let clusters = &parts.clusters;
+    let mut count = count_freedoms(connections, rolls, &parts);
     let mut found: Vec<Vec<LinkId>> = Vec::new();
     for between in connections {
-        if let (Some(a), Some(b)) = (place(between.a), place(between.b))
-            && let Some(parts) = count.smallest_set([a, b])
-        {
-            // Among the parts are pins, too, after all clusters.
+        if let Some(parts) = count.smallest_set(parts.of_clusters([between.a, between.b])) {
+            // Among the parts are angles and pins, too, after all clusters.
             let bases = parts.into_iter().filter_map(|part| clusters.get(part));
             found.push(bases.copied().collect());
         }
@@ -37,24 +40,78 @@ pub(super) fn sets(connections: &[Between], rolls: &[Vec<LinkId>]) -> Vec<Vec<Li
     smallest
 }
 
-/// The clusters in order, and the count of their freedoms. Pins come after all clusters.
-fn count_freedoms(connections: &[Between], rolls: &[Vec<LinkId>]) -> (Vec<LinkId>, Count) {
-    let mut clusters: Vec<LinkId> = connections
-        .iter()
-        .flat_map(|between| [between.a, between.b])
-        .collect();
-    clusters.sort_unstable();
-    clusters.dedup();
-    let place = |base: LinkId| clusters.binary_search(&base).ok();
+/// What has freedoms: the places of clusters, then angles, then pins.
+struct Parts {
+    clusters: Vec<LinkId>,
+    /// For each cluster the part that is its angle.
+    angles: Vec<usize>,
+}
+
+impl Parts {
+    fn of(connections: &[Between]) -> Self {
+        let ends = connections
+            .iter()
+            .flat_map(|between| [between.a, between.b]);
+        let mut clusters: Vec<LinkId> = ends.collect();
+        clusters.sort_unstable();
+        clusters.dedup();
+        let mut classes = UnionFind::<usize>::new(clusters.len());
+        for between in connections
+            .iter()
+            .filter(|between| between.connection.slides())
+        {
+            let [a, b] = [between.a, between.b].map(|base| clusters.binary_search(&base));
+            if let (Ok(a), Ok(b)) = (a, b) {
+                classes.union(a, b);
+            }
+        }
+        let angles = (0..clusters.len()).map(|cluster| clusters.len() + classes.find(cluster));
+        Self {
+            angles: angles.collect(),
+            clusters,
+        }
+    }
+
+    /// The parts of these clusters, each once.
+    fn of_clusters(&self, bases: impl IntoIterator<Item = LinkId>) -> Vec<usize> {
+        let places = bases.into_iter();
+        let places = places.filter_map(|base| self.clusters.binary_search(&base).ok());
+        let parts = places.flat_map(|place| [place, self.angles[place]]);
+        let mut parts: Vec<usize> = parts.collect();
+        parts.sort_unstable();
+        parts.dedup();
+        parts
+    }
+
+    /// The parts of a cluster and a pin.
+    fn of_pinned(&self, base: LinkId, pin: usize) -> Vec<usize> {
+        let mut parts = self.of_clusters([base]);
+        parts.push(2 * self.clusters.len() + pin);
+        parts
+    }
+
+    /// For each part its freedoms, where there are so many pins.
+    fn freedoms(&self, pins: usize) -> Vec<usize> {
+        let clusters = self.clusters.len();
+        [
+            vec![PLACE; clusters],
+            vec![ANGLE; clusters],
+            vec![PLACE; pins],
+        ]
+        .concat()
+    }
+}
+
+/// Counts the freedoms that the connections take.
+fn count_freedoms(connections: &[Between], rolls: &[Vec<LinkId>], parts: &Parts) -> Count {
     let mut equations: Vec<Vec<usize>> = Vec::new();
     let mut pinned: Vec<(usize, LinkId)> = Vec::new();
     for between in connections {
-        if let Some(pin) = between.pin {
-            pinned.extend([(pin, between.a), (pin, between.b)]);
-        } else {
-            let ends = [between.a, between.b].into_iter().filter_map(place);
-            let ends: Vec<usize> = ends.collect();
-            equations.extend([ends.clone(), ends]);
+        let ends = [between.a, between.b];
+        match between.pin {
+            Some(pin) => pinned.extend(ends.map(|base| (pin, base))),
+            // That it keeps an angle is counted already.
+            None => equations.push(parts.of_clusters(ends)),
         }
     }
     pinned.sort_unstable();
@@ -62,20 +119,18 @@ fn count_freedoms(connections: &[Between], rolls: &[Vec<LinkId>]) -> (Vec<LinkId
     let mut pins: Vec<usize> = pinned.iter().map(|(pin, _)| *pin).collect();
     pins.dedup();
     for (pin, base) in pinned {
-        if let (Ok(pin), Some(cluster)) = (pins.binary_search(&pin), place(base)) {
-            let ends = vec![cluster, clusters.len() + pin];
+        if let Ok(pin) = pins.binary_search(&pin) {
+            let ends = parts.of_pinned(base, pin);
             equations.extend([ends.clone(), ends]);
         }
     }
     for roll in rolls {
-        let ends: Vec<usize> = roll.iter().copied().filter_map(place).collect();
-        if ends.len() > 1 {
+        let ends = parts.of_clusters(roll.iter().copied());
+        if roll.len() > 1 && !ends.is_empty() {
             equations.push(ends);
         }
     }
-    let free = [vec![BODY; clusters.len()], vec![PIN; pins.len()]].concat();
-    let count = Count::new(free, equations);
-    (clusters, count)
+    Count::new(parts.freedoms(pins.len()), equations)
 }
 
 /// The freedoms that equations have taken.
@@ -108,12 +163,11 @@ impl Count {
         count
     }
 
-    /// The smallest set of parts that holds these two, if one does.
-    fn smallest_set(&mut self, pair: [usize; 2]) -> Option<Vec<usize>> {
-        if self.gather(&pair, BODY + 1) {
+    /// The smallest set of parts that holds these, if one does.
+    fn smallest_set(&mut self, mut set: Vec<usize>) -> Option<Vec<usize>> {
+        if self.gather(&set, BODY + 1) {
             return None;
         }
-        let mut set = pair.to_vec();
         let mut next = 0;
         while let Some(&part) = set.get(next) {
             for &equation in &self.taken[part] {

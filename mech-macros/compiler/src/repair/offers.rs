@@ -15,7 +15,7 @@ pub struct Offers {
     pub single: Vec<Repair>,
     /// Changes each of which would be enough if the mechanism started elsewhere: as given, it does not close then.
     pub elsewhere: Vec<Repair>,
-    /// Motors that would settle everything, but with loops that wait for each other: they need `allow coupled;`.
+    /// Motors, or an allowance, that would settle everything, but with loops that wait for each other: they need `allow coupled;`.
     pub coupled: Vec<Repair>,
     /// Where more is wrong than this: changes that cure this, and make nothing else worse, without being enough.
     pub partial: Vec<Repair>,
@@ -72,7 +72,7 @@ fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {
             Trial::Closes => offers.single.push(repair),
             Trial::OpensAtStart => offers.elsewhere.push(repair),
             Trial::Coupled => {
-                if let Repair::AddMotors(_) = repair {
+                if let Repair::AddMotors(_) | Repair::AllowRedundant = repair {
                     offers.coupled.push(repair);
                 }
             }

@@ -6,13 +6,14 @@
 //! link. A revolute joint or a weld then says two things about them, a prismatic joint and
 //! whatever rolls one each.
 
+use super::Structure;
 use super::elimination::Sparse;
 use super::field::{Dice, Element};
-use super::pin::Pin;
 use super::rolling::{Factor, Rolling, RollingEnd};
 use crate::bug::bug;
 use crate::model::{JointId, JointKind, LinkId, Model};
 use petgraph::unionfind::UnionFind;
+use std::collections::BTreeMap;
 
 /// The unknowns, and the random geometry.
 pub(crate) struct Constraints<'m> {
@@ -21,7 +22,8 @@ pub(crate) struct Constraints<'m> {
     /// For each link the columns of its angular rate and of its origin's rates; none for what is fixed.
     columns: Vec<Columns>,
     count: usize,
-    /// For each joint a random point (revolute) or direction (prismatic); joints on one pin share theirs.
+    /// For each joint a random point (revolute) or direction (prismatic); joints on one pin share theirs, and slides that stay
+    /// parallel.
     spots: Vec<(Element, Element)>,
 }
 
@@ -33,19 +35,14 @@ struct Columns {
 }
 
 impl<'m> Constraints<'m> {
-    pub(crate) fn new(
-        model: &'m Model,
-        pins: &[Pin],
-        rollings: &'m [Rolling],
-        dice: &mut Dice,
-    ) -> Self {
+    pub(crate) fn new(model: &'m Model, structure: &'m Structure, dice: &mut Dice) -> Self {
         let (columns, count) = columns(model);
         Self {
             model,
-            rollings,
+            rollings: &structure.rollings,
             columns,
             count,
-            spots: spots(model, pins, dice),
+            spots: spots(model, structure, dice),
         }
     }
 
@@ -206,15 +203,23 @@ fn columns(model: &Model) -> (Vec<Columns>, usize) {
     (columns, count)
 }
 
-fn spots(model: &Model, pins: &[Pin], dice: &mut Dice) -> Vec<(Element, Element)> {
+fn spots(model: &Model, structure: &Structure, dice: &mut Dice) -> Vec<(Element, Element)> {
     let mut spots: Vec<_> = model
         .joints
         .iter()
         .map(|_| (dice.roll(), dice.roll()))
         .collect();
-    for pin in pins {
+    for pin in &structure.pins {
         for pair in pin.joints.windows(2) {
             spots[pair[1].index()] = spots[pair[0].index()];
+        }
+    }
+    let mut directions: BTreeMap<usize, (Element, Element)> = BTreeMap::new();
+    for joint in model.joint_ids() {
+        if let Some(heading) = structure.parallels.of(joint) {
+            let spot = &mut spots[joint.index()];
+            let (p, q) = *directions.entry(heading.number).or_insert(*spot);
+            *spot = if heading.forwards { (p, q) } else { (-p, -q) };
         }
     }
     spots

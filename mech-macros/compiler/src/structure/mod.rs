@@ -6,12 +6,14 @@ mod elimination;
 mod field;
 mod graph;
 mod mesh;
+mod parallel;
 mod pin;
 mod rolling;
 mod verdict;
 
 pub use diagnosis::{Diagnosis, Extreme, LoopAssembly, MeshTrouble, OpenLoop, RangeTrouble};
 pub(crate) use graph::KinematicGraph;
+pub use parallel::Parallels;
 pub use pin::Pin;
 pub use rolling::{Factor, Rolling, RollingEnd};
 
@@ -33,6 +35,8 @@ pub struct Structure {
     pub pins: Vec<Pin>,
     /// The gears, belts and racks, with their carriers.
     pub rollings: Vec<Rolling>,
+    /// The slides that stay parallel.
+    pub parallels: Parallels,
 }
 
 impl Structure {
@@ -50,14 +54,13 @@ impl Structure {
 /// Everything that keeps it from moving as its motors say.
 pub fn analyse(model: &Model) -> Result<Structure, Vec<Diagnosis>> {
     let structure = layout(model)?;
-    verdict::verdict(model, &structure.pins, &structure.rollings)?;
+    verdict::verdict(model, &structure)?;
     Ok(structure)
 }
 
 /// Whether [`analyse`] would find nothing wrong: counted without finding out why.
 pub(crate) fn is_sound(model: &Model) -> bool {
-    layout(model)
-        .is_ok_and(|structure| verdict::is_sound(model, &structure.pins, &structure.rollings))
+    layout(model).is_ok_and(|structure| verdict::is_sound(model, &structure))
 }
 
 /// All pins of a mechanism, in the order of their first joint.
@@ -88,6 +91,7 @@ pub(crate) fn layout(model: &Model) -> Result<Structure, Vec<Diagnosis>> {
         redundant: Vec::new(),
         pins,
         rollings,
+        parallels: parallel::parallels(model),
     })
 }
 

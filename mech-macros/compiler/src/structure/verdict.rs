@@ -1,12 +1,11 @@
 //! Does it move, and do its motors determine the motion? Counted exactly, at random geometry.
 
+use super::Structure;
 use super::constraints::Constraints;
 use super::diagnosis::Diagnosis;
 use super::elimination::{Elimination, RowKind, Sparse};
 use super::field::{Dice, Element};
 use super::graph::KinematicGraph;
-use super::pin::Pin;
-use super::rolling::Rolling;
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
 
 /// An arbitrary number: the random geometry is the same in every build.
@@ -38,9 +37,9 @@ struct Rank<'m> {
 }
 
 impl<'m> Rank<'m> {
-    fn new(model: &'m Model, pins: &[Pin], rollings: &'m [Rolling]) -> Self {
+    fn new(model: &'m Model, structure: &'m Structure) -> Self {
         let mut dice = Dice::new(SEED);
-        let constraints = Constraints::new(model, pins, rollings, &mut dice);
+        let constraints = Constraints::new(model, structure, &mut dice);
         let mut joints = Elimination::new(constraints.unknowns());
         let mut joint_of_row = Vec::new();
         let mut dependent = vec![false; model.joints.len()];
@@ -140,9 +139,9 @@ impl<'m> Rank<'m> {
 }
 
 /// Whether the joints leave exactly the freedom that the motors take, and nothing is held twice: counted without finding out why.
-pub(super) fn is_sound(model: &Model, pins: &[Pin], rollings: &[Rolling]) -> bool {
+pub(super) fn is_sound(model: &Model, structure: &Structure) -> bool {
     let mut dice = Dice::new(SEED);
-    let constraints = Constraints::new(model, pins, rollings, &mut dice);
+    let constraints = Constraints::new(model, structure, &mut dice);
     let mut rows = Elimination::new(constraints.unknowns());
     let mut joints = model.joint_ids();
     let mut motors = model.motor_ids();
@@ -159,22 +158,20 @@ pub(super) fn is_sound(model: &Model, pins: &[Pin], rollings: &[Rolling]) -> boo
 }
 
 /// Checks that the joints leave exactly the freedom that the motors take. Repairs are not looked for.
-pub(super) fn verdict(
-    model: &Model,
-    pins: &[Pin],
-    rollings: &[Rolling],
-) -> Result<(), Vec<Diagnosis>> {
-    let mut rank = Rank::new(model, pins, rollings);
+pub(super) fn verdict(model: &Model, structure: &Structure) -> Result<(), Vec<Diagnosis>> {
+    let mut rank = Rank::new(model, structure);
     let mut diagnoses = blocked_motors(model, &mut rank);
+    let freedom = rank.driven.freedom();
+    // Whether it moves is asked when nothing else is wrong.
+    let is_allowed = model.allow.redundant && freedom > 0;
     if rank.joints.freedom() == 0 && model.motors.is_empty() {
         diagnoses.push(Diagnosis::Rigid);
-    } else if diagnoses.is_empty() && !rank.dependent.is_empty() {
+    } else if diagnoses.is_empty() && !rank.dependent.is_empty() && !is_allowed {
         diagnoses.push(Diagnosis::Overdetermined {
             joints: rank.dependent.clone(),
             is_mobile: false,
         });
     }
-    let freedom = rank.driven.freedom();
     if freedom > 0 && model.motors.is_empty() {
         diagnoses.push(Diagnosis::NoMotor {
             freedom,

@@ -273,7 +273,10 @@ impl<'m> Search<'m> {
         let (rings, tree) = self.rooted(block);
         let members = self.members(&rings);
         let before = self.knowledge(&members);
-        let ties = if self.rolls() && rings.iter().any(|ring| ring.len() > 3) {
+        // A ring of three has two unknowns, unless it only slides.
+        let slides = |ring: &Vec<Connection>| ring.iter().all(Connection::slides);
+        let is_long = |ring: &Vec<Connection>| ring.len() > 3 || ring.len() == 3 && slides(ring);
+        let ties = if self.rolls() && rings.iter().any(is_long) {
             self.ties(&rings, &tree)
         } else {
             Vec::new()
@@ -354,10 +357,10 @@ impl<'m> Search<'m> {
         self.steps.push(Step::Close(found));
     }
 
-    /// All connections between different clusters, ordered by the bases of these.
+    /// All connections between different clusters, ordered by the bases of these, without what follows from others.
     fn connections(&mut self) -> Vec<Between> {
         self.update();
-        self.open.connections()
+        coupled::drop_parallel(self.open.connections())
     }
 
     fn update(&mut self) {

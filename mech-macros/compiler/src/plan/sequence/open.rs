@@ -95,7 +95,7 @@ impl Open {
             }
         }
         for pair in changed {
-            self.find_rings(model, pair);
+            self.find_rings(pair);
         }
     }
 
@@ -159,11 +159,11 @@ impl Open {
     }
 
     /// Finds the rings anew that a pair of clusters is in.
-    fn find_rings(&mut self, model: &Model, pair: Pair) {
+    fn find_rings(&mut self, pair: Pair) {
         let (a, b) = pair;
         let found = self.between(pair).collect::<Vec<Between>>();
         let found = found.windows(2);
-        let found = found.filter_map(|two| ring_of_two(model, two[0], two[1]));
+        let found = found.filter_map(|two| ring_of_two(two[0], two[1]));
         self.set_ring([a, b, b], found.into_iter().next());
         for third in self.common_neighbours(pair) {
             let bases = sorted([a, b, third]);
@@ -213,11 +213,13 @@ impl Open {
                 (b, a, connection.reverse())
             };
             if a != b {
+                let heading = structure.parallels.of(connection.joint);
                 found.entry((a, b)).or_insert(Between {
                     a,
                     b,
                     connection,
                     pin,
+                    direction: heading.map(|heading| heading.number),
                 });
             }
         };

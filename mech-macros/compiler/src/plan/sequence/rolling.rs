@@ -4,12 +4,14 @@ use super::Search;
 use super::open::named_on;
 use crate::bug::bug;
 use crate::model::{JointId, JointKind, LinkId};
+use crate::plan::between::Sliding;
 use crate::plan::equation::Unknown;
 use crate::plan::knowledge::Knowledge;
 use crate::plan::linear_relations::{LinearForm, Rational};
 use crate::plan::step::{Connection, ConnectionKind, Mesh, Source, Step, Tie};
 use crate::structure::{Factor, Pin, Rolling, RollingEnd};
 use num_rational::BigRational;
+use petgraph::unionfind::UnionFind;
 
 impl Search<'_> {
     pub(super) fn rolls(&self) -> bool {
@@ -32,6 +34,54 @@ impl Search<'_> {
         }
         for rolling in &self.structure.rollings {
             self.relations.add(&relation(rolling));
+        }
+        self.add_rings_of_slides();
+    }
+
+    /// Enters that displacements in one direction add up round each ring of slides. Welded links move as one.
+    fn add_rings_of_slides(&mut self) {
+        let is_weld = |joint| matches!(self.model.joint(joint).kind, JointKind::Weld(..));
+        let mut welded = UnionFind::<usize>::new(self.model.links.len());
+        for (a, b) in self
+            .model
+            .joint_ids()
+            .filter(|&joint| is_weld(joint))
+            .map(|joint| self.model.ends(joint))
+        {
+            welded.union(a.index(), b.index());
+        }
+        let body = |link: LinkId| LinkId::new(welded.find(link.index()));
+        let heading = |joint| self.structure.parallels.of(joint);
+        let mut sliding = Sliding::default();
+        let mut sums = Vec::new();
+        for joint in self.model.joint_ids() {
+            let Some(own) = heading(joint) else {
+                continue;
+            };
+            let (from, to) = self.model.ends(joint);
+            if sliding.join(own.number, body(from), body(to)) {
+                continue;
+            }
+            let is_before = |other| {
+                let same = heading(other).is_some_and(|other| other.number == own.number);
+                ((other < joint && same) || is_weld(other)).then_some(0)
+            };
+            let mut sum = LinearForm::slide(joint);
+            let mut at = from;
+            for step in self.graph.path(from, to, is_before) {
+                let (a, b) = self.model.ends(step);
+                let forwards = at == a;
+                if let Some(other) = heading(step) {
+                    let adds = forwards == (other.forwards == own.forwards);
+                    let part = if adds { -one() } else { one() };
+                    sum = sum.plus(&part, &LinearForm::slide(step));
+                }
+                at = if forwards { b } else { a };
+            }
+            sums.push(sum);
+        }
+        for sum in sums {
+            self.relations.add(&sum);
         }
     }
 

@@ -8,7 +8,7 @@ use super::steps::PositionPass;
 use super::tied::Tied;
 use super::triad::triad_directions;
 use crate::model::LinkId;
-use crate::plan::{Dyad, Equation, Loop, Solution, Triad};
+use crate::plan::{Dyad, Equation, Loop, Solution, Triad, Unknown};
 use crate::program::BlockKind;
 use crate::program::choice::{Choice, Solver};
 use crate::program::node::{BlockId, Value};
@@ -79,11 +79,14 @@ impl PositionPass<'_> {
         });
     }
 
-    /// Solves a loop in closed form, if it has one and it is to be solved so.
+    /// Solves a loop in closed form, if it has one and it is to be solved so. Where all slides, the equations are linear: Newton's step
+    /// is their closed form, but would not be made where the loop passes for closed without it.
     fn solve_in_closed_form(&mut self, site: &LoopSite<'_>) -> Option<Vec<Solution<Value>>> {
         let (model, ssa) = (self.lowering.model, &mut self.lowering.ssa);
         let choice = &site.choice;
-        if choice.solver != Solver::ClosedForm && !choice.changes_branch() {
+        let mut unknowns = site.equation.unknowns.iter();
+        let is_linear = unknowns.all(|unknown| matches!(unknown, Unknown::Slide(_)));
+        if choice.solver != Solver::ClosedForm && !choice.changes_branch() && !is_linear {
             return None;
         }
         let unknowns = site.equation.unknowns.iter();

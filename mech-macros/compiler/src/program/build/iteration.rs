@@ -80,6 +80,8 @@ impl LoopIteration<'_> {
         self.name_residuals(&residuals, &unknowns.names);
         let columns = all_columns(&residuals, now.len());
         let is_coupled = equation.rings.len() > 1;
+        // What only slides has one solution.
+        let has_several = is_coupled && now.iter().any(Solution::is_direction);
         let choice = &self.site.choice;
         let side = is_coupled
             .then(|| self.ssa.carry_coupled_side(choice, &columns))
@@ -89,7 +91,7 @@ impl LoopIteration<'_> {
             columns,
             sides: residuals.sides(),
             extent: self.redundant_extent(watches, now),
-            angles: is_coupled.then(|| now.iter().map(Solution::is_direction).collect()),
+            angles: has_several.then(|| now.iter().map(Solution::is_direction).collect()),
             side: side.map(|side| side.last),
             ..System::default()
         };

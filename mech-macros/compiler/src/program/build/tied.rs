@@ -302,12 +302,15 @@ impl LoopIteration<'_> {
             Some(slides) => self.ssa.add(slides, turns),
             None => turns,
         };
+        // What only slides has one solution.
+        let has_several = all.iter().any(Solution::is_direction);
         let system = System {
             gap: residuals.gap(),
             columns,
             extent: Some(self.ssa.name(extent, "extent")),
             sides,
-            angles: Some(tied.unknowns.iter().map(|unknown| unknown.turns).collect()),
+            angles: has_several
+                .then(|| tied.unknowns.iter().map(|unknown| unknown.turns).collect()),
             side,
             ..System::default()
         };
