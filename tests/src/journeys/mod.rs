@@ -97,6 +97,10 @@ pub struct Tally {
 }
 
 /// Tries so many mechanisms of a family.
+///
+/// # Panics
+/// If a text that was made is none of a mechanism.
+#[must_use]
 pub fn tally(
     kind: Kind,
     family: &Family,
@@ -402,13 +406,12 @@ impl Trial<'_> {
             let goes_on = self.conclude(verdict, || {
                 format!("path {path:?}: from {from:?}, part {at}")
             });
-            match track.target().filter(|_| goes_on) {
-                Some(target) => place = target,
-                None => {
-                    machine.put_back(begin.clone());
-                    place = self.judge.start();
-                    path.clear();
-                }
+            if let Some(target) = track.target().filter(|_| goes_on) {
+                place = target;
+            } else {
+                machine.put_back(begin.clone());
+                place = self.judge.start();
+                path.clear();
             }
         }
     }

@@ -135,6 +135,7 @@ pub enum Judged {
 
 impl<'j> Track<'j> {
     /// Follows the motor to both sides.
+    #[must_use]
     pub fn new(judge: &'j Judge<'j>, start: f64, reach: f64) -> Self {
         let side = |by: f64| Curve::new(judge, &judge.start(), [&[start], &[start + by]]);
         Self {
@@ -146,6 +147,7 @@ impl<'j> Track<'j> {
     }
 
     /// Follows one move.
+    #[must_use]
     pub fn of_move(judge: &'j Judge<'j>, place: &Place, motors: [&[f64]; 2]) -> Self {
         Self {
             judge,
@@ -156,6 +158,7 @@ impl<'j> Track<'j> {
     }
 
     /// Where a move leads.
+    #[must_use]
     pub fn target(&self) -> Option<Place> {
         Some(self.sides[0].at(1.0)?.0)
     }
@@ -169,6 +172,7 @@ impl<'j> Track<'j> {
     }
 
     /// What it says of a value.
+    #[must_use]
     pub fn judge(&self, value: f64) -> Judged {
         let (curve, part) = self.side(value);
         let end = match curve.end {
@@ -189,6 +193,7 @@ impl<'j> Track<'j> {
     }
 
     /// The values at which it goes through crossings.
+    #[must_use]
     pub fn crossings(&self) -> Vec<f64> {
         let sides = self.sides.iter().zip([1.0, -1.0]);
         let values = sides.flat_map(|(side, sign)| {
@@ -200,6 +205,7 @@ impl<'j> Track<'j> {
     }
 
     /// How near it comes to where curves cross without going through.
+    #[must_use]
     pub fn nearest(&self) -> f64 {
         self.sides
             .iter()
@@ -208,6 +214,7 @@ impl<'j> Track<'j> {
     }
 
     /// Why it is not known farther, if it is not.
+    #[must_use]
     pub fn gave_up(&self) -> Option<&'static str> {
         self.sides.iter().find_map(|side| match side.end {
             End::GivesUp(_, why) => Some(why),

@@ -112,7 +112,7 @@ impl<'j> Curve<'j> {
         if tangent[way] < 0.0 {
             tangent = -tangent;
         }
-        let (at, _) = self.correct(at, &tangent)?;
+        let (at, _) = self.correct(&at, &tangent)?;
         Some(Knot {
             at,
             tangent,
@@ -122,16 +122,16 @@ impl<'j> Curve<'j> {
     }
 
     /// Newton's method from a guess, across a direction. Gives how far the guess was off.
-    fn correct(&self, guess: DVector<f64>, across: &DVector<f64>) -> Option<(DVector<f64>, f64)> {
+    fn correct(&self, guess: &DVector<f64>, across: &DVector<f64>) -> Option<(DVector<f64>, f64)> {
         let mut at = guess.clone();
         let mut last = f64::INFINITY;
         for _ in 0..10 {
-            let system = System::new(self.equations(&at), across, across.dot(&(&at - &guess)))?;
+            let system = System::new(self.equations(&at), across, across.dot(&(&at - guess)))?;
             let change = system.solve()?;
             let size = change.norm();
             at -= change;
             if size < 1e-14 * (1.0 + at.amax()) || size >= 0.5 * last && size < 1e-9 {
-                let off = (&at - &guess).norm();
+                let off = (&at - guess).norm();
                 return Some((at, off));
             }
             if size > 4.0 * last.min(1.0) {
@@ -166,7 +166,7 @@ impl<'j> Curve<'j> {
     fn step(&self, base: usize, step: f64) -> Result<(Knot, f64), f64> {
         let now = &self.knots[base];
         let (at, off) = self
-            .correct(self.predict(base, step), &now.tangent)
+            .correct(&self.predict(base, step), &now.tangent)
             .ok_or(4.0)?;
         let system = System::new(self.equations(&at), &now.tangent, 0.0).ok_or(4.0)?;
         let (tangent, sigma) = (system.tangent().ok_or(4.0)?, system.least());
@@ -322,9 +322,9 @@ impl<'j> Curve<'j> {
             };
             let side = (middle, knot.tangent[way]);
             if side.1 > 0.0 {
-                low = side
+                low = side;
             } else {
-                high = side
+                high = side;
             }
             best = knot;
         }
@@ -362,9 +362,9 @@ impl<'j> Curve<'j> {
         for _ in 0..60 {
             let middle = f64::midpoint(a, b);
             if between(middle)[way] < goal {
-                a = middle
+                a = middle;
             } else {
-                b = middle
+                b = middle;
             }
         }
         let guess = between(a);
@@ -375,7 +375,7 @@ impl<'j> Curve<'j> {
         let mut across = DVector::zeros(way + 1);
         across[way] = 1.0;
         let corrected = self
-            .correct(guess.clone(), &across)
+            .correct(&guess, &across)
             .filter(|(_, off)| off * condition < 0.1);
         let (mut found, _) = corrected.unwrap_or((guess, 0.0));
         found[way] = 0.0;
