@@ -130,7 +130,8 @@ impl<'j> Curve<'j> {
             let change = system.solve()?;
             let size = change.norm();
             at -= change;
-            if size < 1e-14 * (1.0 + at.amax()) || size >= 0.5 * last && size < 1e-9 {
+            // Near a crossing rounding keeps corrections from vanishing.
+            if size < 1e-14 * (1.0 + at.amax()) || size >= 0.5 * last && size < 1e-8 {
                 let off = (&at - guess).norm();
                 return Some((at, off));
             }
@@ -161,15 +162,13 @@ impl<'j> Curve<'j> {
         at
     }
 
-    /// A step from a knot, if it is sure to stay on the curve: the correction is small beside the distance of other curves. Else how
-    /// much too long the step is.
-    fn step(&self, base: usize, step: f64) -> Result<(Knot, f64), f64> {
+    /// A step from a knot, and by how much it is too long to be sure that it stays on the curve: the correction is small beside the
+    /// distance of other curves, and the curve does not turn much.
+    fn attempt(&self, base: usize, step: f64) -> Option<(Knot, f64)> {
         let now = &self.knots[base];
-        let (at, off) = self
-            .correct(&self.predict(base, step), &now.tangent)
-            .ok_or(4.0)?;
-        let system = System::new(self.equations(&at), &now.tangent, 0.0).ok_or(4.0)?;
-        let (tangent, sigma) = (system.tangent().ok_or(4.0)?, system.least());
+        let (at, off) = self.correct(&self.predict(base, step), &now.tangent)?;
+        let system = System::new(self.equations(&at), &now.tangent, 0.0)?;
+        let (tangent, sigma) = (system.tangent()?, system.least());
         let turned = (&tangent - &now.tangent).norm();
         let gone = (&at - &now.at).norm();
         let excess = (off / (0.1 * sigma.min(step))).cbrt().max(turned / LONGEST);
@@ -179,10 +178,15 @@ impl<'j> Curve<'j> {
             arc: now.arc + gone,
             sigma,
         };
-        if excess <= 1.0 && gone > 0.5 * step && gone < 2.0 * step {
-            Ok((knot, excess))
-        } else {
-            Err(excess.max(1.5))
+        (gone > 0.5 * step && gone < 2.0 * step).then_some((knot, excess))
+    }
+
+    /// A step from a knot, if it is sure; else by how much it is too long.
+    fn step(&self, base: usize, step: f64) -> Result<(Knot, f64), f64> {
+        match self.attempt(base, step) {
+            Some((knot, excess)) if excess <= 1.0 => Ok((knot, excess)),
+            Some((_, excess)) => Err(excess.max(1.5)),
+            None => Err(4.0),
         }
     }
 
@@ -209,7 +213,7 @@ impl<'j> Curve<'j> {
             let part = (value / self.length).clamp(0.0, 1.0);
             // How far other curves are, if they come nearer as fast as they did.
             let room = self.knots[base].sigma / pace;
-            if room < CROSSING || room < 5.0 * CROSSING && step < 0.02 * room {
+            if room < CROSSING || room < 10.0 * CROSSING && step < 0.02 * room {
                 if !self.pass(base, room) {
                     return End::GivesUp(part, "curves cross, and it is not clear how it goes on");
                 }
@@ -317,7 +321,11 @@ impl<'j> Curve<'j> {
             } else {
                 secant
             };
-            let Ok((knot, _)) = self.step(last - 1, middle) else {
+            // The whole step was sure: a part of it is, even if it seems a little too long.
+            let Some((knot, _)) = self
+                .attempt(last - 1, middle)
+                .filter(|(_, excess)| *excess < 2.0)
+            else {
                 break;
             };
             let side = (middle, knot.tangent[way]);
