@@ -334,6 +334,8 @@ impl Trial<'_> {
                 return blame(Fault::Passes, format!("the judge stops at {end}"));
             }
             Judged::Beyond(_) => {}
+            // Whoever goes there, or stops on the way, is not blamed.
+            Judged::Far => return Ok(false),
             Judged::Unknown => {
                 return Err((
                     Fault::Unknown,
@@ -347,7 +349,7 @@ impl Trial<'_> {
         let end = match track.judge(goal) {
             Judged::Beyond(end) => end,
             Judged::Reached(..) => goal,
-            Judged::Unknown => return Ok(false),
+            Judged::Far | Judged::Unknown => return Ok(false),
         };
         if (at - end).abs() > loose {
             return blame(

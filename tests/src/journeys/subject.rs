@@ -129,6 +129,8 @@ pub enum Judged {
     Reached(Vec<[f64; 4]>, f64),
     /// It stops before, at this value.
     Beyond(f64),
+    /// Links are too far away to be judged.
+    Far,
     /// The judge does not know.
     Unknown,
 }
@@ -177,7 +179,7 @@ impl<'j> Track<'j> {
         let (curve, part) = self.side(value);
         let end = match curve.end {
             End::Arrives => 1.0,
-            End::Stops(end) | End::GivesUp(end, _) => end,
+            End::Stops(end) | End::RunsAway(end) | End::GivesUp(end, _) => end,
         };
         if part <= end
             && let Some((place, condition)) = curve.at(part)
@@ -188,6 +190,7 @@ impl<'j> Track<'j> {
             End::Stops(end) => {
                 Judged::Beyond(self.start + end * self.reach * (value - self.start).signum())
             }
+            End::RunsAway(_) => Judged::Far,
             _ => Judged::Unknown,
         }
     }

@@ -10,6 +10,8 @@ pub enum End {
     Arrives,
     /// At this part of the move the motors turn back: a dead point.
     Stops(f64),
+    /// From this part on links go far away, as if to infinity.
+    RunsAway(f64),
     /// Why it was not followed any farther than this part.
     GivesUp(f64, &'static str),
 }
@@ -228,7 +230,7 @@ impl<'j> Curve<'j> {
                     return End::Arrives;
                 }
                 if self.far(base) > FARTHEST + 10.0 * self.length {
-                    return End::GivesUp(part, "it runs away");
+                    return End::RunsAway(part);
                 }
                 let rest = (self.length - value) / slope.max(1e-3) + 1e-3;
                 step = step.min(LONGEST).min(0.5 * room).min(rest);

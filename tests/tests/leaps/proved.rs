@@ -99,7 +99,7 @@ fn agrees(
     let there = curve.at(1.0).map(|(place, _)| judge.poses(&place));
     let off = there.map(|there| apart(&there, &poses, subject.extent(&poses)));
     match (curve.end, off) {
-        (End::GivesUp(..), _) => Ok(()),
+        (End::RunsAway(_) | End::GivesUp(..), _) => Ok(()),
         (End::Arrives, Some(off)) if off <= 1e-5 => Ok(()),
         (end, off) => Err(format!("the judge {end:?}, off by {off:?}")),
     }
