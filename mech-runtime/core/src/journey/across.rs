@@ -300,10 +300,9 @@ impl<P: Clone, T: Real> Line<'_, P, T> {
         let mut beyond = journey.beyond(self.before.0, last);
         let mut stops = false;
         // What has passed its change point does not pass it once more.
-        let has_passed = |index| journey.has_passed(last, index) && is_zero(journey, last, index);
         let turns = |index| {
             journey.watch(index).at_zero != AtZero::Stay
-                && !has_passed(index)
+                && !journey.has_passed(last, index)
                 && self.crosses(journey, index, end)
         };
         for index in (0..journey.watches()).filter(|index| turns(*index)) {

@@ -87,7 +87,8 @@ fn soonest<T: Real, J: Journey<T>>(
     let mut first = Event::None;
     for index in 0..journey.watches() {
         let is_far = is_far(journey, from, &reach.to, reach.end - done, index);
-        if is_far || !looks_at(index) {
+        // What has just passed its zero does not come to it once more.
+        if is_far || !looks_at(index) || journey.has_passed(from, index) {
             continue;
         }
         let event = least_sine(journey, from, done, reach, index);
@@ -208,6 +209,7 @@ fn least_sine<T: Real, J: Journey<T>>(
             if !is_stepped_over(journey, index)
                 && watch.at_zero != AtZero::Stay
                 && narrowed == 0
+                && value < lesser_end * T::from_f64(DIP)
                 && value <= hidden * T::from_f64(BARELY_SEEN) =>
         {
             Event::Zero(at, index)

@@ -30,6 +30,8 @@ const LONGER_GUESSED: f64 = 1.5;
 const OFF_MEAN: f64 = 0.03125;
 /// Where an angle does, its halves of a piece differ by no more than this.
 const OFF_HALF: f64 = 0.25;
+/// Where the middle of a piece is looked at, too, a sine may come nearer to zero by this part of what a guess says.
+const OF_GUESS: f64 = 0.25;
 /// What rests on a guess may be so many times as fast where pieces are short.
 const LEAST_GUESSED: f64 = 4.0;
 
@@ -140,7 +142,8 @@ pub(super) fn is_far<T: Real, J: Journey<T>>(
     let speed = growing(watch.guessed, || {
         speed(journey, from, to, journey.growth(index))
     });
-    squares > T::from_f64(2.0) * watch.change * part * speed
+    let change = T::from_f64(if watch.guessed { OF_GUESS } else { 2.0 }) * watch.change;
+    squares > change * part * speed
         && (!watch.guessed || is_calm(journey, from, to, (index, squares)))
         && (squares > T::from_f64(SEEN) || ![from, to].iter().any(|at| is_zero(journey, at, index)))
 }
