@@ -2,6 +2,7 @@
 
 use crate::sketch::{Bond, Sketch};
 use crate::{Dice, grow};
+use mech_compiler::model::Motor;
 use mech_compiler::model::Ratio;
 
 type Point = [f64; 2];
@@ -323,11 +324,12 @@ pub fn generic(dice: &mut Dice) -> Sketch {
     let additions = 1 + dice.below(6);
     let model = grow(dice, additions).model;
     let mut sketch = Sketch::of(&model);
-    sketch.motors = model
-        .motors
-        .iter()
-        .map(|motor| motor.joint.index())
-        .collect();
+    // Hidden joints, those of dies, are no joints of a sketch.
+    let shown = |motor: &Motor| {
+        let before = model.joints[..motor.joint.index()].iter();
+        before.filter(|joint| !joint.hidden).count()
+    };
+    sketch.motors = model.motors.iter().map(shown).collect();
     if dice.once_in(2) {
         sketch.ground = dice.below(sketch.links);
     }

@@ -67,17 +67,17 @@ impl SsaBuilder {
         sides.iter().map(length).sum()
     }
 
-    /// The sum of these vectors' lengths as far as they reach, wherever what they are made from points: where pins meet at the start, that of
-    /// the links between them.
-    pub(super) fn reach(&self, sides: &[[Value; 2]]) -> f64 {
+    /// The sum of these vectors' lengths at the start; where pins all but meet then, what that is most of the time.
+    pub(super) fn extent(&self, sides: &[[Value; 2]]) -> f64 {
+        /// Wherever links point, a sum of lengths is seldom less than this part of what they reach together.
+        const OF_REACH: f64 = 0.125;
         let mut known = HashMap::new();
         let mut length = |side: &[Value; 2]| {
             let [x, y] = side.map(|part| self.magnitude(part, &mut known));
-            let [u, v] = side.map(|part| self.at_start(part));
-            // A vector of constant length has it in no more than one direction.
-            f64::max(x.max(y), u.hypot(v))
+            x.max(y)
         };
-        sides.iter().map(&mut length).sum()
+        let reach: f64 = sides.iter().map(&mut length).sum();
+        self.size_at_start(sides).max(OF_REACH * reach)
     }
 
     /// How great a value is at most where directions are anything, and all else as great as at the start.
@@ -103,7 +103,7 @@ impl SsaBuilder {
     /// The sum of these vectors' lengths.
     pub(super) fn size(&mut self, sides: &[[Value; 2]]) -> Size {
         if !self.any_varies(sides.as_flattened()) {
-            return Size::Fixed(self.reach(sides));
+            return Size::Fixed(self.extent(sides));
         }
         let mut size = self.constant(0.0);
         for side in sides {

@@ -82,7 +82,7 @@ impl Watches {
         /// So many roundings are in the place of a centre.
         const ROUNDINGS: f64 = 16.0;
         if let Dyad::TwoCircles { goal, .. } = *dyad {
-            let least = ROUNDINGS * ssa.epsilon * ssa.reach(&dyad.sides());
+            let least = ROUNDINGS * ssa.epsilon * ssa.extent(&dyad.sides());
             let (least, tiny) = (ssa.constant(least), ssa.constant(least * least));
             let square = ssa.dot(goal, goal);
             let square = ssa.add(square, tiny);

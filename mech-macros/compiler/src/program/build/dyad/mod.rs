@@ -84,7 +84,7 @@ impl DyadLowering<'_> {
             rounding_square: found.rounding_square,
             has_branches: !matches!(dyad, Dyad::TwoLines { .. }),
             found: numbers.collect(),
-            size: self.ssa.reach(&sides),
+            size: self.ssa.extent(&sides),
             dyad,
         };
         (closed, found.solution)
