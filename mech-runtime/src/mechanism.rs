@@ -46,9 +46,10 @@ pub trait Mechanism: Clone {
     /// stand as before. A motor that slides without a range goes as far as loops let it, at most four sizes of the mechanism either way.
     /// Params are as at the start, and paths of traced points are seen.
     ///
-    /// The compiler proves how far links reach at most, by their lengths and ranges, and moves the mechanism within a budget. Open chains
-    /// and one motor's motion are met to a ten-millionth of the box. Where several motors move loops, not all positions are tried: there
-    /// the box is wider by a 25th of each link's motion, and is no proof.
+    /// The compiler proves how far links reach at most, by their lengths and ranges, and moves the mechanism within a budget. The box is a
+    /// proof where these two meet, as for open chains. Where one motor moves loops, it is what was seen, and what parabolas tell between
+    /// positions. Where several do, not all positions are tried: the box is wider by a 25th of each link's motion, and less sure. What
+    /// flies off without end, where slides come to lie along each other, is held only as far as it was seen.
     const EXTENT: [[Self::Scalar; 2]; 2];
 
     /// The mechanism as assembled at compile time.

@@ -73,5 +73,7 @@ fn main() {
             shown.extend(all.into_iter().map(|text| format!("--- {fault:?} {text}")));
         }
     }
-    shown.iter().for_each(|text| println!("{text}"));
+    for text in shown {
+        println!("{text}");
+    }
 }

@@ -43,6 +43,9 @@ pub struct Sketch {
 
 impl Sketch {
     /// A mechanism as it was drawn: every link's frame is the scene's.
+    ///
+    /// # Panics
+    /// If it has a rack or a cam.
     #[must_use]
     pub fn of(model: &Model) -> Self {
         let declared = model.declared_links().count() + 1;

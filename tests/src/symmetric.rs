@@ -245,7 +245,7 @@ pub fn fast(dice: &mut Dice) -> Sketch {
     let mut driver = first;
     let mut x = 0.0;
     sketch.join(table, first, Bond::Pin([0.0, 0.0]));
-    for _ in 0..1 + dice.below(4) {
+    for _ in 0..=dice.below(4) {
         x += 6.0;
         driver = match dice.below(4) {
             0 | 1 => {

@@ -97,6 +97,10 @@ pub struct Tally {
 }
 
 /// Tries so many mechanisms of a family.
+///
+/// # Panics
+/// If a text that was made is none of a mechanism.
+#[must_use]
 pub fn tally(
     kind: Kind,
     family: &Family,
@@ -330,6 +334,8 @@ impl Trial<'_> {
                 return blame(Fault::Passes, format!("the judge stops at {end}"));
             }
             Judged::Beyond(_) => {}
+            // Whoever goes there, or stops on the way, is not blamed.
+            Judged::Far => return Ok(false),
             Judged::Unknown => {
                 return Err((
                     Fault::Unknown,
@@ -343,7 +349,7 @@ impl Trial<'_> {
         let end = match track.judge(goal) {
             Judged::Beyond(end) => end,
             Judged::Reached(..) => goal,
-            Judged::Unknown => return Ok(false),
+            Judged::Far | Judged::Unknown => return Ok(false),
         };
         if (at - end).abs() > loose {
             return blame(
@@ -402,13 +408,12 @@ impl Trial<'_> {
             let goes_on = self.conclude(verdict, || {
                 format!("path {path:?}: from {from:?}, part {at}")
             });
-            match track.target().filter(|_| goes_on) {
-                Some(target) => place = target,
-                None => {
-                    machine.put_back(begin.clone());
-                    place = self.judge.start();
-                    path.clear();
-                }
+            if let Some(target) = track.target().filter(|_| goes_on) {
+                place = target;
+            } else {
+                machine.put_back(begin.clone());
+                place = self.judge.start();
+                path.clear();
             }
         }
     }

@@ -129,12 +129,15 @@ pub enum Judged {
     Reached(Vec<[f64; 4]>, f64),
     /// It stops before, at this value.
     Beyond(f64),
+    /// Links are too far away to be judged.
+    Far,
     /// The judge does not know.
     Unknown,
 }
 
 impl<'j> Track<'j> {
     /// Follows the motor to both sides.
+    #[must_use]
     pub fn new(judge: &'j Judge<'j>, start: f64, reach: f64) -> Self {
         let side = |by: f64| Curve::new(judge, &judge.start(), [&[start], &[start + by]]);
         Self {
@@ -146,6 +149,7 @@ impl<'j> Track<'j> {
     }
 
     /// Follows one move.
+    #[must_use]
     pub fn of_move(judge: &'j Judge<'j>, place: &Place, motors: [&[f64]; 2]) -> Self {
         Self {
             judge,
@@ -156,6 +160,7 @@ impl<'j> Track<'j> {
     }
 
     /// Where a move leads.
+    #[must_use]
     pub fn target(&self) -> Option<Place> {
         Some(self.sides[0].at(1.0)?.0)
     }
@@ -169,11 +174,12 @@ impl<'j> Track<'j> {
     }
 
     /// What it says of a value.
+    #[must_use]
     pub fn judge(&self, value: f64) -> Judged {
         let (curve, part) = self.side(value);
         let end = match curve.end {
             End::Arrives => 1.0,
-            End::Stops(end) | End::GivesUp(end, _) => end,
+            End::Stops(end) | End::RunsAway(end) | End::GivesUp(end, _) => end,
         };
         if part <= end
             && let Some((place, condition)) = curve.at(part)
@@ -184,11 +190,13 @@ impl<'j> Track<'j> {
             End::Stops(end) => {
                 Judged::Beyond(self.start + end * self.reach * (value - self.start).signum())
             }
+            End::RunsAway(_) => Judged::Far,
             _ => Judged::Unknown,
         }
     }
 
     /// The values at which it goes through crossings.
+    #[must_use]
     pub fn crossings(&self) -> Vec<f64> {
         let sides = self.sides.iter().zip([1.0, -1.0]);
         let values = sides.flat_map(|(side, sign)| {
@@ -200,6 +208,7 @@ impl<'j> Track<'j> {
     }
 
     /// How near it comes to where curves cross without going through.
+    #[must_use]
     pub fn nearest(&self) -> f64 {
         self.sides
             .iter()
@@ -208,6 +217,7 @@ impl<'j> Track<'j> {
     }
 
     /// Why it is not known farther, if it is not.
+    #[must_use]
     pub fn gave_up(&self) -> Option<&'static str> {
         self.sides.iter().find_map(|side| match side.end {
             End::GivesUp(_, why) => Some(why),

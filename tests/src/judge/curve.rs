@@ -10,6 +10,8 @@ pub enum End {
     Arrives,
     /// At this part of the move the motors turn back: a dead point.
     Stops(f64),
+    /// From this part on links go far away, as if to infinity.
+    RunsAway(f64),
     /// Why it was not followed any farther than this part.
     GivesUp(f64, &'static str),
 }
@@ -112,7 +114,7 @@ impl<'j> Curve<'j> {
         if tangent[way] < 0.0 {
             tangent = -tangent;
         }
-        let (at, _) = self.correct(at, &tangent)?;
+        let (at, _) = self.correct(&at, &tangent)?;
         Some(Knot {
             at,
             tangent,
@@ -122,16 +124,17 @@ impl<'j> Curve<'j> {
     }
 
     /// Newton's method from a guess, across a direction. Gives how far the guess was off.
-    fn correct(&self, guess: DVector<f64>, across: &DVector<f64>) -> Option<(DVector<f64>, f64)> {
+    fn correct(&self, guess: &DVector<f64>, across: &DVector<f64>) -> Option<(DVector<f64>, f64)> {
         let mut at = guess.clone();
         let mut last = f64::INFINITY;
         for _ in 0..10 {
-            let system = System::new(self.equations(&at), across, across.dot(&(&at - &guess)))?;
+            let system = System::new(self.equations(&at), across, across.dot(&(&at - guess)))?;
             let change = system.solve()?;
             let size = change.norm();
             at -= change;
-            if size < 1e-14 * (1.0 + at.amax()) || size >= 0.5 * last && size < 1e-9 {
-                let off = (&at - &guess).norm();
+            // Near a crossing rounding keeps corrections from vanishing.
+            if size < 1e-14 * (1.0 + at.amax()) || size >= 0.5 * last && size < 1e-8 {
+                let off = (&at - guess).norm();
                 return Some((at, off));
             }
             if size > 4.0 * last.min(1.0) {
@@ -161,15 +164,13 @@ impl<'j> Curve<'j> {
         at
     }
 
-    /// A step from a knot, if it is sure to stay on the curve: the correction is small beside the distance of other curves. Else how
-    /// much too long the step is.
-    fn step(&self, base: usize, step: f64) -> Result<(Knot, f64), f64> {
+    /// A step from a knot, and by how much it is too long to be sure that it stays on the curve: the correction is small beside the
+    /// distance of other curves, and the curve does not turn much.
+    fn attempt(&self, base: usize, step: f64) -> Option<(Knot, f64)> {
         let now = &self.knots[base];
-        let (at, off) = self
-            .correct(self.predict(base, step), &now.tangent)
-            .ok_or(4.0)?;
-        let system = System::new(self.equations(&at), &now.tangent, 0.0).ok_or(4.0)?;
-        let (tangent, sigma) = (system.tangent().ok_or(4.0)?, system.least());
+        let (at, off) = self.correct(&self.predict(base, step), &now.tangent)?;
+        let system = System::new(self.equations(&at), &now.tangent, 0.0)?;
+        let (tangent, sigma) = (system.tangent()?, system.least());
         let turned = (&tangent - &now.tangent).norm();
         let gone = (&at - &now.at).norm();
         let excess = (off / (0.1 * sigma.min(step))).cbrt().max(turned / LONGEST);
@@ -179,10 +180,15 @@ impl<'j> Curve<'j> {
             arc: now.arc + gone,
             sigma,
         };
-        if excess <= 1.0 && gone > 0.5 * step && gone < 2.0 * step {
-            Ok((knot, excess))
-        } else {
-            Err(excess.max(1.5))
+        (gone > 0.5 * step && gone < 2.0 * step).then_some((knot, excess))
+    }
+
+    /// A step from a knot, if it is sure; else by how much it is too long.
+    fn step(&self, base: usize, step: f64) -> Result<(Knot, f64), f64> {
+        match self.attempt(base, step) {
+            Some((knot, excess)) if excess <= 1.0 => Ok((knot, excess)),
+            Some((_, excess)) => Err(excess.max(1.5)),
+            None => Err(4.0),
         }
     }
 
@@ -209,7 +215,7 @@ impl<'j> Curve<'j> {
             let part = (value / self.length).clamp(0.0, 1.0);
             // How far other curves are, if they come nearer as fast as they did.
             let room = self.knots[base].sigma / pace;
-            if room < CROSSING || room < 5.0 * CROSSING && step < 0.02 * room {
+            if room < CROSSING || room < 10.0 * CROSSING && step < 0.02 * room {
                 if !self.pass(base, room) {
                     return End::GivesUp(part, "curves cross, and it is not clear how it goes on");
                 }
@@ -224,7 +230,7 @@ impl<'j> Curve<'j> {
                     return End::Arrives;
                 }
                 if self.far(base) > FARTHEST + 10.0 * self.length {
-                    return End::GivesUp(part, "it runs away");
+                    return End::RunsAway(part);
                 }
                 let rest = (self.length - value) / slope.max(1e-3) + 1e-3;
                 step = step.min(LONGEST).min(0.5 * room).min(rest);
@@ -317,14 +323,18 @@ impl<'j> Curve<'j> {
             } else {
                 secant
             };
-            let Ok((knot, _)) = self.step(last - 1, middle) else {
+            // The whole step was sure: a part of it is, even if it seems a little too long.
+            let Some((knot, _)) = self
+                .attempt(last - 1, middle)
+                .filter(|(_, excess)| *excess < 2.0)
+            else {
                 break;
             };
             let side = (middle, knot.tangent[way]);
             if side.1 > 0.0 {
-                low = side
+                low = side;
             } else {
-                high = side
+                high = side;
             }
             best = knot;
         }
@@ -362,9 +372,9 @@ impl<'j> Curve<'j> {
         for _ in 0..60 {
             let middle = f64::midpoint(a, b);
             if between(middle)[way] < goal {
-                a = middle
+                a = middle;
             } else {
-                b = middle
+                b = middle;
             }
         }
         let guess = between(a);
@@ -375,7 +385,7 @@ impl<'j> Curve<'j> {
         let mut across = DVector::zeros(way + 1);
         across[way] = 1.0;
         let corrected = self
-            .correct(guess.clone(), &across)
+            .correct(&guess, &across)
             .filter(|(_, off)| off * condition < 0.1);
         let (mut found, _) = corrected.unwrap_or((guess, 0.0));
         found[way] = 0.0;

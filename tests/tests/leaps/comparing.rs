@@ -291,7 +291,7 @@ fn judge_move(subject: &Subject, start: &Position<f64>, to: &[f64]) -> Option<Ju
     match curve.end {
         End::Arrives => Some((None, poses(1.0)?)),
         End::Stops(part) => Some((Some(part), poses(part)?)),
-        End::GivesUp(..) => None,
+        End::RunsAway(_) | End::GivesUp(..) => None,
     }
 }
 

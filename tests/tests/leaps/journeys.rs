@@ -18,8 +18,7 @@ fn clean(kind: Kind, single: bool, usual: u64) {
             .any(|fault| !matches!(fault, Fault::StopsEarly | Fault::Unknown));
         assert!(
             !wrong && 1000 * early <= found.moves,
-            "{family:?}: {:#?}",
-            found
+            "{family:?}: {found:#?}"
         );
         println!(
             "{family:?}: {} mechanisms, {} moves, {early} stop early",

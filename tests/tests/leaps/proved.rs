@@ -99,7 +99,7 @@ fn agrees(
     let there = curve.at(1.0).map(|(place, _)| judge.poses(&place));
     let off = there.map(|there| apart(&there, &poses, subject.extent(&poses)));
     match (curve.end, off) {
-        (End::GivesUp(..), _) => Ok(()),
+        (End::RunsAway(_) | End::GivesUp(..), _) => Ok(()),
         (End::Arrives, Some(off)) if off <= 1e-5 => Ok(()),
         (end, off) => Err(format!("the judge {end:?}, off by {off:?}")),
     }
@@ -150,14 +150,7 @@ fn behind_a_motor_without_a_range() {
     let crank = include_str!("texts/unsound.txt")
         .replace("(2.6, 0)", "(4, 0)")
         .replace("b = (2, 0)", "b = (0.5, 0)");
-    // The judge takes a minute for each of the last two, unoptimised.
-    let ratios = ["20 : 40", "1 : 2", "1 : 40", "100 : 1"];
-    let ratios = if cfg!(debug_assertions) {
-        &ratios[..2]
-    } else {
-        &ratios[..]
-    };
-    for ratio in ratios {
+    for ratio in ["20 : 40", "1 : 2", "1 : 40", "100 : 1"] {
         let subject = Subject::with(&crank, "RATIO", ratio).text;
         let subject = Subject::read(&subject.replace("20 deg", "25 deg"))
             .expect("a crank that turns all the way round");

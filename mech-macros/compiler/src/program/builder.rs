@@ -4,7 +4,7 @@ use super::node::{BlockId, Node, Op, Slot, Value};
 use super::{Block, BlockKind, Position, Ssa};
 use crate::model::{Axis, Number, Precision};
 use crate::plan::{Algebra, Arithmetic};
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// The operations of a program that is being built, and the state that its positions carry.
 #[derive(Debug, Default)]
@@ -28,8 +28,8 @@ pub(super) struct SsaBuilder {
     varies: Vec<bool>,
     /// The cosines and sines of directions.
     of_directions: HashSet<Value>,
-    /// For each motor the greatest part of it that an angle is: gears make more of its rounding.
-    pub(super) gains: Vec<f64>,
+    /// For each motor, and each angle that drives gears, the greatest part of it that an angle is: gears make more of its rounding.
+    pub(super) gains: BTreeMap<Value, f64>,
     /// The values of the model's formulas, by their numbers.
     pub(super) formulas: Vec<Value>,
     /// The variable of the law that is being lowered.

@@ -2,7 +2,7 @@
 
 use super::across::{NEAREST, distance, is_near, is_stepped_over};
 use super::pace::{is_far, lesser};
-use super::piece::{Reach, is_zero, reach};
+use super::piece::{Reach, hidden_square, is_zero, reach};
 use super::{AtZero, Journey};
 use crate::Real;
 
@@ -15,6 +15,9 @@ const HALVINGS: u32 = 64;
 const HALVED_EVERY: u32 = 3;
 /// The square of a sine that is this part of those at both ends of a piece may be zero.
 const DIP: f64 = 0.0625;
+
+/// The least that is found of the square of a sine is zero if it is no more than so many times what rounding hides: rounding is estimated.
+const BARELY_SEEN: f64 = 16.0;
 
 /// What happens to a watched loop in a piece.
 pub(super) enum Event<T> {
@@ -127,6 +130,8 @@ fn least_sine<T: Real, J: Journey<T>>(
     let mut narrowed = 0;
     let mut at = straight(a, b);
     let mut least: Option<(T, T)> = None;
+    // What rounding hides there.
+    let mut hidden = T::ZERO;
     for round in 1..=HALVINGS {
         if !(at > a.0 && at < b.0) {
             break;
@@ -146,6 +151,9 @@ fn least_sine<T: Real, J: Journey<T>>(
         }
         let value = square(&position);
         let found = (at, value);
+        if least.is_none_or(|known| value < known.1) {
+            hidden = hidden_square(journey, &position, index);
+        }
         least = match least {
             // Falling towards an end: what is least lies beside it, unless nothing can.
             None if value >= a.1 || value >= b.1 => {
@@ -195,6 +203,14 @@ fn least_sine<T: Real, J: Journey<T>>(
             if is_stepped_over(journey, index) && value < lesser_end * T::from_f64(DIP) =>
         {
             Event::Near(at, index)
+        }
+        Some((at, value))
+            if !is_stepped_over(journey, index)
+                && watch.at_zero != AtZero::Stay
+                && narrowed == 0
+                && value <= hidden * T::from_f64(BARELY_SEEN) =>
+        {
+            Event::Zero(at, index)
         }
         _ => Event::None,
     }

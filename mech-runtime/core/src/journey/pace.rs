@@ -30,8 +30,8 @@ const LONGER_GUESSED: f64 = 1.5;
 const OFF_MEAN: f64 = 0.03125;
 /// Where an angle does, its halves of a piece differ by no more than this.
 const OFF_HALF: f64 = 0.25;
-/// Pieces that rest on guesses are short only if they are so much shorter.
-const SHORTER_GUESSED: f64 = 0.25;
+/// What rests on a guess may be so many times as fast where pieces are short.
+const LEAST_GUESSED: f64 = 4.0;
 
 /// Whether nothing can stop a step between two positions that are this part of the move apart: no watched loop comes to zero, and
 /// no angle loses a turn.
@@ -105,10 +105,19 @@ pub(super) fn is_passable<T: Real, J: Journey<T>>(
 ) -> bool {
     (0..journey.watches()).all(|index| is_far(journey, from, to, part, index))
         && (0..journey.follows()).all(|index| {
-            let speed = speed(journey, from, to, journey.turn_growth(index));
             let turn = journey.turn(index);
+            let speed = growing(turn.guessed, || {
+                speed(journey, from, to, journey.turn_growth(index))
+            });
             turn.change * part * speed <= most_turn(turn)
         })
+}
+
+/// How many times as fast as its rates say something is taken to change in a piece: where these are guesses, the middle of the piece tells
+/// more than what makes them greater.
+#[inline]
+fn growing<T: Real>(guessed: bool, speed: impl FnOnce() -> T) -> T {
+    if guessed { T::ONE } else { speed() }
 }
 
 /// By how much such an angle may change in a piece.
@@ -127,8 +136,10 @@ pub(super) fn is_far<T: Real, J: Journey<T>>(
     part: T,
     index: usize,
 ) -> bool {
-    let speed = speed(journey, from, to, journey.growth(index));
     let (squares, watch) = (squares(journey, from, to, index), journey.watch(index));
+    let speed = growing(watch.guessed, || {
+        speed(journey, from, to, journey.growth(index))
+    });
     squares > T::from_f64(2.0) * watch.change * part * speed
         && (!watch.guessed || is_calm(journey, from, to, (index, squares)))
         && (squares > T::from_f64(SEEN) || ![from, to].iter().any(|at| is_zero(journey, at, index)))
@@ -182,30 +193,35 @@ fn speed<T: Real, J: Journey<T>>(
 pub(super) fn likely<T: Real, J: Journey<T>>(journey: &J, from: &J::Position, longest: T) -> T {
     let mut length = longest;
     for index in 0..journey.watches() {
-        let speed = speed(journey, from, from, journey.growth(index));
         let watch = journey.watch(index);
-        let change = watch.change;
-        let passable = T::from_f64(LIKELY) * squares(journey, from, from, index) / (change * speed);
-        let short = T::from_f64(LIKELY_SHORT) / (change * slow(speed));
-        let short = if watch.guessed {
-            short * T::from_f64(SHORTER_GUESSED)
-        } else {
-            short
-        };
+        let (speed, change) = (
+            speed(journey, from, from, journey.growth(index)),
+            watch.change,
+        );
+        let growing = growing(watch.guessed, || speed);
+        let passable =
+            T::from_f64(LIKELY) * squares(journey, from, from, index) / (change * growing);
+        let short = T::from_f64(LIKELY_SHORT) / (change * slow(speed, watch.guessed));
         length = lesser(length, passable.max(short));
     }
     for index in 0..journey.follows() {
-        let speed = speed(journey, from, from, journey.turn_growth(index));
         let turn = journey.turn(index);
-        let short = most_turn(turn) / (turn.change * slow(speed));
+        let speed = growing(turn.guessed, || {
+            speed(journey, from, from, journey.turn_growth(index))
+        });
+        let short = most_turn(turn) / (turn.change * slow(speed, turn.guessed));
         length = lesser(length, short);
     }
     length
 }
 
-/// So many times as fast at most something is taken to be where pieces are short.
-fn slow<T: Real>(speed: T) -> T {
-    lesser(T::from_f64(MOST_GROWTH), speed)
+/// So many times as fast at most something is taken to be where pieces are short; where that rests on a guess, at least so many times.
+fn slow<T: Real>(speed: T, guessed: bool) -> T {
+    if guessed {
+        T::from_f64(LEAST_GUESSED) * lesser(T::from_f64(LEAST_GUESSED), speed)
+    } else {
+        lesser(T::from_f64(MOST_GROWTH), speed)
+    }
 }
 
 /// The lesser of two numbers: the first, if they are not ordered.
@@ -215,15 +231,13 @@ pub(super) fn lesser<T: Real>(a: T, b: T) -> T {
 
 /// Whether a piece from here is so short that a loop which may come to zero in it does so once at most.
 pub(super) fn is_short<T: Real, J: Journey<T>>(journey: &J, from: &J::Position, part: T) -> bool {
-    let faster = |change: T, growth: T| change * part * slow(growth);
-    let guessed = |guessed: bool| T::from_f64(if guessed { SHORTER_GUESSED } else { 1.0 });
     (0..journey.watches()).all(|index| {
         let speed = speed(journey, from, from, journey.growth(index));
         let watch = journey.watch(index);
-        faster(watch.change, speed) <= T::from_f64(PIECE) * guessed(watch.guessed)
+        watch.change * part * slow(speed, watch.guessed) <= T::from_f64(PIECE)
     }) && (0..journey.follows()).all(|index| {
         let speed = speed(journey, from, from, journey.turn_growth(index));
         let turn = journey.turn(index);
-        faster(turn.change, speed) <= most_turn(turn) * guessed(turn.guessed)
+        turn.change * part * slow(speed, turn.guessed) <= most_turn(turn)
     })
 }

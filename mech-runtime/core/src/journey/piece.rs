@@ -136,7 +136,11 @@ pub(super) fn is_zero<T: Real, J: Journey<T>>(
 }
 
 /// The square of a sine of a loop below which rounding hides its sign.
-fn hidden_square<T: Real, J: Journey<T>>(journey: &J, position: &J::Position, index: usize) -> T {
+pub(super) fn hidden_square<T: Real, J: Journey<T>>(
+    journey: &J,
+    position: &J::Position,
+    index: usize,
+) -> T {
     // Between two parts of the move that rounding tells apart a sine changes by so much.
     let resolution = journey.watch(index).change * T::from_f64(T::EPSILON);
     journey.rounding_square(position, index)

@@ -69,8 +69,9 @@ pub(super) fn flows(program: &Program) -> Vec<Flow> {
         let mut scalars = newton.scalars.iter();
         if scalars.all(|scalar| program.live[scalar.now.index()]) {
             // Loops that hold the same lengths again share what those add up to.
-            let values = iteration(&program.ssa.blocks, block);
-            values.into_iter().for_each(|value| read(value, block));
+            for value in iteration(&program.ssa.blocks, block) {
+                read(value, block);
+            }
         }
     }
     for system in program.live_systems() {

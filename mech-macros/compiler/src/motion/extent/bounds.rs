@@ -76,7 +76,7 @@ impl<'m> Bounds<'m> {
         }
         let length = (Interval::point(x).square() + Interval::point(y).square()).sqrt();
         let angle = own + Interval::point(y.atan2(x));
-        if !(angle.width() < TAU) {
+        if angle.width() >= TAU {
             return [length * Interval::new(-1.0, 1.0); 2];
         }
         [length * angle.cos(), length * angle.sin()]
@@ -98,7 +98,9 @@ impl<'m> Bounds<'m> {
             let before = (self.angles.clone(), self.places.clone());
             for &(joint, ends) in &order {
                 self.narrow_joint(joint);
-                ends.into_iter().for_each(|axis| self.narrow_link(axis));
+                for axis in ends {
+                    self.narrow_link(axis);
+                }
             }
             let is_same = |(a, b): (&Interval, &Interval)| {
                 let close = |a: f64, b: f64| a == b || (a - b).abs() <= GAIN * (1.0 + b.abs());

@@ -201,6 +201,9 @@ impl<'d> Paces<'d> {
             goal.moves
                 .add(farther * (moved + 3.0 * arms + swung), &bound);
         }
+        if goal.direct && goal.far.is_empty() {
+            self.move_together(&mut goal, (&cone, closed));
+        }
         let far = goal.far.clone();
         if grows && goal.moves.rates.iter().any(|rate| *rate > 0.0) {
             goal.moves.grow_like(&far);
@@ -209,6 +212,45 @@ impl<'d> Paces<'d> {
             goal.arms.clear();
         }
         goal
+    }
+
+    /// Lessens the rates of a goal that angles move which follow from the same inputs: by themselves each could be where it adds most to the
+    /// others.
+    fn move_together(&self, goal: &mut Goal, (alone, closed): (&Cone, &ClosedForm)) {
+        let angles = alone.variables.iter();
+        let angles = angles.filter(|variable| matches!(variable, Variable::Angle(_)));
+        if angles.count() < 2 {
+            return;
+        }
+        let mut outputs = vec![closed.discriminant, closed.tolerance];
+        outputs.extend(closed.dyad.vectors().iter().flatten());
+        let cuts = Cuts {
+            own: Some(closed.number),
+            into: &|angle| self.domain.parts(angle).is_some(),
+            ..Cuts::ALONE
+        };
+        let cone = self.domain.cutter.cone(&outputs, &cuts);
+        let ranges = self.domain.of_inputs(&cone.variables, &outputs, &cuts);
+        if !ranges.iter().all(|range| range.is_bounded()) {
+            return;
+        }
+        let swept = self.bound_rates(&cone, &ranges, &closed.dyad);
+        let mut moves = Bound::still(self.inputs());
+        for (variable, of) in cone.variables.iter().enumerate() {
+            let Variable::Input(input) = *of else { return };
+            let [moved, arms, turned] =
+                [&swept.goal, &swept.arms, &swept.lines].map(|all| all[variable]);
+            let swung = if turned > 0.0 {
+                swept.reach * turned
+            } else {
+                0.0
+            };
+            moves.rates[input] += moved + 3.0 * arms + swung;
+        }
+        goal.reach = goal.reach.min(swept.reach);
+        for (rate, together) in goal.moves.rates.iter_mut().zip(moves.rates) {
+            *rate = rate.min(together);
+        }
     }
 
     /// Whether a variable is a motor or param, or in a constant ratio to some.
@@ -388,7 +430,7 @@ impl<'d> Paces<'d> {
     }
 
     /// Looks at vectors on boxes of their variables, wherever the loop may close.
-    fn bound_rates(&mut self, cone: &Cone, ranges: &[Interval], dyad: &Dyad<Value>) -> ConeRates {
+    fn bound_rates(&self, cone: &Cone, ranges: &[Interval], dyad: &Dyad<Value>) -> ConeRates {
         let [discriminant, tolerance] = [cone.outputs[0], cone.outputs[1]];
         let vectors: Vec<&[Value]> = cone.outputs[2..].chunks(2).collect();
         let count = cone.variables.len();

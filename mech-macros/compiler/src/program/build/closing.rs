@@ -107,6 +107,9 @@ impl PositionPass<'_> {
         let has_branch = closed.has_branches && choice.changes_branch();
         let sine = [closed.sine, closed.rounding_square];
         self.watches.watch(ssa, site, sine, has_branch);
+        if model.allow.redundant {
+            self.watches.note_tilt(ssa, &closed.dyad);
+        }
         for (name, unknown) in names.iter().zip(&solution) {
             match *unknown {
                 Solution::Direction(direction) => {

@@ -5,30 +5,35 @@ use crate::program::builder::SsaBuilder;
 use crate::program::node::{Op, Value};
 
 impl SsaBuilder {
-    /// Takes note how many times as far as motors an angle turns.
+    /// Takes note how many times as far an angle turns as motors and as the angles that gears are driven by.
     pub(super) fn note_gains(&mut self, angle: Value) {
-        let mut gains = std::mem::take(&mut self.gains);
-        gains.resize(self.motors, 1.0);
-        for (motor, gain) in gains.iter_mut().enumerate() {
-            *gain = gain.max(self.part_of_motor(angle, motor).abs());
+        let mut parts = Vec::new();
+        self.parts_of(angle, 1.0, &mut parts);
+        for (driver, part) in parts {
+            let gain = self.gains.entry(driver).or_insert(1.0);
+            *gain = gain.max(part.abs());
         }
-        self.gains = gains;
     }
 
-    /// The part of a motor that is in a sum of constant parts.
-    fn part_of_motor(&self, value: Value, motor: usize) -> f64 {
-        let of = |value| self.part_of_motor(value, motor);
+    /// The values, but for constants, of which constant parts add to this one.
+    fn parts_of(&self, value: Value, part: f64, parts: &mut Vec<(Value, f64)>) {
         match self.op(value) {
-            Op::Input(input) if input.index() == motor => 1.0,
-            Op::Neg(a) => -of(a),
-            Op::Add(a, b) => of(a) + of(b),
-            Op::Sub(a, b) => of(a) - of(b),
+            Op::Constant(_) | Op::PartOfTurns(..) => {}
+            Op::Neg(a) => self.parts_of(a, -part, parts),
+            Op::Add(a, b) => {
+                self.parts_of(a, part, parts);
+                self.parts_of(b, part, parts);
+            }
+            Op::Sub(a, b) => {
+                self.parts_of(a, part, parts);
+                self.parts_of(b, -part, parts);
+            }
             Op::Mul(a, b) => match (self.number(a), self.number(b)) {
-                (Some(a), _) => a * of(b),
-                (_, Some(b)) => of(a) * b,
-                _ => 0.0,
+                (Some(number), _) => self.parts_of(b, part * number, parts),
+                (_, Some(number)) => self.parts_of(a, part * number, parts),
+                _ => parts.push((value, part)),
             },
-            _ => 0.0,
+            _ => parts.push((value, part)),
         }
     }
 

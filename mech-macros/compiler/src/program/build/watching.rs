@@ -2,7 +2,7 @@
 
 use super::closing::LoopSite;
 use super::lowering::Lowering;
-use crate::plan::{Algebra, Arithmetic, Equation, Solution, Turning};
+use crate::plan::{Algebra, Arithmetic, Dyad, Equation, Solution, Turning};
 use crate::program::builder::SsaBuilder;
 use crate::program::calibrate::{determinant, reach};
 use crate::program::choice::Choice;
@@ -37,6 +37,8 @@ pub(super) struct Watches {
     pub(super) follows: Vec<Follow>,
     /// The same angles, between −π and π, and what they are.
     pub(super) angles: Vec<(Turning, Value)>,
+    /// By how much rounding tilts dyads whose pins are near each other, in radians.
+    tilts: Vec<Value>,
 }
 
 impl Watches {
@@ -75,18 +77,38 @@ impl Watches {
         });
     }
 
+    /// Takes note how far rounding tilts a dyad of two circles: the line between their centres, the more the nearer these are.
+    pub(super) fn note_tilt(&mut self, ssa: &mut SsaBuilder, dyad: &Dyad<Value>) {
+        /// So many roundings are in the place of a centre.
+        const ROUNDINGS: f64 = 16.0;
+        if let Dyad::TwoCircles { goal, .. } = *dyad {
+            let least = ROUNDINGS * ssa.epsilon * ssa.reach(&dyad.sides());
+            let (least, tiny) = (ssa.constant(least), ssa.constant(least * least));
+            let square = ssa.dot(goal, goal);
+            let square = ssa.add(square, tiny);
+            let distance = ssa.sqrt(square);
+            self.tilts.push(ssa.div(least, distance));
+        }
+    }
+
     /// The displacement by rounding of all that the watched loops hold so far, as a multiple of the part of a length that is accepted as a gap:
-    /// near a zero of its sine a loop turns by up to the root of rounding, and everything with it.
+    /// near a zero of its sine a loop turns by up to the root of rounding, and everything with it; where its pins come near each other, by what
+    /// rounding turns the line between them.
     pub(super) fn doubt(&self, ssa: &mut SsaBuilder, size: f64, accepted: f64) -> Option<Value> {
         let scale = ssa.constant(size / accepted);
-        self.loops.iter().fold(None, |sum, watch| {
+        let of_sine = |ssa: &mut SsaBuilder, watch: &Watch| {
             let [sine, rounding_square] =
                 [watch.sine, watch.rounding_square].map(|index| ssa.state(index));
             let square = ssa.mul(sine, sine);
             let square = ssa.add(square, rounding_square);
             let root = ssa.sqrt(square);
-            let turned = ssa.div(rounding_square, root);
-            let displaced = ssa.mul(scale, turned);
+            ssa.div(rounding_square, root)
+        };
+        let turned = self.loops.iter().map(|watch| of_sine(ssa, watch));
+        let turned: Vec<Value> = turned.collect();
+        let turned = turned.iter().chain(&self.tilts);
+        turned.fold(None, |sum, turned| {
+            let displaced = ssa.mul(scale, *turned);
             Some(match sum {
                 None => displaced,
                 Some(sum) => ssa.add(sum, displaced),

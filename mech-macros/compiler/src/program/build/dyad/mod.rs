@@ -149,20 +149,30 @@ impl DyadLowering<'_> {
     }
 
     /// The number of roundings that a length has suffered: the motors' values are rounded too, the more the farther they have turned, and the
-    /// farther gears turn what they drive.
+    /// farther gears turn what they drive. Angles that loops give to gears come with the rounding of these loops.
     fn roundings(&mut self) -> Value {
-        let mut turned = self.ssa.constant(0.0);
+        const OF_LOOPS: f64 = 16.0;
+        let mut drivers = self.ssa.gains.clone();
+        let mut given = OF_LOOPS;
+        for (driver, gain) in &drivers {
+            if !matches!(self.ssa.op(*driver), Op::Input(_)) {
+                given += OF_LOOPS * gain;
+            }
+        }
         for motor in 0..self.ssa.motors {
             let value = self.ssa.make(Op::Input(InputId::new(motor)));
-            let value = self.ssa.abs(value);
-            let gain = self.ssa.gains.get(motor).copied().unwrap_or(1.0);
+            drivers.entry(value).or_insert(1.0);
+        }
+        let mut turned = self.ssa.constant(0.0);
+        for (driver, gain) in drivers {
+            let value = self.ssa.abs(driver);
             let gain = self.ssa.constant(gain);
             let value = self.ssa.mul(gain, value);
             turned = self.ssa.add(turned, value);
         }
-        let (two, sixteen) = (self.ssa.constant(2.0), self.ssa.constant(16.0));
+        let (two, given) = (self.ssa.constant(2.0), self.ssa.constant(given));
         let turned = self.ssa.mul(two, turned);
-        self.ssa.add(sixteen, turned)
+        self.ssa.add(given, turned)
     }
 
     /// The square of a sine below which rounding hides its sign: where rounding shifts the square of the sine by this part of
