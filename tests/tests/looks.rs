@@ -519,7 +519,11 @@ fn nothing_is_painted_outside_of_the_box_of_one_motor() {
         let Ok(compiled) = compile(&grown.model) else {
             return;
         };
-        if grown.model.motors.len() == 1 {
+        let [low, high] = looks(&grown.model, &compiled).extent(&grown.model, &compiled);
+        let sides = [0, 1].map(|part| high[part] - low[part]);
+        // Where slides become parallel links fly away: in such a box nothing else would be seen.
+        let flies_away = sides[0].max(sides[1]) > 1e4 * grown.model.size();
+        if grown.model.motors.len() == 1 && !flies_away {
             let outside = painted_outside(&grown.model, &compiled, &mut dice, 60);
             assert!(outside <= 1e-6, "{outside:e} of the box");
         }

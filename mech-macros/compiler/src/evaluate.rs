@@ -279,7 +279,12 @@ pub fn settle(program: &mut Program) -> Result<(), Stop> {
     let mut machine = Machine::<f64>::new(program);
     let inputs = machine.position.motors.clone();
     machine.step_to(&inputs)?;
-    let start = machine.into_position();
+    let mut start = machine.into_position();
+    // A zero of generated code has no sign.
+    let numbers = start.poses.as_flattened_mut().iter_mut();
+    for number in numbers.chain(&mut start.state) {
+        *number += 0.0;
+    }
     program.start = start;
     Ok(())
 }

@@ -78,15 +78,25 @@ impl Survey {
             let samples = affordable
                 .min(turns * SAMPLES[1])
                 .max((turns * SAMPLES[0]).min(MOST_SAMPLES));
-            walker.begin(start.clone(), OF_SWEEP);
-            (1..=samples).all(|sample| {
-                #[expect(clippy::cast_precision_loss, reason = "a hundred samples")]
-                let part = sample as f64 / samples as f64;
-                let target = interpolate(&start.motors, displacements, part);
-                let arrival = walker.visit(&target);
-                positions.push(Frames::new(model, program, &walker.position().poses));
-                arrival == Arrival::There
-            })
+            let mut go = |displacements: &[f64]| {
+                walker.begin(start.clone(), OF_SWEEP);
+                let came = (1..=samples).all(|sample| {
+                    #[expect(clippy::cast_precision_loss, reason = "a hundred samples")]
+                    let part = sample as f64 / samples as f64;
+                    let target = interpolate(&start.motors, displacements, part);
+                    let arrival = walker.visit(&target);
+                    positions.push(Frames::new(model, program, &walker.position().poses));
+                    arrival == Arrival::There
+                });
+                (came, walker.position().motors.clone())
+            };
+            let (came, reached) = go(displacements);
+            if !came {
+                // A way that ends early is seen as closely as a whole one.
+                let way = reached.iter().zip(&start.motors);
+                go(&way.map(|(end, start)| end - start).collect::<Vec<f64>>());
+            }
+            came
         });
         Self { positions }
     }
