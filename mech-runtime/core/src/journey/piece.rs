@@ -30,6 +30,8 @@ pub(super) fn travel_piece<T: Real, J: Journey<T>>(
     mut target: T,
 ) -> Reach<J::Position, J::Stop, T> {
     let mut aim = target;
+    // By how much farther the target is put each time, so that it is beyond what rounding hides after a few.
+    let mut times = 1.0;
     orient(journey, &mut from);
     // Each round passes a change point, or finds a dead point before its aim.
     for _ in 0..=8 * journey.watches() {
@@ -85,8 +87,9 @@ pub(super) fn travel_piece<T: Real, J: Journey<T>>(
                 // On the side it came from something else does not close: it is the other side that goes on.
                 (from, done, aim) = (other, reach.end, target);
             }
-            Event::None if let Some(farther) = target_beyond(journey, &reach, target) => {
+            Event::None if let Some(farther) = target_beyond(journey, &reach, (target, times)) => {
                 (aim, target) = (farther, farther);
+                times *= 2.0;
             }
             Event::None | Event::Near(..) => {
                 settle(journey, &from, done, &mut reach);
@@ -165,14 +168,14 @@ fn passed_on<T: Real, J: Journey<T>>(journey: &J, position: &J::Position, index:
 fn target_beyond<T: Real, J: Journey<T>>(
     journey: &J,
     reach: &Reach<J::Position, J::Stop, T>,
-    target: T,
+    (target, times): (T, f64),
 ) -> Option<T> {
     let stands = |index: &usize| {
         journey.watch(*index).at_zero == AtZero::ChangeBranch && is_zero(journey, &reach.to, *index)
     };
     let goes_on = reach.stop.is_none() && target < T::ONE;
     let index = (0..journey.watches()).find(|index| goes_on && stands(index))?;
-    Some(lesser(target + distance(journey, index, 1.0), T::ONE))
+    Some(lesser(target + distance(journey, index, times), T::ONE))
 }
 
 /// On which side a change point is left.
