@@ -56,3 +56,26 @@ fn stops_at_change_points_change_nothing() {
 fn stops_in_single_precision_change_nothing() {
     clean(Kind::Stops, true, 12);
 }
+
+/// What jumped, leapt past its stop or lost turns once, in all kinds of journeys.
+#[test]
+fn what_went_astray_once_does_so_no_more() {
+    let texts = [
+        include_str!("texts/rhombus-between-links.txt"),
+        include_str!("texts/isosceles-by-its-rod.txt"),
+        include_str!("texts/kite-at-its-tip.txt"),
+        include_str!("texts/isosceles-by-its-slide.txt"),
+        include_str!("texts/pivot-passes-the-slide.txt"),
+        include_str!("texts/kite-with-a-dyad.txt"),
+        include_str!("texts/count-behind-slots.txt"),
+        include_str!("texts/past-the-stop.txt"),
+        include_str!("texts/parallelogram-behind-gears.txt"),
+    ];
+    for text in texts {
+        let family = Family::Text(text.to_owned());
+        for kind in [Kind::Steps, Kind::Leaps, Kind::Stops] {
+            let found = tally(kind, &family, 0..3, false, 1);
+            assert!(found.faults.is_empty(), "{kind:?} of {text}: {found:#?}");
+        }
+    }
+}
