@@ -4,7 +4,7 @@ use super::node::{BlockId, Node, Op, Slot, Value};
 use super::{Block, BlockKind, Position, Ssa};
 use crate::model::{Axis, Number, Precision};
 use crate::plan::{Algebra, Arithmetic};
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap};
 
 /// The operations of a program that is being built, and the state that its positions carry.
 #[derive(Debug, Default)]
@@ -26,8 +26,8 @@ pub(super) struct SsaBuilder {
     pub(super) motors: usize,
     /// Whether a value is made from a param.
     varies: Vec<bool>,
-    /// The cosines and sines of directions.
-    of_directions: HashSet<Value>,
+    /// The cosines and sines of directions, each with the other one.
+    of_directions: HashMap<Value, Value>,
     /// For each motor, and each angle that drives gears, the greatest part of it that an angle is: gears make more of its rounding.
     pub(super) gains: BTreeMap<Value, f64>,
     /// The values of the model's formulas, by their numbers.
@@ -60,9 +60,9 @@ impl SsaBuilder {
         self.varies[value.index()]
     }
 
-    /// Whether a value is the cosine or sine of a direction: no greater than one.
-    pub(super) fn is_of_direction(&self, value: Value) -> bool {
-        self.of_directions.contains(&value)
+    /// The sine that belongs to the cosine of a direction, or the cosine to the sine: neither is greater than one.
+    pub(super) fn beside(&self, part: Value) -> Option<Value> {
+        self.of_directions.get(&part).copied()
     }
 
     /// A value at the start.
@@ -186,7 +186,7 @@ impl SsaBuilder {
 
     /// Gives the cosine and sine of a direction names.
     pub(super) fn name_direction(&mut self, v: [Value; 2], name: &str) -> [Value; 2] {
-        self.of_directions.extend(v);
+        self.of_directions.extend([(v[0], v[1]), (v[1], v[0])]);
         [
             self.name(v[0], format!("{name}_cos")),
             self.name(v[1], format!("{name}_sin")),

@@ -5,6 +5,13 @@ use crate::program::builder::SsaBuilder;
 use crate::program::node::{Op, Value};
 use std::collections::HashMap;
 
+/// How far vectors and numbers are known to reach.
+#[derive(Debug, Default)]
+struct Known {
+    vectors: HashMap<[Value; 2], f64>,
+    values: HashMap<Value, f64>,
+}
+
 /// A length that tolerances are relative to.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Size {
@@ -71,32 +78,87 @@ impl SsaBuilder {
     pub(super) fn extent(&self, sides: &[[Value; 2]]) -> f64 {
         /// Wherever links point, a sum of lengths is seldom less than this part of what they reach together.
         const OF_REACH: f64 = 0.125;
-        let mut known = HashMap::new();
-        let mut length = |side: &[Value; 2]| {
-            let [x, y] = side.map(|part| self.magnitude(part, &mut known));
-            x.max(y)
-        };
-        let reach: f64 = sides.iter().map(&mut length).sum();
+        let mut known = Known::default();
+        let lengths = sides.iter().map(|side| self.radius(*side, &mut known));
+        let reach: f64 = lengths.sum();
         self.size_at_start(sides).max(OF_REACH * reach)
     }
 
+    /// How long a vector is at most where directions are anything, and all else as great as at the start. It is followed as a vector: a bound
+    /// for each coordinate would grow with every link that turns it.
+    fn radius(&self, vector: [Value; 2], known: &mut Known) -> f64 {
+        if let Some(&found) = known.vectors.get(&vector) {
+            return found;
+        }
+        let [x, y] = vector;
+        let found = if self.beside(x) == Some(y) {
+            1.0
+        } else if let Some(before) = self.turned(vector) {
+            self.radius(before, known)
+        } else {
+            match (self.op(x), self.op(y)) {
+                (Op::Add(a, b) | Op::Sub(a, b), Op::Add(c, d) | Op::Sub(c, d)) => {
+                    self.radius([a, c], known) + self.radius([b, d], known)
+                }
+                (Op::Neg(a), Op::Neg(b)) => self.radius([a, b], known),
+                (Op::Mul(a, b), Op::Mul(c, d)) if a == c || b == d => {
+                    let (length, parts) = if a == c { (a, [b, d]) } else { (b, [a, c]) };
+                    self.magnitude(length, known) * self.radius(parts, known)
+                }
+                _ => self.magnitude(x, known).hypot(self.magnitude(y, known)),
+            }
+        };
+        known.vectors.insert(vector, found);
+        found
+    }
+
+    /// The vector that a direction turns to become this one.
+    fn turned(&self, [x, y]: [Value; 2]) -> Option<[Value; 2]> {
+        let [[one, other], of_y] = [self.products(x)?, self.products(y)?];
+        let ways = |[a, b]: [Value; 2]| [[a, b], [b, a]];
+        ways(one).into_iter().find_map(|[cos, u]| {
+            let sin = self.beside(cos)?;
+            let v = ways(other).into_iter().find(|way| way[0] == sin)?[1];
+            let is = |product: [Value; 2], of: [Value; 2]| ways(product).contains(&of);
+            let [first, second] = of_y;
+            let is_turned = is(first, [sin, u]) && is(second, [cos, v])
+                || is(first, [cos, v]) && is(second, [sin, u]);
+            is_turned.then_some([u, v])
+        })
+    }
+
+    /// The factors of two products of which a value is the sum or the difference.
+    fn products(&self, value: Value) -> Option<[[Value; 2]; 2]> {
+        let (Op::Add(a, b) | Op::Sub(a, b)) = self.op(value) else {
+            return None;
+        };
+        match (self.op(a), self.op(b)) {
+            (Op::Mul(a, b), Op::Mul(c, d)) => Some([[a, b], [c, d]]),
+            _ => None,
+        }
+    }
+
+    /// Whether a value is a constant, or a part of a direction.
+    fn is_part(&self, value: Value) -> bool {
+        matches!(self.op(value), Op::Constant(_)) || self.beside(value).is_some()
+    }
+
     /// How great a value is at most where directions are anything, and all else as great as at the start.
-    fn magnitude(&self, value: Value, known: &mut HashMap<Value, f64>) -> f64 {
-        if let Some(&found) = known.get(&value) {
+    fn magnitude(&self, value: Value, known: &mut Known) -> f64 {
+        if let Some(&found) = known.values.get(&value) {
             return found;
         }
         let mut of = |value| self.magnitude(value, known);
-        let found = if self.is_of_direction(value) {
-            1.0
-        } else {
-            match self.op(value) {
-                Op::Neg(a) => of(a),
-                Op::Add(a, b) | Op::Sub(a, b) => of(a) + of(b),
-                Op::Mul(a, b) => of(a) * of(b),
-                _ => self.at_start(value).abs(),
-            }
+        let found = match self.op(value) {
+            Op::Constant(_) => self.at_start(value).abs(),
+            _ if self.beside(value).is_some() => 1.0,
+            Op::Neg(a) => of(a),
+            Op::Add(a, b) | Op::Sub(a, b) => of(a) + of(b),
+            // What a loop has found is a quotient: how great its parts are tells nothing.
+            Op::Mul(a, b) if self.is_part(a) || self.is_part(b) => of(a) * of(b),
+            _ => self.at_start(value).abs(),
         };
-        known.insert(value, found);
+        known.values.insert(value, found);
         found
     }
 
