@@ -136,6 +136,8 @@ const MOST_STARTS: u32 = 16;
 const GAIN: f64 = 1e-9;
 /// More pieces than this are not gone at once: they are a mistake, or would take longer than anybody waits.
 const MOST_PIECES: u32 = 65_536;
+/// So often on average may a piece be halved.
+const HALVED: u32 = 4;
 /// So often at most is a piece tried that does not end where it should.
 const MOST_TRIES: u32 = 512;
 
@@ -200,7 +202,7 @@ fn travel_on<T: Real, J: Journey<T>>(
 ) -> Result<J::Position, Halt<J::Position, J::Stop, T>> {
     let most = T::ONE / journey.pieces();
     let (mut length, stretch) = (first(journey, most), most_stretch(journey));
-    for _ in 0..MOST_PIECES {
+    for _ in 0..HALVED * MOST_PIECES {
         length = likely(journey, &position, length);
         let target = done + length;
         // The last piece may be a little longer rather than leave a splinter.

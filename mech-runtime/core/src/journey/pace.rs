@@ -31,7 +31,7 @@ const OFF_MEAN: f64 = 0.03125;
 /// Where an angle does, its halves of a piece differ by no more than this.
 const OFF_HALF: f64 = 0.25;
 /// Where the middle of a piece is looked at, too, a sine may come nearer to zero by this part of what a guess says.
-const OF_GUESS: f64 = 0.25;
+const OF_GUESS: f64 = 1.0 / 64.0;
 /// What rests on a guess may be so many times as fast where pieces are short.
 const LEAST_GUESSED: f64 = 4.0;
 

@@ -77,7 +77,7 @@ impl SsaBuilder {
     /// The sum of these vectors' lengths at the start; where pins all but meet then, what that is most of the time.
     pub(super) fn extent(&self, sides: &[[Value; 2]]) -> f64 {
         /// Wherever links point, a sum of lengths is seldom less than this part of what they reach together.
-        const OF_REACH: f64 = 0.125;
+        const OF_REACH: f64 = 1.0 / 64.0;
         let mut known = Known::default();
         let lengths = sides.iter().map(|side| self.radius(*side, &mut known));
         let reach: f64 = lengths.sum();
