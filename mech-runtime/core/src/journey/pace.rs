@@ -145,7 +145,13 @@ pub(super) fn is_far<T: Real, J: Journey<T>>(
     let change = T::from_f64(if watch.guessed { OF_GUESS } else { 2.0 }) * watch.change;
     squares > change * part * speed
         && (!watch.guessed || is_calm(journey, from, to, (index, squares)))
-        && (squares > T::from_f64(SEEN) || ![from, to].iter().any(|at| is_zero(journey, at, index)))
+        && (squares > T::from_f64(SEEN) || !stands(journey, [from, to], index))
+}
+
+/// Whether a loop is where rounding may hide on which side of a change point it is.
+fn stands<T: Real, J: Journey<T>>(journey: &J, ends: [&J::Position; 2], index: usize) -> bool {
+    let mut ends = ends.into_iter();
+    ends.any(|at| journey.has_passed(at, index) || is_zero(journey, at, index))
 }
 
 /// Whether a sine changes little, and not its sign.

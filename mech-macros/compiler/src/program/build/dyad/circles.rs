@@ -81,7 +81,7 @@ impl DyadLowering<'_> {
 
     /// A number that is negative where pins nearly meet: there rounding hides on which side of the line between them a dyad of equal
     /// lengths lies, and it lies on that on which it was.
-    fn beyond_rounding(&mut self, square: Value, size: Size) -> Value {
+    pub(super) fn beyond_rounding(&mut self, square: Value, size: Size) -> Value {
         let roundings = self.roundings();
         let scale = self.ssa.part_of(4.0 * self.ssa.epsilon, size);
         let near = self.ssa.mul(scale, roundings);

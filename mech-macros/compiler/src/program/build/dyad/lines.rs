@@ -58,8 +58,24 @@ impl DyadLowering<'_> {
         let height_size = self.ssa.abs(line.height);
         let tolerance = self.tolerance(size, height_size);
         let root = self.root(turning.discriminant);
-        let root = self.on_side(root, side);
-        let solution = turning.solution(self.ssa, root);
+        let signed = self.on_side(root, side);
+        let passes_through_pin = match size {
+            Size::Fixed(size) => self.ssa.at_start(line.height).abs() <= 1e-9 * size,
+            Size::Varying(_) => true,
+        };
+        let pins_meet = self.choice.changes_branch() && passes_through_pin;
+        let beside = if pins_meet {
+            // It points nearly where it did.
+            let ahead = self.ssa.rotate(self.last_direction(), along);
+            let turn = self.ssa.dot(ahead, goal);
+            let near = self.beyond_rounding(turning.square, size);
+            let side = self.ssa.make(Op::Choose(near, signed, turn));
+            self.ssa.copysign(root, side)
+        } else {
+            signed
+        };
+        let root = signed;
+        let solution = turning.solution(self.ssa, beside);
         let mut solution = self.normalise(solution, self.choice.watching.is_some());
         let scale = self.ssa.inverse_of(size);
         let ssa = &mut *self.ssa;
@@ -72,11 +88,7 @@ impl DyadLowering<'_> {
         let part = ssa.mul(scale, line.height);
         let shift = ssa.mul(part, part);
         let rounding_square = self.rounding_square(shift, Size::Fixed(1.0));
-        let passes_through_pin = match size {
-            Size::Fixed(size) => self.ssa.at_start(line.height).abs() <= 1e-9 * size,
-            Size::Varying(_) => true,
-        };
-        if self.choice.changes_branch() && passes_through_pin {
+        if pins_meet {
             let last = self.last[0];
             solution[0] = self.unless_pins_meet(turning.square, size, solution[0], last);
         }
