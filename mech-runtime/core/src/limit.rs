@@ -16,9 +16,12 @@ const NEAR: f64 = 32.0;
 const ROUGH: f64 = 16.0;
 /// Where they are not smooth, distances are halved, so many times at most.
 const MOST_WIDTHS: u32 = 4;
-/// Each next distance that is tried is so many times as long, until the sine is great enough; so many are tried.
+/// Each next distance that is tried is so many times as long, at least and at most, until the sine is great enough: such a part of what is missing
+/// is aimed at. So many are tried.
 const LONGER: f64 = 1.2;
-const MOST_DISTANCES: u32 = 48;
+const FAR: f64 = 8.0;
+const ALMOST: f64 = 0.8;
+const MOST_DISTANCES: u32 = 24;
 
 /// A position, and everything that is needed to find rates in its neighbourhood.
 pub trait Surroundings<T: Real> {
@@ -97,10 +100,18 @@ fn clear<T: Real, S: Surroundings<T>>(
     let mut by = sign * width * T::HALF / around.rate(input);
     let mut position = around.moved(here, input, by)?;
     for _ in 0..MOST_DISTANCES {
-        if around.sine(&position) >= width {
+        let sine = around.sine(&position);
+        if sine >= width {
             return Some((position, by));
         }
-        by = by * T::from_f64(LONGER);
+        // A sine grows about as the distance does.
+        let missing = T::from_f64(ALMOST) * width;
+        by = by
+            * if missing > T::from_f64(FAR) * sine {
+                T::from_f64(FAR)
+            } else {
+                (missing / sine).max(T::from_f64(LONGER))
+            };
         position = around.moved(&position, input, by)?;
     }
     None
