@@ -25,7 +25,7 @@ pub(super) fn row<T: Scalar, const COUNT: usize>(
     nodes: [&[T; COUNT]; NODES],
     by: &mut impl FnMut([T; NODES]) -> T,
 ) -> [T; COUNT] {
-    array(nodes, T::ZERO, |numbers| by(numbers))
+    array(nodes, T::ZERO, by)
 }
 
 /// An array made element by element. Nothing is beyond its end, but the compiler cannot see that everywhere.
