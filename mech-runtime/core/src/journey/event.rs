@@ -87,11 +87,18 @@ fn soonest<T: Real, J: Journey<T>>(
     let mut first = Event::None;
     for index in 0..journey.watches() {
         let is_far = is_far(journey, from, &reach.to, reach.end - done, index);
-        // What has just passed its zero does not come to it once more.
-        if is_far || !looks_at(index) || journey.has_passed(from, index) {
+        if is_far || !looks_at(index) {
             continue;
         }
-        let event = least_sine(journey, from, done, reach, index);
+        // What has just passed its zero does not come to it once more. But it may have been a dead point.
+        let event = match (
+            journey.has_passed(from, index),
+            is_zero(journey, from, index),
+        ) {
+            (true, true) => blocked_at_ends(journey, from, done, reach.end, index),
+            (true, false) => Event::None,
+            (false, _) => least_sine(journey, from, done, reach, index),
+        };
         let sooner = match (event.part(), first.part()) {
             (None, _) => false,
             (_, None) => true,
