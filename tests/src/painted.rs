@@ -69,13 +69,14 @@ fn places(looks: &Looks) -> Vec<(usize, [f64; 2], f64)> {
     let mut all = Vec::new();
     for painted in &looks.painted {
         let link = painted.link.index();
-        let start = |place: &[mech_compiler::Measure; 2]| place.map(|measure| measure.at_start());
+        let start =
+            |place: &[mech_compiler::Measure; 2]| place.map(mech_compiler::Measure::at_start);
         match &painted.outline {
             Outline::Circle { center, radius } | Outline::Ring { center, radius, .. } => {
                 all.push((link, start(center), radius.at_start()));
             }
             Outline::Polygon(corners) => {
-                all.extend(corners.iter().map(|corner| (link, start(corner), 0.0)))
+                all.extend(corners.iter().map(|corner| (link, start(corner), 0.0)));
             }
             Outline::Line { points, width } => {
                 let half = 0.5 * width.at_start();

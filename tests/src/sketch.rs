@@ -68,16 +68,15 @@ impl Sketch {
                     let (a, b, at, _) = axes(a, b);
                     (a, b, Bond::Weld(at))
                 }
-                JointKind::Prismatic(a, b) => match model.link(model.axis(b).link).die {
-                    Some((point, line)) => {
+                JointKind::Prismatic(a, b) => {
+                    if let Some((point, line)) = model.link(model.axis(b).link).die {
                         let (a, b, at, _) = axes(point, line);
                         (a, b, Bond::Slot(at, model.axis(line).direction))
-                    }
-                    None => {
+                    } else {
                         let (a, b, at, along) = axes(a, b);
                         (a, b, Bond::Slide(at, along))
                     }
-                },
+                }
                 JointKind::Gear {
                     a,
                     b,

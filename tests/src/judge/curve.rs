@@ -76,7 +76,7 @@ impl<'j> Curve<'j> {
         let mut at = place.0.clone();
         let way = at.len() - 1;
         at[way] = 0.0;
-        curve.end = match curve.first(at) {
+        curve.end = match curve.first(&at) {
             Some(knot) => {
                 curve.knots.push(knot);
                 curve.follow()
@@ -91,8 +91,8 @@ impl<'j> Curve<'j> {
     }
 
     /// The first point: its tangent is what all equations leave free.
-    fn first(&self, at: DVector<f64>) -> Option<Knot> {
-        let slopes = self.equations(&at).slopes;
+    fn first(&self, at: &DVector<f64>) -> Option<Knot> {
+        let slopes = self.equations(at).slopes;
         let columns = slopes.ncols();
         let mut square = DMatrix::zeros(slopes.nrows().max(columns), columns);
         square.rows_mut(0, slopes.nrows()).copy_from(&slopes);
@@ -114,7 +114,7 @@ impl<'j> Curve<'j> {
         if tangent[way] < 0.0 {
             tangent = -tangent;
         }
-        let (at, _) = self.correct(&at, &tangent)?;
+        let (at, _) = self.correct(at, &tangent)?;
         Some(Knot {
             at,
             tangent,
