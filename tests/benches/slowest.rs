@@ -37,6 +37,7 @@ fn main() {
         texts
     };
     let mut all: Vec<Taken> = texts.into_iter().filter_map(taken).collect();
+    #[expect(clippy::type_complexity, reason = "a table")]
     let parts: [(&str, fn(&Taken) -> f64); 4] = [
         ("analysis", |taken| taken.analysis),
         ("looks", |taken| taken.looks),

@@ -430,6 +430,11 @@ macro_rules! fall {
 
 /// At a change point accelerations have a limit: a fall goes on through it, whatever the step, and keeps its energy.
 #[test]
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a few thousand steps, in either precision"
+)]
 fn what_falls_goes_straight_on_through_its_change_points() {
     for time in [1e-4, 4e-4, 1e-3, 2e-3, 3e-3] {
         let methods = [

@@ -77,10 +77,8 @@ fn unsound(subject: &Subject, seed: u64) -> Option<String> {
         if let Some(text) = fault(subject, machine.position()) {
             return Some(format!("from {:?} to {to:?}: {text}", start.motors));
         }
-        if judged {
-            if let Err(text) = agrees(subject, &start, &machine, &to) {
-                return Some(format!("from {:?} to {to:?}: {text}", start.motors));
-            }
+        if judged && let Err(text) = agrees(subject, &start, &machine, &to) {
+            return Some(format!("from {:?} to {to:?}: {text}", start.motors));
         }
     }
     None
