@@ -76,6 +76,11 @@ pub(super) fn assemble(model: &Model) -> Option<Overconstrained> {
     {
         return None;
     }
+    // Of motors that move one by one, but never together, one is too many.
+    let together = |sense: f64| all_move(&lenient, &program, sense * DISPLACEMENTS[0]);
+    if model.motors.len() > 1 && ![1.0, -1.0].into_iter().any(together) {
+        return None;
+    }
     structure.redundant = redundant_joints(&lenient, &plan);
     Some(Overconstrained {
         structure,
@@ -105,11 +110,7 @@ fn displace(
 ) -> Outcome {
     let mut machine = Machine::<f64>::new(program);
     let mut motors = machine.position().motors.clone();
-    let slides = matches!(
-        model.joint(model.motor(motor).joint).kind,
-        JointKind::Prismatic(..)
-    );
-    let size = model.size();
+    let (slides, size) = (slides(model, motor), model.size());
     motors[motor.index()] += if slides {
         displacement * size
     } else {
@@ -146,6 +147,27 @@ fn displace(
     let open =
         now.gap() > 1e-9 * reach || idle() || (displacement.abs() <= DISPLACEMENTS[0] && slips());
     if open { Outcome::Open } else { Outcome::Moved }
+}
+
+/// Whether a motor's joint slides.
+fn slides(model: &Model, motor: MotorId) -> bool {
+    let joint = model.joint(model.motor(motor).joint);
+    matches!(joint.kind, JointKind::Prismatic(..))
+}
+
+/// Whether all motors go so far from the start together.
+fn all_move(model: &Model, program: &Program, displacement: f64) -> bool {
+    let mut machine = Machine::<f64>::new(program);
+    let mut motors = machine.position().motors.clone();
+    for motor in model.motor_ids() {
+        let unit = if slides(model, motor) {
+            model.size()
+        } else {
+            1.0
+        };
+        motors[motor.index()] += displacement * unit;
+    }
+    machine.move_to(&motors).is_ok()
 }
 
 /// How much the two parts that roll on each other have slipped from one scene to another, as a part of their size.
