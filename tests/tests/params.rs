@@ -187,14 +187,17 @@ fn compare(model: &Model, dice: &mut Dice, seen: &mut Seen) -> Result<(), TestCa
                 + fine[2]
                     .iter()
                     .fold(1.0, |most: f64, (number, _)| most.max(number.abs()));
-            for (index, exact) in rates_in_a_row(followed).into_iter().enumerate() {
+            let row = rates_in_a_row(followed);
+            // Beside a singular position some are great, and what is left of them elsewhere is rounding.
+            let greatest = row.iter().fold(0.0_f64, |most, rate| most.max(rate.abs()));
+            for (index, exact) in row.into_iter().enumerate() {
                 let near = difference(fine.each_ref().map(|row| row[index]), STEP);
                 let far = difference(coarse.each_ref().map(|row| row[index]), 2.0 * STEP);
-                let most = (near - far).abs() + 1e-12 * extent / STEP;
+                let most = (near - far).abs() + 1e-12 * extent / STEP + 1e-13 * greatest;
                 let off = (near - exact).abs();
                 prop_assert!(
                     off <= most,
-                    "param {param}, number {index}: {exact} exact, {near} by differences, off by {off:e}, explained {most:e}"
+                    "param {param}, number {index}: {exact} exact, {near} by differences, off by {off:e}, explained {most:e}, greatest {greatest:e}"
                 );
                 seen.worst = seen.worst.max(off / most);
                 seen.compared += 1;
