@@ -197,7 +197,8 @@ fn compare(model: &Model, dice: &mut Dice, seen: &mut Seen) -> Result<(), TestCa
                 let off = (near - exact).abs();
                 prop_assert!(
                     off <= most,
-                    "param {param}, number {index}: {exact} exact, {near} by differences, off by {off:e}, explained {most:e}, greatest {greatest:e}"
+                    "param {param}, number {index}: {exact} exact, {near} by differences, off by {off:e}, explained {most:e}, greatest {greatest:e}, {:?}",
+                    at.state
                 );
                 seen.worst = seen.worst.max(off / most);
                 seen.compared += 1;

@@ -16,10 +16,8 @@ const NEAR: f64 = 32.0;
 const ROUGH: f64 = 16.0;
 /// Where they are not smooth, distances are halved, so many times at most.
 const MOST_WIDTHS: u32 = 4;
-/// Each next distance that is tried is so many times as long, at least, until the sine is great enough: such a part of that is aimed at. So many
-/// are tried.
+/// Each next distance that is tried is so many times as long, until the sine is great enough; so many are tried.
 const LONGER: f64 = 1.2;
-const ALMOST: f64 = 0.8;
 const MOST_DISTANCES: u32 = 48;
 
 /// A position, and everything that is needed to find rates in its neighbourhood.
@@ -98,23 +96,11 @@ fn clear<T: Real, S: Surroundings<T>>(
     // A sine that may be one, and is zero in the middle, takes so long.
     let mut by = sign * width * T::HALF / around.rate(input);
     let mut position = around.moved(here, input, by)?;
-    let mut before = (T::ZERO, around.sine(here));
     for _ in 0..MOST_DISTANCES {
-        let sine = around.sine(&position);
-        if sine >= width {
+        if around.sine(&position) >= width {
             return Some((position, by));
         }
-        // Where a sine grows it does so about as the distance.
-        let growth = (sine - before.1) / (by - before.0).abs();
-        let missing = T::from_f64(ALMOST) * width - sine;
-        let longer = (T::from_f64(LONGER) - T::ONE) * by.abs();
-        let step = if missing > growth * longer && growth > T::ZERO {
-            missing / growth
-        } else {
-            longer
-        };
-        before = (by, sine);
-        by = by + sign * step;
+        by = by * T::from_f64(LONGER);
         position = around.moved(&position, input, by)?;
     }
     None
