@@ -5,7 +5,7 @@ use mech_compiler::compile;
 use mech_compiler::evaluate::{Machine, Stop, sensitivities};
 use mech_compiler::model::{AtChangePoints, AxisId, JointId, JointKind, Method, Model};
 use mech_compiler::program::ParamRates;
-use mech_compiler::program::{Position, Program};
+use mech_compiler::program::{Position, Program, Watch};
 use mech_tests::{
     Dice, SOURCES, Sample, apart, cases, direction, for_all, in_own_frames, models, place, reach,
     samples, scale, size, vary, with_ground, with_params, worst_gap, worst_stretch,
@@ -153,6 +153,13 @@ fn compare(model: &Model, dice: &mut Dice, seen: &mut Seen) -> Result<(), TestCa
     for _ in 0..3 {
         wander(&mut machine, program, dice);
         let at = machine.position().clone();
+        // At a change point they are not determined, and within rounding of it neither.
+        let stands =
+            |watch: &Watch| at.state[watch.sine].powi(2) <= at.state[watch.rounding_square];
+        if program.watches.iter().any(stands) {
+            seen.singular += 1;
+            continue;
+        }
         let exact = match sensitivities(&sensitive, &at) {
             Ok(exact) => exact,
             Err(Stop::Singular(_)) => {
@@ -187,18 +194,14 @@ fn compare(model: &Model, dice: &mut Dice, seen: &mut Seen) -> Result<(), TestCa
                 + fine[2]
                     .iter()
                     .fold(1.0, |most: f64, (number, _)| most.max(number.abs()));
-            let row = rates_in_a_row(followed);
-            // Beside a singular position some are great, and what is left of them elsewhere is rounding.
-            let greatest = row.iter().fold(0.0_f64, |most, rate| most.max(rate.abs()));
-            for (index, exact) in row.into_iter().enumerate() {
+            for (index, exact) in rates_in_a_row(followed).into_iter().enumerate() {
                 let near = difference(fine.each_ref().map(|row| row[index]), STEP);
                 let far = difference(coarse.each_ref().map(|row| row[index]), 2.0 * STEP);
-                let most = (near - far).abs() + 1e-12 * extent / STEP + 1e-13 * greatest;
+                let most = (near - far).abs() + 1e-12 * extent / STEP;
                 let off = (near - exact).abs();
                 prop_assert!(
                     off <= most,
-                    "param {param}, number {index}: {exact} exact, {near} by differences, off by {off:e}, explained {most:e}, greatest {greatest:e}, {:?}",
-                    at.state
+                    "param {param}, number {index}: {exact} exact, {near} by differences, off by {off:e}, explained {most:e}"
                 );
                 seen.worst = seen.worst.max(off / most);
                 seen.compared += 1;
