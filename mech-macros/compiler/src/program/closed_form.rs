@@ -26,6 +26,7 @@ pub struct ClosedForm {
     pub found: Vec<Value>,
     /// The circles and lines that it intersects.
     pub(crate) dyad: Dyad<Value>,
-    /// The sum of the lengths of its goal and arms at the start, in scene units. The sine of a turning line is relative to it.
+    /// The sum of the lengths of its goal and arms at the start, in scene units; where pins all but meet then, a part of what they
+    /// reach. The sine of a turning line is relative to it.
     pub size: f64,
 }

@@ -6,7 +6,8 @@ use crate::model::{FormulaId, JointId};
 /// The places in the state of all numbers that have a meaning outside of the loops.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StateLayout {
-    /// The first of the signs of the inputs' last motions, if a loop passes change points: one number for each motor and param.
+    /// The first of the signs of the inputs' last motions, if a loop passes change points: one number for each motor and
+    /// param. After them comes one for each watched loop: negative where it has passed the change point that it stands at.
     pub motion_signs: Option<usize>,
     /// The coordinates of joints over any number of turns, where they are asked for or torsional springs need them.
     pub joint_angles: Vec<JointAngle>,
