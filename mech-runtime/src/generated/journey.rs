@@ -2,7 +2,7 @@
 
 use super::{Motors, MoveLimits, Position, Stepping, Stop, Watched};
 use crate::{Blocked, Cause, Pose, Scalar};
-use mech_core::journey::{AtZero, Growth, Journey, Turn, Watch};
+use mech_core::journey::{AtZero, Growth, Journey, Standing, Turn, Watch};
 use mech_core::motors;
 
 /// A move from a position to a target.
@@ -74,8 +74,8 @@ where
         Blocked::new(stop.place, stop.cause, self.motors(part).total()).of(self.limits.inputs)
     }
 
-    /// The index in the state of the number that tells whether a watched loop has passed the change point that it stands at.
-    fn place_of_passed(&self, index: usize) -> Option<usize> {
+    /// The index in the state of the number that tells where a watched loop is beside a change point.
+    fn place_of_standing(&self, index: usize) -> Option<usize> {
         Some(self.limits.motion_signs? + M + index)
     }
 
@@ -194,19 +194,18 @@ where
         {
             *sine = -*sine;
         }
-        self.set_passed(position, index, true);
     }
 
-    fn has_passed(&self, position: &Self::Position, index: usize) -> bool {
-        let place = self.place_of_passed(index);
-        let passed = place.and_then(|place| position.state.get(place));
-        passed.is_some_and(|passed| *passed < T::ZERO)
+    fn standing(&self, position: &Self::Position, index: usize) -> Standing {
+        let place = self.place_of_standing(index);
+        let number = place.and_then(|place| position.state.get(place));
+        number.map_or(Standing::Away, |number| Standing::of(*number))
     }
 
-    fn set_passed(&self, position: &mut Self::Position, index: usize, passed: bool) {
-        let place = self.place_of_passed(index);
+    fn set_standing(&self, position: &mut Self::Position, index: usize, standing: Standing) {
+        let place = self.place_of_standing(index);
         if let Some(number) = place.and_then(|place| position.state.get_mut(place)) {
-            *number = if passed { T::ZERO - T::ONE } else { T::ONE };
+            *number = standing.number();
         }
     }
 

@@ -72,6 +72,19 @@ impl Subject {
         far.fold(size(&self.model), f64::max).max(1e-9)
     }
 
+    /// By how much all gears together make what a motor turns greater, at most.
+    #[must_use]
+    pub fn gain(&self) -> f64 {
+        let gains = self.model.joints.iter().map(|joint| match joint.kind {
+            JointKind::Gear { ratio, .. } | JointKind::Belt { ratio, .. } => {
+                let [a, b] = ratio.sizes().map(f64::abs);
+                (a / b).max(b / a)
+            }
+            _ => 1.0,
+        });
+        gains.product()
+    }
+
     /// Whether a link only turns and slides as something that rolls has it.
     #[must_use]
     pub fn is_rolling(&self, link: usize) -> bool {

@@ -3,9 +3,8 @@
 use mech_tests::journeys::{Family, Fault, Kind, tally};
 use mech_tests::{cases, seeds};
 
-/// So many mechanisms of each family. Once in a thousand moves a stop may come early, and in single precision rounding may decide beside a change
-/// point: of 17,000 moves of 320 mechanisms with stops on change points 9 went astray, and on one a row of cranks is off by up to 2e-3. What the
-/// judge does not know is nothing.
+/// So many mechanisms of each family. Once in a thousand moves a stop may come early. In single precision positions beside change points may be off by more
+/// than the judge takes for rounding, as long as they are not elsewhere. What the judge does not know is nothing.
 #[track_caller]
 fn clean(kind: Kind, single: bool, usual: u64) {
     for family in Family::ALL {
@@ -16,13 +15,8 @@ fn clean(kind: Kind, single: bool, usual: u64) {
         let known =
             |fault: &&Fault| !matches!(fault, Fault::StopsEarly | Fault::Unknown) && !off(fault);
         let wrong: usize = found.faults.keys().filter(known).map(count).sum();
-        let allowed = if single && kind != Kind::Steps {
-            found.moves / 500
-        } else {
-            0
-        };
         assert!(
-            wrong <= allowed && 1000 * early <= found.moves,
+            wrong == 0 && 1000 * early <= found.moves,
             "{family:?}: {found:#?}"
         );
         println!(
@@ -75,11 +69,14 @@ fn what_went_astray_once_does_so_no_more() {
         include_str!("texts/count-behind-slots.txt"),
         include_str!("texts/past-the-stop.txt"),
         include_str!("texts/parallelogram-behind-gears.txt"),
+        include_str!("texts/nearly-rhombic-cranks.txt"),
+        include_str!("texts/parallelogram-behind-a-rocker.txt"),
     ];
     for text in texts {
         let family = Family::Text(text.to_owned());
+        let single = text.contains(": f32;");
         for kind in [Kind::Steps, Kind::Leaps, Kind::Stops] {
-            let found = tally(kind, &family, 0..3, false, 1);
+            let found = tally(kind, &family, 0..3, single, 1);
             assert!(found.faults.is_empty(), "{kind:?} of {text}: {found:#?}");
         }
     }

@@ -3,7 +3,7 @@
 use super::Stop;
 use super::run::Runner;
 use crate::program::Position;
-use mech_core::journey::{self, Growth, Halt, Journey, Turn, Watch};
+use mech_core::journey::{self, Growth, Halt, Journey, Standing, Turn, Watch};
 use mech_core::{Real, motors};
 
 /// A move under way.
@@ -37,8 +37,8 @@ impl<'a, 'p, T: Real> Move<'a, 'p, T> {
         }
     }
 
-    /// The index in the state of the number that tells whether a watched loop has passed the change point that it stands at.
-    fn place_of_passed(&self, index: usize) -> Option<usize> {
+    /// The index in the state of the number that tells where a watched loop is beside a change point.
+    fn place_of_standing(&self, index: usize) -> Option<usize> {
         let first = self.runner.program.layout.motion_signs?;
         Some(first + self.displacements.len() + index)
     }
@@ -137,17 +137,16 @@ impl<T: Real> Journey<T> for Move<'_, '_, T> {
     fn turn_over(&self, position: &mut Position<T>, index: usize) {
         let sine = &mut position.state[self.runner.program.watches[index].sine];
         *sine = -*sine;
-        self.set_passed(position, index, true);
     }
 
-    fn has_passed(&self, position: &Position<T>, index: usize) -> bool {
-        let place = self.place_of_passed(index);
-        place.is_some_and(|place| position.state[place] < T::ZERO)
+    fn standing(&self, position: &Position<T>, index: usize) -> Standing {
+        let place = self.place_of_standing(index);
+        place.map_or(Standing::Away, |place| Standing::of(position.state[place]))
     }
 
-    fn set_passed(&self, position: &mut Position<T>, index: usize, passed: bool) {
-        if let Some(place) = self.place_of_passed(index) {
-            position.state[place] = T::from_f64(if passed { -1.0 } else { 1.0 });
+    fn set_standing(&self, position: &mut Position<T>, index: usize, standing: Standing) {
+        if let Some(place) = self.place_of_standing(index) {
+            position.state[place] = standing.number();
         }
     }
 

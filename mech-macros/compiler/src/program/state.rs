@@ -7,7 +7,7 @@ use crate::model::{FormulaId, JointId};
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StateLayout {
     /// The first of the signs of the inputs' last motions, if a loop passes change points: one number for each motor and
-    /// param. After them comes one for each watched loop: negative where it has passed the change point that it stands at.
+    /// param. After them comes one for each watched loop: that of its `mech_core::journey::Standing`.
     pub motion_signs: Option<usize>,
     /// The coordinates of joints over any number of turns, where they are asked for or torsional springs need them.
     pub joint_angles: Vec<JointAngle>,

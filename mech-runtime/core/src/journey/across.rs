@@ -3,7 +3,7 @@
 
 use super::event::{Event, position_at};
 use super::pace::lesser;
-use super::piece::{Reach, is_zero, reach};
+use super::piece::{Reach, has_passed, is_zero, pass, reach};
 use super::{AtZero, Journey};
 use crate::Real;
 
@@ -12,6 +12,8 @@ use crate::Real;
 const OFFSETS: [f64; 2] = [8.0, 32.0];
 /// The same for loops in closed form, whose positions are as exact as rounding lets them be.
 const TOGETHER: [f64; 3] = [0.25, NEAREST, 2.0];
+/// A line to the next begins behind the last one: three such parts of the distance between them before the next.
+const SINCE: f64 = 0.25;
 /// What comes to zero nearer to another than this is passed with it.
 pub(super) const NEAREST: f64 = 0.03125;
 /// The first step back from it changes the sine by no more than this part of it, each next one is so much longer, or shorter where
@@ -163,8 +165,11 @@ pub(super) fn beyond_cluster<T: Real, J: Journey<T>>(
     (from, done): (&J::Position, T),
     (part, index): (T, usize),
 ) -> Option<Beyond<J::Position, T>> {
-    TOGETHER.into_iter().find_map(|times| {
-        let offset = distance(journey, index, times);
+    // Where the one before was passed very near, a line that begins behind that one.
+    let since = (part - done) * T::from_f64(SINCE);
+    let offsets = TOGETHER.map(|times| distance(journey, index, times));
+    let nearer = Some(since).filter(|since| *since > T::ZERO && *since < offsets[1]);
+    offsets.into_iter().chain(nearer).find_map(|offset| {
         let [begun, last_part] = [3.0, 1.0].map(|offsets| part - offset * T::from_f64(offsets));
         let before = position_at(journey, from, done, begun)?;
         let last = position_at(journey, &before, begun, last_part)?;
@@ -193,7 +198,12 @@ fn touch<T: Real, J: Journey<T>>(
     let far_enough = T::from_f64(TOUCH) * journey.rounding_square(from, index);
     let longest = T::from_f64(LONGEST) / journey.watch(index).change;
     let mut offset = distance(journey, index, 1.0);
+    // Behind the start others have change points that they have passed: nothing is there as it was.
+    let any_passed = (0..journey.watches()).any(|one| has_passed(journey, from, one));
     let before = loop {
+        if any_passed && part - offset < done {
+            return None;
+        }
         let before = position_at(journey, from, done, part - offset)?;
         let sine = journey.sine(&before, index);
         if sine * sine >= far_enough {
@@ -302,11 +312,11 @@ impl<P: Clone, T: Real> Line<'_, P, T> {
         // What has passed its change point does not pass it once more.
         let turns = |index| {
             journey.watch(index).at_zero != AtZero::Stay
-                && !journey.has_passed(last, index)
+                && !has_passed(journey, last, index)
                 && self.crosses(journey, index, end)
         };
         for index in (0..journey.watches()).filter(|index| turns(*index)) {
-            journey.turn_over(&mut beyond, index);
+            pass(journey, &mut beyond, index);
             stops |= journey.watch(index).at_zero == AtZero::Stop;
         }
         let to = journey.at(&beyond, end).ok()?;

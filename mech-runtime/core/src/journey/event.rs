@@ -2,7 +2,7 @@
 
 use super::across::{NEAREST, distance, is_near, is_stepped_over};
 use super::pace::{is_far, lesser};
-use super::piece::{Reach, hidden_square, is_zero, reach};
+use super::piece::{Reach, has_passed, hidden_square, is_zero, reach};
 use super::{AtZero, Journey};
 use crate::Real;
 
@@ -92,7 +92,7 @@ fn soonest<T: Real, J: Journey<T>>(
         }
         // What has just passed its zero does not come to it once more. But it may have been a dead point.
         let event = match (
-            journey.has_passed(from, index),
+            has_passed(journey, from, index),
             is_zero(journey, from, index),
         ) {
             (true, true) => blocked_at_ends(journey, from, done, reach.end, index),

@@ -13,7 +13,7 @@ mod piece;
 use crate::Real;
 pub use pace::is_clear;
 use pace::{TURN, first, is_foretold, is_passable, is_short, lesser, likely, most_stretch};
-use piece::{forget_passed, travel_piece};
+use piece::{forget_standing, note_arrived, travel_piece};
 
 /// A loop that is watched. All numbers are for the whole move, from the start to the target.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,6 +57,41 @@ pub enum AtZero {
     Stop,
 }
 
+/// Where a watched loop is beside a change point, seen in the sense in which the motors came: rounding may hide it, so it is remembered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Standing {
+    /// Not beside one that it came to.
+    Away,
+    /// It came to one, and has not passed it.
+    Arrived,
+    /// It has passed one.
+    Passed,
+}
+
+impl Standing {
+    /// What a number of the state says.
+    #[must_use]
+    pub fn of<T: Real>(number: T) -> Self {
+        if number > T::ZERO {
+            Self::Away
+        } else if number < T::ZERO {
+            Self::Passed
+        } else {
+            Self::Arrived
+        }
+    }
+
+    /// The number of the state that says it: 1, 0 or -1.
+    #[must_use]
+    pub fn number<T: Real>(self) -> T {
+        match self {
+            Self::Away => T::ONE,
+            Self::Arrived => T::ZERO,
+            Self::Passed => T::ZERO - T::ONE,
+        }
+    }
+}
+
 /// A mechanism that moves from a start to a target.
 pub trait Journey<T: Real> {
     /// Everything that is carried from one move to the next.
@@ -89,12 +124,12 @@ pub trait Journey<T: Real> {
     fn sine(&self, position: &Self::Position, index: usize) -> T;
     /// The square of a sine of this loop below which rounding hides its sign.
     fn rounding_square(&self, position: &Self::Position, index: usize) -> T;
-    /// Puts the dyad of a watched loop on its other side, and notes that it has passed the change point it stands at.
+    /// Puts the dyad of a watched loop on its other side.
     fn turn_over(&self, position: &mut Self::Position, index: usize);
-    /// Whether a watched loop that stands at a change point has passed it already, seen in the sense in which the motors came.
-    fn has_passed(&self, position: &Self::Position, index: usize) -> bool;
-    /// Notes whether it has.
-    fn set_passed(&self, position: &mut Self::Position, index: usize, passed: bool);
+    /// Where a watched loop is, as far as its change points are concerned.
+    fn standing(&self, position: &Self::Position, index: usize) -> Standing;
+    /// Notes where it is.
+    fn set_standing(&self, position: &mut Self::Position, index: usize, standing: Standing);
     /// Where everything would be as far beyond a position as another is before it, if it went straight on: an iteration begins there.
     fn beyond(&self, before: &Self::Position, at: &Self::Position) -> Self::Position;
     /// Positive if the motors that a watched loop follows go on in the sense in which they came, negative if they go back.
@@ -220,7 +255,10 @@ fn travel_on<T: Real, J: Journey<T>>(
             && is_passable(journey, &position, &to, part)
             && is_foretold(journey, (&position, done), (&to, target))
         {
-            forget_passed(journey, &mut to);
+            forget_standing(journey, &mut to);
+            if target >= T::ONE {
+                note_arrived(journey, &position, &mut to);
+            }
             journey.note_motion_signs(&mut to);
             position = to;
             done = target;

@@ -1,7 +1,7 @@
 //! How long a piece may be: from the sines where it begins and how fast they change.
 
 use super::piece::is_zero;
-use super::{Growth, Journey, Turn};
+use super::{Growth, Journey, Standing, Turn};
 use crate::Real;
 
 /// In a piece in which a sine may come to zero its square changes by no more than this: zero is there then, or near.
@@ -151,7 +151,7 @@ pub(super) fn is_far<T: Real, J: Journey<T>>(
 /// Whether a loop is where rounding may hide on which side of a change point it is.
 fn stands<T: Real, J: Journey<T>>(journey: &J, ends: [&J::Position; 2], index: usize) -> bool {
     let mut ends = ends.into_iter();
-    ends.any(|at| journey.has_passed(at, index) || is_zero(journey, at, index))
+    ends.any(|at| journey.standing(at, index) != Standing::Away || is_zero(journey, at, index))
 }
 
 /// Whether a sine changes little, and not its sign.

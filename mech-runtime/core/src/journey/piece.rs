@@ -5,7 +5,7 @@ use super::across::{
 };
 use super::event::{Event, first_event};
 use super::pace::{is_passable, lesser};
-use super::{AtZero, Growth, Journey, MOST_TRIES};
+use super::{AtZero, Growth, Journey, MOST_TRIES, Standing};
 use crate::Real;
 
 /// So many roundings displace a loop, at most.
@@ -87,12 +87,17 @@ pub(super) fn travel_piece<T: Real, J: Journey<T>>(
                 // On the side it came from something else does not close: it is the other side that goes on.
                 (from, done, aim) = (other, reach.end, target);
             }
-            Event::None if let Some(farther) = target_beyond(journey, &reach, (target, times)) => {
+            Event::None
+                if let Some(farther) = target_beyond(journey, &from, &reach, (target, times)) =>
+            {
                 (aim, target) = (farther, farther);
                 times *= 2.0;
             }
             Event::None | Event::Near(..) => {
                 settle(journey, &from, done, &mut reach);
+                if reach.end >= T::ONE {
+                    note_arrived(journey, &from, &mut reach.to);
+                }
                 return reach;
             }
             Event::Blocked(part) => aim = part,
@@ -164,14 +169,20 @@ fn passed_on<T: Real, J: Journey<T>>(journey: &J, position: &J::Position, index:
     })
 }
 
-/// A target a little farther, if a loop would stand at its change point at this one and the move continues.
+/// A target a little farther, if a loop would stand at its change point at this one, or come so near that rounding may hide it from the
+/// next piece, and the move continues.
 fn target_beyond<T: Real, J: Journey<T>>(
     journey: &J,
+    from: &J::Position,
     reach: &Reach<J::Position, J::Stop, T>,
     (target, times): (T, f64),
 ) -> Option<T> {
+    let to = &reach.to;
     let stands = |index: &usize| {
-        journey.watch(*index).at_zero == AtZero::ChangeBranch && is_zero(journey, &reach.to, *index)
+        let comes_near =
+            || !has_passed(journey, to, *index) && comes_near(journey, from, to, *index);
+        journey.watch(*index).at_zero == AtZero::ChangeBranch
+            && (is_zero(journey, to, *index) || comes_near())
     };
     let goes_on = reach.stop.is_none() && target < T::ONE;
     let index = (0..journey.watches()).find(|index| goes_on && stands(index))?;
@@ -190,29 +201,75 @@ enum Leaving {
 
 /// Notes the sense in which the motors go: loops that stand at change points have passed these, seen in the other sense, if they go back.
 fn orient<T: Real, J: Journey<T>>(journey: &J, from: &mut J::Position) {
-    forget_passed(journey, from);
+    forget_standing(journey, from);
     for index in 0..journey.watches() {
-        let passed = journey.has_passed(from, index);
-        let stands = passed || is_zero(journey, from, index);
-        if stands && journey.sense(from, index) < T::ZERO {
-            journey.set_passed(from, index, !passed);
+        if journey.sense(from, index) < T::ZERO {
+            let standing = match journey.standing(from, index) {
+                Standing::Away if !is_zero(journey, from, index) => continue,
+                Standing::Away | Standing::Arrived => Standing::Passed,
+                Standing::Passed => Standing::Arrived,
+            };
+            journey.set_standing(from, index, standing);
         }
     }
     journey.note_motion_signs(from);
 }
 
-/// Forgets of loops that are well away from the change points which they have passed that they have. Beside them rounding makes sines vanish
-/// here and there.
-pub(super) fn forget_passed<T: Real, J: Journey<T>>(journey: &J, position: &mut J::Position) {
+/// Forgets of loops that are well away from change points that they came to them. Beside them rounding makes sines vanish here and there.
+pub(super) fn forget_standing<T: Real, J: Journey<T>>(journey: &J, position: &mut J::Position) {
     for index in 0..journey.watches() {
-        if journey.has_passed(position, index) {
-            let sine = journey.sine(position, index) * T::from_f64(1.0 / WELL_AWAY);
-            let tiny = hidden_square(journey, position, index);
-            if sine * sine > tiny {
-                journey.set_passed(position, index, false);
-            }
+        let stands = journey.standing(position, index) != Standing::Away;
+        if stands && is_well_away(journey, position, index) {
+            journey.set_standing(position, index, Standing::Away);
         }
     }
+}
+
+/// Notes which loops have come to change points where a move ends.
+pub(super) fn note_arrived<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    to: &mut J::Position,
+) {
+    for index in 0..journey.watches() {
+        if journey.standing(to, index) == Standing::Away && comes_near(journey, from, to, index) {
+            journey.set_standing(to, index, Standing::Arrived);
+        }
+    }
+}
+
+/// Whether a loop that can change its branch comes so near a change point that rounding may hide on which side of it the loop is.
+fn comes_near<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    to: &J::Position,
+    index: usize,
+) -> bool {
+    journey.watch(index).at_zero == AtZero::ChangeBranch
+        && !is_stepped_over(journey, index)
+        && journey.sine(to, index).abs() <= journey.sine(from, index).abs()
+        && !is_well_away(journey, to, index)
+}
+
+/// Whether rounding cannot make the sine of a loop vanish.
+fn is_well_away<T: Real, J: Journey<T>>(journey: &J, position: &J::Position, index: usize) -> bool {
+    let sine = journey.sine(position, index) * T::from_f64(1.0 / WELL_AWAY);
+    sine * sine > hidden_square(journey, position, index)
+}
+
+/// Whether a loop has passed the change point that it stands at.
+pub(super) fn has_passed<T: Real, J: Journey<T>>(
+    journey: &J,
+    position: &J::Position,
+    index: usize,
+) -> bool {
+    journey.standing(position, index) == Standing::Passed
+}
+
+/// Puts a loop on its other side: it has passed its change point.
+pub(super) fn pass<T: Real, J: Journey<T>>(journey: &J, position: &mut J::Position, index: usize) {
+    journey.turn_over(position, index);
+    journey.set_standing(position, index, Standing::Passed);
 }
 
 /// Where a loop stands at its change point and leaves it, it goes over to its other side, unless it has passed it already.
@@ -222,14 +279,21 @@ fn leave<T: Real, J: Journey<T>>(
     to: &J::Position,
 ) -> Leaving {
     for index in 0..journey.watches() {
-        let leaves = is_zero(journey, from, index) && !is_zero(journey, to, index);
-        if leaves && !journey.has_passed(from, index) && journey.sense(from, index) > T::ZERO {
+        let leaves = match journey.standing(from, index) {
+            Standing::Passed => false,
+            _ if is_zero(journey, from, index) => !is_zero(journey, to, index),
+            Standing::Arrived => is_well_away(journey, to, index),
+            Standing::Away => false,
+        };
+        if leaves && journey.sense(from, index) > T::ZERO {
             match journey.watch(index).at_zero {
                 AtZero::Stay => {}
-                AtZero::ChangeBranch if touches(journey, (from, done), index) => {}
+                AtZero::ChangeBranch if touches(journey, (from, done), index) => {
+                    journey.set_standing(from, index, Standing::Away);
+                }
                 AtZero::Stop => return Leaving::Stopped(index),
                 AtZero::ChangeBranch => {
-                    journey.turn_over(from, index);
+                    pass(journey, from, index);
                     return Leaving::Other;
                 }
             }
@@ -254,7 +318,7 @@ fn other_side<T: Real, J: Journey<T>>(
             return None;
         }
         let mut other = reach.to.clone();
-        journey.turn_over(&mut other, index);
+        pass(journey, &mut other, index);
         let goes_on = journey.at(&other, aim).is_ok();
         goes_on.then_some(other)
     })

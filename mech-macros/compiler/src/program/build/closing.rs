@@ -108,7 +108,7 @@ impl PositionPass<'_> {
         let sine = [closed.sine, closed.rounding_square];
         self.watches.watch(ssa, site, sine, has_branch);
         if model.allow.redundant {
-            self.watches.note_tilt(ssa, &closed.dyad);
+            self.watches.note_tilt(ssa, &closed);
         }
         for (name, unknown) in names.iter().zip(&solution) {
             match *unknown {

@@ -71,9 +71,12 @@ impl LoopIteration<'_> {
     pub(super) fn iterate(&mut self, watches: &Watches) -> IteratedLoop {
         let equation = &self.site.equation;
         let unknowns = equation.unknowns.iter();
-        let last = unknowns
+        let mut last: Vec<LastUnknown> = unknowns
             .map(|unknown| last_unknown(self.ssa, self.model, *unknown, self.site.base))
             .collect();
+        if let Some(direction) = self.only_direction() {
+            last[0].value = Solution::Direction(direction);
+        }
         let unknowns = self.begin(last);
         let now = &unknowns.now;
         let residuals = equation.residuals(self.ssa, now);
@@ -96,6 +99,27 @@ impl LoopIteration<'_> {
             ..System::default()
         };
         self.advance(unknowns, system, side)
+    }
+
+    /// The direction of the only unknown of a loop that holds again what others hold: along the line between its pins. From the last
+    /// position an iteration would end too soon, where others leave much doubt.
+    fn only_direction(&mut self) -> Option<[Value; 2]> {
+        let [ring] = &self.site.equation.rings[..] else {
+            return None;
+        };
+        let ([Some(arm)], true) = (&ring.arms[..], ring.slides.is_empty()) else {
+            return None;
+        };
+        let choice = &self.site.choice;
+        let is_free = matches!(self.rounds(), Rounds::UntilClosed(_)) && choice.predictor == 0;
+        is_free.then(|| {
+            let ssa = &mut *self.ssa;
+            let back = ring.offset.map(|part| ssa.neg(part));
+            let along = [ssa.dot(*arm, back), ssa.cross(*arm, back)];
+            let length = ssa.dot(along, along);
+            let length = ssa.sqrt(length);
+            along.map(|part| ssa.div(part, length))
+        })
     }
 
     /// The axes of the rings in their links, and their ends in the first cluster: rounding grows with these too.

@@ -83,8 +83,8 @@ impl<'m> Lowering<'m> {
         self.placement.spot(&mut self.ssa, axis)
     }
 
-    /// Carries the signs of the inputs' last motions, if a loop passes change points, and after them for each watched loop a number that is
-    /// negative where it has passed the one that it stands at: they say on which side it leaves it.
+    /// Carries the signs of the inputs' last motions, if a loop passes change points, and after them for each watched loop the number of
+    /// its `Standing`: they say on which side it leaves one.
     pub(super) fn carry_motion_signs(&mut self, watches: &Watches) {
         let mut loops = watches.loops.iter();
         if loops.all(|watch| watch.at_zero == AtZero::Stay) {

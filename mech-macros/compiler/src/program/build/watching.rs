@@ -6,6 +6,7 @@ use crate::plan::{Algebra, Arithmetic, Dyad, Equation, Solution, Turning};
 use crate::program::builder::SsaBuilder;
 use crate::program::calibrate::{determinant, reach};
 use crate::program::choice::Choice;
+use crate::program::closed_form::ClosedForm;
 use crate::program::newton::Newton;
 use crate::program::node::{Op, Value};
 use crate::program::{Bound, Follow, Growth, Watch};
@@ -37,8 +38,17 @@ pub(super) struct Watches {
     pub(super) follows: Vec<Follow>,
     /// The same angles, between −π and π, and what they are.
     pub(super) angles: Vec<(Turning, Value)>,
-    /// By how much rounding tilts dyads whose pins are near each other, in radians.
-    tilts: Vec<Value>,
+    /// By how much rounding tilts dyads of two circles, in radians, by the numbers of their loops.
+    tilts: Vec<(usize, Value)>,
+}
+
+/// By how much rounding turns a watched loop near a zero of its sine, in radians.
+fn of_sine(ssa: &mut SsaBuilder, watch: &Watch) -> Value {
+    let [sine, rounding_square] = [watch.sine, watch.rounding_square].map(|index| ssa.state(index));
+    let square = ssa.mul(sine, sine);
+    let square = ssa.add(square, rounding_square);
+    let root = ssa.sqrt(square);
+    ssa.div(rounding_square, root)
 }
 
 impl Watches {
@@ -77,17 +87,32 @@ impl Watches {
         });
     }
 
-    /// Takes note how far rounding tilts a dyad of two circles: the line between their centres, the more the nearer these are.
-    pub(super) fn note_tilt(&mut self, ssa: &mut SsaBuilder, dyad: &Dyad<Value>) {
+    /// Takes note how far rounding tilts a dyad of two circles: the line between their centres, the more the nearer these are, and if it is
+    /// watched the arms, which near a zero of its sine turn the more, the longer they are beside that line.
+    pub(super) fn note_tilt(&mut self, ssa: &mut SsaBuilder, closed: &ClosedForm) {
         /// So many roundings are in the place of a centre.
         const ROUNDINGS: f64 = 16.0;
-        if let Dyad::TwoCircles { goal, .. } = *dyad {
-            let least = ROUNDINGS * ssa.epsilon * ssa.extent(&dyad.sides());
+        if let Dyad::TwoCircles { goal, .. } = closed.dyad {
+            let length = ssa.extent(&closed.dyad.sides());
+            let least = ROUNDINGS * ssa.epsilon * length;
             let (least, tiny) = (ssa.constant(least), ssa.constant(least * least));
             let square = ssa.dot(goal, goal);
             let square = ssa.add(square, tiny);
             let distance = ssa.sqrt(square);
-            self.tilts.push(ssa.div(least, distance));
+            let watch = self
+                .loops
+                .iter()
+                .find(|watch| watch.number == closed.number);
+            let displaced = match watch.map(|watch| of_sine(ssa, watch)) {
+                Some(turned) => {
+                    let length = ssa.constant(length);
+                    let turned = ssa.mul(length, turned);
+                    ssa.add(turned, least)
+                }
+                None => least,
+            };
+            let tilt = ssa.div(displaced, distance);
+            self.tilts.push((closed.number, tilt));
         }
     }
 
@@ -96,17 +121,12 @@ impl Watches {
     /// rounding turns the line between them.
     pub(super) fn doubt(&self, ssa: &mut SsaBuilder, size: f64, accepted: f64) -> Option<Value> {
         let scale = ssa.constant(size / accepted);
-        let of_sine = |ssa: &mut SsaBuilder, watch: &Watch| {
-            let [sine, rounding_square] =
-                [watch.sine, watch.rounding_square].map(|index| ssa.state(index));
-            let square = ssa.mul(sine, sine);
-            let square = ssa.add(square, rounding_square);
-            let root = ssa.sqrt(square);
-            ssa.div(rounding_square, root)
-        };
-        let turned = self.loops.iter().map(|watch| of_sine(ssa, watch));
-        let turned: Vec<Value> = turned.collect();
-        let turned = turned.iter().chain(&self.tilts);
+        let is_tilted =
+            |watch: &&Watch| self.tilts.iter().any(|(number, _)| *number == watch.number);
+        let others = self.loops.iter().filter(|watch| !is_tilted(watch));
+        let turned: Vec<Value> = others.map(|watch| of_sine(ssa, watch)).collect();
+        let tilts = self.tilts.iter().map(|(_, tilt)| tilt);
+        let turned = turned.iter().chain(tilts);
         turned.fold(None, |sum, turned| {
             let displaced = ssa.mul(scale, *turned);
             Some(match sum {
