@@ -299,7 +299,7 @@ impl Trial<'_> {
         let gap = worst_gap(&self.subject.model, &poses) / extent;
         // What is redundant closes as well as the rest is known.
         let allowed = match (single, self.subject.model.allow.redundant) {
-            (true, true) => 1e-4,
+            (true, true) => 3e-4,
             (true, false) => 3e-5,
             (false, _) => 1e-9,
         };

@@ -11,8 +11,10 @@ use crate::Real;
 /// So many roundings displace a loop, at most.
 const ROUNDINGS: f64 = 64.0;
 
-/// A loop has left a change point for good where its sine is so many times as great as what rounding hides.
+/// A loop has left a change point for good where its sine is so many times as great as what rounding hides, and comes to one where it is less
+/// than so many times as great: rounding does not lead from the one to the other.
 const WELL_AWAY: f64 = 4.0;
+const NEAR: f64 = 2.0;
 
 /// Where a piece ends: at its target, or before it for a reason.
 pub(super) struct Reach<P, S, T> {
@@ -248,12 +250,22 @@ fn comes_near<T: Real, J: Journey<T>>(
     journey.watch(index).at_zero == AtZero::ChangeBranch
         && !is_stepped_over(journey, index)
         && journey.sine(to, index).abs() <= journey.sine(from, index).abs()
-        && !is_well_away(journey, to, index)
+        && !exceeds(journey, to, index, NEAR)
 }
 
 /// Whether rounding cannot make the sine of a loop vanish.
 fn is_well_away<T: Real, J: Journey<T>>(journey: &J, position: &J::Position, index: usize) -> bool {
-    let sine = journey.sine(position, index) * T::from_f64(1.0 / WELL_AWAY);
+    exceeds(journey, position, index, WELL_AWAY)
+}
+
+/// Whether the sine of a loop is more than so many times as great as what rounding hides.
+fn exceeds<T: Real, J: Journey<T>>(
+    journey: &J,
+    position: &J::Position,
+    index: usize,
+    times: f64,
+) -> bool {
+    let sine = journey.sine(position, index) * T::from_f64(1.0 / times);
     sine * sine > hidden_square(journey, position, index)
 }
 
