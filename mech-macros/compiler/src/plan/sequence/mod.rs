@@ -6,6 +6,7 @@
 mod cam;
 mod open;
 mod rolling;
+mod slides;
 
 use super::between::Between;
 use super::cluster::Clusters;
@@ -217,8 +218,8 @@ impl<'m> Search<'m> {
             Some(block) => self.describe(block),
             None if allow.coupled => {
                 let found = self.blocks(&connections).into_iter();
-                let mut found = found.map(|block| self.describe(block));
-                match found.find(|found| self.is_square(found)) {
+                let mut found = found.filter_map(|block| self.square(self.describe(block)));
+                match found.next() {
                     Some(found) => found,
                     None => return false,
                 }
