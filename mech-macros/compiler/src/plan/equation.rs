@@ -35,6 +35,8 @@ pub(crate) struct Equation<S> {
 pub(crate) struct Ring<S> {
     /// The sum of what is known, in the frame of the first cluster.
     pub(crate) offset: [S; 2],
+    /// A vector at right angles to it, if it is a [chord](super::placement::Chord).
+    pub(crate) across: Option<[S; 2]>,
     /// For each unknown that is a direction, the sum of everything that turns with it, in its own frame.
     pub(crate) arms: Vec<Option<[S; 2]>>,
     /// The slides in the ring.
@@ -153,6 +155,7 @@ impl<S: Copy + PartialEq> Equation<S> {
         let mut offset = algebra.vector([0.0, 0.0]);
         let mut arms: Vec<Option<[S; 2]>> = vec![None; self.unknowns.len()];
         let mut slides = Vec::new();
+        let mut known = Vec::new();
         for (index, connection) in ring.iter().enumerate() {
             let before = ring[(index + ring.len() - 1) % ring.len()];
             let Some(class) = class_of(&self.classes, placement.base(connection.from)) else {
@@ -161,7 +164,10 @@ impl<S: Copy + PartialEq> Equation<S> {
             let span = placement.span(algebra, before.to, connection.from);
             let part = algebra.rotate(class.turn, span);
             match class.unknown {
-                None => offset = algebra.plus(offset, part),
+                None => {
+                    offset = algebra.plus(offset, part);
+                    known.push((class.turn, before.to, connection.from));
+                }
                 Some(unknown) => extend(algebra, &mut arms[unknown], part),
             }
             let slide = Unknown::Slide(connection.joint);
@@ -183,8 +189,16 @@ impl<S: Copy + PartialEq> Equation<S> {
                 });
             }
         }
+        let across = match known[..] {
+            [(turn, from, to)] => {
+                let chord = placement.chord(algebra, from, to);
+                chord.map(|chord| algebra.rotate(turn, chord.across))
+            }
+            _ => None,
+        };
         Ring {
             offset,
+            across,
             arms,
             slides,
         }
@@ -195,6 +209,7 @@ impl<S: Copy + PartialEq> Equation<S> {
         let mut both = |v: [S; 2]| v.map(&mut other);
         let rings = self.rings.iter().map(|ring| Ring {
             offset: both(ring.offset),
+            across: ring.across.map(&mut both),
             arms: ring.arms.iter().map(|arm| arm.map(&mut both)).collect(),
             slides: ring
                 .slides

@@ -19,6 +19,7 @@ mod search;
 mod sequence;
 mod step;
 mod tight;
+mod tree;
 mod triad;
 
 pub(crate) use crate::model::Arithmetic;
