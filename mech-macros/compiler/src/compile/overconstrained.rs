@@ -39,6 +39,7 @@ pub(super) fn assemble(model: &Model) -> Option<Overconstrained> {
         ..model.clone()
     };
     let mut structure = structure::layout(&lenient).ok()?;
+    structure.still = structure::still_pins(&lenient);
     let (plan, waits) = match plan::plan(&lenient, &structure) {
         Ok(plan) => (plan, None),
         Err(waits @ Diagnosis::NotSequential { .. }) if !model.allow.coupled => {
@@ -183,7 +184,7 @@ fn redundant_joints(model: &Model, plan: &Plan) -> Vec<JointId> {
         .steps
         .iter()
         .flat_map(|step| match step {
-            Step::Weld(connection) => vec![connection.joint],
+            Step::Weld(weld) => vec![weld.connection.joint],
             Step::Drive(drive) => vec![drive.connection.joint],
             Step::Mesh(mesh) => vec![mesh.connection.joint],
             Step::Cam(cam) => vec![cam.connection.joint],

@@ -35,7 +35,7 @@ pub use linear_relations::Rational;
 pub(crate) use linear_relations::{float_of, fraction};
 pub use needed::PlanPart;
 pub(crate) use placement::Placement;
-pub use step::{Cam, Connection, ConnectionKind, Drive, Loop, Mesh, Source, Step, Tie};
+pub use step::{Cam, Connection, ConnectionKind, Drive, Loop, Mesh, Source, Step, Tie, Weld};
 pub(crate) use triad::{Leg, Triad};
 
 use crate::model::{Axis, Link, Model};
