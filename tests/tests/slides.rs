@@ -263,7 +263,9 @@ fn networks_of_slides_move_as_linear_algebra_says() {
             wrong += 1;
             continue;
         }
-        let program = compiled.unwrap_or_else(|found| panic!("{found:?}: {text}")).program;
+        let program = compiled
+            .unwrap_or_else(|found| panic!("{found:?}: {text}"))
+            .program;
         let mut machine = Machine::<f64>::new(&program);
         let mut values = vec![0.0; rows.len()];
         let wanted: Vec<f64> = model

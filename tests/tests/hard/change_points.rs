@@ -243,6 +243,10 @@ fn tilted_pins_meet<M: Mechanism>(mut bed: Bed<M>) {
     for angle in [0.0, -1.0, -1e-4, 0.0, 1e-4, 0.0, 1e-6, -1e-6, 0.0, 2.0] {
         bed.must(&[angle + TILT]);
         let [x, y] = kite_at(angle);
-        bed.assert_at(("rocker", [2.0, 0.0]), [cos * x - sin * y, sin * x + cos * y], 1.0);
+        bed.assert_at(
+            ("rocker", [2.0, 0.0]),
+            [cos * x - sin * y, sin * x + cos * y],
+            1.0,
+        );
     }
 }

@@ -137,7 +137,11 @@ fn platform(far: f64) -> String {
         ("right", [8.0, 5.0], [4.0, 5.0]),
     ];
     let mut text = "link hand; joint drive = revolute(ground, hand) at ".to_owned();
-    text += &format!("{}; link rod; joint push = revolute(hand, rod) at {};", at(-2.0, 0.0), at(-2.5, 0.5));
+    text += &format!(
+        "{}; link rod; joint push = revolute(hand, rod) at {};",
+        at(-2.0, 0.0),
+        at(-2.5, 0.5)
+    );
     text += "link plate; motor drive; allow coupled;";
     text += &format!("joint pull = revolute(rod, plate) at {};", at(1.0, 2.0));
     for (name, foot, head) in &legs[1..] {
@@ -157,8 +161,14 @@ fn directions<T: Real>(text: &str, before: &[f64]) -> Vec<[f64; 2]> {
     let mut found = Vec::new();
     for step in 1..=40 {
         let angle = 0.01 * f64::from(step);
-        let motors: Vec<T> = before.iter().chain([&angle]).map(|value| T::from_f64(*value)).collect();
-        machine.move_to(&motors).unwrap_or_else(|stop| panic!("{stop:?}: {text}"));
+        let motors: Vec<T> = before
+            .iter()
+            .chain([&angle])
+            .map(|value| T::from_f64(*value))
+            .collect();
+        machine
+            .move_to(&motors)
+            .unwrap_or_else(|stop| panic!("{stop:?}: {text}"));
         let poses = machine.position().poses.iter();
         found.extend(poses.map(|[cos, sin, ..]| [*cos, *sin].map(Real::to_f64)));
     }
@@ -171,22 +181,29 @@ fn directions<T: Real>(text: &str, before: &[f64]) -> Vec<[f64; 2]> {
 fn links_turn_as_they_do_at_the_origin_wherever_they_stand() {
     fn compare<T: Real>(here: &[[f64; 2]], there: &str, motors: &[f64]) {
         let found = directions::<T>(there, motors);
-        let apart = here.iter().zip(&found).map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]));
+        let apart = here
+            .iter()
+            .zip(&found)
+            .map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]));
         let worst = apart.fold(0.0, f64::max);
         assert!(worst <= 64.0 * T::EPSILON, "turned by {worst:e}: {there}");
     }
     for method in ["exact", "newton", "newton(4)"] {
-        let text = |scalar: &str, body: &str| format!("struct Far: {scalar}; {body} method {method};");
+        let text =
+            |scalar: &str, body: &str| format!("struct Far: {scalar}; {body} method {method};");
         for far in [1024.0, -32768.0, 1_048_576.0] {
             for body in FAR.into_iter().chain([platform as fn(f64) -> String]) {
                 let here = directions::<f64>(&text("f64", &body(0.0)), &[]);
                 compare::<f64>(&here, &text("f64", &body(far)), &[]);
                 compare::<f32>(&here, &text("f32", &body(far)), &[]);
             }
-            let on_car = FAR[0](0.0).replace("ground.", "car.").replace("ground {", "link car {").replace(
-                "motor ja;",
-                "joint s = prismatic(ground, car) at (0, 0) along (3, 4); motor s; motor ja;",
-            );
+            let on_car = FAR[0](0.0)
+                .replace("ground.", "car.")
+                .replace("ground {", "link car {")
+                .replace(
+                    "motor ja;",
+                    "joint s = prismatic(ground, car) at (0, 0) along (3, 4); motor s; motor ja;",
+                );
             let here = directions::<f64>(&text("f64", &on_car), &[0.0]);
             compare::<f64>(&here, &text("f64", &on_car), &[far]);
             compare::<f32>(&here, &text("f32", &on_car), &[far]);

@@ -123,7 +123,11 @@ impl<'m, S: Copy> Placement<'m, S> {
         /// In units of rounding.
         const EQUAL: f64 = 4.0;
         let route = self.route(from, to);
-        let [Leg::Within(_, pin), Leg::Over(joining, _), Leg::Within(other, _)] = route.legs[..]
+        let [
+            Leg::Within(_, pin),
+            Leg::Over(joining, _),
+            Leg::Within(other, _),
+        ] = route.legs[..]
         else {
             return None;
         };
@@ -238,7 +242,13 @@ impl<'m, S: Copy> Placement<'m, S> {
         let own = algebra.mirrored_direction(to);
         let direction = algebra.rotate(facing, own);
         let spot = algebra.place(to);
-        self.hang(algebra, connection.from, to.link, [meeting, spot], direction);
+        self.hang(
+            algebra,
+            connection.from,
+            to.link,
+            [meeting, spot],
+            direction,
+        );
         let displacement = match coordinate {
             Solution::Direction(_) => None,
             Solution::Slide(displacement) => Some(displacement),

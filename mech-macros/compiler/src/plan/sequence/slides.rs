@@ -50,7 +50,11 @@ impl Search<'_> {
                 continue;
             };
             let declared = self.model.ends(connection.joint) == self.link_of(*connection);
-            let sign = if declared == heading.forwards { 1.0 } else { -1.0 };
+            let sign = if declared == heading.forwards {
+                1.0
+            } else {
+                -1.0
+            };
             #[expect(clippy::cast_precision_loss, reason = "there are not so many slides")]
             let (sin, cos) = (ANGLE * heading.number as f64).sin_cos();
             sums[0][place] += sign * cos;

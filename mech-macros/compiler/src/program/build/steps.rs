@@ -9,8 +9,8 @@ use super::sources::Sources;
 use super::watching::Watches;
 use crate::model::{InputId, Model};
 use crate::plan::{
-    Algebra, Arithmetic, ConnectionKind, Drive, Mesh, Plan, Rational, Solution, Source,
-    Step, Weld, float_of,
+    Algebra, Arithmetic, ConnectionKind, Drive, Mesh, Plan, Rational, Solution, Source, Step, Weld,
+    float_of,
 };
 use crate::program::node::Op;
 
