@@ -43,6 +43,27 @@ pub(crate) struct Ring<S> {
     pub(crate) slides: Vec<Slide<S>>,
 }
 
+impl<S: Copy> Ring<S> {
+    /// Whether a dyad closes where the ends of what is known meet: its arms are equal, or its line goes through its pin.
+    fn may_meet(&self, algebra: &impl Algebra<S>) -> bool {
+        const EQUAL: f64 = 1e-9;
+        let at_start = |[x, y]: [S; 2]| [x, y].map(|part| algebra.number_at_start(part));
+        let arms: Vec<[f64; 2]> = self.arms.iter().flatten().copied().map(at_start).collect();
+        match (&arms[..], &self.slides[..]) {
+            ([[a, b], [c, d]], []) => {
+                let lengths = [a.hypot(*b), c.hypot(*d)];
+                (lengths[0] - lengths[1]).abs() <= EQUAL * (lengths[0] + lengths[1])
+            }
+            ([], [slide]) => slide.turned_by.is_some(),
+            ([[a, b]], [slide]) if slide.turned_by.is_some() => {
+                let [cos, sin] = at_start(slide.along);
+                (cos * b - sin * a).abs() <= EQUAL * a.hypot(*b)
+            }
+            _ => false,
+        }
+    }
+}
+
 /// A slide in a ring.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Slide<S> {
@@ -189,19 +210,20 @@ impl<S: Copy + PartialEq> Equation<S> {
                 });
             }
         }
-        let across = match known[..] {
-            [(turn, from, to)] => {
-                let chord = placement.chord(algebra, from, to);
-                chord.map(|chord| algebra.rotate(turn, chord.across))
-            }
-            _ => None,
-        };
-        Ring {
+        let mut ring = Ring {
             offset,
-            across,
+            across: None,
             arms,
             slides,
+        };
+        if let [(turn, from, to)] = known[..]
+            && ring.may_meet(algebra)
+            && let Some(chord) = placement.chord(algebra, from, to)
+        {
+            ring.offset = algebra.rotate(turn, chord.vector);
+            ring.across = Some(algebra.rotate(turn, chord.across));
         }
+        ring
     }
 
     /// The equation of other quantities of the same kind, such as the rates of these.

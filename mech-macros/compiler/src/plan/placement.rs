@@ -102,9 +102,6 @@ impl<'m, S: Copy> Placement<'m, S> {
             let span = algebra.between(start, end);
             return algebra.rotate(self.pose(start.link).direction, span);
         }
-        if let Some(chord) = self.chord(algebra, from, to) {
-            return chord.vector;
-        }
         if self.are_far_off(algebra, from, to) == Some(true) {
             return self.add_up(algebra, &self.route(from, to).legs);
         }
