@@ -10,7 +10,9 @@ use mech_compiler::repair::{Offers, Repair, Search, apply_all, offers};
 use mech_compiler::reporter;
 use mech_compiler::structure::Diagnosis;
 use mech_compiler::syntax::Places;
-use mech_tests::{Dice, Sample, chain, for_all, model, samples, with_ground, worst_gap};
+use mech_tests::{
+    Dice, Sample, cases, chain, for_all, model, samples, seeds, shuffle, with_ground, worst_gap,
+};
 
 /// Tries a test on random mechanisms, which are coherent.
 fn for_coherent(test: impl Fn(Model, Dice)) {
@@ -401,8 +403,9 @@ fn wheels_on_one_shaft_may_go() {
     }
 }
 
-/// A ring's element, a gripper on two guides, and a coupler of two straps: they move, but only because their lengths match.
-const MATCHED: [&str; 3] = [
+/// A ring's element, a gripper on two guides, one on pins in parallel slots, and a coupler of two straps: they move, but only because their
+/// lengths match.
+const MATCHED: [&str; 4] = [
     "struct Element; const psi = 50 deg; const r = 2 * sin(psi); link one; link two; joint c = revolute(one, two) at (r, 0);
         joint o1 = slot(one, ground) at (r + cos(psi + 30 deg), sin(psi + 30 deg)) along 30 deg;
         joint i1 = slot(one, ground) at (r + cos(psi + 150 deg), sin(psi + 150 deg)) along -30 deg;
@@ -416,6 +419,16 @@ const MATCHED: [&str; 3] = [
         joint h = revolute(ch, lower) at (-1.99, -2.112); joint i = revolute(ei, lower) at (0.01, -2.112);
         joint up = prismatic(upper, ground) at (-1.99, 2.121) along (0, 1);
         joint down = prismatic(lower, ground) at (-1.99, -2.112) along (0, 1);",
+    "struct Slotted; link plate; link bf; link dg; link ch; link ei; link upper; link lower;
+        joint push = slot(plate, ground) at (-1.925, 0) along (1, 0);
+        joint b = revolute(plate, bf) at (-1.133, 1.005); joint d = revolute(plate, dg) at (0.867, 1.005);
+        joint c = revolute(plate, ch) at (-1.133, -0.995); joint e = revolute(plate, ei) at (0.867, -0.995);
+        joint f = revolute(bf, upper) at (-1.99, 2.121); joint g = revolute(dg, upper) at (0.01, 2.121);
+        joint h = revolute(ch, lower) at (-1.99, -2.112); joint i = revolute(ei, lower) at (0.01, -2.112);
+        joint rail_f = slot(upper, ground) at (-1.99, 2.121) along (0, 1);
+        joint rail_g = slot(upper, ground) at (0.01, 2.121) along (0, 1);
+        joint rail_h = slot(lower, ground) at (-1.99, -2.112) along (0, 1);
+        joint rail_i = slot(lower, ground) at (0.01, -2.112) along (0, 1);",
     "struct Straps; link swing; link strap; link plate; link tie; joint n = revolute(ground, swing) at (4, -2);
         joint m = revolute(strap, swing) at (4, 1); joint g = revolute(plate, tie) at (5, 2);
         joint k = revolute(ground, tie) at (9, 0); joint e = revolute(plate, strap) at (4, 1);
@@ -435,7 +448,8 @@ fn what_moves_by_its_lengths_is_offered_what_it_lacks() {
         let drivable = still
             .joint_ids()
             .filter(|joint| can_take_a_motor(&still, *joint));
-        for joint in drivable.filter(moves) {
+        // More would only take longer.
+        for joint in drivable.filter(moves).take(6) {
             for allowed in 0..4 {
                 let mut model = still.with_edit(|edit| edit.add_motor(joint));
                 (model.allow.redundant, model.allow.coupled) = (allowed & 1 > 0, allowed & 2 > 0);
@@ -471,4 +485,68 @@ fn what_moves_by_its_lengths_is_offered_what_it_lacks() {
         }
     }
     assert!(lacked_both >= 4, "{lacked_both} lacked both");
+}
+
+/// Dixon's mechanism: three pins on a line, three on another at right angles to it, and a bar from each to each.
+fn dixon(dice: &mut Dice) -> String {
+    let mut pins = || [(); 3].map(|()| dice.between(0.5, 4.0) * *dice.pick(&[1.0, -1.0]));
+    let (along, across, turned) = (pins(), pins(), dice.between(0.0, 6.3));
+    let bar = |a: usize, b: usize| match (a, b) {
+        (0, 0) => "ground".to_owned(),
+        _ => format!("bar{a}{b}"),
+    };
+    let (sin, cos) = turned.sin_cos();
+    let mut statements: Vec<String> = (1..9)
+        .map(|number| format!("link {};", bar(number / 3, number % 3)))
+        .collect();
+    for pin in 0..3 {
+        let mut order = [0, 1, 2];
+        shuffle(&mut order, dice);
+        for pair in order.windows(2) {
+            let [u, v] = [along[pin], across[pin]];
+            let (x, y) = (u * cos, u * sin);
+            let [a, b] = [bar(pin, pair[0]), bar(pin, pair[1])];
+            statements.push(format!(
+                "joint a{pin}{} = revolute({a}, {b}) at ({x:?}, {y:?});",
+                pair[1]
+            ));
+            let (x, y) = (-v * sin, v * cos);
+            let [a, b] = [bar(pair[0], pin), bar(pair[1], pin)];
+            statements.push(format!(
+                "joint b{pin}{} = revolute({a}, {b}) at ({x:?}, {y:?});",
+                pair[1]
+            ));
+        }
+    }
+    shuffle(&mut statements, dice);
+    format!(
+        "struct Dixon; {} allow redundant; allow coupled;",
+        statements.concat()
+    )
+}
+
+#[test]
+fn dixons_mechanism_moves_whichever_joint_is_driven() {
+    for seed in seeds(cases(8)) {
+        let dice = &mut Dice::new(seed);
+        let text = dixon(dice);
+        let still = model(&text);
+        for joint in still.joint_ids() {
+            let model = still.with_edit(|edit| edit.add_motor(joint));
+            let name = &still.joint(joint).name;
+            let compiled =
+                compile(&model).unwrap_or_else(|found| panic!("{name}: {found:?}: {text}"));
+            let mut machine = Machine::<f64>::new(&compiled.program);
+            let closed = [1.0, -1.0].map(|sense| {
+                let mut steps = 1..=20;
+                steps.all(|step| {
+                    let moves = machine.move_to(&[sense * 1e-4 * f64::from(step)]).is_ok();
+                    let gap = worst_gap(&model, &with_ground(&model, &machine.position().poses));
+                    assert!(gap < 1e-11, "{name}: a gap of {gap:e}: {text}");
+                    moves
+                })
+            });
+            assert!(closed.contains(&true), "{name} does not move: {text}");
+        }
+    }
 }

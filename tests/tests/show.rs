@@ -52,7 +52,7 @@ impl Carried {
         let mut loops = 0..;
         for step in &plan.steps {
             let (connections, parts, closed) = match step {
-                Step::Weld(connection) => (vec![*connection], Vec::new(), None),
+                Step::Weld(weld) => (vec![weld.connection], Vec::new(), None),
                 Step::Drive(drive) => (vec![drive.connection], Vec::new(), None),
                 Step::Mesh(mesh) => (vec![mesh.connection], mesh.parts.clone(), None),
                 Step::Cam(cam) => (vec![cam.connection], cam.parts.clone(), None),

@@ -1,6 +1,7 @@
 //! What has to hold for a program never to be blocked.
 
-use crate::program::{AtZero, BlockId, Op, Part, Program, Slot, Value, Watch};
+use crate::plan::Dyad;
+use crate::program::{AtZero, BlockId, Op, Program, Value, Watch};
 
 /// What must hold for a loop to close, by the values that tell.
 #[derive(Clone, Copy, Debug)]
@@ -59,22 +60,23 @@ pub(super) fn tests(program: &Program) -> Vec<(BlockId, Test)> {
     tests
 }
 
-/// Which values are a direction that is found, or, where none can be, that of the last position.
+/// Which values are a part of a direction that is found, or, where pins meet and none can be, is another.
 pub(super) fn keeps_direction(program: &Program) -> Vec<bool> {
-    let mut lasts = vec![false; program.ssa.nodes.len()];
     let mut keeps = vec![false; program.ssa.nodes.len()];
-    for (index, node) in program.ssa.nodes.iter().enumerate() {
-        let mut operands = node.op.operands().peekable();
-        lasts[index] = match node.op {
-            Op::Constant(_) | Op::Last(Slot::Pose(_, Part::Cos | Part::Sin)) => true,
-            _ => operands.peek().is_some() && operands.all(|operand| lasts[operand.index()]),
+    for (_, closed) in program.margins() {
+        let directions = match closed.dyad {
+            Dyad::TwoCircles { .. } => 4,
+            Dyad::TurningLine { .. } => 2,
+            Dyad::CircleAndLine { .. } | Dyad::TwoLines { .. } => 0,
         };
-        keeps[index] = matches!(node.op, Op::Choose(_, _, last) if lasts[last.index()]);
+        for value in closed.found.iter().take(directions) {
+            keeps[value.index()] = matches!(program.node(*value).op, Op::Choose(..));
+        }
     }
     keeps
 }
 
-/// Which values reach anything that is asked for, and not only where the direction of the last position may stand in for them.
+/// Which values reach anything that is asked for, and not only where another direction may stand in for them.
 fn find_exposed(program: &Program, keeps: &[bool]) -> Vec<bool> {
     let mut exposed = vec![false; program.ssa.nodes.len()];
     let margins = program.margins().map(|(_, closed)| closed.margin);

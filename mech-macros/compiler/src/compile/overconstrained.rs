@@ -11,9 +11,16 @@ use crate::program::{self, Program};
 use crate::structure::{self, Diagnosis, Rolling, Structure};
 
 /// Displacements by which each motor is tried, in radians, or as a part of the mechanism's size. They are large enough for a link that
-/// only touches its circle to leave it. The first must be possible in one direction at least; where the others are, the joints must
-/// close there too.
+/// only touches its circle to leave it. The first must be possible in one direction at least, or a less one between dead points; where the
+/// others are, the joints must close there too.
 const DISPLACEMENTS: [f64; 3] = [0.02, 0.11, 0.37];
+const LESS: [f64; 2] = [0.002, 0.0002];
+
+/// Joints close if their gap is so small a part of the mechanism's size. What bends them open does so by the square of a displacement.
+const CLOSED: f64 = 1e-9;
+
+/// Joints that open so many times as far from one step to the next do not bend: a loop has come to another assembly beyond a dead point.
+const LEAP: f64 = 1e3;
 
 /// A mechanism that moves because its lengths match.
 pub(super) struct Overconstrained {
@@ -39,6 +46,7 @@ pub(super) fn assemble(model: &Model) -> Option<Overconstrained> {
         ..model.clone()
     };
     let mut structure = structure::layout(&lenient).ok()?;
+    structure.still = structure::still_pins(&lenient);
     let (plan, waits) = match plan::plan(&lenient, &structure) {
         Ok(plan) => (plan, None),
         Err(waits @ Diagnosis::NotSequential { .. }) if !model.allow.coupled => {
@@ -55,9 +63,14 @@ pub(super) fn assemble(model: &Model) -> Option<Overconstrained> {
             [displacement, -displacement]
                 .map(|displacement| displace(&lenient, &rollings, &program, motor, displacement))
         };
-        let [least, farther @ ..] = DISPLACEMENTS;
+        let [near, farther @ ..] = DISPLACEMENTS;
         // A motor that cannot move at all is not tried farther.
-        let first = both(least);
+        let mut first = both(near);
+        for less in LESS {
+            if first == [Outcome::Stopped; 2] {
+                first = both(less);
+            }
+        }
         let closes = |outcomes: [Outcome; 2]| !outcomes.contains(&Outcome::Open);
         first.contains(&Outcome::Moved)
             && closes(first)
@@ -77,8 +90,10 @@ pub(super) fn assemble(model: &Model) -> Option<Overconstrained> {
         return None;
     }
     // Of motors that move one by one, but never together, one is too many.
-    let together = |sense: f64| all_move(&lenient, &program, sense * DISPLACEMENTS[0]);
-    if model.motors.len() > 1 && ![1.0, -1.0].into_iter().any(together) {
+    let together = |displacement: f64| all_move(&lenient, &program, displacement);
+    let near = LESS.into_iter().chain([DISPLACEMENTS[0]]);
+    let mut near = near.flat_map(|near| [near, -near]);
+    if model.motors.len() > 1 && !near.any(together) {
         return None;
     }
     structure.redundant = redundant_joints(&lenient, &plan);
@@ -100,7 +115,7 @@ enum Outcome {
     Open,
 }
 
-/// Moves one motor from the start, and tests whether all joints close there.
+/// Moves one motor from the start in small steps, which stay on their assembly, and tests whether all joints close there.
 fn displace(
     model: &Model,
     rollings: &[Rolling],
@@ -111,21 +126,28 @@ fn displace(
     let mut machine = Machine::<f64>::new(program);
     let mut motors = machine.position().motors.clone();
     let (slides, size) = (slides(model, motor), model.size());
-    motors[motor.index()] += if slides {
-        displacement * size
-    } else {
-        displacement
-    };
-    if machine.move_to(&motors).is_err() {
-        return Outcome::Stopped;
-    }
-    let reach = machine
-        .position()
-        .poses
-        .iter()
-        .fold(size, |reach, pose| reach.max(pose[2].hypot(pose[3])));
+    let (from, unit) = (motors[motor.index()], if slides { size } else { 1.0 });
     let start = LinkFrames::of_some(model, &program.stored, &program.start.poses);
-    let now = LinkFrames::of_some(model, &program.stored, &machine.position().poses);
+    let steps = (displacement.abs() / DISPLACEMENTS[0]).ceil();
+    let (mut step, mut before) = (1.0, None);
+    let (now, reach) = loop {
+        motors[motor.index()] = from + displacement * unit * step / steps;
+        if machine.move_to(&motors).is_err() {
+            return Outcome::Stopped;
+        }
+        let poses = &machine.position().poses;
+        let far = |reach: f64, pose: &[f64; 4]| reach.max(pose[2].hypot(pose[3]));
+        let reach = poses.iter().fold(size, far);
+        let now = LinkFrames::of_some(model, &program.stored, poses);
+        let gap = now.gap().max(CLOSED * reach);
+        if before.is_some_and(|before| gap > LEAP * before) {
+            return Outcome::Stopped;
+        }
+        if step >= steps {
+            break (now, reach);
+        }
+        (step, before) = (step + 1.0, Some(gap));
+    };
     let slips = || {
         rollings
             .iter()
@@ -144,8 +166,9 @@ fn displace(
         off.abs() > 1e-9 * if slides { reach } else { 1.0 }
     };
     // Turns are only known up to whole ones: the least displacement is decisive.
+    let closed = CLOSED * (displacement.abs() / DISPLACEMENTS[0]).min(1.0);
     let open =
-        now.gap() > 1e-9 * reach || idle() || (displacement.abs() <= DISPLACEMENTS[0] && slips());
+        now.gap() > closed * reach || idle() || (displacement.abs() <= DISPLACEMENTS[0] && slips());
     if open { Outcome::Open } else { Outcome::Moved }
 }
 
@@ -183,7 +206,7 @@ fn redundant_joints(model: &Model, plan: &Plan) -> Vec<JointId> {
         .steps
         .iter()
         .flat_map(|step| match step {
-            Step::Weld(connection) => vec![connection.joint],
+            Step::Weld(weld) => vec![weld.connection.joint],
             Step::Drive(drive) => vec![drive.connection.joint],
             Step::Mesh(mesh) => vec![mesh.connection.joint],
             Step::Cam(cam) => vec![cam.connection.joint],

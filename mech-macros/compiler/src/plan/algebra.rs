@@ -7,6 +7,9 @@ use crate::model::{Arithmetic, Axis};
 pub(crate) trait Algebra<S: Copy>: Arithmetic<Scalar = S> {
     fn sqrt(&mut self, a: S) -> S;
 
+    /// What a value is at the start. A number is what it is.
+    fn number_at_start(&self, value: S) -> f64;
+
     /// Gives a value a name for readers. A number has none.
     fn label(&mut self, value: S, _name: &str) -> S {
         value
@@ -107,6 +110,10 @@ impl Arithmetic for Numbers {
 impl Algebra<f64> for Numbers {
     fn sqrt(&mut self, a: f64) -> f64 {
         a.sqrt()
+    }
+
+    fn number_at_start(&self, value: f64) -> f64 {
+        value
     }
 }
 

@@ -130,7 +130,12 @@ impl Draft<'_> {
     /// The draft after a step that closes no loop.
     fn follow(mut self, model: &Model, steps: &[Step], step: &Step) -> Result<Self, Diagnosis> {
         Ok(match step {
-            Step::Weld(connection) => self.put(*connection, 0.0),
+            Step::Weld(weld) => {
+                let direction = Solution::Direction(weld.direction);
+                self.placement
+                    .connect(&mut Numbers, weld.connection, direction);
+                self
+            }
             Step::Drive(drive) => {
                 let value = model.start.value(drive.connection.joint);
                 self.put(drive.connection, value)

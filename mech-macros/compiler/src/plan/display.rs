@@ -45,7 +45,7 @@ impl PlanText<'_> {
     /// The line of a step; `loops` counts the loops up to it.
     fn step(&self, step: &Step, loops: usize, clusters: &Clusters) -> String {
         match step {
-            Step::Weld(connection) => format!("weld {}", self.joint(connection.joint)),
+            Step::Weld(weld) => format!("weld {}", self.joint(weld.connection.joint)),
             Step::Drive(drive) => format!(
                 "motor {}: gives the {}",
                 self.joint(drive.connection.joint),

@@ -35,10 +35,33 @@ pub(crate) struct Equation<S> {
 pub(crate) struct Ring<S> {
     /// The sum of what is known, in the frame of the first cluster.
     pub(crate) offset: [S; 2],
+    /// A vector at right angles to it, if it is a [chord](super::placement::Chord).
+    pub(crate) across: Option<[S; 2]>,
     /// For each unknown that is a direction, the sum of everything that turns with it, in its own frame.
     pub(crate) arms: Vec<Option<[S; 2]>>,
     /// The slides in the ring.
     pub(crate) slides: Vec<Slide<S>>,
+}
+
+impl<S: Copy> Ring<S> {
+    /// Whether a dyad closes where the ends of what is known meet: its arms are equal, or its line goes through its pin.
+    fn may_meet(&self, algebra: &impl Algebra<S>) -> bool {
+        const EQUAL: f64 = 1e-9;
+        let at_start = |[x, y]: [S; 2]| [x, y].map(|part| algebra.number_at_start(part));
+        let arms: Vec<[f64; 2]> = self.arms.iter().flatten().copied().map(at_start).collect();
+        match (&arms[..], &self.slides[..]) {
+            ([[a, b], [c, d]], []) => {
+                let lengths = [a.hypot(*b), c.hypot(*d)];
+                (lengths[0] - lengths[1]).abs() <= EQUAL * (lengths[0] + lengths[1])
+            }
+            ([], [slide]) => slide.turned_by.is_some(),
+            ([[a, b]], [slide]) if slide.turned_by.is_some() => {
+                let [cos, sin] = at_start(slide.along);
+                (cos * b - sin * a).abs() <= EQUAL * a.hypot(*b)
+            }
+            _ => false,
+        }
+    }
 }
 
 /// A slide in a ring.
@@ -153,6 +176,7 @@ impl<S: Copy + PartialEq> Equation<S> {
         let mut offset = algebra.vector([0.0, 0.0]);
         let mut arms: Vec<Option<[S; 2]>> = vec![None; self.unknowns.len()];
         let mut slides = Vec::new();
+        let mut known = Vec::new();
         for (index, connection) in ring.iter().enumerate() {
             let before = ring[(index + ring.len() - 1) % ring.len()];
             let Some(class) = class_of(&self.classes, placement.base(connection.from)) else {
@@ -161,7 +185,10 @@ impl<S: Copy + PartialEq> Equation<S> {
             let span = placement.span(algebra, before.to, connection.from);
             let part = algebra.rotate(class.turn, span);
             match class.unknown {
-                None => offset = algebra.plus(offset, part),
+                None => {
+                    offset = algebra.plus(offset, part);
+                    known.push((class.turn, before.to, connection.from));
+                }
                 Some(unknown) => extend(algebra, &mut arms[unknown], part),
             }
             let slide = Unknown::Slide(connection.joint);
@@ -183,11 +210,20 @@ impl<S: Copy + PartialEq> Equation<S> {
                 });
             }
         }
-        Ring {
+        let mut ring = Ring {
             offset,
+            across: None,
             arms,
             slides,
+        };
+        if let [(turn, from, to)] = known[..]
+            && ring.may_meet(algebra)
+            && let Some(chord) = placement.chord(algebra, from, to)
+        {
+            ring.offset = algebra.rotate(turn, chord.vector);
+            ring.across = Some(algebra.rotate(turn, chord.across));
         }
+        ring
     }
 
     /// The equation of other quantities of the same kind, such as the rates of these.
@@ -195,6 +231,7 @@ impl<S: Copy + PartialEq> Equation<S> {
         let mut both = |v: [S; 2]| v.map(&mut other);
         let rings = self.rings.iter().map(|ring| Ring {
             offset: both(ring.offset),
+            across: ring.across.map(&mut both),
             arms: ring.arms.iter().map(|arm| arm.map(&mut both)).collect(),
             slides: ring
                 .slides

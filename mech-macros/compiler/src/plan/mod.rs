@@ -19,6 +19,7 @@ mod search;
 mod sequence;
 mod step;
 mod tight;
+mod tree;
 mod triad;
 
 pub(crate) use crate::model::Arithmetic;
@@ -34,7 +35,7 @@ pub use linear_relations::Rational;
 pub(crate) use linear_relations::{float_of, fraction};
 pub use needed::PlanPart;
 pub(crate) use placement::Placement;
-pub use step::{Cam, Connection, ConnectionKind, Drive, Loop, Mesh, Source, Step, Tie};
+pub use step::{Cam, Connection, ConnectionKind, Drive, Loop, Mesh, Source, Step, Tie, Weld};
 pub(crate) use triad::{Leg, Triad};
 
 use crate::model::{Axis, Link, Model};

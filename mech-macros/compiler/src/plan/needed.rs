@@ -86,7 +86,7 @@ impl Step {
     /// The joints it closes.
     pub(crate) fn connections(&self) -> Vec<Connection> {
         match self {
-            Self::Weld(connection) => vec![*connection],
+            Self::Weld(weld) => vec![weld.connection],
             Self::Drive(drive) => vec![drive.connection],
             Self::Mesh(mesh) => vec![mesh.connection],
             Self::Cam(cam) => vec![cam.connection],

@@ -4,8 +4,17 @@ use super::algebra::{Algebra, Pose};
 use super::cluster::Clusters;
 use super::equation::Solution;
 use super::step::{Connection, ConnectionKind};
+use super::tree::{Joining, Leg, Route, Tree};
 use crate::bug::bug;
 use crate::model::{Axis, AxisId, JointId, JointKind, LinkId, Model};
+
+/// The vector between two axes that are equally far from a pin.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Chord<S> {
+    pub(crate) vector: [S; 2],
+    /// At right angles to it; near where the axes meet its length is one.
+    pub(crate) across: [S; 2],
+}
 
 /// The poses of all links, each relative to the base of its cluster.
 #[derive(Clone, Debug)]
@@ -13,6 +22,8 @@ pub(crate) struct Placement<'m, S> {
     pub(crate) model: &'m Model,
     pub(crate) clusters: Clusters,
     poses: Vec<Pose<S>>,
+    /// Along which joints each cluster was brought together.
+    tree: Tree<S>,
     /// The links that have moved in their cluster's frame since they were last asked for.
     moved: Vec<LinkId>,
 }
@@ -25,6 +36,7 @@ impl<'m, S: Copy> Placement<'m, S> {
             model,
             clusters: Clusters::new(model.links.len()),
             poses: vec![identity; model.links.len()],
+            tree: Tree::new(model.links.len()),
             moved: Vec::new(),
         }
     }
@@ -90,8 +102,121 @@ impl<'m, S: Copy> Placement<'m, S> {
             let span = algebra.between(start, end);
             return algebra.rotate(self.pose(start.link).direction, span);
         }
+        if self.are_far_off(algebra, from, to) == Some(true) {
+            return self.add_up(algebra, &self.route(from, to).legs);
+        }
         let (start, end) = (self.spot(algebra, from), self.spot(algebra, to));
         algebra.minus(end, start)
+    }
+
+    /// The vector between two axes that are equally far from the pin on which their links turn; none if they are not. Where the axes meet, only
+    /// rounding is left of the difference of their legs. But it is at right angles to the sum of these: what is not so is taken away.
+    pub(crate) fn chord(
+        &self,
+        algebra: &mut impl Algebra<S>,
+        from: AxisId,
+        to: AxisId,
+    ) -> Option<Chord<S>> {
+        /// In units of rounding.
+        const EQUAL: f64 = 4.0;
+        let route = self.route(from, to);
+        let [
+            Leg::Within(_, pin),
+            Leg::Over(joining, _),
+            Leg::Within(other, _),
+        ] = route.legs[..]
+        else {
+            return None;
+        };
+        let axes = [from, pin, other, to].map(|axis| self.axis(axis));
+        let length = |[a, b]: [&Axis; 2]| f64::hypot(b.at[0] - a.at[0], b.at[1] - a.at[1]);
+        let [a, b] = [length([axes[0], axes[1]]), length([axes[2], axes[3]])];
+        let are_equal = a > 0.0 && (a - b).abs() <= EQUAL * self.model.precision.epsilon() * a;
+        if joining.displacement.is_some() || axes.iter().any(|axis| axis.varies()) || !are_equal {
+            return None;
+        }
+        let (to_pin, from_pin) = (self.span(algebra, from, pin), self.span(algebra, other, to));
+        let sum = algebra.plus(to_pin, from_pin);
+        let difference = algebra.minus(from_pin, to_pin);
+        let scale = algebra.constant(0.5 / a);
+        let across = algebra.scale(scale, difference);
+        let off = algebra.dot(sum, across);
+        let off = algebra.scale(off, across);
+        Some(Chord {
+            vector: algebra.minus(sum, off),
+            across,
+        })
+    }
+
+    /// Whether two axes of a cluster are much farther from its base, or from the origins of their links, than from each other, or may come so
+    /// far: then the vector between them is no difference of places, which rounding would shift. None for axes that always lie on each other.
+    pub(crate) fn are_far_off(
+        &self,
+        algebra: &impl Algebra<S>,
+        from: AxisId,
+        to: AxisId,
+    ) -> Option<bool> {
+        /// So many times farther.
+        const FAR: f64 = 16.0;
+        let route = self.route(from, to);
+        if route.carriers.iter().any(|joining| self.travels(joining)) {
+            return Some(true);
+        }
+        let length = |leg: &Leg<S>| match *leg {
+            Leg::Within(a, b) => {
+                let [[a, b], [c, d]] = [a, b].map(|axis| self.axis(axis).at);
+                f64::hypot(c - a, d - b)
+            }
+            Leg::Over(joining, _) => {
+                let displacement = joining.displacement;
+                displacement.map_or(0.0, |slid| algebra.number_at_start(slid).abs())
+            }
+        };
+        let near: f64 = route.legs.iter().map(length).sum();
+        let far = [from, to].map(|axis| {
+            let axis = self.axis(axis);
+            let [x, y] = self.pose(axis.link).origin;
+            let [x, y] = [x, y].map(|part| algebra.number_at_start(part));
+            x.hypot(y) + axis.at[0].hypot(axis.at[1])
+        });
+        (near > 0.0).then_some(far[0].max(far[1]) > FAR * near)
+    }
+
+    fn route(&self, from: AxisId, to: AxisId) -> Route<S> {
+        let [start, end] = [from, to].map(|axis| (self.axis(axis).link, axis));
+        self.tree.route(start, end)
+    }
+
+    /// Whether a joint may slide any distance: its motor has no range.
+    fn travels(&self, joining: &Joining<S>) -> bool {
+        let motor = self.model.motor_of(joining.connection.joint);
+        joining.displacement.is_some()
+            && motor.is_some_and(|motor| self.model.motor(motor).range.is_none())
+    }
+
+    /// The sum of the legs of a way.
+    fn add_up(&self, algebra: &mut impl Algebra<S>, legs: &[Leg<S>]) -> [S; 2] {
+        let mut sum: Option<[S; 2]> = None;
+        for leg in legs {
+            let part = match *leg {
+                Leg::Within(a, b) if a == b => continue,
+                Leg::Within(a, b) => self.span(algebra, a, b),
+                Leg::Over(joining, forwards) => {
+                    let Some(displacement) = joining.displacement else {
+                        continue;
+                    };
+                    let [x, y] = self.heading(algebra, joining.connection.from);
+                    let along = if forwards {
+                        [x, y]
+                    } else {
+                        [algebra.neg(x), algebra.neg(y)]
+                    };
+                    algebra.scale(displacement, along)
+                }
+            };
+            sum = Some(sum.map_or(part, |sum| algebra.plus(sum, part)));
+        }
+        sum.unwrap_or_else(|| algebra.vector([0.0, 0.0]))
     }
 
     /// Brings two clusters together over a connection of known coordinate: the cosine and sine of an angle, or a length.
@@ -121,6 +246,11 @@ impl<'m, S: Copy> Placement<'m, S> {
             [meeting, spot],
             direction,
         );
+        let displacement = match coordinate {
+            Solution::Direction(_) => None,
+            Solution::Slide(displacement) => Some(displacement),
+        };
+        self.hold(connection, displacement);
     }
 
     /// Brings two clusters together over a revolute connection, with the direction of the second cluster's base, relative
@@ -136,6 +266,17 @@ impl<'m, S: Copy> Placement<'m, S> {
         let spot = self.spot(algebra, connection.to);
         let base = self.base(connection.to);
         self.hang(algebra, connection.from, base, [meeting, spot], direction);
+        self.hold(connection, None);
+    }
+
+    /// Notes what a connection has brought together, and how far it slides.
+    fn hold(&mut self, connection: Connection, displacement: Option<S>) {
+        let links = [connection.from, connection.to].map(|axis| self.axis(axis).link);
+        let joining = Joining {
+            connection,
+            displacement,
+        };
+        self.tree.join(links, joining);
     }
 
     /// Merges the cluster of `link` into that of an axis: there the link points in this direction, and the spot, which is given in the link,

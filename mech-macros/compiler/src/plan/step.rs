@@ -8,8 +8,8 @@ use crate::model::{AxisId, JointId, LinkId, MotorId};
 /// One step: it merges clusters of links, so that the links inside keep known relative positions.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Step {
-    /// A weld: its coordinate is zero for ever.
-    Weld(Connection),
+    /// What never turns: its coordinate is the same for ever.
+    Weld(Weld),
     /// A motor gives the coordinate of its joint.
     Drive(Drive),
     /// Gears, belts or racks give the coordinate of a joint.
@@ -18,6 +18,15 @@ pub enum Step {
     Cam(Cam),
     /// Clusters joined in rings by joints of unknown coordinate.
     Close(Loop),
+}
+
+/// A weld, or a pin that does not turn in its slot.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Weld {
+    /// What it joins.
+    pub connection: Connection,
+    /// The direction of the second axis, seen from the first.
+    pub direction: [f64; 2],
 }
 
 /// A joint whose coordinate a motor gives.

@@ -326,6 +326,10 @@ impl Arithmetic for SsaBuilder {
 }
 
 impl Algebra<Value> for SsaBuilder {
+    fn number_at_start(&self, value: Value) -> f64 {
+        self.at_start(value)
+    }
+
     fn place(&mut self, axis: &Axis) -> [Value; 2] {
         [0, 1].map(|part| match axis.formulas[part] {
             Some(id) => self.formulas[id.index()],

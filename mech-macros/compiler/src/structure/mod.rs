@@ -9,6 +9,7 @@ mod mesh;
 mod parallel;
 mod pin;
 mod rolling;
+mod still;
 mod verdict;
 
 pub use diagnosis::{Diagnosis, Extreme, LoopAssembly, MeshTrouble, OpenLoop, RangeTrouble};
@@ -16,6 +17,8 @@ pub(crate) use graph::KinematicGraph;
 pub use parallel::Parallels;
 pub use pin::Pin;
 pub use rolling::{Factor, Rolling, RollingEnd};
+pub use still::StillPin;
+pub(crate) use still::still_pins;
 
 use crate::bug::bug;
 use crate::model::{AxisId, Joint, JointId, JointKind, LinkId, Model};
@@ -37,6 +40,8 @@ pub struct Structure {
     pub rollings: Vec<Rolling>,
     /// The slides that stay parallel.
     pub parallels: Parallels,
+    /// The pins that do not turn in their slots, where joints may hold more than once.
+    pub still: Vec<StillPin>,
 }
 
 impl Structure {
@@ -92,6 +97,7 @@ pub(crate) fn layout(model: &Model) -> Result<Structure, Vec<Diagnosis>> {
         pins,
         rollings,
         parallels: parallel::parallels(model),
+        still: Vec::new(),
     })
 }
 

@@ -19,7 +19,7 @@ pub(super) fn motors_of_loops(model: &Model, plan: &Plan) -> Vec<Motors> {
     let mut of_loops = Vec::new();
     for step in &plan.steps {
         match step {
-            Step::Weld(weld) => joined.add(*weld, &Some(BTreeSet::new())),
+            Step::Weld(weld) => joined.add(weld.connection, &Some(BTreeSet::new())),
             Step::Drive(drive) => {
                 joined.add(
                     drive.connection,

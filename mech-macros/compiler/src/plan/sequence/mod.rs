@@ -6,13 +6,14 @@
 mod cam;
 mod open;
 mod rolling;
+mod slides;
 
 use super::between::Between;
 use super::cluster::Clusters;
 use super::coupled::{self, Block};
 use super::knowledge::Knowledge;
 use super::linear_relations::{LinearForm, LinearRelations};
-use super::step::{Connection, ConnectionKind, Drive, Loop, Source, Step};
+use super::step::{Connection, ConnectionKind, Drive, Loop, Source, Step, Weld};
 use super::tight;
 use crate::bug::bug;
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
@@ -104,20 +105,33 @@ impl<'m> Search<'m> {
     }
 
     fn weld(&mut self) {
-        for joint in self.model.joint_ids() {
-            if let JointKind::Weld(from, to) = self.model.joint(joint).kind {
-                let connection = Connection {
-                    kind: ConnectionKind::Revolute,
-                    from,
-                    to,
-                    joint,
-                };
-                let (a, b) = self.link_of(connection);
-                if !self.clusters.are_joined(a, b) {
-                    self.merge(&[a, b], &Knowledge::default());
-                    self.bodies.union(a.index(), b.index());
-                    self.steps.push(Step::Weld(connection));
-                }
+        let welds = self.model.joint_ids().filter_map(|joint| {
+            let welded = matches!(self.model.joint(joint).kind, JointKind::Weld(..));
+            welded.then_some((joint, [1.0, 0.0]))
+        });
+        let still = &self.structure.still;
+        let still = still.iter().map(|pin| (pin.joint, pin.direction));
+        let all: Vec<(JointId, [f64; 2])> = welds.chain(still).collect();
+        for (joint, direction) in all {
+            let (JointKind::Weld(from, to) | JointKind::Revolute(from, to)) =
+                self.model.joint(joint).kind
+            else {
+                bug!("what never turns neither is welded nor has a pin");
+            };
+            let connection = Connection {
+                kind: ConnectionKind::Revolute,
+                from,
+                to,
+                joint,
+            };
+            let (a, b) = self.link_of(connection);
+            if !self.clusters.are_joined(a, b) {
+                self.merge(&[a, b], &Knowledge::default());
+                self.bodies.union(a.index(), b.index());
+                self.steps.push(Step::Weld(Weld {
+                    connection,
+                    direction,
+                }));
             }
         }
     }
@@ -217,8 +231,8 @@ impl<'m> Search<'m> {
             Some(block) => self.describe(block),
             None if allow.coupled => {
                 let found = self.blocks(&connections).into_iter();
-                let mut found = found.map(|block| self.describe(block));
-                match found.find(|found| self.is_square(found)) {
+                let mut found = found.filter_map(|block| self.square(self.describe(block)));
+                match found.next() {
                     Some(found) => found,
                     None => return false,
                 }

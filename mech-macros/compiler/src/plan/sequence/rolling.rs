@@ -232,8 +232,8 @@ impl Search<'_> {
         let blocks = self.blocks(&connections).into_iter();
         let mut alone = blocks
             .filter(|(rings, _)| rings.len() == 1)
-            .map(|block| self.describe(block));
-        let found = alone.find(|found| !found.ties.is_empty() && self.is_square(found));
+            .filter_map(|block| self.square(self.describe(block)));
+        let found = alone.find(|found| !found.ties.is_empty());
         found.map(|found| self.accept(found)).is_some()
     }
 

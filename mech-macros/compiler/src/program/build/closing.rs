@@ -102,6 +102,7 @@ impl PositionPass<'_> {
             ssa,
             choice,
             last: &last,
+            across: site.equation.rings.first().and_then(|ring| ring.across),
         };
         let (closed, solution) = dyads.lower(dyad, site.number, &site.place);
         let has_branch = closed.has_branches && choice.changes_branch();
@@ -128,7 +129,15 @@ impl PositionPass<'_> {
     /// ties them.
     fn solve_by_iteration(&mut self, site: &LoopSite<'_>) -> (Vec<Solution<Value>>, Option<Tied>) {
         let placement = &self.lowering.placement;
+        // Its middle link would be found by its place.
+        let far_off = |triad: &Triad| {
+            let [a, b, c] = triad.legs.map(|leg| leg.foot.from);
+            let ssa = &self.lowering.ssa;
+            let far_off = |a, b| placement.are_far_off(ssa, a, b) == Some(true);
+            far_off(a, b) && far_off(b, c)
+        };
         let triad = Triad::of(site.closing, |axis| placement.base(axis));
+        let triad = triad.filter(|triad| !far_off(triad));
         let is_tied = !site.closing.ties.is_empty();
         let tied = is_tied.then(|| self.tie(site));
         let (model, ssa) = (self.lowering.model, &mut self.lowering.ssa);

@@ -122,19 +122,31 @@ impl LoopIteration<'_> {
         })
     }
 
-    /// The axes of the rings in their links, and their ends in the first cluster: rounding grows with these too.
+    /// The axes of the rings in their links, and their ends in the first cluster: rounding grows with these too, unless the vectors between
+    /// them are no differences of these.
     pub(super) fn axes_of_rings(&mut self) -> Vec<[Value; 2]> {
         let mut places = Vec::new();
         for ring in &self.site.closing.rings {
-            for axis in ring
-                .iter()
-                .flat_map(|connection| [connection.from, connection.to])
-            {
-                places.push(self.ssa.place(self.model.axis(axis)));
+            let follows = |index: usize| (index + 1) % ring.len();
+            let far = |index: usize| {
+                let (to, from) = (ring[index].to, ring[follows(index)].from);
+                self.placement.are_far_off(self.ssa, to, from)
+            };
+            let far: Vec<Option<bool>> = (0..ring.len()).map(far).collect();
+            // Axes on each other count as the others do.
+            let any = far.contains(&Some(true));
+            let far: Vec<bool> = far.into_iter().map(|far| far.unwrap_or(any)).collect();
+            for (index, connection) in ring.iter().enumerate() {
+                let before = far[(index + ring.len() - 1) % ring.len()];
+                for (axis, far) in [(connection.from, before), (connection.to, far[index])] {
+                    if !far {
+                        places.push(self.ssa.place(self.model.axis(axis)));
+                    }
+                }
             }
-            let ends = ring.first().map(|connection| connection.from).into_iter();
-            for axis in ends.chain(ring.last().map(|connection| connection.to)) {
-                places.push(self.placement.spot(self.ssa, axis));
+            if far.last() == Some(&false) {
+                let ends = [ring[0].from, ring[ring.len() - 1].to];
+                places.extend(ends.map(|axis| self.placement.spot(self.ssa, axis)));
             }
         }
         places

@@ -163,7 +163,7 @@ impl Target<'_> {
         for (step, is_needed) in plan.steps.iter().zip(&needed.steps) {
             match step {
                 step if !is_needed => pass.read_sources(step, &needed.sources),
-                Step::Weld(connection) => pass.weld(*connection),
+                Step::Weld(weld) => pass.weld(weld),
                 Step::Drive(drive) => pass.drive(drive),
                 Step::Mesh(mesh) => pass.mesh(mesh, plan.start.meshes[meshes]),
                 Step::Cam(cam) => pass.cam(cam),

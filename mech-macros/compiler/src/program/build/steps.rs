@@ -9,8 +9,8 @@ use super::sources::Sources;
 use super::watching::Watches;
 use crate::model::{InputId, Model};
 use crate::plan::{
-    Algebra, Arithmetic, Connection, ConnectionKind, Drive, Mesh, Plan, Rational, Solution, Source,
-    Step, float_of,
+    Algebra, Arithmetic, ConnectionKind, Drive, Mesh, Plan, Rational, Solution, Source, Step, Weld,
+    float_of,
 };
 use crate::program::node::Op;
 
@@ -38,10 +38,11 @@ impl<'m> PositionPass<'m> {
         }
     }
 
-    /// A weld: its coordinate is zero.
-    pub(super) fn weld(&mut self, connection: Connection) {
-        let zero = self.lowering.ssa.vector([1.0, 0.0]);
-        self.lowering.connect(connection, Solution::Direction(zero));
+    /// What never turns.
+    pub(super) fn weld(&mut self, weld: &Weld) {
+        let direction = self.lowering.ssa.vector(weld.direction);
+        self.lowering
+            .connect(weld.connection, Solution::Direction(direction));
     }
 
     /// A joint whose coordinate a motor gives.

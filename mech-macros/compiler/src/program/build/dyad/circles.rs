@@ -44,8 +44,12 @@ impl DyadLowering<'_> {
             || self.are_far_apart(a, b, circles.square);
         let mut solution = self.normalise(directions, stretches);
         if pins_meet {
-            // The one keeps its direction, the other follows from it.
-            solution[0] = self.unless_pins_meet(circles.square, size, solution[0], self.last[0]);
+            // The one lies across the way on which they meet, or keeps its direction; the other follows from it.
+            let first = match self.across {
+                Some(across) => self.along(across, (arms[0], a)),
+                None => self.last[0],
+            };
+            solution[0] = self.unless_pins_meet(circles.square, size, solution[0], first);
             let second = circles.second(self.ssa, solution[0]);
             solution[1] = self.unless_pins_meet(circles.square, size, solution[1], second);
         }

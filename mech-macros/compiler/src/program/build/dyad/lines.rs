@@ -89,8 +89,15 @@ impl DyadLowering<'_> {
         let shift = ssa.mul(part, part);
         let rounding_square = self.rounding_square(shift, Size::Fixed(1.0));
         if pins_meet {
-            let last = self.last[0];
-            solution[0] = self.unless_pins_meet(turning.square, size, solution[0], last);
+            // The line lies along the way on which they meet, or keeps its direction.
+            let first = match self.across {
+                Some([x, y]) => {
+                    let (back, one) = (self.ssa.neg(y), self.ssa.constant(1.0));
+                    self.along([back, x], (along, one))
+                }
+                None => self.last[0],
+            };
+            solution[0] = self.unless_pins_meet(turning.square, size, solution[0], first);
         }
         DyadResults {
             solution,

@@ -26,6 +26,8 @@ pub(super) struct DyadLowering<'a> {
     pub(super) choice: &'a Choice,
     /// Its two unknowns at the last position.
     pub(super) last: &'a [Solution<Value>],
+    /// A vector at right angles to the goal, if that is a chord; where pins meet, its length is one.
+    pub(super) across: Option<Vector>,
 }
 
 /// The results of a closed form.
@@ -196,6 +198,18 @@ impl DyadLowering<'_> {
             }
             unknown => unknown,
         })
+    }
+
+    /// The direction of an arm of this length that points along a way, or against it: as it is nearer to where it pointed.
+    fn along(&mut self, way: Vector, (arm, length): (Vector, Value)) -> Solution<Value> {
+        let pointed = self.ssa.rotate(self.last_direction(), arm);
+        let ahead = self.ssa.dot(way, pointed);
+        let one = self.ssa.constant(1.0);
+        let inverse = self.ssa.div(one, length);
+        let scale = self.ssa.copysign(inverse, ahead);
+        let back = self.ssa.conjugate(arm);
+        let direction = self.ssa.rotate(way, back);
+        Solution::Direction(self.ssa.scale(scale, direction))
     }
 
     /// A direction, unless the pins meet that the dyad joins: there any direction closes it, and it is this other one.
