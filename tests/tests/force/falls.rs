@@ -156,7 +156,6 @@ fn random<T: Scalar>(families: &[fn(&mut Dice) -> Sketch], count: u64, single: b
 }
 
 const GENERIC: [fn(&mut Dice) -> Sketch; 2] = [symmetric::generic, symmetric::fast];
-const SPECIAL: [fn(&mut Dice) -> Sketch; 2] = [symmetric::symmetric, symmetric::row];
 
 #[test]
 fn steps_of_time_are_those_of_newton_and_euler_and_are_made_where_these_go_on() {
