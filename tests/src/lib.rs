@@ -14,6 +14,7 @@ mod painted;
 mod rustc;
 mod sample;
 mod shuffled;
+mod simulated;
 pub mod sketch;
 mod source;
 pub mod symmetric;
@@ -34,6 +35,7 @@ pub use sample::{Sample, coupled_samples, dice, for_all, samples};
 pub use shuffled::{
     driven_elsewhere, driven_on_the_ground, on_any_ground, reordered, shuffle, shuffled,
 };
+pub use simulated::Simulated;
 pub use source::{bodies, mechanism_of, mechanisms, model, models};
 pub use text::text;
 pub use varied::{direction, place, scale, vary, with_params};

@@ -14,6 +14,7 @@ mod looks;
 mod mistakes;
 mod motion;
 mod names;
+mod notes;
 mod order;
 mod params;
 mod parts;

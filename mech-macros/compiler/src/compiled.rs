@@ -2,6 +2,7 @@
 
 use crate::cost::Cost;
 use crate::motion::accuracy::{Prediction, SolvedLoop};
+use crate::motion::near_miss::NearMiss;
 use crate::plan::Plan;
 use crate::program::{Program, Timing};
 use crate::structure::Structure;
@@ -30,6 +31,10 @@ pub struct Compiled {
     pub prediction: Option<Prediction>,
     /// The operations that are saved because only what is shown is computed; none if nothing is left out.
     pub saved: Option<Cost>,
+    /// The places where loops come near change points.
+    pub near_misses: Vec<NearMiss>,
+    /// These in words.
+    pub notes: Vec<String>,
     /// All of this in words.
     pub report: String,
 }

@@ -6,7 +6,7 @@ mod run;
 mod sensitivity;
 mod timing;
 
-use crate::program::{BlockId, Forces, Position, Program};
+use crate::program::{BlockId, Forces, Position, Program, Value};
 use journey::Move;
 use mech_core::journey::Halt;
 use mech_core::{Phase, Real};
@@ -246,6 +246,24 @@ impl<'p, T: Real> Machine<'p, T> {
         let position = &self.position;
         self.position = self.runner.step(position, (inputs, &position.turns))?;
         Ok(())
+    }
+
+    /// Numbers of the program at these values of motors and params, even where loops in closed form are open. Where all close, it
+    /// goes there in one step.
+    pub(crate) fn look_at(&mut self, inputs: &[T], wanted: &[Value]) -> Option<Vec<T>> {
+        let zero = vec![T::ZERO; inputs.len()];
+        let given = MotionInputs {
+            rates: &zero,
+            accelerations: &zero,
+            loads: &[],
+        };
+        let goal = (inputs, &self.position.turns[..]);
+        let values = self.runner.values_even_if_open(&self.position, goal, given);
+        let values = values.ok()?;
+        if self.runner.open(&values).is_none() {
+            self.position = self.runner.position(&values, goal).ok()?;
+        }
+        Some(wanted.iter().map(|value| values[value.index()]).collect())
     }
 
     /// Exactly as the generated code's runtime does it.

@@ -12,6 +12,8 @@ use crate::{Blocked, Cause, GaussLegendre, Real, Scalar};
 const STAGES: usize = 3;
 /// The most rounds until the second rates at the stages are settled.
 const ROUNDS: usize = 64;
+/// So often at most is a step halved whose iteration does not settle.
+const HALVINGS: u32 = 6;
 /// After so many rounds in which nothing comes nearer, only rounding goes on: it is greater beside dead points and change points.
 const STALLED: usize = 4;
 
@@ -129,6 +131,8 @@ impl<T: Scalar> Tableau<T> {
 
 /// Follows the motion for a step of time. `to` moves a position to motor values and gives the inertia there at these rates.
 ///
+/// Beside dead points accelerations change so fast that the iteration of the whole step does not settle. Then the step is made in parts.
+///
 /// # Errors
 /// If an argument is not finite, something stops the move, no mass resists a motor, or the step of time is too long.
 pub fn simulate<T, const I: usize, const M: usize, const L: usize, const K: usize>(
@@ -144,24 +148,97 @@ pub fn simulate<T, const I: usize, const M: usize, const L: usize, const K: usiz
 where
     T: Scalar,
 {
+    let inputs = moment.inputs;
+    let refuse = |stop| start.refuse(stop, inputs);
+    if !Real::is_finite(moment.time) {
+        return Err(refuse(Stop::new("time", Cause::NotFinite)));
+    }
+    super::finite(moment.torques, inputs).map_err(refuse)?;
+    let tableau = Tableau::<T>::of(method);
+    let mut position = *start;
+    let inertia = to(&mut position, start.motors, moment.rates)?;
+    let accelerations = inertia
+        .accelerations(moment.torques, inputs)
+        .map_err(refuse)?;
+    let mut now = Simulated {
+        position,
+        rates: moment.rates,
+        accelerations,
+    };
+    let (mut done, mut part, mut halvings) = (T::ZERO, T::ONE, 0);
+    while done < T::ONE {
+        let rest = Moment {
+            rates: now.rates,
+            time: moment.time * part,
+            ..*moment
+        };
+        match step(&now, &rest, &tableau, &to) {
+            Ok(there) => {
+                now = there;
+                done += part;
+            }
+            Err(_) if halvings < HALVINGS => {
+                part = part * T::HALF;
+                halvings += 1;
+            }
+            Err(blocked) => {
+                let rest = moment.time * (T::ONE - done);
+                return Err(reason(&now, rest, &to).unwrap_or(blocked));
+            }
+        }
+    }
+    now.position.motors = now.position.motors.reduced(moment.turning);
+    Ok(now)
+}
+
+/// What stops a motion that goes on as fast as it is, for so long: a loop that does not close, or the end of a range.
+#[cold]
+fn reason<T, const I: usize, const M: usize, const L: usize, const K: usize>(
+    now: &Simulated<T, I, M, L, K>,
+    time: T,
+    to: &impl Fn(
+        &mut Position<T, I, L, K>,
+        Motors<T, I>,
+        [T; M],
+    ) -> Result<Inertia<T, M>, Blocked<[T; I]>>,
+) -> Option<Blocked<[T; I]>>
+where
+    T: Scalar,
+{
+    let motors = displace(now.position.motors, now.rates.map(|rate| rate * time));
+    let stop = to(&mut { now.position }, motors, now.rates).err()?;
+    let is_stopped = matches!(
+        stop.cause,
+        Cause::Open | Cause::DeadPoint | Cause::ChangePoint | Cause::OutOfRange
+    );
+    is_stopped.then_some(stop)
+}
+
+/// A step of time, or a part of it, at once.
+fn step<T, const I: usize, const M: usize, const L: usize, const K: usize>(
+    start: &Simulated<T, I, M, L, K>,
+    moment: &Moment<T, I, M>,
+    tableau: &Tableau<T>,
+    to: &impl Fn(
+        &mut Position<T, I, L, K>,
+        Motors<T, I>,
+        [T; M],
+    ) -> Result<Inertia<T, M>, Blocked<[T; I]>>,
+) -> Result<Simulated<T, I, M, L, K>, Blocked<[T; I]>>
+where
+    T: Scalar,
+{
     let Moment {
         rates,
         torques,
         time,
         inputs,
-        turning,
         ..
     } = *moment;
-    let refuse = |stop| start.refuse(stop, inputs);
-    if !Real::is_finite(time) {
-        return Err(refuse(Stop::new("time", Cause::NotFinite)));
-    }
-    super::finite(torques, inputs).map_err(refuse)?;
-    let tableau = Tableau::<T>::of(method);
-    let mut position = *start;
-    let inertia = to(&mut position, start.motors, rates)?;
-    let first = inertia.accelerations(torques, inputs).map_err(refuse)?;
-    let mut stages = [first; STAGES];
+    let mut position = start.position;
+    let motors = position.motors;
+    let refuse = |stop| start.position.refuse(stop, inputs);
+    let mut stages = [start.accelerations; STAGES];
     let mut positions = [position; STAGES];
     let near = <T as Real>::from_f64(1024.0 * T::EPSILON);
     let hidden = <T as Real>::from_f64(16.0 * T::EPSILON);
@@ -176,8 +253,7 @@ where
             let displacement = displacement(rates, time * at, &stages, places, tableau.count);
             let shares = shares.map(|share| time * share);
             let speed = sum(rates, &stages, shares, tableau.count);
-            let inertia =
-                to(position, displace(start.motors, displacement), speed).map_err(too_long)?;
+            let inertia = to(position, displace(motors, displacement), speed).map_err(too_long)?;
             let accelerations = inertia.accelerations(torques, inputs);
             *next = accelerations.map_err(refuse).map_err(too_long)?;
         }
@@ -211,10 +287,9 @@ where
     let displacement = displacement(rates, time, &stages, end, tableau.count);
     let weights = tableau.weights.map(|share| time * share);
     let speed = sum(rates, &stages, weights, tableau.count);
-    let inertia = to(&mut position, displace(start.motors, displacement), speed)?;
+    let inertia = to(&mut position, displace(motors, displacement), speed)?;
     let accelerations = inertia.accelerations(torques, inputs).map_err(refuse)?;
     super::finite(speed, inputs).map_err(|_| refuse(Stop::new("", Cause::Overflow)))?;
-    position.motors = position.motors.reduced(turning);
     Ok(Simulated {
         position,
         rates: speed,

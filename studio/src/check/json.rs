@@ -56,11 +56,13 @@ pub(crate) fn to_json(source: &Source, verdicts: &[Verdict]) -> String {
     let mechanisms: Vec<Mechanism<'_>> = verdicts
         .iter()
         .map(|verdict| match verdict {
-            Verdict::Moves { name, place, .. } => Mechanism {
+            Verdict::Moves {
+                name, place, notes, ..
+            } => Mechanism {
                 name: Some(name),
                 moves: true,
                 place: in_file(source, place),
-                messages: Vec::new(),
+                messages: notes.iter().map(|text| note(source, text, place)).collect(),
             },
             Verdict::Faulty {
                 name,
@@ -100,6 +102,15 @@ fn message<'a>(source: &Source, message: &'a document::Message) -> Message<'a> {
         text,
         notes: lines.filter_map(note).collect(),
         place: in_file(source, &message.place),
+    }
+}
+
+fn note<'a>(source: &Source, text: &'a str, place: &Range<usize>) -> Message<'a> {
+    Message {
+        level: "note",
+        text,
+        notes: Vec::new(),
+        place: in_file(source, place),
     }
 }
 

@@ -16,6 +16,8 @@ pub(crate) enum Verdict {
         place: Range<usize>,
         /// This in one line.
         line: String,
+        /// What is worth knowing of how it moves.
+        notes: Vec<String>,
     },
     /// Something is wrong.
     Faulty {
@@ -55,6 +57,7 @@ fn verdict(document: &Document, declaration: &Declaration) -> Result<Verdict, Fa
             line: verdict_line(&model, &compiled),
             name: model.name,
             place,
+            notes: compiled.notes,
         },
         Err(faults) => Verdict::Faulty {
             name: declaration.name.clone(),

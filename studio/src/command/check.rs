@@ -35,7 +35,10 @@ impl Check {
         } else {
             for verdict in &verdicts {
                 match verdict {
-                    Verdict::Moves { line, .. } => console.answer(format!("{line}\n"))?,
+                    Verdict::Moves { line, notes, .. } => {
+                        let notes: String = notes.iter().map(|n| format!("note: {n}\n")).collect();
+                        console.answer(format!("{line}\n{notes}"))?;
+                    }
                     Verdict::Faulty { messages, .. } => {
                         console.complain(&render(source, messages, console.has_colors()));
                     }

@@ -48,6 +48,27 @@ fn what_moves_is_told_in_a_line() {
 }
 
 #[test]
+fn what_comes_near_a_change_point_moves_and_is_noted() {
+    let text = "struct Swing; link a; link b; link c;
+        joint p = revolute(ground, a) at (0, 0); joint q = revolute(a, b) at (1, 2);
+        joint r = revolute(b, c) at (4, 2.0000001); joint s = revolute(ground, c) at (3, 0); motor p;";
+    let folder = Folder::new().with("a.mech", text);
+    let answer = folder.mech("check a.mech").done();
+    let (line, note) = answer.split_once('\n').expect("two lines");
+    assert!(line.starts_with("Swing moves: "), "{answer}");
+    assert!(
+        note.starts_with("note: the loop `") && note.contains("` passes within "),
+        "{answer}"
+    );
+    assert!(note.contains(" of a change point at p = "), "{answer}");
+    let found = folder.mech("check a.mech --json").done();
+    assert!(
+        found.contains("\"moves\": true") && found.contains("\"level\": \"note\""),
+        "{found}"
+    );
+}
+
+#[test]
 fn all_mechanisms_of_a_file_or_one() {
     let folder = Folder::new().with("a.rs", rust());
     let answer = folder.mech("check a.rs");

@@ -4,9 +4,11 @@
 
 mod curve;
 mod equations;
+mod fall;
 
 pub use curve::{Curve, End};
 pub use equations::wrap;
+pub use fall::Fall;
 
 use mech_compiler::model::{JointId, JointKind, LawId, LinkId, Model};
 use mech_compiler::structure::Rolling;

@@ -3,6 +3,7 @@
 //! and loads, and on those of the zoo.
 
 mod acts;
+mod falls;
 mod flat;
 mod random_actions;
 

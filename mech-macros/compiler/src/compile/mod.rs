@@ -17,6 +17,7 @@ use crate::cost::{self, Cost};
 use crate::evaluate::{self, Machine, Stop};
 use crate::model::{JointId, JointKind, Model, MotorId, Number, ScaleTrouble};
 use crate::motion::accuracy::{self, Prediction};
+use crate::motion::near_miss::near_misses;
 use crate::motion::proof;
 use crate::motion::watching::{self, Decisions};
 use crate::plan::{self, Plan};
@@ -56,6 +57,8 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
     let loops = accuracy::solved_loops(&program, prediction.as_ref());
     let saved = saved_cost(model, &plan, &program, &choices);
     let mut compiled = Compiled {
+        near_misses: near_misses(model, &plan, &program),
+        notes: Vec::new(),
         structure,
         plan,
         program,
@@ -76,6 +79,7 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
     if !massless.is_empty() {
         return Err(vec![Diagnosis::Massless { motors: massless }]);
     }
+    compiled.notes = report::notes(model, &compiled);
     compiled.report = report::report(model, &compiled);
     Ok(compiled)
 }

@@ -48,6 +48,11 @@ struct Step {
     op: Op,
 }
 
+/// Whether a loop closes.
+fn is_closed<T: Real>(closed: &ClosedForm, values: &[T]) -> bool {
+    values[closed.margin.index()] >= T::ZERO
+}
+
 impl<T: Real> Prepared<T> {
     /// That of this program.
     #[must_use]
@@ -210,6 +215,27 @@ impl<'p, T: Real> Runner<'p, T> {
     fn values(
         &self,
         last: &Position<T>,
+        inputs: (&[T], &[i32]),
+        given: MotionInputs<'_, T>,
+    ) -> Result<Vec<T>, Stop> {
+        let values = self.values_even_if_open(last, inputs, given)?;
+        match self.open(&values) {
+            None => Ok(values),
+            Some(block) => Err(Stop::Open(block)),
+        }
+    }
+
+    /// The first loop in closed form that is open.
+    pub(super) fn open(&self, values: &[T]) -> Option<BlockId> {
+        let mut margins = self.program.margins();
+        let open = margins.find(|(_, closed)| !is_closed(closed, values));
+        open.map(|(block, _)| block)
+    }
+
+    /// The same where loops in closed form may be open: what was found from such a loop is worth nothing.
+    pub(super) fn values_even_if_open(
+        &self,
+        last: &Position<T>,
         (motors, turns): (&[T], &[i32]),
         given: MotionInputs<'_, T>,
     ) -> Result<Vec<T>, Stop> {
@@ -225,20 +251,14 @@ impl<'p, T: Real> Runner<'p, T> {
         let (motors, turns): (Vec<T>, Vec<i32>) = inputs.unzip();
         let mut values = self.prepared.constants.clone();
         let mut solved = vec![false; self.program.ssa.blocks.len()];
-        let closes = |(block, closed): (BlockId, &ClosedForm), values: &[T]| {
-            if values[closed.margin.index()] >= T::from_f64(0.0) {
-                Ok(())
-            } else {
-                Err(Stop::Open(block))
-            }
-        };
         for &Step { value, op } in &self.prepared.steps {
             if let Op::Solved(block, _) = op
                 && !std::mem::replace(&mut solved[block.index()], true)
                 && let BlockKind::Newton(newton) = &self.program.ssa.blocks[block.index()].kind
             {
-                for before in self.program.margins().take_while(|(id, _)| *id < block) {
-                    closes(before, &values)?;
+                let mut before = self.program.margins().take_while(|(id, _)| *id < block);
+                if let Some((open, _)) = before.find(|(_, closed)| !is_closed(closed, &values)) {
+                    return Err(Stop::Open(open));
                 }
                 self.iterate(block, newton, &mut values)?;
             }
@@ -261,13 +281,14 @@ impl<'p, T: Real> Runner<'p, T> {
                 }
             };
         }
-        for margin in self.program.margins() {
-            closes(margin, &values)?;
-        }
         Ok(values)
     }
 
-    fn position(&self, values: &[T], (motors, turns): (&[T], &[i32])) -> Result<Position<T>, Stop> {
+    pub(super) fn position(
+        &self,
+        values: &[T],
+        (motors, turns): (&[T], &[i32]),
+    ) -> Result<Position<T>, Stop> {
         let get = |value: &Value| values[value.index()];
         let poses: Vec<[T; 4]> = self
             .program

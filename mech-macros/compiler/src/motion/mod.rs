@@ -3,6 +3,7 @@
 
 pub mod accuracy;
 pub(crate) mod extent;
+pub mod near_miss;
 pub(crate) mod proof;
 pub(crate) mod sweep;
 pub(crate) mod walk;

@@ -5,9 +5,15 @@ use super::{Block, BlockKind, Program};
 
 /// For each node whether it is needed.
 pub(super) fn live(program: &Program) -> Vec<bool> {
+    live_with(program, &[])
+}
+
+/// The same where these values are needed, too.
+fn live_with(program: &Program, wanted: &[Value]) -> Vec<bool> {
     let mut live = vec![false; program.ssa.nodes.len()];
     let margins = program.closed_forms().map(|(_, closed)| closed.margin);
-    let mut waiting: Vec<Value> = program.roots().chain(margins).collect();
+    let roots = program.roots().chain(margins);
+    let mut waiting: Vec<Value> = roots.chain(wanted.iter().copied()).collect();
     while let Some(value) = waiting.pop() {
         if std::mem::replace(&mut live[value.index()], true) {
             continue;
@@ -22,6 +28,14 @@ pub(super) fn live(program: &Program) -> Vec<bool> {
         }
     }
     live
+}
+
+/// A program that computes these values, too.
+pub(crate) fn computing(program: &Program, wanted: &[Value]) -> Program {
+    Program {
+        live: live_with(program, wanted),
+        ..program.clone()
+    }
 }
 
 /// The values that an iteration needs; they may stand in blocks before it.

@@ -29,7 +29,7 @@ pub use build::{Output, build, build_as, derive};
 pub use choice::{Choice, Solver, Watching};
 pub use closed_form::ClosedForm;
 pub use forces::{Forces, Inertia, InverseDynamics};
-pub(crate) use live::iteration;
+pub(crate) use live::{computing, iteration};
 pub use mech_core::Real;
 pub use mech_core::journey::AtZero;
 pub use motion::{Motion, RateMargin, System};

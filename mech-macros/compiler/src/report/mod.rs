@@ -3,6 +3,7 @@
 mod effects;
 mod instances;
 mod loops;
+mod near;
 mod rolling;
 
 use crate::compiled::Compiled;
@@ -12,6 +13,7 @@ use crate::structure::Structure;
 use effects::{force_lines, trace_line};
 use instances::{is_described, joint_names, part_lines};
 use loops::{accuracy, loop_line, method, method_line, needs_line, omissions};
+pub(crate) use near::notes;
 use rolling::coupling_lines;
 use std::fmt::Write;
 
@@ -77,6 +79,9 @@ fn write(text: &mut String, model: &Model, compiled: &Compiled) -> std::fmt::Res
         if let Some(solved) = loops.iter().find(|solved| solved.number == index) {
             writeln!(text, "            {}", method_line(solved))?;
         }
+    }
+    for note in &compiled.notes {
+        writeln!(text, "  note      {note}")?;
     }
     writeln!(text, "  method    {}", method(model, program))?;
     if let Some(prediction) = prediction {
