@@ -16,6 +16,8 @@ const ROUNDS: usize = 64;
 const HALVINGS: u32 = 6;
 /// After so many rounds in which nothing comes nearer, only rounding goes on: it is greater beside dead points and change points.
 const STALLED: usize = 4;
+/// After so many nothing will: the step is too long.
+const HOPELESS: usize = 8;
 
 /// The end of a step of time. The inputs are the motors and, after them, the params, which stay constant.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -274,8 +276,8 @@ where
             least
         };
         let is_stalled = stalled >= STALLED && change.of_rates <= small;
-        if is_exact || (change.of_rates >= before && is_near) || is_stalled {
-            settled = true;
+        settled = is_exact || (change.of_rates >= before && is_near) || is_stalled;
+        if settled || stalled >= HOPELESS {
             break;
         }
         before = change.of_rates;

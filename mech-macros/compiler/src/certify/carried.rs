@@ -115,8 +115,7 @@ pub(crate) fn turned_along(
         return None;
     }
     let mut values = |place: &[f64]| -> Vec<Interval> {
-        let place: Vec<Interval> = place.iter().copied().map(Interval::point).collect();
-        tape.run(&place);
+        tape.run_at(place);
         outputs.iter().map(|value| tape.value(*value)).collect()
     };
     let (mut stays, mut turns) = (vec![true; vectors.len()], vec![true; vectors.len()]);

@@ -217,6 +217,17 @@ impl<'p> Tape<'p> {
         }
     }
 
+    /// Runs it at one place, where intervals alone are as narrow as rounding: forms would tell nothing more.
+    pub(super) fn run_at(&mut self, place: &[f64]) {
+        for step in 0..self.moving.len() {
+            let value = self.moving[step];
+            self.values[value.index()] = match self.nodes[value.index()].op {
+                Op::Input(input) => Interval::point(place[input.index()]),
+                _ => self.natural(value, &self.values),
+            };
+        }
+    }
+
     fn by_middle(&self, value: Value) -> Interval {
         self.natural(value, &self.middles)
     }
