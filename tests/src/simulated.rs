@@ -58,7 +58,7 @@ impl<'p, T: Scalar, const M: usize> Simulated<'p, T, M> {
             turning: &[false; M],
             scales: self.scales,
         };
-        let start = self.fixed(&self.position);
+        let start = Self::fixed(&self.position);
         let done = generated::simulate(&start, &moment, method, |position, motors, rates| {
             let inertia = self.moved(position, motors, rates);
             inertia.map_err(|(cause, reached)| Blocked::new("", cause, reached))
@@ -82,7 +82,7 @@ impl<'p, T: Scalar, const M: usize> Simulated<'p, T, M> {
             turns: turns.clone(),
             poses: poses
                 .iter()
-                .map(|pose| pose.map(|one| one.to_f64()))
+                .map(|pose| pose.map(mech_runtime::Real::to_f64))
                 .collect(),
             state: numbers(state),
         }
@@ -110,7 +110,7 @@ impl<'p, T: Scalar, const M: usize> Simulated<'p, T, M> {
         let Forces::Inertia(felt) = felt else {
             panic!("not the inertia");
         };
-        *position = self.fixed(&there);
+        *position = Self::fixed(&there);
         Ok(Inertia {
             matrix: std::array::from_fn(|row| {
                 std::array::from_fn(|column| felt.matrix[row][column])
@@ -121,7 +121,7 @@ impl<'p, T: Scalar, const M: usize> Simulated<'p, T, M> {
         })
     }
 
-    fn fixed(&self, position: &Position<T>) -> Fixed<T, M> {
+    fn fixed(position: &Position<T>) -> Fixed<T, M> {
         assert!(
             position.poses.len() <= LINKS && position.state.len() <= STATE,
             "it is too large"

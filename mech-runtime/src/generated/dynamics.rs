@@ -180,7 +180,7 @@ where
                 done += part;
             }
             Err(_) if halvings < HALVINGS => {
-                part = part * T::HALF;
+                part *= T::HALF;
                 halvings += 1;
             }
             Err(blocked) => {
