@@ -126,7 +126,7 @@ fn displace(
     let mut machine = Machine::<f64>::new(program);
     let mut motors = machine.position().motors.clone();
     let (slides, size) = (slides(model, motor), model.size());
-    let (from, unit) = (motors[motor.index()], if slides { size } else { 1.0 });
+    let (from, unit) = (motors[motor.index()], unit(model, motor));
     let start = LinkFrames::of_some(model, &program.stored, &program.start.poses);
     let steps = (displacement.abs() / DISPLACEMENTS[0]).ceil();
     let (mut step, mut before) = (1.0, None);
@@ -172,23 +172,27 @@ fn displace(
     if open { Outcome::Open } else { Outcome::Moved }
 }
 
-/// Whether a motor's joint slides.
+/// What displacements of a motor are parts of: a radian, or the mechanism's size.
+fn unit(model: &Model, motor: MotorId) -> f64 {
+    if slides(model, motor) {
+        model.size()
+    } else {
+        1.0
+    }
+}
+
+/// True for a motor whose joint slides.
 fn slides(model: &Model, motor: MotorId) -> bool {
     let joint = model.joint(model.motor(motor).joint);
     matches!(joint.kind, JointKind::Prismatic(..))
 }
 
-/// Whether all motors go so far from the start together.
+/// True if all motors go so far from the start together.
 fn all_move(model: &Model, program: &Program, displacement: f64) -> bool {
     let mut machine = Machine::<f64>::new(program);
     let mut motors = machine.position().motors.clone();
     for motor in model.motor_ids() {
-        let unit = if slides(model, motor) {
-            model.size()
-        } else {
-            1.0
-        };
-        motors[motor.index()] += displacement * unit;
+        motors[motor.index()] += displacement * unit(model, motor);
     }
     machine.move_to(&motors).is_ok()
 }

@@ -26,9 +26,7 @@ impl DyadLowering<'_> {
         let alike = size.varies() || (long - short).abs() <= 1e-9 * (long + short);
         let pins_meet = self.choice.changes_branch() && alike;
         let beside = if pins_meet {
-            let near = self.beyond_rounding(circles.square, size);
-            let side = self.ssa.make(Op::Choose(near, signed, turn));
-            self.ssa.copysign(root, side)
+            self.beside_meeting_pins([root, signed], turn, (circles.square, size))
         } else {
             signed
         };
@@ -83,9 +81,21 @@ impl DyadLowering<'_> {
         ssa.mul(scale, chord)
     }
 
+    /// A root with the sign of its side, or where pins nearly meet with that of a number which tells on which side the dyad was.
+    pub(super) fn beside_meeting_pins(
+        &mut self,
+        [root, signed]: [Value; 2],
+        turn: Value,
+        (square, size): (Value, Size),
+    ) -> Value {
+        let near = self.beyond_rounding(square, size);
+        let side = self.ssa.make(Op::Choose(near, signed, turn));
+        self.ssa.copysign(root, side)
+    }
+
     /// A number that is negative where pins nearly meet: there rounding hides on which side of the line between them a dyad of equal
     /// lengths lies, and it lies on that on which it was.
-    pub(super) fn beyond_rounding(&mut self, square: Value, size: Size) -> Value {
+    fn beyond_rounding(&mut self, square: Value, size: Size) -> Value {
         let roundings = self.roundings();
         let scale = self.ssa.part_of(4.0 * self.ssa.epsilon, size);
         let near = self.ssa.mul(scale, roundings);

@@ -68,19 +68,16 @@ impl DyadLowering<'_> {
             // It points nearly where it did.
             let ahead = self.ssa.rotate(self.last_direction(), along);
             let turn = self.ssa.dot(ahead, goal);
-            let near = self.beyond_rounding(turning.square, size);
-            let side = self.ssa.make(Op::Choose(near, signed, turn));
-            self.ssa.copysign(root, side)
+            self.beside_meeting_pins([root, signed], turn, (turning.square, size))
         } else {
             signed
         };
-        let root = signed;
         let solution = turning.solution(self.ssa, beside);
         let mut solution = self.normalise(solution, self.choice.watching.is_some());
         let scale = self.ssa.inverse_of(size);
         let ssa = &mut *self.ssa;
         // The displacement may be any times longer than the loop is at the start: of that, only what is near zero counts.
-        let grown = ssa.mul(scale, root);
+        let grown = ssa.mul(scale, signed);
         let (one, square_grown) = (ssa.constant(1.0), ssa.mul(grown, grown));
         let bound = ssa.add(one, square_grown);
         let bound = ssa.sqrt(bound);
