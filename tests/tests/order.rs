@@ -260,6 +260,37 @@ fn a_gear_that_slides_hold_ties_no_loop() {
     );
 }
 
+/// Slides keep the angle of a coupler, and the motor drives it: equal cranks hold it, too, and it cannot turn. The wheel makes the angles tied.
+#[test]
+fn a_motor_that_would_turn_the_coupler_of_equal_cranks_is_refused_in_any_order() {
+    let mut dice = Dice::new(0);
+    let mut statements = [
+        "link a;",
+        "link b; link w;",
+        "link c;",
+        "link s; link t;",
+        "joint a0 = revolute(ground, a) at (0, 0);",
+        "joint b0 = revolute(ground, b) at (3, 1);",
+        "joint a1 = revolute(a, c) at (1, 2);",
+        "joint b1 = revolute(b, c) at (4, 3);",
+        "joint x = prismatic(ground, t) at (2, 5) along (1, 0);",
+        "joint y = prismatic(t, s) at (2, 5) along (0, 1);",
+        "joint m = revolute(s, c) at (2, 4);",
+        "joint v = revolute(c, w) at (3, 4);",
+        "joint g = belt(w, a, 1 : 2);",
+    ];
+    for _ in 0..60 {
+        shuffle(&mut statements, &mut dice);
+        let text =
+            |statements: &str| model(&format!("struct M; {statements} motor m; allow coupled;"));
+        let equal = statements.concat();
+        let unequal = equal.replace("at (4, 3)", "at (4.5, 3.2)");
+        assert_eq!(outcome(&text(&equal)), Err("DeadStart".to_owned()));
+        let found = outcome(&text(&unequal)).expect("it moves");
+        assert_eq!(found.len(), 2, "{found:?}");
+    }
+}
+
 #[test]
 fn shuffled_declarations_of_what_is_broken_have_the_same_verdict() {
     for_all(100, &samples(2..=7), |Sample { grown, mut dice }| {

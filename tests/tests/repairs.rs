@@ -485,9 +485,16 @@ fn what_moves_by_its_lengths_is_offered_what_it_lacks() {
     assert!(lacked_both >= 3, "{lacked_both} lacked both");
 }
 
-/// Dixon's mechanism: three pins on a line, three on another at right angles to it, and a bar from each to each.
+/// Dixon's mechanism: three pins on a line, three on another at right angles to it, and a bar from each to each. No two pins nearly meet:
+/// bars that nearly cover each other leave dead points within the least displacement that is tried.
 fn dixon(dice: &mut Dice) -> String {
-    let mut pins = || [(); 3].map(|()| dice.between(0.5, 4.0) * *dice.pick(&[1.0, -1.0]));
+    let pin = |dice: &mut Dice| dice.between(0.5, 4.0) * *dice.pick(&[1.0, -1.0]);
+    let mut pins = || loop {
+        let [a, b, c] = [(); 3].map(|()| pin(dice));
+        if (a - b).abs().min((b - c).abs()).min((c - a).abs()) > 0.05 {
+            break [a, b, c];
+        }
+    };
     let (along, across, turned) = (pins(), pins(), dice.between(0.0, 6.3));
     let bar = |a: usize, b: usize| match (a, b) {
         (0, 0) => "ground".to_owned(),
@@ -525,7 +532,7 @@ fn dixon(dice: &mut Dice) -> String {
 
 #[test]
 fn dixons_mechanism_moves_whichever_joint_is_driven() {
-    for seed in 0..8 {
+    for seed in seeds(cases(8)) {
         let dice = &mut Dice::new(seed);
         let text = dixon(dice);
         let still = model(&text);

@@ -21,7 +21,7 @@ use crate::motion::near_miss::near_misses;
 use crate::motion::proof;
 use crate::motion::watching::{self, Decisions};
 use crate::plan::{self, Plan};
-use crate::program::{self, Choice, Forces, Op, Output, Program};
+use crate::program::{self, BlockId, Choice, Forces, Newton, Op, Output, Program};
 use crate::report;
 use crate::structure::{self, Diagnosis, Structure};
 use overconstrained::Overconstrained;
@@ -217,6 +217,11 @@ fn build(
         Depth::WholeMotion => choose_by_motion(model, &mut plan, choices)?,
     };
     let mut program = program::build_as(model, &plan, &choices);
+    let mut blocks = program.block_ids();
+    let dead = |block: &BlockId| program.newton(*block).is_some_and(Newton::starts_dead);
+    if let Some(block) = blocks.find(dead) {
+        return Err(diagnose_start(&plan, &program, Stop::DeadPoint(block)));
+    }
     if let Err(stop) = evaluate::settle(&mut program) {
         return Err(diagnose_start(&plan, &program, stop));
     }

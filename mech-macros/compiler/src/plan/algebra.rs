@@ -15,6 +15,9 @@ pub(crate) trait Algebra<S: Copy>: Arithmetic<Scalar = S> {
         value
     }
 
+    /// The difference of two lengths: none where it is only rounding.
+    fn difference(&mut self, a: S, b: S) -> S;
+
     fn vector(&mut self, [x, y]: [f64; 2]) -> [S; 2] {
         [self.constant(x), self.constant(y)]
     }
@@ -115,6 +118,21 @@ impl Algebra<f64> for Numbers {
     fn number_at_start(&self, value: f64) -> f64 {
         value
     }
+
+    fn difference(&mut self, a: f64, b: f64) -> f64 {
+        if are_equal(a, b, f64::EPSILON) {
+            0.0
+        } else {
+            a - b
+        }
+    }
+}
+
+/// Whether only rounding makes two lengths differ.
+pub(crate) fn are_equal(a: f64, b: f64, epsilon: f64) -> bool {
+    /// In units of rounding.
+    const EQUAL: f64 = 4.0;
+    (a - b).abs() <= EQUAL * epsilon * a
 }
 
 /// The pose of a link: the direction of its x axis, and its origin.

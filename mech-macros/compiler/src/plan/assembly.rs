@@ -246,12 +246,8 @@ fn close_loop<'m>(
     for draft in drafts {
         let equation = Equation::new(&mut Numbers, &draft.placement, closing);
         let solutions = solve(&equation).unwrap_or_else(|| {
-            let first = draft.placement.base(closing.first().from);
-            search(
-                &equation,
-                &|base| wanted_direction(model, first, base),
-                size,
-            )
+            let wanted = equation.directions(|base| wanted_angle(&draft.placement, base));
+            search(&equation, &wanted, size)
         });
         match solutions {
             LoopSolutions::Found(solutions) => {
@@ -284,15 +280,20 @@ fn close_loop<'m>(
     })
 }
 
-/// The direction in which the start wants a link, seen from the first cluster's base; of a drawn link the drawn one.
-fn wanted_direction(model: &Model, first: LinkId, link: LinkId) -> Option<[f64; 2]> {
-    let angle = |link: LinkId| {
+/// The angle in which the start wants the base of a cluster. It is given by any link of the cluster that has a wish or is drawn: the base
+/// may be one that nobody declared.
+fn wanted_angle(placement: &Placement<'_, f64>, base: LinkId) -> Option<f64> {
+    let model = placement.model;
+    let wished = |link: LinkId| {
         let near = model.start.near.iter().find(|near| near.link == link);
         let drawn = link == LinkId::GROUND || model.link(link).drawn;
         near.map(|near| near.angle).or(drawn.then_some(0.0))
     };
-    let (sin, cos) = (angle(link)? - angle(first)?).sin_cos();
-    Some([cos, sin])
+    let mut links = placement.clusters.links(base).into_iter();
+    links.find_map(|link| {
+        let [cos, sin] = placement.pose(link).direction;
+        Some(wished(link)? - sin.atan2(cos))
+    })
 }
 
 /// The greatest distance of an axis from the origin of its link.

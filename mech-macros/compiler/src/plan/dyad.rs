@@ -130,7 +130,7 @@ impl<S: Copy> TwoCircles<S> {
         let square = algebra.dot(goal, goal);
         let square = algebra.label(square, "distance_square");
         let [a, b] = lengths;
-        let (sum, difference) = (algebra.add(a, b), algebra.sub(a, b));
+        let (sum, difference) = (algebra.add(a, b), algebra.difference(a, b));
         let outer = algebra.mul(sum, sum);
         let inner = algebra.mul(difference, difference);
         let (inside, outside) = (algebra.sub(outer, square), algebra.sub(square, inner));

@@ -366,6 +366,31 @@ impl<S: Copy> Equation<S> {
     }
 }
 
+impl Equation<f64> {
+    /// For each unknown that is a direction the one it has where clusters have these angles. Of what keeps its angle to each other any
+    /// cluster may tell.
+    pub(super) fn directions(
+        &self,
+        angle: impl Fn(LinkId) -> Option<f64>,
+    ) -> Vec<Option<[f64; 2]>> {
+        let of_class = |unknown: Option<usize>| {
+            let mut alike = self
+                .classes
+                .iter()
+                .filter(|(_, class)| class.unknown == unknown);
+            alike.find_map(|(base, class)| {
+                let [cos, sin] = class.turn;
+                Some(angle(*base)? - sin.atan2(cos))
+            })
+        };
+        let direction = |unknown| {
+            let (sin, cos) = (of_class(Some(unknown))? - of_class(None)?).sin_cos();
+            Some([cos, sin])
+        };
+        (0..self.unknowns.len()).map(direction).collect()
+    }
+}
+
 /// Adds a part to an arm.
 fn extend<S: Copy>(algebra: &mut impl Algebra<S>, arm: &mut Option<[S; 2]>, part: [S; 2]) {
     *arm = Some(arm.map_or(part, |arm| algebra.plus(arm, part)));

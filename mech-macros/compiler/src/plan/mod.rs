@@ -23,7 +23,7 @@ mod tree;
 mod triad;
 
 pub(crate) use crate::model::Arithmetic;
-pub(crate) use algebra::{Algebra, Pose};
+pub(crate) use algebra::{Algebra, Pose, are_equal};
 pub use assembly::{Assembly, CamStart};
 pub use bound::{Bound, Growth, Turning};
 pub use display::PlanText;

@@ -1,6 +1,6 @@
 //! Where the links are, cluster by cluster, while the steps are followed.
 
-use super::algebra::{Algebra, Pose};
+use super::algebra::{Algebra, Pose, are_equal};
 use super::cluster::Clusters;
 use super::equation::Solution;
 use super::step::{Connection, ConnectionKind};
@@ -117,8 +117,6 @@ impl<'m, S: Copy> Placement<'m, S> {
         from: AxisId,
         to: AxisId,
     ) -> Option<Chord<S>> {
-        /// In units of rounding.
-        const EQUAL: f64 = 4.0;
         let route = self.route(from, to);
         let [
             Leg::Within(_, pin),
@@ -131,8 +129,8 @@ impl<'m, S: Copy> Placement<'m, S> {
         let axes = [from, pin, other, to].map(|axis| self.axis(axis));
         let length = |[a, b]: [&Axis; 2]| f64::hypot(b.at[0] - a.at[0], b.at[1] - a.at[1]);
         let [a, b] = [length([axes[0], axes[1]]), length([axes[2], axes[3]])];
-        let are_equal = a > 0.0 && (a - b).abs() <= EQUAL * self.model.precision.epsilon() * a;
-        if joining.displacement.is_some() || axes.iter().any(|axis| axis.varies()) || !are_equal {
+        let alike = a > 0.0 && are_equal(a, b, self.model.precision.epsilon());
+        if joining.displacement.is_some() || axes.iter().any(|axis| axis.varies()) || !alike {
             return None;
         }
         let (to_pin, from_pin) = (self.span(algebra, from, pin), self.span(algebra, other, to));

@@ -4,7 +4,6 @@ use super::algebra::Numbers;
 use super::closed_form::LoopSolutions;
 use super::equation::{Equation, Solution, Unknown};
 use super::halton::Halton;
-use crate::model::LinkId;
 use nalgebra::{DMatrix, DVector};
 
 /// Starts for each unknown: enough to find, in practice, all of the up to six assemblies of a triad.
@@ -14,23 +13,22 @@ const ROUNDS: usize = 60;
 /// Assemblies closer than this are one.
 const APART: f64 = 1e-5;
 
-/// The first guess: the direction in which a cluster is wanted.
-pub(super) type Guess<'g> = &'g dyn Fn(LinkId) -> Option<[f64; 2]>;
+/// What joints that hold a part more than once may leave open, as a part of the mechanism's size: what was solved before them is known
+/// no better where it is badly conditioned.
+const MATCH: f64 = 1e-9;
+/// A step so small changes nothing more.
+const SETTLED: f64 = 1e-12;
 
-/// Solves any equation: from the guess, and where the guess leaves something open from many starts.
-pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> LoopSolutions {
-    let given = |unknown: &Unknown| match unknown {
-        Unknown::Direction(base) => guess(*base),
-        Unknown::Slide(_) => None,
-    };
-    let open = equation
-        .unknowns
-        .iter()
-        .filter(|unknown| given(unknown).is_none())
-        .count();
-    // Rolling ties turns, not places: where it takes unknowns away, the start is free, and what is nearest to the guess is meant.
+/// Solves any equation: from the directions that are wanted, and where these leave something open from many starts.
+pub(super) fn search(
+    equation: &Equation<f64>,
+    wanted: &[Option<[f64; 2]>],
+    size: f64,
+) -> LoopSolutions {
+    let open = wanted.iter().any(Option::is_none);
+    // Rolling ties turns, not places: where it takes unknowns away, the start is free, and what is nearest to what is wanted is meant.
     let free = equation.unknowns.len() > 2 * equation.rings.len();
-    let starts = if open == 0 || free {
+    let starts = if !open || free {
         1
     } else {
         STARTS * equation.unknowns.len()
@@ -42,7 +40,7 @@ pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> L
         let mut now: Vec<Solution<f64>> = Vec::new();
         for (axis, unknown) in equation.unknowns.iter().enumerate() {
             let at = if start == 0 { 0.0 } else { sequence.at(axis) };
-            now.push(match (unknown, given(unknown)) {
+            now.push(match (unknown, wanted[axis]) {
                 (Unknown::Direction(_), Some(direction)) => Solution::Direction(direction),
                 (Unknown::Direction(_), None) => {
                     let (sin, cos) = (std::f64::consts::TAU * at).sin_cos();
@@ -98,15 +96,20 @@ fn newton(equation: &Equation<f64>, mut now: Vec<Solution<f64>>, size: f64) -> N
             singular.singular_values.max(),
             singular.singular_values.min(),
         );
-        if missing <= 1e-13 * size {
+        // Square or, where joints are redundant, as good as possible.
+        let is_redundant = gap.len() > unknowns;
+        let step = matrix.svd(true, true).solve(&-gap, 1e-12 * most);
+        let is_settled = |step: &DVector<f64>| {
+            is_redundant && missing <= MATCH * size && step.amax() <= SETTLED * size.max(1.0)
+        };
+        if missing <= 1e-13 * size || step.as_ref().is_ok_and(is_settled) {
             return if least <= 1e-7 * most {
                 NewtonResult::Singular
             } else {
                 NewtonResult::Solution(now)
             };
         }
-        // Square or, where joints are redundant, as good as possible.
-        let Ok(step) = matrix.svd(true, true).solve(&-gap, 1e-12 * most) else {
+        let Ok(step) = step else {
             return NewtonResult::Nothing(missing);
         };
         if step.iter().any(|value| !value.is_finite()) {

@@ -3,7 +3,7 @@
 use super::node::{BlockId, Node, Op, Slot, Value};
 use super::{Block, BlockKind, Position, Ssa};
 use crate::model::{Axis, Number, Precision};
-use crate::plan::{Algebra, Arithmetic};
+use crate::plan::{Algebra, Arithmetic, are_equal};
 use std::collections::{BTreeMap, HashMap};
 
 /// The operations of a program that is being built, and the state that its positions carry.
@@ -328,6 +328,13 @@ impl Arithmetic for SsaBuilder {
 impl Algebra<Value> for SsaBuilder {
     fn number_at_start(&self, value: Value) -> f64 {
         self.at_start(value)
+    }
+
+    fn difference(&mut self, a: Value, b: Value) -> Value {
+        match [a, b].map(|length| self.number(length)) {
+            [Some(a), Some(b)] if are_equal(a, b, self.epsilon) => self.constant(0.0),
+            _ => self.sub(a, b),
+        }
     }
 
     fn place(&mut self, axis: &Axis) -> [Value; 2] {

@@ -110,6 +110,12 @@ impl Newton {
         self.rounds.accept(self.linear, epsilon)
     }
 
+    /// Whether only rounding is left of the determinant at the start: there the unknowns do not follow from the equations.
+    #[must_use]
+    pub(crate) fn starts_dead(&self) -> bool {
+        self.limits.det <= 64.0 * f64::EPSILON * self.limits.reach
+    }
+
     /// The least determinant, its sign that of the start: a result below it is beyond a dead point or too near one. What is
     /// iterated for want of a closed form stays so far from it that rounding, which shifts a root, leaves it on its branch.
     #[must_use]
