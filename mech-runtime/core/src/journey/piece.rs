@@ -16,6 +16,9 @@ const ROUNDINGS: f64 = 64.0;
 const WELL_AWAY: f64 = 4.0;
 const NEAR: f64 = 2.0;
 
+/// So often is the distance doubled by which a target is put farther: from a part of the precision to the whole move.
+const DOUBLINGS: usize = 32;
+
 /// Where a piece ends: at its target, or before it for a reason.
 pub(super) struct Reach<P, S, T> {
     pub(super) to: P,
@@ -35,8 +38,8 @@ pub(super) fn travel_piece<T: Real, J: Journey<T>>(
     // By how much farther the target is put each time, so that it is beyond what rounding hides after a few.
     let mut times = 1.0;
     orient(journey, &mut from);
-    // Each round passes a change point, or finds a dead point before its aim.
-    for _ in 0..=8 * journey.watches() {
+    // Each round passes a change point, finds a dead point before its aim, or puts its target farther.
+    for _ in 0..=8 * journey.watches() + DOUBLINGS {
         let mut reach = reach(journey, &from, done, aim);
         // Where one is on its other side, others may not leave theirs any more.
         for _ in 0..journey.watches() {
@@ -98,6 +101,7 @@ pub(super) fn travel_piece<T: Real, J: Journey<T>>(
             Event::None | Event::Near(..) => {
                 settle(journey, &from, done, &mut reach);
                 if reach.end >= T::ONE {
+                    pass_hidden(journey, (&from, done), &mut reach);
                     note_arrived(journey, &from, &mut reach.to);
                 }
                 return reach;
@@ -358,6 +362,52 @@ fn settle<T: Real, J: Journey<T>>(
             reach.to = to;
         }
     }
+}
+
+/// Passes change points of which rounding hides on which side of them a move ends, where the straight line on which a sine came to its zero leads
+/// beyond it.
+fn pass_hidden<T: Real, J: Journey<T>>(
+    journey: &J,
+    (from, done): (&J::Position, T),
+    reach: &mut Reach<J::Position, J::Stop, T>,
+) {
+    for index in 0..journey.watches() {
+        let watch = journey.watch(index);
+        let is_hidden = watch.at_zero == AtZero::ChangeBranch
+            && !watch.iterated
+            && !has_passed(journey, &reach.to, index)
+            && is_zero(journey, &reach.to, index);
+        if !is_hidden || touches(journey, (from, done), index) {
+            continue;
+        }
+        let mut other = reach.to.clone();
+        pass(journey, &mut other, index);
+        if leads_beyond(journey, from, reach.end, index) == Some(true)
+            && let Ok(to) = journey.at(&other, reach.end)
+        {
+            reach.to = to;
+        }
+    }
+}
+
+/// Whether a straight line through two sines before a zero has another sign there than they have; none if rounding may hide theirs, or they do not
+/// belong to the move.
+fn leads_beyond<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    end: T,
+    index: usize,
+) -> Option<bool> {
+    let offset = distance(journey, index, 4.0);
+    let far = end - offset - offset;
+    if far < T::ZERO {
+        return None;
+    }
+    let last = journey.at(from, end - offset).ok()?;
+    let before = journey.at(&last, far).ok()?;
+    let sines = [&before, &last].map(|position| journey.sine(position, index));
+    let is_clear = exceeds(journey, &last, index, NEAR) && sines[0] * sines[1] > T::ZERO;
+    is_clear.then_some((sines[1] + sines[1] - sines[0]) * sines[1] < T::ZERO)
 }
 
 /// Goes as far as it can in one step; by iteration, in as many as it takes.
