@@ -177,3 +177,58 @@ fn welded_links_carry_wheels_and_bars_as_one() {
         }
     }
 }
+
+/// The place of a part, turned and scaled, is that of its user's pin but for rounding.
+#[test]
+fn a_shaft_of_a_part_is_that_of_its_user() {
+    for seed in seeds(cases(20)) {
+        let mut dice = Dice::new(seed);
+        let [x, y, u, v] = [0; 4].map(|_| dice.between(-3.0, 3.0));
+        let (angle, scale) = (dice.between(-3.0, 3.0), dice.between(0.3, 3.0));
+        let (sin, cos) = angle.sin_cos();
+        let place = [
+            x + scale * (cos * u - sin * v),
+            y + scale * (sin * u + cos * v),
+        ];
+        let text = format!(
+            "struct Staged;
+            part Stage {{
+                port frame {{ point o = ({u:?}, {v:?}); }}
+                port sun {{ point o = (0, 0); }}
+                link carrier {{ point o = (0, 0); point p = (3, 1); }}
+                link planet {{ point p = (0, 0); }}
+                link ring {{ point o = (0, 0); }}
+                joint c = revolute(frame.o, carrier.o);
+                joint p = revolute(carrier.p, planet.p);
+                joint fixed = weld(frame.o, ring.o);
+                joint m1 = gear(sun, planet, 18 : 12);
+                joint m2 = gear(planet, ring, 12 : -42);
+            }}
+            ground {{ point s = ({:?}, {:?}); }}
+            link sun {{ point o = (0, 0); }}
+            joint s = revolute(ground.s, sun.o);
+            use stage: Stage scaled {scale:?} {{ frame = ground at ({x:?}, {y:?}) turned {angle:?}, sun = sun }};
+            motor s;",
+            place[0], place[1]
+        );
+        let compiled = compile(&model(&text)).unwrap_or_else(|wrong| panic!("{wrong:?}\n{text}"));
+        let mut machine = Machine::<f64>::new(&compiled.program);
+        let angle = |machine: &Machine<'_, f64>, name: &str| {
+            let mut links = compiled.program.links.iter();
+            let place = links.position(|link| link == name).expect("it is there");
+            let pose = machine.position().poses[place];
+            pose[1].atan2(pose[0])
+        };
+        let names = ["sun", "stage.carrier", "stage.planet"];
+        let before = names.map(|name| angle(&machine, name));
+        machine.move_to(&[0.1]).expect("it turns");
+        for (number, turn) in [1.0, 0.3, -0.75].into_iter().enumerate() {
+            let off = angle(&machine, names[number]) - before[number] - 0.1 * turn;
+            assert!(
+                (0.5 * off).sin().abs() < 1e-13,
+                "{}: {off:e}\n{text}",
+                names[number]
+            );
+        }
+    }
+}

@@ -3,8 +3,8 @@
 use crate::model::{Axis, AxisId, AxisKind, JointKind, LinkId, Model};
 use petgraph::unionfind::UnionFind;
 
-/// Places of welded links differ by no more than this part of the mechanism's size where they are the same but for rounding.
-const ROUNDING: f64 = 1e-12;
+/// Places on a body differ by no more than so many roundings where they are the same.
+const ROUNDINGS: f64 = 64.0;
 
 /// What is welded to what.
 #[derive(Clone, Debug, PartialEq)]
@@ -120,7 +120,7 @@ impl Welded {
                 axes.union(a.index(), b.index());
             }
         }
-        let rounding = ROUNDING * model.size();
+        let rounding = ROUNDINGS * f64::EPSILON * model.size();
         let mut points: Vec<Vec<(usize, [f64; 2])>> = vec![Vec::new(); model.links.len()];
         for (index, axis) in model.axes.iter().enumerate() {
             if axis.kind != AxisKind::Point {
@@ -130,13 +130,12 @@ impl Welded {
             let known = &mut points[self.firm[axis.link.index()].index()];
             let same = |(other, [u, v]): &&(usize, [f64; 2])| {
                 let other: &Axis = &model.axes[*other];
-                if other.link == axis.link {
-                    // Two points of a link on one spot: a sun and an arm on the same shaft.
-                    other.at == axis.at && other.formulas == axis.formulas
-                } else {
-                    let varies = other.varies() || axis.varies();
-                    !varies && (x - u).hypot(y - v) <= rounding
-                }
+                // Two points of a link on one spot: a sun and an arm on the same shaft.
+                let is_spot = other.link == axis.link
+                    && other.at == axis.at
+                    && other.formulas == axis.formulas;
+                let varies = other.varies() || axis.varies();
+                is_spot || !varies && (x - u).hypot(y - v) <= rounding
             };
             if let Some((first, _)) = known.iter().find(same) {
                 axes.union(*first, index);
