@@ -22,6 +22,7 @@ mod random;
 mod ranges;
 mod rates;
 mod repairs;
+mod shafts;
 mod show;
 mod slides;
 mod ui;

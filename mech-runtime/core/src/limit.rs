@@ -14,11 +14,18 @@ const PLACES: [f64; NODES] = [-3.0, -2.0, -1.0, 1.0, 2.0, 3.0];
 const NEAR: f64 = 32.0;
 /// Numbers that are not smooth by more than this many times the fourth power of that sine have no limit.
 const ROUGH: f64 = 16.0;
-/// Where they are not smooth, distances are halved, so many times at most.
-const MOST_WIDTHS: u32 = 4;
-/// Each next distance that is tried is so many times as long, until the sine is great enough; so many are tried.
-const LONGER: f64 = 1.2;
-const MOST_DISTANCES: u32 = 48;
+/// Up to this part of its cube, what interpolation leaves out is no more than rounding hides: the one is the power of one and a half of what
+/// is not smooth.
+const SMOOTH: f64 = 0.25;
+/// Where they are not so smooth, distances are halved, so many times at most. Each time rounding hides eight times as much.
+const MOST_WIDTHS: u32 = 6;
+/// Each next distance that is tried is so many times as long at least and at most, until the sine is great enough; so many are tried, up
+/// to so many times the first: an input that does not get farther than that is not what passes the change point.
+const LONGER: [f64; 2] = [1.2, 4.0];
+const MOST_DISTANCES: u32 = 24;
+const FARTHEST: f64 = 256.0;
+/// By so much more than a straight line says that it takes.
+const BEYOND: f64 = 1.05;
 
 /// A position, and everything that is needed to find rates in its neighbourhood.
 pub trait Surroundings<T: Real> {
@@ -57,6 +64,9 @@ pub fn rates<T: Real, S: Surroundings<T>>(around: &S, here: &S::Position) -> Opt
     let fourth = T::from_f64(NEAR * T::EPSILON).sqrt();
     let rough = T::from_f64(ROUGH) * fourth;
     let mut width = fourth.sqrt().sqrt();
+    let mut smooth = T::from_f64(SMOOTH) * width * width * width;
+    // The first that are not rough, for where none are smooth.
+    let mut spare = None;
     for _ in 0..MOST_WIDTHS {
         if around.sine(here) >= width {
             return None;
@@ -73,17 +83,23 @@ pub fn rates<T: Real, S: Surroundings<T>>(around: &S, here: &S::Position) -> Opt
                 width,
                 nearest: [behind, ahead],
             };
-            if let Some(rates) = nodes.rates(around, rough) {
-                return Some(rates);
+            match nodes.rates(around) {
+                Some((rates, roughness)) if roughness <= smooth => return Some(rates),
+                Some((rates, roughness)) if roughness <= rough && spare.is_none() => {
+                    spare = Some(rates);
+                }
+                _ => {}
             }
         }
         // Beside a dead point there is only one side.
         if !is_open {
-            return None;
+            break;
         }
         width = width * T::HALF;
+        let next = smooth * T::from_f64(4.0);
+        smooth = if next < rough { next } else { rough };
     }
-    None
+    spare
 }
 
 /// The nearest position on one side at which sines are great enough, and how far the input moved there.
@@ -94,14 +110,30 @@ fn clear<T: Real, S: Surroundings<T>>(
     width: T,
 ) -> Option<(S::Position, T)> {
     // A sine that may be one, and is zero in the middle, takes so long.
-    let mut by = sign * width * T::HALF / around.rate(input);
-    let mut position = around.moved(here, input, by)?;
+    let mut by = width * T::HALF / around.rate(input);
+    let farthest = by * T::from_f64(FARTHEST);
+    let mut before = (T::ZERO, around.sine(here));
+    let mut position = around.moved(here, input, sign * by)?;
     for _ in 0..MOST_DISTANCES {
-        if around.sine(&position) >= width {
-            return Some((position, by));
+        let sine = around.sine(&position);
+        if sine >= width {
+            return Some((position, sign * by));
         }
-        by = by * T::from_f64(LONGER);
-        position = around.moved(&position, input, by)?;
+        let slope = (sine - before.1) / (by - before.0);
+        // Where it becomes less it goes through zero.
+        let rest = if slope > T::ZERO {
+            width - sine
+        } else {
+            width + sine
+        };
+        before = (by, sine);
+        let [least, most] = LONGER.map(|longer| by * T::from_f64(longer));
+        let next = by + T::from_f64(BEYOND) * rest / slope.abs();
+        by = if next < most { next.max(least) } else { most };
+        if by > farthest {
+            return None;
+        }
+        position = around.moved(&position, input, sign * by)?;
     }
     None
 }
@@ -116,8 +148,8 @@ struct Nodes<P, T> {
 }
 
 impl<P, T: Real> Nodes<P, T> {
-    /// The rates here, if they are smooth.
-    fn rates<S: Surroundings<T, Position = P>>(&self, around: &S, rough: T) -> Option<S::Rates> {
+    /// The rates here, and how far they are from smooth.
+    fn rates<S: Surroundings<T, Position = P>>(&self, around: &S) -> Option<(S::Rates, T)> {
         let [behind, ahead] = &self.nearest;
         let (middle, unit) = (
             (ahead.1 + behind.1) * T::HALF,
@@ -141,14 +173,24 @@ impl<P, T: Real> Nodes<P, T> {
             T::ZERO
         });
         let weights = weights(-middle / unit);
-        let mut is_smooth = true;
+        let mut worst = T::ZERO;
         let rates = S::interpolate(&nodes, &mut |numbers| {
-            let least = rough * (size(&numbers) + self.width * greatest);
-            is_smooth &= roughness(&numbers) <= least;
+            let rough = roughness(&numbers);
+            if rough != T::ZERO {
+                let part = rough / (size(&numbers) + self.width * greatest);
+                // What is no number is as rough as can be.
+                worst = if part > worst {
+                    part
+                } else if part <= worst {
+                    worst
+                } else {
+                    T::from_f64(f64::INFINITY)
+                };
+            }
             let shares = numbers.iter().zip(weights);
             shares.fold(T::ZERO, |sum, (number, weight)| sum + *number * weight)
         });
-        is_smooth.then_some(rates)
+        Some((rates, worst))
     }
 }
 

@@ -157,10 +157,31 @@ fn random<T: Scalar>(families: &[fn(&mut Dice) -> Sketch], count: u64, single: b
 }
 
 const GENERIC: [fn(&mut Dice) -> Sketch; 2] = [symmetric::generic, symmetric::fast];
+const EQUAL: [fn(&mut Dice) -> Sketch; 2] = [symmetric::symmetric, symmetric::row];
 
 #[test]
 fn steps_of_time_are_those_of_newton_and_euler_and_are_made_where_these_go_on() {
     let seen = random::<f64>(&GENERIC, 60, false);
     assert!(seen.early.is_empty() && seen.unnamed.is_empty(), "{seen:?}");
     assert!(seen.judged > 100 && seen.worst < 1e-3, "{seen:?}");
+}
+
+#[test]
+fn steps_of_time_pass_the_change_points_of_equal_lengths() {
+    let seen = random::<f64>(&EQUAL, 20, false);
+    assert!(seen.early.is_empty() && seen.unnamed.is_empty(), "{seen:?}");
+    assert!(seen.judged > 50 && seen.worst < 1e-3, "{seen:?}");
+}
+
+/// So near a change point that forces have no limit in single precision, and none that rounding leaves, the motion stops and says so.
+#[test]
+fn steps_of_time_are_made_in_single_precision() {
+    for families in [GENERIC, EQUAL] {
+        let seen = random::<f32>(&families, 8, true);
+        let says_so = |stop: &String| stop.starts_with("Singular");
+        assert!(seen.early.iter().all(says_so), "{seen:?}");
+        assert!(10 * seen.early.len() <= seen.mechanisms, "{seen:?}");
+        assert!(seen.unnamed.is_empty(), "{seen:?}");
+        assert!(seen.judged > 20 && seen.worst < 1e-2, "{seen:?}");
+    }
 }

@@ -4,7 +4,7 @@
 mod advice;
 mod forgotten;
 
-use advice::{mend, messages};
+use advice::{alternatives, mend, messages};
 
 /// A mechanism as it is drawn: points with their places, links by the letters of their points, what is pinned to the ground, and
 /// what else there is.
@@ -95,7 +95,7 @@ fn assert_advised(drawing: &Drawing, styles: &[Style], wanted: &str) {
         let reported = messages(&text);
         let first: Vec<Vec<String>> = reported
             .iter()
-            .map(|message| advice::alternatives(message).into_iter().take(2).collect())
+            .map(|message| alternatives(message).into_iter().take(2).collect())
             .collect();
         assert!(
             first.iter().flatten().any(|advice| advice == wanted),
@@ -191,7 +191,7 @@ fn a_crank_grounded_at_both_ends() {
         joint b2 = revolute(ground, ab) at (1, 1);
         motor a;";
     let messages = messages(text);
-    let first = messages.iter().map(|message| advice::alternatives(message));
+    let first = messages.iter().map(|message| alternatives(message));
     assert!(
         first.flatten().any(|advice| advice == "remove `joint b2`"),
         "{messages:#?}"
@@ -396,5 +396,29 @@ fn one_bent_link_drawn_as_two_bars() {
         let wanted =
             "make one bent link of `bm` and `mc`: write `joint m = weld(bm, mc) at (2.5, 2.5);`";
         assert_says(&drawing.text(Style::Points), &[wanted]);
+    }
+}
+
+#[test]
+fn a_block_whose_guide_is_forgotten() {
+    for (knee, block, along) in [
+        ("(1, 0.5)", "(4, 0)", "(1, 0)"),
+        ("(1, 0.5)", "(-4, 0.3)", "(1, 0)"),
+        ("(0.5, 1)", "(0.25, 5)", "(0, 1)"),
+    ] {
+        let text = format!(
+            "struct Slider; link block; link crank; link rod;
+            joint c = revolute(block, rod) at {block};
+            joint b = revolute(rod, crank) at {knee};
+            joint a = revolute(crank, ground) at (0, 0);
+            motor a;"
+        );
+        let wanted = format!("joint guide = prismatic(ground, block) at {block} along {along};");
+        let reported = messages(&text);
+        let mut all = reported.iter().flat_map(|message| alternatives(message));
+        let first = all.next().unwrap_or_default();
+        assert!(first.contains(&wanted), "{reported:#?}");
+        let left = messages(&format!("{text} {wanted}"));
+        assert!(left.is_empty(), "{left:#?}\n{text}");
     }
 }

@@ -37,6 +37,8 @@ pub struct Prepared<T> {
     constants: Vec<T>,
     /// What is computed once, constants apart, in order.
     steps: Vec<Step>,
+    /// How many of these come before the last that positions need: rates and forces stand behind it.
+    of_position: usize,
     /// What each block computes anew in every round of its iteration.
     rounds: Vec<Vec<Step>>,
 }
@@ -70,9 +72,14 @@ impl<T: Real> Prepared<T> {
                 _ => steps.push(step),
             }
         }
+        let poses = program.poses.iter().flatten();
+        let margins = program.margins().map(|(_, closed)| &closed.margin);
+        let last = poses.chain(&program.state).chain(margins).max();
+        let of_position = steps.partition_point(|step| Some(&step.value) <= last);
         Self {
             constants,
             steps,
+            of_position,
             rounds,
         }
     }
@@ -102,15 +109,19 @@ impl<'p, T: Real> Runner<'p, T> {
         last: &Position<T>,
         (motors, turns): (&[T], &[i32]),
     ) -> Result<Position<T>, Stop> {
-        self.spend(self.prepared.steps.len() + 1)?;
+        let steps = &self.prepared.steps[..self.prepared.of_position];
+        self.spend(steps.len() + 1)?;
         let zero = vec![T::ZERO; motors.len()];
         let given = MotionInputs {
             rates: &zero,
             accelerations: &zero,
             loads: &[],
         };
-        let values = self.values(last, (motors, turns), given)?;
-        self.position(&values, (motors, turns))
+        let values = self.values_of(steps, last, (motors, turns), given)?;
+        match self.open(&values) {
+            None => self.position(&values, (motors, turns)),
+            Some(block) => Err(Stop::Open(block)),
+        }
     }
 
     /// Counts operations: none are made that are not left.
@@ -236,6 +247,17 @@ impl<'p, T: Real> Runner<'p, T> {
     pub(super) fn values_even_if_open(
         &self,
         last: &Position<T>,
+        inputs: (&[T], &[i32]),
+        given: MotionInputs<'_, T>,
+    ) -> Result<Vec<T>, Stop> {
+        self.values_of(&self.prepared.steps, last, inputs, given)
+    }
+
+    /// What these steps compute.
+    fn values_of(
+        &self,
+        steps: &[Step],
+        last: &Position<T>,
         (motors, turns): (&[T], &[i32]),
         given: MotionInputs<'_, T>,
     ) -> Result<Vec<T>, Stop> {
@@ -251,7 +273,7 @@ impl<'p, T: Real> Runner<'p, T> {
         let (motors, turns): (Vec<T>, Vec<i32>) = inputs.unzip();
         let mut values = self.prepared.constants.clone();
         let mut solved = vec![false; self.program.ssa.blocks.len()];
-        for &Step { value, op } in &self.prepared.steps {
+        for &Step { value, op } in steps {
             if let Op::Solved(block, _) = op
                 && !std::mem::replace(&mut solved[block.index()], true)
                 && let BlockKind::Newton(newton) = &self.program.ssa.blocks[block.index()].kind

@@ -83,7 +83,14 @@ pub(super) fn rack(
 ) -> Option<Vec<(Outline, u8)>> {
     let [
         (RollingEnd::Wheel(pinion_link), _),
-        (RollingEnd::Bar { link, slide, .. }, _),
+        (
+            RollingEnd::Bar {
+                link,
+                slide,
+                forwards,
+            },
+            _,
+        ),
     ] = rack.rolling.ends
     else {
         return None;
@@ -91,11 +98,7 @@ pub(super) fn rack(
     let JointKind::Prismatic(a, b) = scene.model.joint(slide).kind else {
         return None;
     };
-    let line = if scene.model.axis(a).link == link {
-        a
-    } else {
-        b
-    };
+    let line = if forwards { b } else { a };
     let pinion = &wheels.all[rack.pinion];
     let module = 2.0 * pinion.radius / f64::from(pinion.teeth?);
     let pitch = PI * module;

@@ -297,7 +297,10 @@ fn teeth(ratio: Ratio, radii: [f64; 2], module: f64) -> Option<[u32; 2]> {
 fn hub(scene: &Scene<'_>, wheel: LinkId, carrier: LinkId) -> Option<Hub> {
     scene.survey.at_start(wheel)?;
     let axes = scene.structure.hub(wheel, carrier)?;
-    let [own, on_carrier] = axes.map(|axis| Point2::from(scene.model.axis(axis).at));
+    let [own, on_carrier] = [(axes[0], wheel), (axes[1], carrier)].map(|(axis, link)| {
+        let place = scene.structure.welded.place(scene.model.axis(axis), link);
+        Point2::from(place)
+    });
     Some(Hub { own, on_carrier })
 }
 

@@ -159,17 +159,33 @@ fn join(purpose: Purpose, name: String, links: [LinkId; 2], at: [f64; 2]) -> Rep
     Declaration::joint(purpose, joint).into()
 }
 
-/// If nothing says how long the last link of a chain is: it ends at the height of the first pivot on the ground.
+/// If nothing says how long the last link of a chain is: it ends at the height of the first pivot on the ground. If it hangs on a joint
+/// at that height, or above or below that pivot, it is a block on a line through both.
 fn below(model: &Model, sketch: &Sketch, bare: &[(LinkId, [f64; 2])]) -> Vec<Repair> {
     let mut pivots = sketch.pins.iter();
     let Some(pivot) = pivots.find(|pin| pin.links.contains(&LinkId::GROUND)) else {
         return Vec::new();
     };
-    let lone = bare.iter().filter_map(|&(link, [x, y])| {
-        let apart = (y - pivot.at[1]).abs() > NEAR * sketch.size;
-        let apart = apart && !are_joined(model, [LinkId::GROUND, link]);
-        let at = [x, pivot.at[1]];
-        (apart && sketch.pin_at(at).is_none()).then(|| on_ground(model, link, None, at))
+    let moving = bare.iter().filter(|(link, place)| {
+        !are_joined(model, [LinkId::GROUND, *link]) && !sketch.is_same(*place, pivot.at)
+    });
+    let lone = moving.map(|&(link, place)| {
+        let [x, y] = [0, 1].map(|part| (place[part] - pivot.at[part]).abs());
+        let near = NEAR * sketch.size;
+        if y <= near || x <= near {
+            let along = if y <= x { [1.0, 0.0] } else { [0.0, 1.0] };
+            let joint = NewJoint {
+                name: NewNames::new(model).like(None, "guide"),
+                kind: NewKind::Prismatic(along),
+                ends: Ends::Drawn {
+                    links: [LinkId::GROUND, link],
+                    at: place,
+                },
+            };
+            Declaration::joint(Purpose::Slide, joint).into()
+        } else {
+            on_ground(model, link, None, [place[0], pivot.at[1]])
+        }
     });
     lone.collect()
 }

@@ -38,6 +38,8 @@ pub enum Purpose {
     Turn,
     /// To keep a link from turning that slides.
     Guide,
+    /// To let a link slide on the ground.
+    Slide,
     /// To join links to each other that are pinned to the ground at one place.
     Free,
     /// To make a link a part of the ground.

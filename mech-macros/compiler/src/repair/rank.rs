@@ -25,7 +25,7 @@ impl<'m> Ranking<'m> {
     pub(super) fn of(&self, repair: &Repair) -> (usize, usize) {
         match repair {
             Repair::Declare(Declaration { purpose, .. }) => match purpose {
-                Purpose::Ground | Purpose::Join { .. } => (0, 0),
+                Purpose::Ground | Purpose::Slide | Purpose::Join { .. } => (0, 0),
                 Purpose::Fix | Purpose::Meet => (0, 1),
                 Purpose::Turn | Purpose::Guide | Purpose::Free => (3, 0),
                 Purpose::Connect => (9, 0),

@@ -63,6 +63,7 @@ impl Words<'_> {
             Purpose::Stiffen => format!("make one bent link of {} and {}", name(0), name(1)),
             Purpose::Turn => format!("let {} turn", name(0)),
             Purpose::Guide => format!("keep {} from turning", name(1)),
+            Purpose::Slide => format!("let {moving} slide on the ground"),
             Purpose::Free => "join these links to each other, not to the ground".to_owned(),
             Purpose::Fix => format!("make {moving} a part of the ground"),
         }

@@ -1,8 +1,8 @@
 //! Whether wheels of their sizes can roll on each other where their axes are.
 
 use super::diagnosis::{Diagnosis, MeshTrouble};
-use super::pin::Pin;
-use super::rolling::Rolling;
+use super::pin;
+use super::rolling::{Rolling, Shafts};
 use crate::model::{JointKind, LinkId, Model, Ratio};
 
 /// Drawings are rounded: radii may differ from what the axes ask for by this part of the greater one.
@@ -11,7 +11,7 @@ const ROUNDED: f64 = 1e-3;
 const ONE_SHAFT: f64 = 1e-9;
 
 /// Whether the sizes of what rolls contradict each other, or the places of its axes on the carrier.
-pub(super) fn check(model: &Model, pins: &[Pin], rolling: &Rolling) -> Result<(), Diagnosis> {
+pub(super) fn check(model: &Model, shafts: Shafts<'_>, rolling: &Rolling) -> Result<(), Diagnosis> {
     let (joint, carrier) = (rolling.joint, rolling.carrier);
     let (is_belt, ratio) = match model.joint(joint).kind {
         JointKind::Gear { ratio, .. } => (false, ratio),
@@ -29,7 +29,7 @@ pub(super) fn check(model: &Model, pins: &[Pin], rolling: &Rolling) -> Result<()
         return Err(fails(MeshTrouble::SmallRing));
     }
     let [(a, _), (b, _)] = rolling.ends;
-    let places = [a, b].map(|end| place(model, pins, end.link(), carrier));
+    let places = [a, b].map(|end| place(model, shafts, end.link(), carrier));
     let [Some(first), Some(second)] = places else {
         return Ok(());
     };
@@ -52,10 +52,12 @@ pub(super) fn check(model: &Model, pins: &[Pin], rolling: &Rolling) -> Result<()
 }
 
 /// Where a wheel turns on its carrier, in the frame of that.
-fn place(model: &Model, pins: &[Pin], wheel: LinkId, carrier: LinkId) -> Option<[f64; 2]> {
-    let mut axes = pins.iter().filter_map(|pin| {
-        pin.axis_of(wheel)?;
-        pin.axis_of(carrier)
-    });
-    Some(model.axis(axes.next()?).at)
+fn place(
+    model: &Model,
+    (pins, welded): Shafts<'_>,
+    wheel: LinkId,
+    carrier: LinkId,
+) -> Option<[f64; 2]> {
+    let [_, axis] = pin::hub(pins, welded, wheel, carrier)?;
+    Some(welded.place(model.axis(axis), carrier))
 }

@@ -11,6 +11,7 @@ mod pin;
 mod rolling;
 mod still;
 mod verdict;
+mod welded;
 
 pub use diagnosis::{Diagnosis, Extreme, LoopAssembly, MeshTrouble, OpenLoop, RangeTrouble};
 pub(crate) use graph::KinematicGraph;
@@ -19,6 +20,7 @@ pub use pin::Pin;
 pub use rolling::{Factor, Rolling, RollingEnd};
 pub use still::StillPin;
 pub(crate) use still::still_pins;
+pub use welded::Welded;
 
 use crate::bug::bug;
 use crate::model::{AxisId, Joint, JointId, JointKind, LinkId, Model};
@@ -34,6 +36,8 @@ pub struct Structure {
     pub arms: Vec<JointId>,
     /// The joints that hold a part more than once, where that is allowed.
     pub redundant: Vec<JointId>,
+    /// The links that are one body.
+    pub welded: Welded,
     /// The axes of rotation, with all links on each.
     pub pins: Vec<Pin>,
     /// The gears, belts and racks, with their carriers.
@@ -45,11 +49,16 @@ pub struct Structure {
 }
 
 impl Structure {
-    /// The axes about which a wheel turns on its carrier: that of the wheel, and that of the carrier.
+    /// The axes about which a wheel turns on its carrier: that of the wheel, and that of the carrier; where these have none there, of what
+    /// is welded to them.
     #[must_use]
     pub fn hub(&self, wheel: LinkId, carrier: LinkId) -> Option<[AxisId; 2]> {
-        let mut pins = self.pins.iter();
-        pins.find_map(|pin| Some([pin.axis_of(wheel)?, pin.axis_of(carrier)?]))
+        pin::hub(&self.pins, &self.welded, wheel, carrier)
+    }
+
+    /// The pin on which a wheel turns on its carrier, or what is welded to them.
+    pub(crate) fn shaft(&self, wheel: LinkId, carrier: LinkId) -> Option<&Pin> {
+        pin::shaft(&self.pins, &self.welded, wheel, carrier)
     }
 }
 
@@ -70,20 +79,22 @@ pub(crate) fn is_sound(model: &Model) -> bool {
 
 /// All pins of a mechanism, in the order of their first joint.
 pub(crate) fn pins(model: &Model) -> Vec<Pin> {
-    pin::pins(model)
+    pin::pins(model, &Welded::new(model))
 }
 
 /// The links that could carry a gear, belt or rack.
 pub(crate) fn carriers(model: &Model, joint: JointId) -> Vec<LinkId> {
-    rolling::carriers(model, &pin::pins(model), joint)
+    let welded = Welded::new(model);
+    rolling::carriers(model, (&pin::pins(model, &welded), &welded), joint)
 }
 
 /// Finds out what is connected to what, without asking whether it moves.
 pub(crate) fn layout(model: &Model) -> Result<Structure, Vec<Diagnosis>> {
     let graph = KinematicGraph::new(model);
     check_connected(&graph, model)?;
-    let pins = pin::pins(model);
-    let rollings = rolling::rollings(model, &pins)?;
+    let welded = Welded::new(model);
+    let pins = pin::pins(model, &welded);
+    let rollings = rolling::rollings(model, (&pins, &welded))?;
     let arms = graph.arms();
     let trunk = model
         .joint_ids()
@@ -94,6 +105,7 @@ pub(crate) fn layout(model: &Model) -> Result<Structure, Vec<Diagnosis>> {
         trunk,
         arms,
         redundant: Vec::new(),
+        welded,
         pins,
         rollings,
         parallels: parallel::parallels(model),

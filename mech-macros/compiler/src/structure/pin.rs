@@ -1,8 +1,9 @@
-//! Pins: several links on one axis of rotation (a multiple joint) are joined pairwise, whichever pairs were declared.
+//! Pins: several links on one axis of rotation (a multiple joint) are joined pairwise, whichever pairs were declared. Welded links share
+//! their axes.
 
+use super::welded::Welded;
 use crate::bug::bug;
-use crate::model::{Axis, AxisId, AxisKind, JointId, JointKind, LinkId, Model};
-use petgraph::unionfind::UnionFind;
+use crate::model::{AxisId, JointId, JointKind, LinkId, Model};
 use std::collections::BTreeMap;
 
 /// An axis of rotation with all links that turn about it.
@@ -15,6 +16,14 @@ pub struct Pin {
 }
 
 impl Pin {
+    /// The axis on the pin of the body that this link is part of: the link's own, if it has one there.
+    #[must_use]
+    pub fn axis_of_body(&self, welded: &Welded, link: LinkId) -> Option<AxisId> {
+        let mut members = self.members.iter();
+        let body = members.find(|member| welded.are_one(member.0, link));
+        self.axis_of(link).or(body.map(|member| member.1))
+    }
+
     /// The axis of this link on the pin, if the link is on it.
     #[must_use]
     pub fn axis_of(&self, link: LinkId) -> Option<AxisId> {
@@ -27,28 +36,12 @@ impl Pin {
 
 /// All pins of a mechanism, in the order of their first joint.
 #[must_use]
-pub(super) fn pins(model: &Model) -> Vec<Pin> {
-    let mut classes = UnionFind::<usize>::new(model.axes.len());
+pub(super) fn pins(model: &Model, welded: &Welded) -> Vec<Pin> {
+    let mut classes = welded.axes(model);
     for joint in &model.joints {
         if let JointKind::Revolute(a, b) = joint.kind {
             classes.union(a.index(), b.index());
         }
-    }
-    // Two points of a link on one spot are one axis: a sun and an arm on the same shaft.
-    let mut on_link: BTreeMap<LinkId, Vec<usize>> = BTreeMap::new();
-    for (index, axis) in model.axes.iter().enumerate() {
-        if axis.kind != AxisKind::Point {
-            continue;
-        }
-        let known = on_link.entry(axis.link).or_default();
-        let same = |other: &&usize| {
-            let other: &Axis = &model.axes[**other];
-            other.at == axis.at && other.formulas == axis.formulas
-        };
-        if let Some(&first) = known.iter().find(same) {
-            classes.union(first, index);
-        }
-        known.push(index);
     }
     let mut members: BTreeMap<usize, Vec<(LinkId, AxisId)>> = BTreeMap::new();
     for (index, axis) in model.axes.iter().enumerate() {
@@ -76,4 +69,34 @@ pub(super) fn pins(model: &Model) -> Vec<Pin> {
         }
     }
     pins
+}
+
+/// The pin on which a wheel turns on its carrier, or else what is welded to the one on what is welded to the other.
+pub(super) fn shaft<'p>(
+    pins: &'p [Pin],
+    welded: &Welded,
+    wheel: LinkId,
+    carrier: LinkId,
+) -> Option<&'p Pin> {
+    let links = [wheel, carrier];
+    let own = |pin: &&Pin| links.iter().all(|link| pin.axis_of(*link).is_some());
+    let of_bodies = |pin: &&Pin| {
+        let mut links = links.iter();
+        links.all(|link| pin.axis_of_body(welded, *link).is_some())
+    };
+    pins.iter()
+        .find(own)
+        .or_else(|| pins.iter().find(of_bodies))
+}
+
+/// The axes of a wheel and of its carrier there.
+pub(super) fn hub(
+    pins: &[Pin],
+    welded: &Welded,
+    wheel: LinkId,
+    carrier: LinkId,
+) -> Option<[AxisId; 2]> {
+    let pin = shaft(pins, welded, wheel, carrier)?;
+    let [own, other] = [wheel, carrier].map(|link| pin.axis_of_body(welded, link));
+    Some([own?, other?])
 }

@@ -28,10 +28,12 @@ impl Diagram<'_> {
             (
                 JointKind::Rack { radius, .. },
                 RollingEnd::Wheel(pinion),
-                RollingEnd::Bar { link, slide, .. },
+                RollingEnd::Bar {
+                    slide, forwards, ..
+                },
             ) => {
                 let pinion = hub(pinion).and_then(|hub| hub.spot);
-                pinion.and_then(|pinion| self.rack(pinion, radius, link, slide))
+                pinion.and_then(|pinion| self.rack(pinion, radius, (slide, forwards)))
             }
             _ => None,
         };
@@ -39,11 +41,16 @@ impl Diagram<'_> {
     }
 
     /// A pinion and its rack. The radius is in scene units, negative if the bar is on the other side.
-    fn rack(&self, pinion: Spot, radius: f64, bar: LinkId, slide: JointId) -> Option<Vec<Symbol>> {
+    fn rack(
+        &self,
+        pinion: Spot,
+        radius: f64,
+        (slide, forwards): (JointId, bool),
+    ) -> Option<Vec<Symbol>> {
         let JointKind::Prismatic(a, b) = self.model.joint(slide).kind else {
             return None;
         };
-        let line = if self.model.axis(a).link == bar { a } else { b };
+        let line = if forwards { b } else { a };
         let wheel = Symbol::Wheel {
             center: pinion,
             radius: radius.abs(),
@@ -59,10 +66,11 @@ impl Diagram<'_> {
 
     /// The hub of a wheel that turns on a carrier.
     fn hub(&self, wheel: LinkId, carrier: LinkId) -> Option<Hub> {
+        let welded = &self.structure.welded;
         let [own, on_carrier] = self.structure.hub(wheel, carrier)?;
         Some(Hub {
-            spot: (self.has_pose)(wheel).then(|| self.spot(own)),
-            at: self.model.axis(on_carrier).at,
+            spot: Some(self.spot(own)).filter(|spot| (self.has_pose)(spot.link)),
+            at: welded.place(self.model.axis(on_carrier), carrier),
         })
     }
 }

@@ -9,9 +9,8 @@ use crate::plan::equation::Unknown;
 use crate::plan::knowledge::Knowledge;
 use crate::plan::linear_relations::{LinearForm, Rational};
 use crate::plan::step::{Connection, ConnectionKind, Mesh, Source, Step, Tie};
-use crate::structure::{Factor, Pin, Rolling, RollingEnd};
+use crate::structure::{Factor, Rolling, RollingEnd};
 use num_rational::BigRational;
-use petgraph::unionfind::UnionFind;
 
 impl Search<'_> {
     pub(super) fn rolls(&self) -> bool {
@@ -41,16 +40,7 @@ impl Search<'_> {
     /// Enters that displacements in one direction add up round each ring of slides. Welded links move as one.
     fn add_rings_of_slides(&mut self) {
         let is_weld = |joint| matches!(self.model.joint(joint).kind, JointKind::Weld(..));
-        let mut welded = UnionFind::<usize>::new(self.model.links.len());
-        for (a, b) in self
-            .model
-            .joint_ids()
-            .filter(|&joint| is_weld(joint))
-            .map(|joint| self.model.ends(joint))
-        {
-            welded.union(a.index(), b.index());
-        }
-        let body = |link: LinkId| LinkId::new(welded.find(link.index()));
+        let body = |link: LinkId| self.structure.welded.body(link);
         let heading = |joint| self.structure.parallels.of(joint);
         let mut sliding = Sliding::default();
         let mut sums = Vec::new();
@@ -176,10 +166,7 @@ impl Search<'_> {
         let joint = match end {
             RollingEnd::Bar { slide, .. } => slide,
             RollingEnd::Wheel(wheel) => {
-                let shares = |pin: &&Pin| {
-                    pin.axis_of(wheel).is_some() && pin.axis_of(rolling.carrier).is_some()
-                };
-                let pin = self.structure.pins.iter().find(shares)?;
+                let pin = self.structure.shaft(wheel, rolling.carrier)?;
                 named_on(self.model, &self.clusters, pin, rolling.carrier, wheel)
             }
         };

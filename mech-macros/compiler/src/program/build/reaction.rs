@@ -3,7 +3,7 @@
 use super::Positions;
 use super::lowering::Lowering;
 use crate::model::{AxisId, JointId, JointKind, LinkId, MotorId};
-use crate::plan::{Algebra, Arithmetic};
+use crate::plan::{Algebra, Arithmetic, Pose};
 use crate::program::node::Value;
 use crate::structure::{Factor, Rolling, RollingEnd, Structure};
 
@@ -267,26 +267,36 @@ impl Lowering<'_> {
     ) -> Option<([Value; 2], Along)> {
         let [(a, first), (b, second)] = rolling.ends;
         let (first, second) = (number(first), number(second));
-        let here = center(structure, a, rolling.carrier)?;
-        let there = center(structure, b, rolling.carrier)?;
+        let carrier = rolling.carrier;
+        let [here, there] = [a, b].map(|end| structure.hub(end.link(), carrier));
+        let [here, there] = [here?[1], there?[1]];
         let [from, to] = [here, there].map(|axis| self.model.axis(axis));
-        let [x, y] = [0, 1].map(|part| to.at[part] - from.at[part]);
+        let places = [from, to].map(|axis| structure.welded.place(axis, carrier));
+        let [x, y] = [0, 1].map(|part| places[1][part] - places[0][part]);
         let distance = x.hypot(y);
         if first + second == 0.0 || distance <= 1e-9 * self.model.size() {
             return None;
         }
-        let pose = self.placement.pose(rolling.carrier);
+        let is_one = from.link == to.link;
+        let (pose, start, offset) = if is_one {
+            let offset = self.ssa.between(from, to);
+            (self.placement.pose(from.link), self.ssa.place(from), offset)
+        } else {
+            // On links that are welded: in the scene.
+            let [start, end] = [here, there].map(|axis| self.point(axis));
+            let offset = self.ssa.minus(end, start);
+            (Pose::identity(&mut self.ssa), start, offset)
+        };
         let ssa = &mut self.ssa;
-        let offset = ssa.between(from, to);
-        let distance = if from.varies() || to.varies() {
+        let distance = if is_one && !from.varies() && !to.varies() {
+            ssa.constant(distance)
+        } else {
             let square = ssa.dot(offset, offset);
             ssa.sqrt(square)
-        } else {
-            ssa.constant(distance)
         };
         let [x, y] = offset.map(|part| ssa.div(part, distance));
         let part = ssa.constant(first / (first + second));
-        let (start, on) = (ssa.place(from), ssa.scale(part, offset));
+        let on = ssa.scale(part, offset);
         let touch = ssa.plus(start, on);
         let at = pose.carry_spot(ssa, touch);
         let across = [ssa.neg(y), x];
@@ -312,8 +322,7 @@ impl Lowering<'_> {
         };
         let line = self.model.axis(if forwards { a } else { b });
         let radius = -number(turn) / number(displacement);
-        let center = center(structure, pinion, rolling.carrier)?;
-        let center = self.ssa.place(self.model.axis(center));
+        let [_, center] = structure.hub(pinion.link(), rolling.carrier)?;
         let beside = if line.turns() {
             let [x, y] = self.ssa.direction(line);
             let radius = self.ssa.constant(radius);
@@ -323,20 +332,19 @@ impl Lowering<'_> {
             let [x, y] = line.direction;
             self.ssa.vector([radius * y, -radius * x])
         };
-        let touch = self.ssa.plus(center, beside);
-        let pose = self.placement.pose(rolling.carrier);
-        let at = pose.carry_spot(&mut self.ssa, touch);
+        let pose = self.placement.pose(line.link);
+        let at = if self.link_of(center) == line.link {
+            let center = self.ssa.place(self.model.axis(center));
+            let touch = self.ssa.plus(center, beside);
+            pose.carry_spot(&mut self.ssa, touch)
+        } else {
+            let center = self.point(center);
+            let beside = self.ssa.rotate(pose.direction, beside);
+            self.ssa.plus(center, beside)
+        };
         let along = pose.heading(&mut self.ssa, line);
         Some((at, Along::Scene(along)))
     }
-}
-
-/// The axis on the carrier about which a wheel turns.
-fn center(structure: &Structure, end: RollingEnd, carrier: LinkId) -> Option<AxisId> {
-    let link = end.link();
-    let mut pins = structure.pins.iter();
-    let shared = pins.find(|pin| pin.axis_of(link).is_some() && pin.axis_of(carrier).is_some())?;
-    shared.axis_of(carrier)
 }
 
 fn number(factor: Factor) -> f64 {
