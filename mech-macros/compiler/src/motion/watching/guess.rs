@@ -65,7 +65,8 @@ impl Paces<'_> {
             };
             match &self.domain.known[number].free {
                 Some(free) if free.least_sine >= watched => {
-                    let own = f64::min(1.0 / free.least_sine, MOST_SHARP_OF_ONE);
+                    // A zero may have a sign.
+                    let own = f64::min(1.0 / free.least_sine.abs(), MOST_SHARP_OF_ONE);
                     times *= own;
                     most = f64::max(most, own);
                     false
