@@ -103,7 +103,8 @@ impl<'m> Bounds<'m> {
                 }
             }
             let is_same = |(a, b): (&Interval, &Interval)| {
-                let close = |a: f64, b: f64| a == b || (a - b).abs() <= GAIN * (1.0 + b.abs());
+                // What was infinite and is not is a gain.
+                let close = |a: f64, b: f64| a == b || (a - b).abs() <= GAIN * (1.0 + a.abs());
                 close(a.low(), b.low()) && close(a.high(), b.high())
             };
             let places = self.places.as_flattened().iter();
