@@ -53,7 +53,7 @@ const ROUNDING: f64 = 1e-14;
 const SAME: f64 = 1e-6;
 /// Where several motors move a link, not every combination is tried: it may be farther out by the first part of its motion, or by what is
 /// proved if that is no more than the second. So it is for arms, where loops close in all that was tried, and where motors block each other.
-const UNSEEN: [[f64; 2]; 3] = [[0.04, 0.04], [0.1, 0.25], [0.15, 0.75]];
+const UNSEEN: [[f64; 2]; 3] = [[0.04, 0.04], [0.1, 0.5], [0.2, 1.5]];
 
 /// An upright box around all that is seen wherever the motors move the mechanism: lower left and upper right corner. What is seen are the
 /// shapes of each link, or joints and named points if there is no shape; if there is nothing, the box is the origin.
@@ -376,7 +376,9 @@ impl<'a> Survey<'a> {
         if bend < 0.0 {
             let top = 0.5 * (below - above) / bend;
             self.walker.begin_roughly(&from);
-            known.into_iter().for_each(|near| self.walker.know(near));
+            for near in known {
+                self.walker.know(near);
+            }
             self.push_to(
                 side,
                 motor,
