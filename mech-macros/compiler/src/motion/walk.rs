@@ -21,7 +21,7 @@ const BEGUN_SINE: f64 = 0.75;
 const ASTRAY: f64 = 0.4;
 /// Near a dead point each step comes so near to it, as a part of what is left, until this part of a move is left, or on a rough way.
 const NEARER: f64 = 0.9;
-const NEAREST: [f64; 2] = [1e-12, 1e-4];
+const NEAREST: [f64; 2] = [1e-13, 1e-4];
 /// Steps of a move at most, and so often is one halved before a journey is made instead; before a rough way ends.
 const MOST_STEPS: usize = 96;
 const MOST_FAILED: [usize; 2] = [6, 3];

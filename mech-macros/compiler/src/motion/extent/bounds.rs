@@ -12,7 +12,7 @@ const ROUNDS: usize = 12;
 /// Of a link with more joints only pairs with the first so many are looked at.
 const PARTNERS: usize = 16;
 /// Less than this part of the whole is no gain.
-const GAIN: f64 = 1e-9;
+const GAIN: f64 = 1e-3;
 
 /// An upright box: of x and of y.
 type Region = [Interval; 2];

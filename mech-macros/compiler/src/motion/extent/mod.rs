@@ -38,7 +38,7 @@ const BEFORE_END: usize = 6;
 /// So often is a way gone on that does not end where it began.
 const MOST_WAYS: usize = 4;
 /// Positions of all motors together, for each motor.
-const TOGETHER: usize = 16;
+const TOGETHER: usize = 12;
 /// Rounds on the way outwards; the first step is this part of what is tried of a motor, each next one an eighth of that before it.
 const ROUNDS: usize = 2;
 const FIRST_STEP: f64 = 1.0 / 24.0;
