@@ -311,25 +311,29 @@ impl<'p> Walker<'p> {
     /// Whether the mechanism is where it was foretold to be; where nothing was, whether it is near.
     fn is_foretold(&self, from: &Position<f64>, foretold: &Position<f64>, is_begun: bool) -> bool {
         let to = self.position();
+        // Of directions and of places.
         let is_near = [0, 2].into_iter().all(|part| {
+            let square = |x: f64, y: f64| x * x + y * y;
             let apart = |[a, b]: [&Position<f64>; 2], link: usize| {
-                let [a, b] = [a, b].map(|position| position.poses[link]);
-                (a[part] - b[part]).hypot(a[part + 1] - b[part + 1])
+                let [a, b] = [a, b].map(|position| &position.poses[link]);
+                square(a[part] - b[part], a[part + 1] - b[part + 1])
             };
-            let links = || 0..to.poses.len();
-            let most = links()
+            let gone: Vec<f64> = (0..to.poses.len())
                 .map(|link| apart([from, to], link))
-                .fold(0.0, f64::max);
-            let size = |pose: &[f64; 4]| pose[part].hypot(pose[part + 1]);
-            let size = to.poses.iter().map(size).fold(0.0, f64::max);
-            links().all(|link| {
+                .collect();
+            let least = SLOW * SLOW * gone.iter().copied().fold(0.0, f64::max);
+            let sizes = to
+                .poses
+                .iter()
+                .map(|pose| square(pose[part], pose[part + 1]));
+            let size = sizes.fold(0.0, f64::max).sqrt();
+            gone.iter().enumerate().all(|(link, gone)| {
                 let allowed = if is_begun {
-                    let gone = apart([from, to], link);
-                    ASTRAY * gone.max(SLOW * most) + f64::EPSILON.sqrt() * size
+                    ASTRAY * gone.max(least).sqrt() + f64::EPSILON.sqrt() * size
                 } else {
                     BEGUN * size
                 };
-                apart([foretold, to], link) <= allowed
+                apart([foretold, to], link) <= allowed * allowed
             })
         });
         let is_on_its_side = |watch: &Watch| {
