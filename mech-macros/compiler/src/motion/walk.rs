@@ -29,6 +29,8 @@ const MOST_FAILED: [usize; 2] = [6, 3];
 const LONGER: f64 = 3.0;
 /// What moves less than this part of what moves most is not looked at so closely.
 const SLOW: f64 = 0.02;
+/// A sine is zero that is less than this part of what it was before.
+const FLAT: f64 = 0.02;
 /// An angle that is followed is foretold by so much: half a turn is lost else.
 const ANGLE: f64 = 1.0;
 /// Motors that lie on a line with others, within this part of the way.
@@ -59,6 +61,8 @@ pub(crate) struct Walker<'p> {
     trail: Vec<Rc<Position<f64>>>,
     /// Those that the last move came past.
     pub(crate) passed: Vec<Rc<Position<f64>>>,
+    /// Whether it made a step on this way that nothing foretold.
+    pub(crate) is_unsure: bool,
     /// Whether it may end where nothing foretells how it goes on.
     is_rough: bool,
     /// How long a step may be, after those before it.
@@ -79,6 +83,7 @@ impl<'p> Walker<'p> {
             passed: Vec::new(),
             reach: f64::INFINITY,
             is_rough: false,
+            is_unsure: false,
             left,
             of_way: 0,
         }
@@ -100,6 +105,7 @@ impl<'p> Walker<'p> {
         self.trail.clear();
         self.reach = f64::INFINITY;
         self.is_rough = false;
+        self.is_unsure = false;
         self.of_way = self.price.saturating_mul(positions);
     }
 
@@ -159,12 +165,16 @@ impl<'p> Walker<'p> {
             let nearest = NEAREST[usize::from(self.is_rough)];
             let is_there = comes_near && zero.is_some_and(|zero| zero < nearest);
             let before = self.here();
-            let came = if is_there {
-                Some(false)
-            } else {
+            let mut came = Some(false);
+            if !is_there {
                 let zero = zero.filter(|_| comes_near);
-                self.step(&before, &motors, zero.map(|zero| zero / (next - done)))
-            };
+                came = self.step(&before, &motors, zero.map(|zero| zero / (next - done)));
+                if came == Some(false) && comes_near {
+                    // Before a change point everything is smooth in the motors.
+                    came = self.step(&before, &motors, None);
+                    comes_near = came != Some(true);
+                }
+            }
             match came {
                 None => return Arrival::Unpaid,
                 Some(true) => {
@@ -191,6 +201,12 @@ impl<'p> Walker<'p> {
                     }
                     // So near to a zero beyond which nothing closes it is at its end.
                     if self.is_rough || is_there && !self.closes(&motors) {
+                        let sines = self
+                            .program
+                            .watches
+                            .iter()
+                            .map(|watch| before.state[watch.sine]);
+                        self.is_unsure |= sines.filter(|sine| sine.abs() < FLAT).count() > 1;
                         self.passed.push(before);
                         return Arrival::Blocked;
                     }
@@ -228,7 +244,14 @@ impl<'p> Walker<'p> {
         let came = self.paid(self.left, |machine| machine.leap(motors).is_ok());
         let is_foretold =
             came == Some(true) && self.is_foretold(before, &foretold, places.len() > 1);
-        if !is_foretold {
+        if is_foretold {
+            // Of loops that pass change points together, nothing tells that each passes its own.
+            let sine = |watch: &&Watch| {
+                let [then, now] = [before, self.position()].map(|at| at.state[watch.sine]);
+                then * now <= 0.0
+            };
+            self.is_unsure |= self.program.watches.iter().filter(sine).count() > 1;
+        } else {
             self.machine.put_back(Position::clone(before));
         }
         came.map(|_| is_foretold)
@@ -345,7 +368,9 @@ impl<'p> Walker<'p> {
             } else {
                 BEGUN_SINE * found.abs().max(before.abs())
             };
-            (found - foretold).abs() <= allowed && foretold * found > 0.0
+            // On a change point its side is that of the next step.
+            let is_flat = is_begun && foretold.abs().max(found.abs()) <= FLAT * gone;
+            (found - foretold).abs() <= allowed && (foretold * found > 0.0 || is_flat)
         };
         let is_in_its_turn = |follow: &Follow| {
             let [foretold, found] = [foretold, to].map(|position| position.state[follow.angle]);
@@ -367,7 +392,10 @@ impl<'p> Walker<'p> {
     /// Moves there as a mechanism does at run time; if that takes too much, in one step.
     fn travel_or_leap(&mut self, motors: &[f64]) -> Arrival {
         match self.travel(motors) {
-            Arrival::Unpaid => self.leap(motors),
+            Arrival::Unpaid => {
+                self.is_unsure = true;
+                self.leap(motors)
+            }
             arrival => arrival,
         }
     }

@@ -265,6 +265,7 @@ impl<'a> Survey<'a> {
                 break;
             }
         }
+        self.is_cut_short |= self.walker.is_unsure;
         self.add_way(motor, way);
         let at = self.walker.position().motors[motor];
         let ([low, high], is_endless) = self.ranges[motor];
