@@ -14,7 +14,8 @@ const SLIDE: f64 = 4.0;
 const MOST: Duration = Duration::from_millis(500);
 
 /// How far anything is painted outside of the box in so many random positions that motors can reach, as a part of the box's longer side.
-/// They are those of a walk, whose steps are mostly short.
+/// Half of them are those of a walk, whose steps are mostly short. The others lie around those that were outermost on a side before: so
+/// it climbs to where the motors take the mechanism farthest out.
 #[must_use]
 pub fn painted_outside(
     model: &Model,
@@ -27,41 +28,68 @@ pub fn painted_outside(
     let size = (high[0] - low[0]).max(high[1] - low[1]);
     let seen = places(&looks);
     let start = &compiled.program.start.motors;
+    let range = |index: usize| {
+        let motor = &model.motors[index];
+        let reach = SLIDE * model.size();
+        match (motor.range, model.joint(motor.joint).kind) {
+            (Some(range), _) => [range.low, range.high],
+            (None, JointKind::Revolute(..)) => [start[index] - TAU, start[index] + TAU],
+            (None, _) => [start[index] - reach, start[index] + reach],
+        }
+    };
     let mut machine = Machine::<f64>::new(&compiled.program);
-    let mut outside: f64 = 0.0;
+    let mut walked = machine.position().clone();
+    let mut outermost: [_; 4] = std::array::from_fn(|_| (f64::NEG_INFINITY, walked.clone()));
     let begin = Instant::now();
     for number in 0..positions {
         if begin.elapsed() > MOST {
             break;
         }
+        let climbs = number % 2 == 1;
+        let part = match (climbs, dice.once_in(8)) {
+            (true, _) => 10_f64.powf(dice.between(-4.0, -0.3)),
+            (false, true) => 1.0,
+            (false, false) => 0.1,
+        };
+        let from = if climbs {
+            &outermost[dice.below(4)].1
+        } else {
+            &walked
+        };
+        machine.put_back(from.clone());
+        let mut target = from.motors.clone();
         let alone = dice.below(model.motors.len().max(1));
-        let mut target = machine.position().motors.clone();
-        let part = if dice.once_in(8) { 1.0 } else { 0.1 };
-        for (index, motor) in model.motors.iter().enumerate() {
-            let reach = SLIDE * model.size();
-            let [near, far] = match (motor.range, model.joint(motor.joint).kind) {
-                (Some(range), _) => [range.low, range.high],
-                (None, JointKind::Revolute(..)) => [start[index] - TAU, start[index] + TAU],
-                (None, _) => [start[index] - reach, start[index] + reach],
-            };
-            if number % 2 == 0 || index == alone {
+        let all = dice.once_in(2);
+        for index in 0..model.motors.len() {
+            let [near, far] = range(index);
+            if all || index == alone {
                 let step = part * (dice.between(near, far) - 0.5 * (near + far));
                 target[index] = (target[index] + step).clamp(near, far);
             }
         }
         let _ = machine.move_toward(&target);
-        let poses = &machine.position().poses;
+        let position = machine.position();
+        if !climbs {
+            walked = position.clone();
+        }
+        let mut sides = [f64::NEG_INFINITY; 4];
         for &(link, [u, v], radius) in &seen {
-            let place = link.checked_sub(1).map(|link| poses[link]);
+            let place = link.checked_sub(1).map(|link| position.poses[link]);
             let [cos, sin, x, y] = place.unwrap_or([1.0, 0.0, 0.0, 0.0]);
             let at = [x + cos * u - sin * v, y + sin * u + cos * v];
             for part in 0..2 {
-                let beyond = (low[part] - (at[part] - radius)).max(at[part] + radius - high[part]);
-                outside = outside.max(beyond / size);
+                sides[part] = sides[part].max(low[part] - (at[part] - radius));
+                sides[2 + part] = sides[2 + part].max(at[part] + radius - high[part]);
+            }
+        }
+        for (known, beyond) in outermost.iter_mut().zip(sides) {
+            if beyond > known.0 {
+                *known = (beyond, position.clone());
             }
         }
     }
-    outside
+    let farthest = outermost.iter().map(|known| known.0);
+    farthest.fold(0.0, f64::max) / size
 }
 
 /// For each link that is painted, 0 for the ground and else its place among the poses and one more, points and how far paint reaches around.

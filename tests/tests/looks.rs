@@ -4,7 +4,7 @@ use i_overlay::core::fill_rule::FillRule;
 use i_overlay::core::overlay_rule::OverlayRule;
 use i_overlay::float::single::SingleFloatOverlay;
 use mech_compiler::evaluate::Machine;
-use mech_compiler::model::{JointKind, LinkId, Model};
+use mech_compiler::model::{JointKind, LinkId, Model, StartValue};
 use mech_compiler::structure::Pin;
 use mech_compiler::{Compiled, Looks, Measure, Outline, Painted, compile, looks};
 use mech_runtime::Palette;
@@ -513,20 +513,51 @@ fn a_box_costs_little_however_small_the_pieces_of_a_move_are() {
     }
 }
 
-/// What a motor reaches by random walks is painted within the box. Where several motors move loops, the box is no proof.
+/// What motors reach is painted within the box, however large: where one moves loops, always. Where several do, a box is no proof.
 #[test]
-fn nothing_is_painted_outside_of_the_box_of_one_motor() {
-    for_all(60, &samples(1..6), |Sample { grown, mut dice }: Sample| {
-        let Ok(compiled) = compile(&grown.model) else {
+fn nothing_is_painted_outside_of_the_box() {
+    let (mut several, mut beyond) = (0, 0);
+    for_all(100, &samples(1..8), |Sample { grown, mut dice }: Sample| {
+        let model = resized(grown.model, 10_f64.powf(dice.between(-3.0, 6.0)));
+        let Ok(compiled) = compile(&model) else {
             return;
         };
-        let [low, high] = looks(&grown.model, &compiled).extent(&grown.model, &compiled);
+        let [low, high] = looks(&model, &compiled).extent(&model, &compiled);
         let sides = [0, 1].map(|part| high[part] - low[part]);
         // Where slides become parallel links fly away: in such a box nothing else would be seen.
-        let flies_away = sides[0].max(sides[1]) > 1e4 * grown.model.size();
-        if grown.model.motors.len() == 1 && !flies_away {
-            let outside = painted_outside(&grown.model, &compiled, &mut dice, 60);
+        if sides[0].max(sides[1]) > 1e4 * model.size() {
+            return;
+        }
+        let outside = painted_outside(&model, &compiled, &mut dice, 120);
+        if model.motors.len() > 1 {
+            several += 1;
+            beyond += usize::from(outside > 1e-6);
+        } else {
             assert!(outside <= 1e-6, "{outside:e} of the box");
         }
     });
+    println!("several motors: something beyond {beyond} of {several} boxes");
+    assert!(5 * beyond <= several, "{beyond} of {several}");
+}
+
+/// The same mechanism, so many times as large.
+fn resized(mut model: Model, times: f64) -> Model {
+    for axis in &mut model.axes {
+        axis.at = axis.at.map(|part| part * times);
+    }
+    for joint in &mut model.joints {
+        if let JointKind::Rack { radius, .. } = &mut joint.kind {
+            *radius *= times;
+        }
+    }
+    let slides = |value: &StartValue| {
+        matches!(
+            model.joints[value.joint.index()].kind,
+            JointKind::Prismatic(..)
+        )
+    };
+    for value in model.start.values.iter_mut().filter(|value| slides(value)) {
+        value.value *= times;
+    }
+    model
 }

@@ -114,8 +114,9 @@ impl<'p, T: Real> Machine<'p, T> {
 
     /// Goes there in one step, whatever lies between. It stays where it was if something does not close there.
     pub(crate) fn leap(&mut self, motors: &[T]) -> Result<(), Stop> {
-        let turns = &self.position.turns;
-        self.position = self.runner.step(&self.position, (motors, turns))?;
+        let goal = Move::new(&self.runner, &self.position, motors, &self.position.turns);
+        let position = goal.leap()?;
+        self.position = position;
         Ok(())
     }
 

@@ -59,6 +59,13 @@ impl<'a, 'p, T: Real> Move<'a, 'p, T> {
         self.travel()
     }
 
+    /// The position at the end, whatever lies between.
+    pub(super) fn leap(&self) -> Result<Position<T>, Stop> {
+        let mut position = self.at(self.start, T::ONE)?;
+        self.note_motion_signs(&mut position);
+        Ok(position)
+    }
+
     /// The same, always as a journey.
     pub(super) fn travel(&self) -> Result<Position<T>, Halt<Position<T>, Stop, T>> {
         journey::travel(self, self.start)

@@ -12,7 +12,7 @@ use nalgebra::{Isometry2, Point2, Vector2};
 const BUDGET: usize = 400_000;
 const BUDGET_OF_PIECES: usize = 1_600_000;
 /// So many positions may a sweep cost where it goes in pieces.
-const OF_SWEEP: usize = 384;
+const OF_SWEEP: usize = 128;
 /// Positions in a turn of the fastest link, and of a whole sweep.
 const SAMPLES: [usize; 2] = [8, 36];
 const MOST_SAMPLES: usize = 144;
@@ -79,7 +79,7 @@ impl Survey {
                 .min(turns * SAMPLES[1])
                 .max((turns * SAMPLES[0]).min(MOST_SAMPLES));
             let mut go = |displacements: &[f64]| {
-                walker.begin(start.clone(), OF_SWEEP);
+                walker.begin(start, OF_SWEEP);
                 let came = (1..=samples).all(|sample| {
                     #[expect(clippy::cast_precision_loss, reason = "a hundred samples")]
                     let part = sample as f64 / samples as f64;

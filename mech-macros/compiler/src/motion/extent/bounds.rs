@@ -12,7 +12,7 @@ const ROUNDS: usize = 12;
 /// Of a link with more joints only pairs with the first so many are looked at.
 const PARTNERS: usize = 16;
 /// Less than this part of the whole is no gain.
-const GAIN: f64 = 1e-9;
+const GAIN: f64 = 1e-3;
 
 /// An upright box: of x and of y.
 type Region = [Interval; 2];
@@ -103,7 +103,8 @@ impl<'m> Bounds<'m> {
                 }
             }
             let is_same = |(a, b): (&Interval, &Interval)| {
-                let close = |a: f64, b: f64| a == b || (a - b).abs() <= GAIN * (1.0 + b.abs());
+                // What was infinite and is not is a gain.
+                let close = |a: f64, b: f64| a == b || (a - b).abs() <= GAIN * (1.0 + a.abs());
                 close(a.low(), b.low()) && close(a.high(), b.high())
             };
             let places = self.places.as_flattened().iter();

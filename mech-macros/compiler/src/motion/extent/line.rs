@@ -2,6 +2,7 @@
 
 use super::seen::{Outermost, Reach, SIDES, outwards};
 use crate::program::Position;
+use std::rc::Rc;
 
 /// A new position is no nearer to one that is known than this part of what lies between two.
 const NEAREST: f64 = 0.1;
@@ -10,9 +11,23 @@ const NEAREST: f64 = 0.1;
 pub(super) struct Sample {
     /// The value of the motor.
     pub(super) at: f64,
-    pub(super) position: Position<f64>,
+    pub(super) position: Rc<Position<f64>>,
     /// For each link how far out it is seen.
     pub(super) links: Vec<Outermost>,
+}
+
+impl Sample {
+    /// A position on the way of a motor, and what is seen there.
+    pub(super) fn new(
+        motor: usize,
+        (position, links): (Rc<Position<f64>>, Vec<Outermost>),
+    ) -> Self {
+        Self {
+            at: position.motors[motor],
+            position,
+            links,
+        }
+    }
 }
 
 /// How far out something may be seen between two positions, and where.

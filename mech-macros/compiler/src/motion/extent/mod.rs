@@ -19,27 +19,28 @@ use line::{Line, Sample};
 pub(crate) use seen::Reach;
 use seen::{EMPTY, SIDES, SeenPoints, Sides};
 use std::f64::consts::TAU;
+use std::rc::Rc;
 
 /// How many operations all of it may cost: some ten milliseconds of an optimised build. Of a small mechanism it costs no more than so many
 /// positions, and so many for each motor.
 const BUDGET: usize = 1_500_000;
-const POSITIONS: [usize; 2] = [1024, 512];
+const POSITIONS: [usize; 2] = [384, 64];
 /// Positions that a way may cost where it goes in pieces, and a move from an outermost position.
-const OF_WAY: usize = 640;
+const OF_WAY: usize = 128;
 const OF_PUSH: usize = 48;
 /// Turns of a motor: a wheel behind a worm has turned as a whole after so many.
 const MOST_TURNS: i64 = 1 << 16;
 /// Positions of one turn of the fastest link, at least and at most, and of all turns if that is between.
-const OF_TURN: [usize; 2] = [12, 36];
+const OF_TURN: [usize; 2] = [12, 24];
 const OF_TURNS: usize = 96;
-/// Before the end of a motor's way links may be quick: there positions are these parts of a step away from it.
-const BEFORE_END: [f64; 4] = [0.25, 0.063, 0.016, 0.004];
+/// A way that ended is left so many positions before its end.
+const BEFORE_END: usize = 6;
 /// So often is a way gone on that does not end where it began.
 const MOST_WAYS: usize = 4;
 /// Positions of all motors together, for each motor.
-const TOGETHER: usize = 16;
+const TOGETHER: usize = 12;
 /// Rounds on the way outwards; the first step is this part of what is tried of a motor, each next one an eighth of that before it.
-const ROUNDS: usize = 4;
+const ROUNDS: usize = 2;
 const FIRST_STEP: f64 = 1.0 / 24.0;
 const SHORTER: f64 = 0.125;
 /// Positions that are tried between others where something may be farther out.
@@ -50,8 +51,9 @@ const WELL_KNOWN: f64 = 1e-7;
 const ROUNDING: f64 = 1e-14;
 /// Positions are equal within this part of the mechanism.
 const SAME: f64 = 1e-6;
-/// Where several motors move a link, not every combination is tried: it may be farther out by this part of its motion.
-const UNSEEN: f64 = 0.04;
+/// Where several motors move a link, not every combination is tried: it may be farther out by the first part of its motion, or by what is
+/// proved if that is no more than the second. So it is for arms, where loops close in all that was tried, and where motors block each other.
+const UNSEEN: [[f64; 2]; 3] = [[0.04, 0.04], [0.1, 0.5], [0.2, 1.5]];
 
 /// An upright box around all that is seen wherever the motors move the mechanism: lower left and upper right corner. What is seen are the
 /// shapes of each link, or joints and named points if there is no shape; if there is nothing, the box is the origin.
@@ -87,9 +89,11 @@ struct Survey<'a> {
     links: Vec<Sides>,
     sides: Sides,
     /// For each side the position that reaches farthest out.
-    outermost: [Position<f64>; 4],
+    outermost: [Rc<Position<f64>>; 4],
     /// The ways of single motors.
     lines: Vec<Line>,
+    /// What was seen on the last move before its end.
+    passed: Vec<(Rc<Position<f64>>, Vec<seen::Outermost>)>,
     /// Whether a motor was stopped before the end of its way: others may let it go on.
     was_blocked: bool,
     /// Whether some positions could not be paid.
@@ -123,8 +127,9 @@ impl<'a> Survey<'a> {
         let mut survey = Self {
             links: vec![EMPTY; seen.moving.len()],
             sides: seen.ground,
-            outermost: std::array::from_fn(|_| start.clone()),
+            outermost: std::array::from_fn(|_| Rc::new(start.clone())),
             lines: Vec::new(),
+            passed: Vec::new(),
             was_blocked: false,
             is_cut_short: false,
             model,
@@ -141,15 +146,19 @@ impl<'a> Survey<'a> {
 
     /// Notes how far out is what is seen where the mechanism is.
     fn look(&mut self) -> Vec<seen::Outermost> {
+        self.look_at(&self.walker.here())
+    }
+
+    /// The same of another position that it came past.
+    fn look_at(&mut self, position: &Rc<Position<f64>>) -> Vec<seen::Outermost> {
         self.walker.pay(self.seen.count());
-        let position = self.walker.position();
         let links = self.seen.outermost(&position.poses);
         for (known, found) in self.links.iter_mut().zip(&links) {
             for side in SIDES {
                 known[side] = known[side].max(found.sides[side]);
                 if found.sides[side] > self.sides[side] {
                     self.sides[side] = found.sides[side];
-                    self.outermost[side] = position.clone();
+                    self.outermost[side] = Rc::clone(position);
                 }
             }
         }
@@ -160,18 +169,20 @@ impl<'a> Survey<'a> {
     fn visit(&mut self, target: &[f64]) -> Option<(Arrival, Vec<seen::Outermost>)> {
         match self.walker.visit(target) {
             Arrival::Unpaid => None,
-            arrival => Some((arrival, self.look())),
+            arrival => {
+                self.passed.clear();
+                for position in std::mem::take(&mut self.walker.passed).into_iter().skip(1) {
+                    let links = self.look_at(&position);
+                    self.passed.push((position, links));
+                }
+                Some((arrival, self.look()))
+            }
         }
     }
 
     /// Where the machine is, on the way of a motor.
     fn sample(&self, motor: usize, links: Vec<seen::Outermost>) -> Sample {
-        let position = self.walker.position().clone();
-        Sample {
-            at: position.motors[motor],
-            position,
-            links,
-        }
+        Sample::new(motor, (self.walker.here(), links))
     }
 
     /// Moves each motor alone.
@@ -197,7 +208,12 @@ impl<'a> Survey<'a> {
             displacements,
             turns,
         } = sweep;
-        let samples = (OF_TURNS / turns).clamp(OF_TURN[0], OF_TURN[1]) * turns;
+        let of_turn = if self.ranges.len() > 1 {
+            OF_TURN[0]
+        } else {
+            (OF_TURNS / turns).clamp(OF_TURN[0], OF_TURN[1])
+        };
+        let samples = of_turn * turns;
         let affordable =
             BUDGET / (4 * (self.walker.price + self.seen.count()) * self.ranges.len().max(1));
         let samples = samples.min(affordable.max(OF_TURN[0]));
@@ -207,7 +223,13 @@ impl<'a> Survey<'a> {
         else {
             return true;
         };
-        self.walker.begin(self.program.start.clone(), OF_WAY);
+        self.walker.begin(&self.program.start, OF_WAY);
+        // Both ways begin at the start, and are one.
+        if let Some(other) = self.lines.iter().find(|line| line.motor == motor) {
+            for near in other.samples.iter().take(4).skip(1).rev() {
+                self.walker.know(Rc::clone(&near.position));
+            }
+        }
         let links = self.look();
         let mut way = vec![self.sample(motor, links)];
         let passes = self
@@ -228,19 +250,22 @@ impl<'a> Survey<'a> {
                     goes_on = false;
                     break;
                 };
+                let passed = self.passed.drain(..);
+                way.extend(passed.map(|seen| Sample::new(motor, seen)));
                 way.push(self.sample(motor, links));
                 if arrival == Arrival::Blocked {
-                    self.approach_end(motor, &mut way);
                     goes_on = false;
                     break;
                 }
             }
             ways += 1;
             // Past change points it may take several turns until everything is where it was.
-            if !goes_on || self.is_as_at_start() || !passes || ways == MOST_WAYS {
+            let is_endless = self.ranges[motor].1;
+            if !(goes_on && is_endless && passes) || self.is_as_at_start() || ways == MOST_WAYS {
                 break;
             }
         }
+        self.is_cut_short |= self.walker.is_unsure;
         self.add_way(motor, way);
         let at = self.walker.position().motors[motor];
         let ([low, high], is_endless) = self.ranges[motor];
@@ -248,27 +273,6 @@ impl<'a> Survey<'a> {
             self.was_blocked = true;
         }
         goes_on && self.is_as_at_start()
-    }
-
-    /// Adds positions nearer and nearer to the last one of a way.
-    fn approach_end(&mut self, motor: usize, way: &mut Vec<Sample>) {
-        let Some(end) = way.pop() else {
-            return;
-        };
-        if let Some(before) = way.last() {
-            let step = before.at - end.at;
-            self.walker.begin(before.position.clone(), OF_PUSH);
-            for part in BEFORE_END {
-                let mut target = end.position.motors.clone();
-                target[motor] += step * part;
-                let Some((Arrival::There, links)) = self.visit(&target) else {
-                    break;
-                };
-                way.push(self.sample(motor, links));
-            }
-        }
-        self.walker.begin(end.position.clone(), 0);
-        way.push(end);
     }
 
     /// Whether every link is where it was at the start.
@@ -309,7 +313,7 @@ impl<'a> Survey<'a> {
 
     /// Moves to combinations of the motors' values, evenly distributed.
     fn visit_combinations(&mut self) {
-        self.walker.begin(self.program.start.clone(), OF_WAY);
+        self.walker.begin_roughly(&self.program.start);
         let mut points = Halton::default();
         for _ in 0..TOGETHER * self.ranges.len() {
             let ranges = self.ranges.iter().enumerate();
@@ -317,9 +321,20 @@ impl<'a> Survey<'a> {
                 .map(|(motor, ([low, high], _))| low + (high - low) * points.at(motor))
                 .collect();
             target.extend_from_slice(&self.program.start.motors[target.len()..]);
-            if self.visit(&target).is_none() {
-                self.is_cut_short = true;
-                return;
+            match self.visit(&target) {
+                None => {
+                    self.is_cut_short = true;
+                    return;
+                }
+                // Near its end a way is hard to begin.
+                Some((Arrival::Blocked, _)) => {
+                    let before = self
+                        .passed
+                        .get(self.passed.len().saturating_sub(BEFORE_END));
+                    let from = before.map_or(&self.program.start, |seen| &*seen.0);
+                    self.walker.begin_roughly(from);
+                }
+                Some(_) => {}
             }
             points.advance();
         }
@@ -346,15 +361,25 @@ impl<'a> Survey<'a> {
         let from = self.outermost[side].clone();
         let step = part * (self.ranges[motor].0[1] - self.ranges[motor].0[0]);
         let before = self.sides[side];
+        let mut known = Vec::new();
         let outs = [step, -step].map(|step| {
-            self.walker.begin(from.clone(), OF_PUSH);
-            self.push_to(side, motor, from.motors[motor] + step)
+            self.walker.begin_roughly(&from);
+            known
+                .iter()
+                .cloned()
+                .for_each(|near| self.walker.know(near));
+            let out = self.push_to(side, motor, from.motors[motor] + step);
+            known.push(self.walker.here());
+            out
         });
         let [above, below] = outs;
         let bend = above + below - 2.0 * before;
         if bend < 0.0 {
             let top = 0.5 * (below - above) / bend;
-            self.walker.begin(from.clone(), OF_PUSH);
+            self.walker.begin_roughly(&from);
+            for near in known {
+                self.walker.know(near);
+            }
             self.push_to(
                 side,
                 motor,
@@ -395,7 +420,12 @@ impl<'a> Survey<'a> {
             let [from, to] = [pair, pair + 1].map(|sample| samples[sample].at);
             let mut target = samples[pair].position.motors.clone();
             target[*motor] = guess;
-            self.walker.begin(samples[pair].position.clone(), OF_PUSH);
+            self.walker.begin(&samples[pair].position, OF_PUSH);
+            for near in [pair.saturating_sub(1), pair + 2, pair + 1] {
+                if let Some(sample) = samples.get(near) {
+                    self.walker.know(Rc::clone(&sample.position));
+                }
+            }
             let Some((_, links)) = self.visit(&target) else {
                 break;
             };
@@ -442,10 +472,11 @@ impl<'a> Survey<'a> {
             sides[side] = sides[side].max(guess.out);
         }
         let several = self.ranges.len() > 1;
-        let motors = if several {
-            motors_of_links(self.program)
+        let motors = motors_of_links(self.program);
+        let [unseen, wasteful] = if self.is_cut_short || self.was_blocked {
+            UNSEEN[2]
         } else {
-            Vec::new()
+            UNSEEN[usize::from(!self.program.is_function())]
         };
         for (link, (seen, most)) in self.links.iter().zip(&self.most).enumerate() {
             let is_moved_by_several =
@@ -455,12 +486,13 @@ impl<'a> Survey<'a> {
             }
             let motion = (seen[0] + seen[2]).max(seen[1] + seen[3]);
             for side in SIDES {
-                let may_be = if self.is_cut_short && most[side].is_finite() {
-                    most[side]
+                let proved = most[side] - seen[side];
+                let beyond = if proved <= wasteful * motion {
+                    proved
                 } else {
-                    (seen[side] + UNSEEN * motion).min(most[side])
+                    unseen * motion
                 };
-                sides[side] = sides[side].max(may_be);
+                sides[side] = sides[side].max(seen[side] + beyond);
             }
         }
         let rounding = ROUNDING * self.width();
