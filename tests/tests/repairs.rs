@@ -10,7 +10,9 @@ use mech_compiler::repair::{Offers, Repair, Search, apply_all, offers};
 use mech_compiler::reporter;
 use mech_compiler::structure::Diagnosis;
 use mech_compiler::syntax::Places;
-use mech_tests::{Dice, Sample, chain, for_all, model, samples, shuffle, with_ground, worst_gap};
+use mech_tests::{
+    Dice, Sample, cases, chain, for_all, model, samples, seeds, shuffle, with_ground, worst_gap,
+};
 
 /// Tries a test on random mechanisms, which are coherent.
 fn for_coherent(test: impl Fn(Model, Dice)) {
