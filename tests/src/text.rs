@@ -31,7 +31,8 @@ fn kind(model: &Model, joint: &Joint) -> String {
     let on = |on: Option<LinkId>| on.map_or(String::new(), |on| format!(" on {}", name(on)));
     let points = |word: &str, a, b| format!("{word}{}", pair(model, a, b));
     let lines = |word: &str, a, b| {
-        let [x, y] = model.axis(a).direction;
+        // The pin of a slot has none.
+        let [x, y] = model.axis(b).direction;
         format!("{word}{} along ({x:?}, {y:?})", pair(model, a, b))
     };
     let wheels = |word: &str, [a, b]: [LinkId; 2], sizes: String, carrier| {

@@ -1,7 +1,7 @@
 //! What happens to watched loops on a piece: where the sine of one is zero, or something does not close.
 
 use super::across::{NEAREST, distance, is_near, is_stepped_over};
-use super::pace::{is_far, lesser};
+use super::pace::{is_far, is_far_at_ends, lesser};
 use super::piece::{Reach, has_passed, hidden_square, is_zero, reach};
 use super::{AtZero, Journey};
 use crate::Real;
@@ -86,7 +86,7 @@ fn soonest<T: Real, J: Journey<T>>(
 ) -> Event<T> {
     let mut first = Event::None;
     for index in 0..journey.watches() {
-        let is_far = is_far(journey, from, &reach.to, reach.end - done, index);
+        let is_far = is_far_at_ends(journey, (from, &reach.to), reach.end - done, index);
         if is_far || !looks_at(index) {
             continue;
         }

@@ -32,6 +32,8 @@ const OFF_MEAN: f64 = 0.03125;
 const OFF_HALF: f64 = 0.25;
 /// Where the middle of a piece is looked at, too, a sine may come nearer to zero by this part of what a guess says.
 const OF_GUESS: f64 = 1.0 / 64.0;
+/// Twice what a bound says may be between two squares.
+const OF_BOUND: f64 = 2.0;
 /// What rests on a guess may be so many times as fast where pieces are short.
 const LEAST_GUESSED: f64 = 4.0;
 
@@ -129,7 +131,7 @@ fn most_turn<T: Real>(turn: Turn<T>) -> T {
 }
 
 /// Whether a watched loop stays away from zero, if those before it do: of the squares of its sine at both ends it has at least a
-/// quarter of their sum between them.
+/// quarter of their sum between them. The middle of a piece is looked at, too, where that rests on a guess.
 #[inline]
 pub(super) fn is_far<T: Real, J: Journey<T>>(
     journey: &J,
@@ -138,11 +140,31 @@ pub(super) fn is_far<T: Real, J: Journey<T>>(
     part: T,
     index: usize,
 ) -> bool {
+    stays_away(journey, (from, to), part, (index, OF_GUESS))
+}
+
+/// The same where only the ends of a piece were looked at: a guess is taken for a bound.
+pub(super) fn is_far_at_ends<T: Real, J: Journey<T>>(
+    journey: &J,
+    ends: (&J::Position, &J::Position),
+    part: T,
+    index: usize,
+) -> bool {
+    stays_away(journey, ends, part, (index, OF_BOUND))
+}
+
+#[inline]
+fn stays_away<T: Real, J: Journey<T>>(
+    journey: &J,
+    (from, to): (&J::Position, &J::Position),
+    part: T,
+    (index, of_guess): (usize, f64),
+) -> bool {
     let (squares, watch) = (squares(journey, from, to, index), journey.watch(index));
     let speed = growing(watch.guessed, || {
         speed(journey, from, to, journey.growth(index))
     });
-    let change = T::from_f64(if watch.guessed { OF_GUESS } else { 2.0 }) * watch.change;
+    let change = T::from_f64(if watch.guessed { of_guess } else { OF_BOUND }) * watch.change;
     squares > change * part * speed
         && (!watch.guessed || is_calm(journey, from, to, (index, squares)))
         && (squares > T::from_f64(SEEN) || !stands(journey, [from, to], index))
