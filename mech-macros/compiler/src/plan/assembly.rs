@@ -71,7 +71,7 @@ pub(super) fn assemble(
     let size = size(model);
     for step in steps {
         drafts = match step {
-            Step::Close(closing) => close_loop(model, (&drafts, size), closing)?,
+            Step::Close(closing) => close_loop((&drafts, size), closing)?,
             step => drafts
                 .into_iter()
                 .map(|draft| draft.follow(model, steps, step))
@@ -236,7 +236,6 @@ fn angle_between([[a, b], [c, d]]: [[f64; 2]; 2]) -> f64 {
 
 /// Every assembly of a loop, for every draft.
 fn close_loop<'m>(
-    model: &Model,
     (drafts, size): (&[Draft<'m>], f64),
     closing: &Loop,
 ) -> Result<Vec<Draft<'m>>, Diagnosis> {
