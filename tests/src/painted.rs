@@ -60,12 +60,11 @@ pub fn painted_outside(
         let mut target = from.motors.clone();
         let alone = dice.below(model.motors.len().max(1));
         let all = dice.once_in(2);
-        for index in 0..model.motors.len() {
+        let motors = target.iter_mut().enumerate().take(model.motors.len());
+        for (index, value) in motors.filter(|(index, _)| all || *index == alone) {
             let [near, far] = range(index);
-            if all || index == alone {
-                let step = part * (dice.between(near, far) - 0.5 * (near + far));
-                target[index] = (target[index] + step).clamp(near, far);
-            }
+            let step = part * (dice.between(near, far) - 0.5 * (near + far));
+            *value = (*value + step).clamp(near, far);
         }
         let _ = machine.move_toward(&target);
         let position = machine.position();

@@ -20,7 +20,7 @@ fn planetary(dice: &mut Dice) -> (String, Vec<f64>) {
     let turns = [1.0, -outer / inner, 0.0, outer / between];
     let mut turned = Vec::new();
     let bodies = turns.map(|turn| {
-        let links: Vec<usize> = (0..1 + dice.below(3)).map(|_| sketch.link()).collect();
+        let links: Vec<usize> = (0..=dice.below(3)).map(|_| sketch.link()).collect();
         for (number, &link) in links.iter().enumerate().skip(1) {
             let other = links[dice.below(number)];
             let at = *dice.pick(&[[0.0, 0.0], [3.0, 4.0], [0.3, -0.1]]);
