@@ -6,7 +6,7 @@
 use crate::bug::bug;
 use crate::evaluate::Machine;
 use crate::kinematics::LinkFrames;
-use crate::model::{JointId, JointKind, Model};
+use crate::model::{JointId, JointKind, Model, Motor};
 use crate::program::Program;
 use crate::structure::{Factor, Rolling, RollingEnd, Structure};
 use std::f64::consts::TAU;
@@ -58,14 +58,26 @@ fn goal(
 ) -> Vec<f64> {
     let mut goal = start.to_vec();
     for (number, motor) in model.motors.iter().enumerate().filter(|(n, _)| moved(*n)) {
-        let slides = matches!(model.joint(motor.joint).kind, JointKind::Prismatic(..));
-        let unit = if slides { model.size() } else { 1.0 };
-        goal[number] += unit * displacement;
+        goal[number] += unit(model, motor) * displacement;
         if let Some(range) = motor.range {
             goal[number] = goal[number].clamp(range.low, range.high);
         }
     }
     goal
+}
+
+/// The unit in which the displacement of a motor is told: a radian, or the mechanism's size.
+pub(super) fn unit(model: &Model, motor: &Motor) -> f64 {
+    if slides(model, motor) {
+        model.size()
+    } else {
+        1.0
+    }
+}
+
+/// Whether a motor's joint slides.
+pub(super) fn slides(model: &Model, motor: &Motor) -> bool {
+    matches!(model.joint(motor.joint).kind, JointKind::Prismatic(..))
 }
 
 /// Measures joints.

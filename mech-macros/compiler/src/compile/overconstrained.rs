@@ -1,11 +1,11 @@
 //! Overconstrained mechanisms: counting finds them rigid, but they move, because their lengths match exactly. A parallelogram with
 //! three cranks is one. They are tested by moving them.
 
-use super::closure::{moved, size};
+use super::closure::{moved, size, slides, unit};
 use crate::bug::bug;
 use crate::evaluate::{self, Machine};
 use crate::kinematics::LinkFrames;
-use crate::model::{Allowances, JointId, JointKind, Model, MotorId};
+use crate::model::{Allowances, JointId, Model, MotorId};
 use crate::plan::{self, Plan, Step};
 use crate::program::{self, Program};
 use crate::structure::{self, Diagnosis, Rolling, Structure};
@@ -125,8 +125,8 @@ fn displace(
 ) -> Outcome {
     let mut machine = Machine::<f64>::new(program);
     let mut motors = machine.position().motors.clone();
-    let (slides, size) = (slides(model, motor), model.size());
-    let (from, unit) = (motors[motor.index()], unit(model, motor));
+    let (slides, size) = (slides(model, model.motor(motor)), model.size());
+    let (from, unit) = (motors[motor.index()], unit(model, model.motor(motor)));
     let start = LinkFrames::of_some(model, &program.stored, &program.start.poses);
     let steps = (displacement.abs() / DISPLACEMENTS[0]).ceil();
     let (mut step, mut before) = (1.0, None);
@@ -172,27 +172,12 @@ fn displace(
     if open { Outcome::Open } else { Outcome::Moved }
 }
 
-/// What displacements of a motor are parts of: a radian, or the mechanism's size.
-fn unit(model: &Model, motor: MotorId) -> f64 {
-    if slides(model, motor) {
-        model.size()
-    } else {
-        1.0
-    }
-}
-
-/// True for a motor whose joint slides.
-fn slides(model: &Model, motor: MotorId) -> bool {
-    let joint = model.joint(model.motor(motor).joint);
-    matches!(joint.kind, JointKind::Prismatic(..))
-}
-
-/// True if all motors go so far from the start together.
+/// Whether all motors go so far from the start together.
 fn all_move(model: &Model, program: &Program, displacement: f64) -> bool {
     let mut machine = Machine::<f64>::new(program);
     let mut motors = machine.position().motors.clone();
     for motor in model.motor_ids() {
-        motors[motor.index()] += displacement * unit(model, motor);
+        motors[motor.index()] += displacement * unit(model, model.motor(motor));
     }
     machine.move_to(&motors).is_ok()
 }

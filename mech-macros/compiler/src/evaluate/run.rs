@@ -37,7 +37,7 @@ pub struct Prepared<T> {
     constants: Vec<T>,
     /// What is computed once, constants apart, in order.
     steps: Vec<Step>,
-    /// How many of these come before the last that positions need: rates and forces stand behind it.
+    /// The number of steps up to the last that positions need: rates and forces stand behind it.
     of_position: usize,
     /// What each block computes anew in every round of its iteration.
     rounds: Vec<Vec<Step>>,
@@ -253,7 +253,7 @@ impl<'p, T: Real> Runner<'p, T> {
         self.values_of(&self.prepared.steps, last, inputs, given)
     }
 
-    /// What these steps compute.
+    /// The values of all nodes after these steps.
     fn values_of(
         &self,
         steps: &[Step],

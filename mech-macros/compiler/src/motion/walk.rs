@@ -14,7 +14,7 @@ const MOST_OF_JOURNEY: usize = 64;
 const HALVINGS: usize = 48;
 /// A move that nothing foretells begins with this part of it.
 const FIRST: f64 = 0.25;
-/// What nothing foretells moves no more than this, as a part of itself, in so small a step.
+/// The most that moves in a step which nothing foretells, as a part of itself.
 const BEGUN: f64 = 0.1;
 const BEGUN_SINE: f64 = 0.75;
 /// What is found lies no farther from what was foretold than this part of the way there.

@@ -91,14 +91,14 @@ fn newton(equation: &Equation<f64>, mut now: Vec<Solution<f64>>, size: f64) -> N
             residuals.rings[row / 2].columns[column][row % 2]
         });
         missing = gap.amax();
-        let singular = matrix.clone().svd(false, false);
+        let singular = matrix.svd(true, true);
         let (most, least) = (
             singular.singular_values.max(),
             singular.singular_values.min(),
         );
         // Square or, where joints are redundant, as good as possible.
         let is_redundant = gap.len() > unknowns;
-        let step = matrix.svd(true, true).solve(&-gap, 1e-12 * most);
+        let step = singular.solve(&-gap, 1e-12 * most);
         let is_settled = |step: &DVector<f64>| {
             is_redundant && missing <= MATCH * size && step.amax() <= SETTLED * size.max(1.0)
         };

@@ -326,11 +326,7 @@ fn other_side<T: Real, J: Journey<T>>(
 ) -> Option<J::Position> {
     reach.stop.as_ref()?;
     (0..journey.watches()).find_map(|index| {
-        let watch = journey.watch(index);
-        let stands = watch.at_zero == AtZero::ChangeBranch
-            && !watch.iterated
-            && is_zero(journey, &reach.to, index);
-        if !stands {
+        if !stands_at_change_point(journey, &reach.to, index) {
             return None;
         }
         let mut other = reach.to.clone();
@@ -364,6 +360,16 @@ fn settle<T: Real, J: Journey<T>>(
     }
 }
 
+/// Whether a loop in closed form that can change its branch stands where it does.
+fn stands_at_change_point<T: Real, J: Journey<T>>(
+    journey: &J,
+    position: &J::Position,
+    index: usize,
+) -> bool {
+    let watch = journey.watch(index);
+    watch.at_zero == AtZero::ChangeBranch && !watch.iterated && is_zero(journey, position, index)
+}
+
 /// Passes change points of which rounding hides on which side of them a move ends, where the straight line on which a sine came to its zero leads
 /// beyond it.
 fn pass_hidden<T: Real, J: Journey<T>>(
@@ -372,19 +378,17 @@ fn pass_hidden<T: Real, J: Journey<T>>(
     reach: &mut Reach<J::Position, J::Stop, T>,
 ) {
     for index in 0..journey.watches() {
-        let watch = journey.watch(index);
-        let is_hidden = watch.at_zero == AtZero::ChangeBranch
-            && !watch.iterated
-            && !has_passed(journey, &reach.to, index)
-            && is_zero(journey, &reach.to, index);
+        let is_hidden = stands_at_change_point(journey, &reach.to, index)
+            && !has_passed(journey, &reach.to, index);
         if !is_hidden || touches(journey, (from, done), index) {
+            continue;
+        }
+        if leads_beyond(journey, from, reach.end, index) != Some(true) {
             continue;
         }
         let mut other = reach.to.clone();
         pass(journey, &mut other, index);
-        if leads_beyond(journey, from, reach.end, index) == Some(true)
-            && let Ok(to) = journey.at(&other, reach.end)
-        {
+        if let Ok(to) = journey.at(&other, reach.end) {
             reach.to = to;
         }
     }

@@ -51,7 +51,7 @@ const WELL_KNOWN: f64 = 1e-7;
 const ROUNDING: f64 = 1e-14;
 /// Positions are equal within this part of the mechanism.
 const SAME: f64 = 1e-6;
-/// Where several motors move a link, not every combination is tried: it may be farther out by the first part of its motion, or by what is
+/// Parts of the motion of a link that several motors move. Not every combination is tried: it may be farther out by the first, or by what is
 /// proved if that is no more than the second. So it is for arms, where loops close in all that was tried, and where motors block each other.
 const UNSEEN: [[f64; 2]; 3] = [[0.04, 0.04], [0.1, 0.5], [0.2, 1.5]];
 
@@ -92,7 +92,7 @@ struct Survey<'a> {
     outermost: [Rc<Position<f64>>; 4],
     /// The ways of single motors.
     lines: Vec<Line>,
-    /// What was seen on the last move before its end.
+    /// The positions that the last move came past, and how far out links are seen there.
     passed: Vec<(Rc<Position<f64>>, Vec<seen::Outermost>)>,
     /// Whether a motor was stopped before the end of its way: others may let it go on.
     was_blocked: bool,
@@ -364,10 +364,9 @@ impl<'a> Survey<'a> {
         let mut known = Vec::new();
         let outs = [step, -step].map(|step| {
             self.walker.begin_roughly(&from);
-            known
-                .iter()
-                .cloned()
-                .for_each(|near| self.walker.know(near));
+            for near in &known {
+                self.walker.know(Rc::clone(near));
+            }
             let out = self.push_to(side, motor, from.motors[motor] + step);
             known.push(self.walker.here());
             out
@@ -472,7 +471,11 @@ impl<'a> Survey<'a> {
             sides[side] = sides[side].max(guess.out);
         }
         let several = self.ranges.len() > 1;
-        let motors = motors_of_links(self.program);
+        let motors = if several {
+            motors_of_links(self.program)
+        } else {
+            Vec::new()
+        };
         let [unseen, wasteful] = if self.is_cut_short || self.was_blocked {
             UNSEEN[2]
         } else {
