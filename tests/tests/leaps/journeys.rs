@@ -81,3 +81,12 @@ fn what_went_astray_once_does_so_no_more() {
         }
     }
 }
+
+/// Steps of 1e-5 and 1e-3 over change points of which rounding may hide on which side of them a loop stands.
+#[test]
+fn steps_in_single_precision_pass_what_rounding_hides() {
+    for seed in [810_116, 201_245] {
+        let found = tally(Kind::Stops, &Family::Symmetric, seed..seed + 1, true, 1);
+        assert!(found.faults.is_empty() && found.moves > 20, "{found:#?}");
+    }
+}

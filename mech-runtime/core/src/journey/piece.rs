@@ -257,6 +257,20 @@ fn comes_near<T: Real, J: Journey<T>>(
         && !exceeds(journey, to, index, NEAR)
 }
 
+/// Whether the sine of a loop that came to its change point clearly grows again. What rounding may hide is a bound, and most of it hardly
+/// changes in a small move: growth shows earlier that the loop goes away. A loop that is put on its other side too early is still
+/// within what rounding hides.
+fn goes_away<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    to: &J::Position,
+    index: usize,
+) -> bool {
+    let [before, after] = [from, to].map(|position| journey.sine(position, index).abs());
+    let clear = after * T::from_f64(WELL_AWAY);
+    after > before * T::from_f64(NEAR) && clear * clear > journey.rounding_square(to, index)
+}
+
 /// Whether rounding cannot make the sine of a loop vanish.
 fn is_well_away<T: Real, J: Journey<T>>(journey: &J, position: &J::Position, index: usize) -> bool {
     exceeds(journey, position, index, WELL_AWAY)
@@ -297,6 +311,7 @@ fn leave<T: Real, J: Journey<T>>(
     for index in 0..journey.watches() {
         let leaves = match journey.standing(from, index) {
             Standing::Passed => false,
+            Standing::Arrived if goes_away(journey, from, to, index) => true,
             _ if is_zero(journey, from, index) => !is_zero(journey, to, index),
             Standing::Arrived => is_well_away(journey, to, index),
             Standing::Away => false,
