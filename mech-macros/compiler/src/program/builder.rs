@@ -26,7 +26,7 @@ pub(super) struct SsaBuilder {
     pub(super) motors: usize,
     /// Whether a value is made from a param.
     varies: Vec<bool>,
-    /// The cosines and sines of directions, each with the other one.
+    /// The cosines and sines of directions, each with the one that it was first named with.
     of_directions: HashMap<Value, Value>,
     /// For each motor, and each angle that drives gears, the greatest part of it that an angle is: gears make more of its rounding.
     pub(super) gains: BTreeMap<Value, f64>,
@@ -60,9 +60,15 @@ impl SsaBuilder {
         self.varies[value.index()]
     }
 
-    /// The sine that belongs to the cosine of a direction, or the cosine to the sine: neither is greater than one.
-    pub(super) fn beside(&self, part: Value) -> Option<Value> {
-        self.of_directions.get(&part).copied()
+    /// Whether a value is the cosine or the sine of a direction: it is not greater than one.
+    pub(super) fn is_of_direction(&self, part: Value) -> bool {
+        self.of_directions.contains_key(&part)
+    }
+
+    /// Whether two values are the cosine and the sine of a direction. One cosine has two sines, if a direction is reversed.
+    pub(super) fn are_direction(&self, [a, b]: [Value; 2]) -> bool {
+        let is = |part: Value, other| self.of_directions.get(&part) == Some(&other);
+        is(a, b) || is(b, a)
     }
 
     /// A value at the start.
@@ -186,7 +192,9 @@ impl SsaBuilder {
 
     /// Gives the cosine and sine of a direction names.
     pub(super) fn name_direction(&mut self, v: [Value; 2], name: &str) -> [Value; 2] {
-        self.of_directions.extend([(v[0], v[1]), (v[1], v[0])]);
+        for [part, other] in [v, [v[1], v[0]]] {
+            self.of_directions.entry(part).or_insert(other);
+        }
         [
             self.name(v[0], format!("{name}_cos")),
             self.name(v[1], format!("{name}_sin")),

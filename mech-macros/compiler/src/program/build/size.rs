@@ -91,7 +91,7 @@ impl SsaBuilder {
             return found;
         }
         let [x, y] = vector;
-        let found = if self.beside(x) == Some(y) {
+        let found = if self.are_direction(vector) {
             1.0
         } else if let Some(before) = self.turned(vector) {
             self.radius(before, known)
@@ -117,8 +117,8 @@ impl SsaBuilder {
         let [[one, other], of_y] = [self.products(x)?, self.products(y)?];
         let ways = |[a, b]: [Value; 2]| [[a, b], [b, a]];
         ways(one).into_iter().find_map(|[cos, u]| {
-            let sin = self.beside(cos)?;
-            let v = ways(other).into_iter().find(|way| way[0] == sin)?[1];
+            let beside = |way: &[Value; 2]| self.are_direction([cos, way[0]]);
+            let [sin, v] = ways(other).into_iter().find(beside)?;
             let is = |product: [Value; 2], of: [Value; 2]| ways(product).contains(&of);
             let [first, second] = of_y;
             let is_turned = is(first, [sin, u]) && is(second, [cos, v])
@@ -140,7 +140,7 @@ impl SsaBuilder {
 
     /// Whether a value is a constant, or a part of a direction.
     fn is_part(&self, value: Value) -> bool {
-        matches!(self.op(value), Op::Constant(_)) || self.beside(value).is_some()
+        matches!(self.op(value), Op::Constant(_)) || self.is_of_direction(value)
     }
 
     /// How great a value is at most where directions are anything, and all else as great as at the start.
@@ -151,7 +151,7 @@ impl SsaBuilder {
         let mut of = |value| self.magnitude(value, known);
         let found = match self.op(value) {
             Op::Constant(_) => self.at_start(value).abs(),
-            _ if self.beside(value).is_some() => 1.0,
+            _ if self.is_of_direction(value) => 1.0,
             Op::Neg(a) => of(a),
             Op::Add(a, b) | Op::Sub(a, b) => of(a) + of(b),
             // What a loop has found is a quotient: how great its parts are tells nothing.
