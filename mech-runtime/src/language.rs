@@ -11,6 +11,7 @@
 //! | [`forces`] | velocities, masses, springs, loads, and motion under forces |
 //! | [`parts`] | a mechanism used in another, once or many times |
 //! | [`params`] | numbers that can be changed at run time, and sensitivities |
+//! | [`tests`] | tests that a mechanism stays refused |
 //!
 //! These modules hold documentation only.
 
@@ -40,3 +41,6 @@ pub mod parts {}
 
 #[doc = include_str!("language/pictures.md")]
 pub mod pictures {}
+
+#[doc = include_str!("language/tests.md")]
+pub mod tests {}

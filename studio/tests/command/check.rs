@@ -1,8 +1,8 @@
 //! `mech check` says what the macro says, at the same places.
 
-use crate::run::{FOUR_BAR, Folder, mech_in, repository, rust};
+use crate::run::{FOUR_BAR, Folder, mech_in, refused, rust};
 use mech_studio::{Document, Source};
-use std::fs;
+use std::{env, fs};
 
 /// Cases in which the Rust compiler says something besides the macro.
 const NOT_OF_THE_MACRO: [&str; 1] = ["show-leaves-no-other-methods"];
@@ -13,27 +13,36 @@ fn trimmed(text: &str) -> String {
     lines.join("\n")
 }
 
+/// After a wording was changed on purpose, `UPDATE_CASES=1` renews what is said of texts: read it.
 #[test]
 fn the_same_words_at_the_same_places_as_the_macro() {
-    let folder = repository("tests/ui");
     let mut wrong = String::new();
     let mut count = 0;
-    for file in fs::read_dir(folder.join("fail")).expect("cases") {
-        let path = file.expect("a case").path();
-        let name = path
-            .file_stem()
-            .expect("a name")
-            .to_string_lossy()
-            .into_owned();
-        let is_case = path.extension().is_some_and(|end| end == "rs");
-        if !is_case || NOT_OF_THE_MACRO.contains(&&*name) {
-            continue;
-        }
-        let expected = fs::read_to_string(path.with_extension("stderr")).expect("messages");
-        let found = mech_in(&folder, &["check", &format!("fail/{name}.rs")]);
-        count += 1;
-        if found.code != Some(1) || trimmed(&found.err) != trimmed(&expected) {
-            wrong += &format!("{name}: {found:?}\n{}\nexpected:\n{expected}\n", found.err);
+    for (folder, cases) in refused() {
+        for path in cases {
+            let name = path.file_stem().expect("a name").to_string_lossy();
+            if NOT_OF_THE_MACRO.contains(&&*name) {
+                continue;
+            }
+            let found = mech_in(
+                &folder,
+                &[
+                    "check".as_ref(),
+                    path.strip_prefix(&folder).expect("a case"),
+                ],
+            );
+            let (file, is_text) = (
+                path.with_extension("stderr"),
+                path.extension() == Some("mech".as_ref()),
+            );
+            if is_text && env::var_os("UPDATE_CASES").is_some() {
+                fs::write(&file, trimmed(&found.err) + "\n").expect("a file");
+            }
+            let expected = fs::read_to_string(&file).unwrap_or_default();
+            count += 1;
+            if found.code != Some(1) || trimmed(&found.err) != trimmed(&expected) {
+                wrong += &format!("{name}: {found:?}\n{}\nexpected:\n{expected}\n", found.err);
+            }
         }
     }
     assert!(count > 100, "{count}");

@@ -1,6 +1,6 @@
 //! The places of names and numbers.
 
-use crate::run::repository;
+use crate::run::{refused, repository};
 use mech_compiler::syntax::{self, SyntaxTree};
 use mech_studio::{Document, Listing, Source};
 use proc_macro2::{TokenStream, TokenTree};
@@ -9,13 +9,9 @@ use std::fs;
 use std::ops::Range;
 use std::path::PathBuf;
 
-/// Rust files with mechanisms: the gallery, and tests of the macro.
+/// Files with mechanisms: the gallery, examples, and what is refused.
 fn files() -> Vec<PathBuf> {
-    let folders = [
-        "examples/gallery/src/mechanisms",
-        "tests/ui/fail",
-        "examples",
-    ];
+    let folders = ["examples/gallery/src/mechanisms", "examples"];
     let entries = folders
         .iter()
         .flat_map(|folder| fs::read_dir(repository(folder)).expect("a folder"));
@@ -24,6 +20,7 @@ fn files() -> Vec<PathBuf> {
         .filter(|path| path.extension().is_some_and(|end| end == "rs"))
         .collect();
     paths.sort();
+    paths.extend(refused().into_iter().flat_map(|(_, cases)| cases));
     paths
 }
 

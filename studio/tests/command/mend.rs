@@ -1,6 +1,6 @@
 //! Repairs as changes of the text: the text after a repair declares what the repair promised, and everything else in it stays.
 
-use crate::run::repository;
+use crate::run::{refused, repository};
 use mech_compiler::compile;
 use mech_compiler::structure::Diagnosis;
 use mech_studio::{Document, Mending, Remainder, Source, mendings};
@@ -107,11 +107,8 @@ fn mechanisms_with_every_diagnosis() {
     for text in examples(&page) {
         mend_all(Source::new("a.mech", text), &mut tally);
     }
-    for file in fs::read_dir(repository("tests/ui/fail")).expect("cases") {
-        let path = file.expect("a case").path();
-        if path.extension().is_some_and(|end| end == "rs") {
-            mend_all(Source::read(&path).expect("a case"), &mut tally);
-        }
+    for path in refused().into_iter().flat_map(|(_, cases)| cases) {
+        mend_all(Source::read(&path).expect("a case"), &mut tally);
     }
     assert!(tally.all > 100, "{} repairs", tally.all);
     // Few repairs are in the text more than a change of some statements.

@@ -99,6 +99,23 @@ pub(crate) fn repository(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path)
 }
 
+/// Mechanisms that are refused: texts, and Rust that the tests of the macro hold to the same messages. A folder, and paths within it.
+pub(crate) fn refused() -> [(PathBuf, Vec<PathBuf>); 2] {
+    [repository("tests/cases"), repository("tests/ui")].map(|root| {
+        let entries = |folder: &Path| {
+            let entries = fs::read_dir(folder).expect("a folder");
+            entries.map(|entry| entry.expect("an entry").path())
+        };
+        let folders = entries(&root).filter(|path| path.is_dir());
+        let mut cases: Vec<PathBuf> = folders
+            .flat_map(|folder| entries(&folder).collect::<Vec<_>>())
+            .filter(|path| path.extension().is_some_and(|end| end != "stderr"))
+            .collect();
+        cases.sort();
+        (root, cases)
+    })
+}
+
 /// A four-bar linkage.
 pub(crate) const FOUR_BAR: &str = "struct FourBar;
 link crank; link coupler { point tip = (2.5, 3); } link rocker;

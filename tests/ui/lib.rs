@@ -1,0 +1,1 @@
+//! Nothing: what is tested is how programs that use the macro fail.
