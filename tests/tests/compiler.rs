@@ -23,6 +23,7 @@ mod random;
 mod ranges;
 mod rates;
 mod repairs;
+mod seen;
 mod shafts;
 mod show;
 mod slides;

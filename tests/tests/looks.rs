@@ -18,7 +18,7 @@ use std::time::{Duration, Instant};
 /// The colours of eyes and belts.
 const MARKS: [u8; 2] = [Palette::INK, Palette::EYE];
 
-fn compiled(text: &str) -> (Model, Compiled, Looks) {
+pub(crate) fn compiled(text: &str) -> (Model, Compiled, Looks) {
     let model = model(text);
     let compiled = compile(&model).unwrap_or_else(|wrong| panic!("{wrong:?}\n{text}"));
     let looks = looks(&model, &compiled);
@@ -26,7 +26,11 @@ fn compiled(text: &str) -> (Model, Compiled, Looks) {
 }
 
 /// The frame of a link where a machine is; none if it is not known.
-fn frame(compiled: &Compiled, poses: &[[f64; 4]], link: LinkId) -> Option<Isometry2<f64>> {
+pub(crate) fn frame(
+    compiled: &Compiled,
+    poses: &[[f64; 4]],
+    link: LinkId,
+) -> Option<Isometry2<f64>> {
     if link == LinkId::GROUND {
         return Some(Isometry2::identity());
     }
@@ -196,7 +200,7 @@ proptest! {
 }
 
 /// Whether an outline of a link's body covers a place on the link.
-fn covers(painted: &Painted, place: Point2<f64>) -> bool {
+pub(crate) fn covers(painted: &Painted, place: Point2<f64>) -> bool {
     match &painted.outline {
         Outline::Line { points, width } => {
             let points: Vec<Point2<f64>> = points
@@ -414,10 +418,11 @@ fn every_color_is_seen() {
     }
 }
 
-/// What the same mechanism declares in another order looks the same, but for colours and planes.
+/// A disc on the pivot is the link's body, with a pin; one beside the pins comes to the body. Stands stay. Where everything has shapes, these
+/// are all.
 #[test]
 fn a_link_with_shapes_keeps_them() {
-    let text = "struct Two; look machine; link a { point p = (0, 0); circle (0, 0) radius 0.7 color red; } link b { point p = (1, 0); } \
+    let text = "struct Two; look machine; link a { point p = (0, 0); circle (0, 0) radius 1.5 color red; } link b { point p = (1, 0); } \
                 joint j = revolute(ground, a) at (0, 0); joint k = revolute(a, b) at (1, 0); motor j; motor k;";
     let (model, _, looks) = compiled(text);
     let [a, b]: [LinkId; 2] = model
@@ -431,9 +436,25 @@ fn a_link_with_shapes_keeps_them() {
             .iter()
             .filter(move |painted| painted.link == link)
     };
-    assert_eq!(of(a).count(), 1);
-    assert!(of(a).all(|painted| painted.color == Palette::RED && painted.plane == 0));
-    assert!(of(b).count() > 1);
+    let shape = |painted: &&Painted| painted.color == Palette::RED && painted.plane == 0;
+    assert_eq!(of(a).filter(shape).count(), 1);
+    let marks = of(a).filter(|painted| MARKS.contains(&painted.color));
+    assert_eq!(
+        (of(a).count(), marks.count()),
+        (6, 5),
+        "two eyes, and the ring of the motor"
+    );
+    assert!(of(b).count() > 1 && of(LinkId::GROUND).count() > 1);
+    let (_, _, beside) =
+        compiled(&text.replace("circle (0, 0) radius 1.5", "circle (3, 3) radius 1.5"));
+    assert_eq!(beside.painted.len(), looks.painted.len() + 2, "and a bar");
+    let ground = "ground { circle (0, 0) radius 2; } link a";
+    let drawn = text.replace("look machine; link a", ground);
+    let (_, _, drawn) = compiled(&drawn.replace(
+        "point p = (1, 0); }",
+        "point p = (1, 0); circle (1, 0) radius 1; }",
+    ));
+    assert_eq!(drawn.painted.len(), 3);
 }
 
 #[track_caller]
@@ -451,7 +472,7 @@ fn assert_box(text: &str, expected: [[f64; 2]; 2]) {
 /// Boxes that are known by a sum of lengths.
 #[test]
 fn a_box_is_as_large_as_arms_and_slides_reach() {
-    let hand = "link u; link f; link g { circle (5, 1) radius 0.25; }
+    let hand = "look none; link u; link f; link g { circle (5, 1) radius 0.25; }
         joint a = revolute(ground, u) at (0, 0);
         joint b = revolute(u, f) at (2, 0); joint c = revolute(f, g) at (3, 1);";
     let far = 2.0 + 2.0_f64.sqrt() + 2.0 + 0.25;
@@ -460,18 +481,18 @@ fn a_box_is_as_large_as_arms_and_slides_reach() {
     // A slide goes four sizes either way; one whose axes lie in one place is as large as what is painted.
     let slide = |at: &str| {
         format!(
-            "struct Slide; link a {{ circle (0, 0) radius 2; }} joint j = prismatic(ground, a) at {at} along (1, 0); motor j;"
+            "struct Slide; look none; link a {{ circle (0, 0) radius 2; }} joint j = prismatic(ground, a) at {at} along (1, 0); motor j;"
         )
     };
     assert_box(&slide("(0, 0)"), [[-10.0, -2.0], [10.0, 2.0]]);
     assert_box(&slide("(0, -5)"), [[-22.0, -2.0], [22.0, 2.0]]);
     // What rolls on goes a turn either way.
-    let rack = "struct Rack; link pinion; link bar { circle (0, 0) radius 1; }
+    let rack = "struct Rack; look none; link pinion; link bar { circle (0, 0) radius 1; }
         joint turn = revolute(ground, pinion) at (0, 0); joint slide = prismatic(ground, bar) at (0, 1) along (1, 0);
         joint mesh = rack(pinion, bar, radius 1); motor turn;";
     assert_box(rack, [[-1.0 - TAU, -1.0], [1.0 + TAU, 1.0]]);
     // A point whose path is painted is seen, too.
-    let traced = "struct Traced; ground { point o = (0, 0); } link a { point o = (0, 0); point tip = (3, 0); circle (0, 0) radius 1; }
+    let traced = "struct Traced; look none; ground { point o = (0, 0); } link a { point o = (0, 0); point tip = (3, 0); circle (0, 0) radius 1; }
         joint j = revolute(ground.o, a.o); motor j; effects { trace a.tip 64; }";
     assert_box(traced, [[-3.0, -3.0], [3.0, 3.0]]);
 }

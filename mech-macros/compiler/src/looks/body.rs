@@ -6,10 +6,12 @@ use super::hull::hull;
 use super::outline::{Measure, Outline, Place, fixed, place_of};
 use super::rolling;
 use super::scene::{Mount, Scene, Slide};
+use super::tooth::Side;
 use super::wheel::Wheels;
 use crate::model::{Axis, LinkId};
 use mech_core::colors::{INK, PAPER, darker, lighter};
-use nalgebra::{Point2, Vector2};
+use nalgebra::{Point2, Rotation2, Vector2};
+use std::f64::consts::TAU;
 
 /// A link of a single pin is a disc, of this radius in widths of a bar.
 const DISC: f64 = 0.9;
@@ -43,6 +45,8 @@ pub(super) struct Body {
     /// What is painted above all bodies of its plane: eyes, marks.
     pub(super) top: Vec<(Outline, u8)>,
     pub(super) footprint: Footprint,
+    /// The nearest plane of the link's own shapes.
+    pub(super) over: i32,
     /// Whether another form would look otherwise.
     pub(super) is_plate: bool,
 }
@@ -70,24 +74,37 @@ pub(super) fn body(
         body: Body::default(),
     };
     let mounts = scene.mounts(link);
-    builder.wheels(wheels);
+    let planes = scene
+        .model
+        .link(link)
+        .shapes
+        .iter()
+        .map(|shape| shape.plane);
+    builder.body.over = planes.max().unwrap_or(i32::MIN);
+    if scene.is_drawn(link) {
+        builder.wheels(wheels, Side::Outside);
+        builder.wheels(wheels, Side::Inside);
+        builder.racks(wheels);
+        for mount in mounts.iter().filter(|mount| mount.is_joint) {
+            builder.mount(mount);
+        }
+        return builder.body;
+    }
+    builder.wheels(wheels, Side::Outside);
     builder.guides(mounts);
     builder.bars(wheels, mounts, form);
-    builder.blocks(wheels);
+    builder.slots();
+    builder.wheels(wheels, Side::Inside);
+    if !builder.racks(wheels) {
+        builder.blocks();
+    }
     if builder.body.footprint.is_empty()
         && let Some(mount) = mounts.first()
     {
         builder.disc(mount.at, DISC * scene.width);
     }
-    let is_ring = wheels
-        .on(link)
-        .any(|wheel| wheel.side == super::tooth::Side::Inside);
     for mount in mounts {
-        let at_hub =
-            |wheel: &super::wheel::Wheel| (wheel.center - mount.at).norm() < 0.1 * scene.width;
-        if !(is_ring && wheels.on(link).any(at_hub)) {
-            builder.mount(mount);
-        }
+        builder.mount(mount);
     }
     builder.body
 }
@@ -112,11 +129,13 @@ impl Builder<'_, '_> {
         self.body.footprint.add_disc(center, radius);
     }
 
-    fn wheels(&mut self, wheels: &Wheels) {
-        for wheel in wheels.on(self.link) {
+    /// Its wheels with teeth on this side, unless the link's own shapes are these.
+    fn wheels(&mut self, wheels: &Wheels, side: Side) {
+        let own = wheels.on(self.link).filter(|wheel| wheel.side == side);
+        for wheel in own.filter(|wheel| !self.scene.is_drawn_wheel(wheel)) {
             let outlines = rolling::wheel(self.scene, wheel, self.color);
             self.body.outlines.extend(outlines);
-            if wheel.side == super::tooth::Side::Outside {
+            if side == Side::Outside {
                 self.body.footprint.add_disc(wheel.center, wheel.radius);
             }
         }
@@ -147,7 +166,7 @@ impl Builder<'_, '_> {
         match points.len() {
             0 | 1 => {}
             2 => self.bar([0, 1], &points, &places),
-            _ => self.many(&points, &places, form),
+            _ => self.many(wheels, &points, &places, form),
         }
     }
 
@@ -161,7 +180,7 @@ impl Builder<'_, '_> {
             .add_bar(ends.map(|end| points[end]), self.scene.width);
     }
 
-    fn many(&mut self, points: &[Point2<f64>], places: &[Place], form: Form) {
+    fn many(&mut self, wheels: &Wheels, points: &[Point2<f64>], places: &[Place], form: Form) {
         let varies = places
             .iter()
             .flatten()
@@ -175,8 +194,13 @@ impl Builder<'_, '_> {
             return;
         }
         self.body.is_plate = true;
+        // A ring is open: what meshes within it is seen.
+        let hole = wheels
+            .on(self.link)
+            .find(|wheel| wheel.side == Side::Inside);
+        let hole = hole.map(|wheel| (wheel.center, rolling::rim(wheel)));
         let mut around: Vec<Place> = corners.iter().map(|&corner| places[corner]).collect();
-        let filled = Outline::Polygon(around.clone());
+        let filled = Outline::Polygon(with_hole(around.clone(), hole));
         around.push(around[0]);
         for (share, color) in [(1.0, darker(self.color)), (FACE, self.color)] {
             let edge = Outline::Line {
@@ -188,9 +212,15 @@ impl Builder<'_, '_> {
         self.paint(filled, self.color);
         let corners: Vec<Point2<f64>> = corners.iter().map(|&corner| points[corner]).collect();
         if let Some(inset) = inset(&corners, INSET * self.scene.width) {
-            self.paint(Outline::Polygon(inset), lighter(self.color));
+            self.paint(
+                Outline::Polygon(with_hole(inset, hole)),
+                lighter(self.color),
+            );
         }
         self.body.footprint.add_plate(corners, self.scene.width);
+        if let Some((center, radius)) = hole {
+            self.body.footprint.add_hole(center, radius);
+        }
     }
 
     /// The prismatic joints and slots of a link: whether it is the one that guides.
@@ -213,7 +243,22 @@ impl Builder<'_, '_> {
         places.collect()
     }
 
-    /// Slots, barrels and guides.
+    /// The openings of its slots, which nothing of the link covers.
+    fn slots(&mut self) {
+        for slide in self.slides(true) {
+            let Some(travel) = self.scene.travel(slide).filter(|_| slide.pin.is_some()) else {
+                continue;
+            };
+            let line = self.scene.model.axis(slide.guide);
+            let (at, along) = (Point2::from(line.at), Vector2::from(line.direction));
+            let ends = travel.map(|offset| at + along * offset);
+            let width = self.scene.width;
+            self.line(ends, SLOT * width + 0.2 * width, darker(self.color));
+            self.line(ends, SLOT * width, PAPER);
+        }
+    }
+
+    /// The cheeks of slots, barrels and guides.
     fn guides(&mut self, mounts: &[Mount]) {
         for slide in self.slides(true) {
             let Some([low, high]) = self.scene.travel(slide) else {
@@ -227,8 +272,6 @@ impl Builder<'_, '_> {
                 let ends = [place(low), place(high)];
                 self.rod(ends, CHEEKS * width, self.color);
                 self.reach_mounts(ends, mounts);
-                self.line(ends, SLOT * width + 0.2 * width, darker(self.color));
-                self.line(ends, SLOT * width, PAPER);
                 continue;
             }
             if let Some(cylinder) = self.scene.cylinder(slide) {
@@ -291,16 +334,19 @@ impl Builder<'_, '_> {
         }
     }
 
-    /// What slides: blocks, piston rods, racks.
-    fn blocks(&mut self, wheels: &Wheels) {
+    /// Its toothed bars; whether it has any.
+    fn racks(&mut self, wheels: &Wheels) -> bool {
+        let racks = wheels.racks_on(self.link);
+        let racks = racks.filter_map(|rack| rolling::rack(self.scene, wheels, rack, self.color));
+        let outlines: Vec<_> = racks.flatten().collect();
+        let has_racks = !outlines.is_empty();
+        self.body.outlines.extend(outlines);
+        has_racks
+    }
+
+    /// What slides: blocks and piston rods.
+    fn blocks(&mut self) {
         for slide in self.slides(false) {
-            let racks = wheels.racks.iter();
-            let mut own = racks.filter(|rack| rack.rolling.ends[1].0.link() == self.link);
-            let rack = own.find_map(|rack| rolling::rack(self.scene, wheels, rack, self.color));
-            if let Some(outlines) = rack {
-                self.body.outlines.extend(outlines);
-                continue;
-            }
             let line = self.scene.model.axis(slide.block);
             if let Some(cylinder) = self.scene.cylinder(slide) {
                 let (at, along) = (Point2::from(line.at), Vector2::from(line.direction));
@@ -347,7 +393,9 @@ impl Builder<'_, '_> {
             };
             self.body.top.push((ring, INK));
         }
-        self.body.top.extend(eye(center, self.width()));
+        if !self.scene.has_eye(self.link, mount.at) {
+            self.body.top.extend(eye(center, self.width()));
+        }
     }
 }
 
@@ -358,6 +406,23 @@ fn polygon(corners: &[Point2<f64>]) -> Outline {
             .map(|corner| fixed([corner.x, corner.y]))
             .collect(),
     )
+}
+
+/// The corners of a polygon with a round hole, if it has one: a line leads to the hole and back, so that it is one polygon.
+fn with_hole(mut corners: Vec<Place>, hole: Option<(Point2<f64>, f64)>) -> Vec<Place> {
+    /// So many corners look round.
+    const CORNERS: u32 = 72;
+    if let Some((center, radius)) = hole {
+        let first = corners[0];
+        let turned = |number: u32| f64::from(number % CORNERS) * -TAU / f64::from(CORNERS);
+        let around = (0..=CORNERS).map(turned).map(|angle| {
+            let place = center + Rotation2::new(angle) * Vector2::x() * radius;
+            fixed([place.x, place.y])
+        });
+        corners.push(first);
+        corners.extend(around);
+    }
+    corners
 }
 
 /// The shortest lines that join all points: a tree.

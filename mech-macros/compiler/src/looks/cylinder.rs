@@ -8,6 +8,8 @@ use nalgebra::{Point2, Vector2};
 const ON_LINE: f64 = 0.05;
 /// What is left between barrel and pin at the shortest, in widths of a bar.
 const CLEAR: f64 = 1.2;
+/// The least part of the distance of both pins at the start that the barrel takes.
+const LEAST: f64 = 0.45;
 /// How much of the rod stays in the barrel.
 const HELD: f64 = 1.0;
 
@@ -33,17 +35,23 @@ impl Scene<'_> {
         let travel = self.travel(slide)?;
         let [near, far] = travel.map(|offset| offset + head - foot);
         // The rod comes out on the side of its pin: where that is behind the foot, everything is mirrored.
-        let sign = if near + far < 0.0 { -1.0 } else { 1.0 };
+        let start = self.survey.start();
+        let at_start = start.place(self.model, slide.block)?;
+        let at_start = start.along(self.model, slide.guide, at_start)? + head - foot;
+        let sign = 1.0_f64.copysign(at_start);
         let [near, far] = if sign < 0.0 {
             [-far, -near]
         } else {
             [near, far]
         };
-        if near < 3.0 * self.width {
+        if at_start.abs() < 3.0 * self.width {
             return None;
         }
-        let length = near - CLEAR * self.width;
-        let within = (far - length + HELD * self.width).min(near - 0.5 * self.width);
+        // Where motors may go farther than a cylinder can, it is one at the start.
+        let length = (near - CLEAR * self.width).max(LEAST * at_start.abs());
+        let held = |offset: f64| offset - length + HELD * self.width;
+        let within = held(far).min(near - 0.5 * self.width);
+        let within = within.max(held(at_start.abs()));
         Some(Cylinder {
             barrel: [foot, foot + sign * length],
             rod: [head, head - sign * within],

@@ -10,6 +10,8 @@ pub(super) struct Footprint {
     bars: Vec<([Point2<f64>; 2], f64)>,
     /// The corners of a plate, counter-clockwise, and how far it reaches beyond them.
     plate: Option<(Vec<Point2<f64>>, f64)>,
+    /// The centre and the radius of the plate's hole.
+    hole: Option<(Point2<f64>, f64)>,
     /// Discs: their centres and radii.
     discs: Vec<(Point2<f64>, f64)>,
 }
@@ -21,6 +23,10 @@ impl Footprint {
 
     pub(super) fn add_plate(&mut self, corners: Vec<Point2<f64>>, width: f64) {
         self.plate = Some((corners, 0.5 * width));
+    }
+
+    pub(super) fn add_hole(&mut self, center: Point2<f64>, radius: f64) {
+        self.hole = Some((center, radius));
     }
 
     pub(super) fn add_disc(&mut self, center: Point2<f64>, radius: f64) {
@@ -35,9 +41,12 @@ impl Footprint {
     pub(super) fn touches(&self, center: Point2<f64>, radius: f64) -> bool {
         let mut bars = self.bars.iter();
         let mut discs = self.discs.iter();
+        let in_hole = |(middle, open): (Point2<f64>, f64)| (center - middle).norm() + radius < open;
+        let plate = self.plate.as_ref();
+        let plate = plate.filter(|_| !self.hole.is_some_and(in_hole));
         bars.any(|(ends, half)| distance_to(*ends, center) < half + radius)
             || discs.any(|(other, reach)| (center - other).norm() < reach + radius)
-            || self.plate.as_ref().is_some_and(|(corners, beyond)| {
+            || plate.is_some_and(|(corners, beyond)| {
                 let edges = corners.iter().zip(corners.iter().cycle().skip(1));
                 depth(corners, center) > 0.0
                     || edges

@@ -70,7 +70,7 @@ pub(super) fn stands(scene: &Scene<'_>, wheels: &Wheels) -> Vec<(Outline, u8)> {
     stands.collect()
 }
 
-/// The fixed pivots of links that have bodies, each place once.
+/// The fixed pivots of links that are shown, each place once, except those on shapes of the ground.
 fn pivots(scene: &Scene<'_>, wheels: &Wheels) -> Vec<Stand> {
     let mut all: Vec<Stand> = Vec::new();
     for pin in &scene.structure.pins {
@@ -82,7 +82,8 @@ fn pivots(scene: &Scene<'_>, wheels: &Wheels) -> Vec<Stand> {
         let movers: Vec<LinkId> = pin.members.iter().map(|member| member.0).collect();
         let is_seen = movers
             .iter()
-            .any(|&link| scene.gets_body(link) && link != LinkId::GROUND);
+            .any(|&link| scene.is_shown(link) && link != LinkId::GROUND);
+        let is_seen = is_seen && !scene.is_covered(LinkId::GROUND, at);
         let is_new = all
             .iter()
             .all(|known| distance(&known.at, &at) > 0.5 * scene.width);
@@ -175,7 +176,9 @@ fn hatched([from, to]: [f64; 2], top: f64) -> Vec<[f64; 2]> {
 pub(super) fn rails(scene: &Scene<'_>) -> Vec<(Outline, u8)> {
     let on_ground = |slide: &Slide| {
         let [guide, block] = scene.ends(*slide);
-        guide == LinkId::GROUND && scene.gets_body(block)
+        let line = scene.model.axis(slide.guide);
+        let is_drawn = scene.is_covered(LinkId::GROUND, line.at.into());
+        guide == LinkId::GROUND && scene.is_shown(block) && !is_drawn
     };
     let slides = scene.slides().filter(on_ground);
     slides

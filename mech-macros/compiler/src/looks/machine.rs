@@ -15,6 +15,7 @@ use crate::bug::bug;
 use crate::model::LinkId;
 use crate::symbols::{Symbol, elastic_symbols};
 use mech_core::colors::GROUND;
+use nalgebra::Point2;
 
 /// The ground lies behind everything. Each link has two planes, of which the nearer one has its eyes.
 const GROUND_PLANE: i32 = 0;
@@ -24,13 +25,14 @@ const PIXEL: f64 = 0.12;
 /// What a spring is fixed to on the ground: a disc of this radius, in widths of a bar.
 const ANCHOR: f64 = 0.7;
 
-/// The outlines of all links without shapes, and what stretches between them.
+/// The outlines of all links, and what stretches between them. Of links whose shapes are their bodies the pins.
 pub(super) fn machine(scene: &Scene<'_>, wheels: &Wheels) -> (Vec<Painted>, Option<Symbols>) {
     let grid = Grid::for_width(scene.width);
     let arrangement = Arrangement::new(scene, wheels);
     let elastic = elastic(scene);
     let mut all = ground(scene, wheels, elastic.as_ref());
     all.extend(slot_pins(scene, &arrangement));
+    all.extend(hidden_pins(scene, &arrangement));
     all.extend(belts(scene, wheels, &arrangement));
     all.extend(arrangement.painted());
     for painted in &mut all {
@@ -48,7 +50,7 @@ struct Arrangement {
 
 impl Arrangement {
     fn new(scene: &Scene<'_>, wheels: &Wheels) -> Self {
-        let links: Vec<LinkId> = scene.bodies().collect();
+        let links: Vec<LinkId> = scene.shown().collect();
         let wardrobe = Wardrobe {
             scene,
             wheels,
@@ -111,6 +113,16 @@ impl Arrangement {
         number.map_or(GROUND_PLANE, |number| self.plane_of(number))
     }
 
+    /// Whether a body in front of a plane covers a place of the scene at the start.
+    fn covers(&self, scene: &Scene<'_>, place: Point2<f64>, plane: i32) -> bool {
+        let bodies = self.links.iter().zip(&self.bodies).enumerate();
+        let mut front = bodies.filter(|(number, _)| self.plane_of(*number) > plane);
+        front.any(|(_, (&link, body))| {
+            let frame = scene.survey.at_start(link);
+            frame.is_some_and(|frame| body.footprint.touches(frame.inverse() * place, 0.0))
+        })
+    }
+
     /// The nearer plane of the nearer of two links.
     fn top(&self, links: [LinkId; 2]) -> i32 {
         let [one, other] = links.map(|link| self.plane(link));
@@ -124,7 +136,9 @@ impl Arrangement {
             .collect();
         let bodies = self.links.into_iter().zip(self.bodies).zip(planes);
         let outlines = bodies.flat_map(|((link, body), plane)| {
-            painted(link, plane, body.outlines).chain(painted(link, plane + 1, body.top))
+            // No shape of a link covers its pins.
+            let top = body.over.max(plane + 1);
+            painted(link, plane, body.outlines).chain(painted(link, top, body.top))
         });
         outlines.collect()
     }
@@ -169,13 +183,35 @@ fn elastic(scene: &Scene<'_>) -> Option<Symbols> {
 /// The pins of slots, each in the plane in which it is seen in its slot.
 fn slot_pins(scene: &Scene<'_>, arrangement: &Arrangement) -> Vec<Painted> {
     let slots = scene.slides().filter_map(|slide| Some((slide, slide.pin?)));
-    let seen = slots.filter(|(slide, _)| scene.gets_body(scene.ends(*slide)[1]));
+    let seen = slots.filter(|(slide, _)| scene.is_shown(scene.ends(*slide)[1]));
     let pins = seen.flat_map(|(slide, pin)| {
         let axis = scene.model.axis(pin);
         let outlines = eye(place_of(axis), Measure::fixed(scene.width));
         painted(axis.link, arrangement.top(scene.ends(slide)), outlines)
     });
     pins.collect()
+}
+
+/// The pins that bodies in front of them hide at the start: they are seen through these.
+fn hidden_pins(scene: &Scene<'_>, arrangement: &Arrangement) -> Vec<Painted> {
+    let front = arrangement.links.len();
+    let front = (0..front)
+        .map(|number| arrangement.plane_of(number) + 2)
+        .max();
+    let pins = scene.structure.pins.iter().filter_map(|pin| {
+        let own = pin.members.iter().filter(|member| scene.is_shown(member.0));
+        let &(link, axis) = own
+            .clone()
+            .max_by_key(|member| arrangement.plane(member.0))?;
+        let place = scene.survey.start().place(scene.model, axis)?;
+        let is_hidden = arrangement.covers(scene, place, arrangement.plane(link));
+        let eye = eye(
+            place_of(scene.model.axis(axis)),
+            Measure::fixed(scene.width),
+        );
+        is_hidden.then(|| painted(link, front.unwrap_or(GROUND_PLANE), eye))
+    });
+    pins.flatten().collect()
 }
 
 /// The belts, each on the carrier of its pulleys.
@@ -188,15 +224,19 @@ fn belts(scene: &Scene<'_>, wheels: &Wheels, arrangement: &Arrangement) -> Vec<P
     belts.flatten().collect()
 }
 
-/// Stands and rails, and wheels that do not turn.
+/// Stands and rails, and wheels and racks that do not move.
 fn ground(scene: &Scene<'_>, wheels: &Wheels, elastic: Option<&Symbols>) -> Vec<Painted> {
-    if !scene.gets_body(LinkId::GROUND) {
-        return Vec::new();
-    }
-    let fixed = wheels.on(LinkId::GROUND);
+    let fixed = wheels
+        .on(LinkId::GROUND)
+        .filter(|wheel| !scene.is_drawn_wheel(wheel));
     let fixed = fixed.flat_map(|wheel| rolling::wheel(scene, wheel, GROUND));
+    let racks = wheels.racks_on(LinkId::GROUND);
+    let racks = racks.filter_map(|rack| rolling::rack(scene, wheels, rack, GROUND));
     let outlines = rails(scene).into_iter().chain(stands(scene, wheels));
-    let outlines = outlines.chain(fixed).chain(anchors(scene, elastic));
+    let outlines = outlines
+        .chain(fixed)
+        .chain(racks.flatten())
+        .chain(anchors(scene, elastic));
     painted(LinkId::GROUND, GROUND_PLANE, outlines).collect()
 }
 

@@ -6,6 +6,7 @@
 mod body;
 mod cam;
 mod color;
+mod cover;
 mod cylinder;
 mod declared;
 mod figure;

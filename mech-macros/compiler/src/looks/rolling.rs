@@ -41,18 +41,23 @@ pub(super) fn wheel(scene: &Scene<'_>, wheel: &Wheel, color: u8) -> Vec<(Outline
         all.extend(web(scene, GROOVE * wheel.radius, color, disc));
         return all;
     };
-    let module = 2.0 * wheel.radius / f64::from(teeth);
     let toothed = Outline::Toothed(Toothed {
         center: [wheel.center.x, wheel.center.y],
         tooth: tooth(wheel.radius, teeth, wheel.side, wheel.phase),
         count: teeth,
-        rim: (wheel.side == Side::Inside).then_some(wheel.radius + RIM * module),
+        rim: (wheel.side == Side::Inside).then_some(rim(wheel)),
     });
     let mut all = vec![(toothed, color)];
     if wheel.side == Side::Outside {
         all.extend(web(scene, root_radius(wheel.radius, teeth), color, disc));
     }
     all
+}
+
+/// The radius of a ring that has its teeth inside.
+pub(super) fn rim(wheel: &Wheel) -> f64 {
+    let module = |teeth: u32| 2.0 * wheel.radius / f64::from(teeth);
+    wheel.radius + RIM * wheel.teeth.map_or(0.0, module)
 }
 
 /// The web and the hub of a wheel that is large enough.

@@ -1,17 +1,22 @@
 //! What is known of a mechanism when its links are given bodies.
 
+use super::cover::covers;
 use super::outline::{Place, place_of};
 use super::survey::Survey;
+use super::wheel::Wheel;
 use crate::compiled::Compiled;
-use crate::model::{AxisId, AxisKind, JointId, JointKind, LinkId, Model};
+use crate::model::{AxisId, AxisKind, JointId, JointKind, LinkId, Model, ShapeKind};
 use crate::structure::Structure;
-use nalgebra::{Point2, distance};
+use nalgebra::{Point2, Rotation2, Vector2, distance};
+use std::f64::consts::FRAC_PI_4;
 
 /// The width of a bar, as parts of the whole mechanism and of the shortest link.
 const OF_WHOLE: [f64; 2] = [0.02, 0.055];
 const OF_SHORTEST: f64 = 0.4;
 /// Places of a link that are nearer to each other than this part of their distance from its origin are one.
 const NEAR: f64 = 1e-9;
+/// Shapes are a wheel if they cover it as far as this part of its radius.
+const OF_WHEEL: f64 = 0.8;
 
 /// A mechanism, how it moves, and how thick its bars are.
 pub(super) struct Scene<'a> {
@@ -88,17 +93,49 @@ impl<'a> Scene<'a> {
         (OF_SHORTEST * shortest).clamp(low, high)
     }
 
-    /// Whether a link is shown and has no shapes of its own.
-    pub(super) fn gets_body(&self, link: LinkId) -> bool {
-        let is_known = self.survey.at_start(link).is_some();
-        let own = self.model.link(link);
-        is_known && own.shapes.is_empty() && own.die.is_none()
+    /// Whether a link is shown.
+    pub(super) fn is_shown(&self, link: LinkId) -> bool {
+        self.survey.at_start(link).is_some() && self.model.link(link).die.is_none()
     }
 
-    /// The links that get bodies, the ground aside.
-    pub(super) fn bodies(&self) -> impl Iterator<Item = LinkId> {
+    /// The links that are shown, the ground aside.
+    pub(super) fn shown(&self) -> impl Iterator<Item = LinkId> {
         let links = self.model.declared_links();
-        links.filter(|&link| self.gets_body(link))
+        links.filter(|&link| self.is_shown(link))
+    }
+
+    /// Whether the shapes of a link are its body: they cover all its pins and blocks. Else they come to its body.
+    pub(super) fn is_drawn(&self, link: LinkId) -> bool {
+        let pins = self.mounts(link).iter().filter(|mount| mount.is_joint);
+        let pins = pins.map(|mount| mount.at);
+        let blocks = self.slides_of(link).filter_map(|slide| {
+            let block = self.model.axis(slide.block);
+            (block.link == link).then(|| Point2::from(block.at))
+        });
+        let shapes = &self.model.link(link).shapes;
+        !shapes.is_empty() && pins.chain(blocks).all(|place| covers(shapes, place))
+    }
+
+    /// Whether the shapes of a link are its wheel: they cover most of it.
+    pub(super) fn is_drawn_wheel(&self, wheel: &Wheel) -> bool {
+        let rim = (0..8).map(|eighth| Rotation2::new(f64::from(eighth) * FRAC_PI_4));
+        let rim = rim.map(|turn| wheel.center + turn * Vector2::x() * (OF_WHEEL * wheel.radius));
+        rim.into_iter()
+            .all(|place| self.is_covered(wheel.link, place))
+    }
+
+    /// Whether a declared bar has an eye at this place of a link.
+    pub(super) fn has_eye(&self, link: LinkId, place: Point2<f64>) -> bool {
+        let shapes = self.model.link(link).shapes.iter();
+        let mut bars = shapes.filter(|shape| matches!(shape.kind, ShapeKind::Bar { .. }));
+        let reach = NEAR * place.coords.norm();
+        let is_near = |pin: &[f64; 2]| distance(&Point2::from(*pin), &place) <= reach;
+        bars.any(|bar| bar.kind.reach().0.iter().any(is_near))
+    }
+
+    /// Whether a shape of a link covers a place of it.
+    pub(super) fn is_covered(&self, link: LinkId, place: Point2<f64>) -> bool {
+        covers(&self.model.link(link).shapes, place)
     }
 
     /// The pins of a link, what is welded to it, and its named points, each place once.

@@ -89,6 +89,12 @@ impl Wheels {
         self.all.iter().filter(move |wheel| wheel.link == link)
     }
 
+    /// The racks whose bar a link is.
+    pub(super) fn racks_on(&self, link: LinkId) -> impl Iterator<Item = &Rack> {
+        let racks = self.racks.iter();
+        racks.filter(move |rack| rack.rolling.ends[1].0.link() == link)
+    }
+
     fn add(&mut self, scene: &Scene<'_>, rolling: &Rolling) -> Option<()> {
         let [(RollingEnd::Wheel(a), _), (RollingEnd::Wheel(b), _)] = rolling.ends else {
             return None;

@@ -16,12 +16,12 @@ pub enum Look {
 }
 
 impl Model {
-    /// How it looks: as declared, or else a machine if no link has a shape.
+    /// How it looks: as declared, or else a machine, unless every link and the ground have shapes.
     #[must_use]
     pub fn look(&self) -> Look {
         self.look.unwrap_or_else(|| {
-            let has_shapes = self.links.iter().any(|link| !link.shapes.is_empty());
-            if has_shapes {
+            let mut seen = self.links.iter().filter(|link| link.die.is_none());
+            if seen.all(|link| !link.shapes.is_empty()) {
                 Look::Shapes
             } else {
                 Look::Machine

@@ -41,12 +41,14 @@ impl Paint<'_> {
                     painter.line_segment([from, to], Stroke::new(8.0, color.gamma_multiply(0.75))),
                 ),
                 _ => {
+                    // Sides alone: joined ones would have needles where pins lie nearly in a line.
                     let stroke = Stroke::new(6.0, color.gamma_multiply(0.75));
-                    painter.add(egui::Shape::convex_polygon(
-                        points,
-                        color.gamma_multiply(0.3),
-                        stroke,
-                    ));
+                    let next = points.iter().cycle().skip(1);
+                    for (from, to) in points.iter().zip(next) {
+                        painter.line_segment([*from, *to], stroke);
+                    }
+                    let inside = color.gamma_multiply(0.3);
+                    painter.add(egui::Shape::convex_polygon(points, inside, Stroke::NONE));
                 }
             }
         }
