@@ -6,6 +6,7 @@ use mech_runtime::Real;
 mechanism! {
     /// The paper's skeleton: a figure in profile, whose bones have more than two hundred freedoms, and the eight motors that walk it.
     pub struct Skeleton;
+    look none;
 
     // A bone lies along the x axis of its place where `turn` is 0. Those of higher hues are painted farther back.
     part Bone(l = 1, w = 1, hue = 13) {
