@@ -5,7 +5,7 @@ use crate::check::{render, verdict_line};
 use crate::console::Console;
 use crate::document::{Document, Reading, Source};
 use crate::failure::{Failure, FailureKind};
-use crate::import::{self, FileKind, listed};
+use crate::import::{self, FileKind, Written, listed};
 use crate::output;
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -59,7 +59,7 @@ impl Import {
             Failure::reported(origin.fault)
         })?;
         let name = self.name(&origin.wish)?;
-        let text = imported.text(&origin.title, &name, kind)?;
+        let Written { text, omissions } = imported.written(&origin.title, &name, kind)?;
         match &self.output {
             Some(path) => {
                 output::replace(path, text.as_bytes())?;
@@ -67,7 +67,7 @@ impl Import {
             }
             None => console.answer(&text)?,
         }
-        console.complain(&listed(&imported.omissions));
+        console.complain(&listed(&omissions));
         self.check(&name, text, console)
     }
 
@@ -106,7 +106,7 @@ impl Import {
         let fault = FailureKind::File;
         if self.from == STANDARD_INPUT {
             return Ok(Origin {
-                source: Source::read_from(STANDARD_INPUT, std::io::stdin())?,
+                source: Source::read_foreign_from(STANDARD_INPUT, std::io::stdin())?,
                 title: "the standard input".to_owned(),
                 wish: self.stem_of_output(),
                 fault,
@@ -118,7 +118,7 @@ impl Import {
                 .unwrap_or_default()
         };
         Ok(Origin {
-            source: Source::read(path)?,
+            source: Source::read_foreign(path)?,
             title: name(path.file_name()),
             wish: name(path.file_stem()),
             fault,
@@ -149,7 +149,7 @@ impl Import {
         let path = self.output.clone();
         let path = path.unwrap_or_else(|| PathBuf::from(format!("{name}.mech")));
         let document = Document::of(Source::new(path, text));
-        let Reading { model, result, .. } = document.analyse(document.choose(None)?)?;
+        let Reading { model, result, .. } = document.check(document.choose(None)?)?;
         match result {
             Ok(compiled) if self.output.is_some() => {
                 console.answer(format!("{}\n", verdict_line(&model, &compiled)))

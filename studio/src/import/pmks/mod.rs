@@ -2,6 +2,7 @@
 //!
 //! `compact`, `early` and `plain` read three generations of links. All make a [`Linkage`](linkage::Linkage); `translation` makes a drawing of it.
 
+mod checks;
 mod compact;
 mod digits;
 mod early;
@@ -10,6 +11,7 @@ mod plain;
 mod query;
 mod sections;
 mod translation;
+mod units;
 
 use crate::document::Message;
 use crate::import::Imported;
