@@ -51,3 +51,15 @@ fn digest_of(text: &str) -> String {
     }
     letters.iter().map(|letter| char::from(*letter)).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::digest_of;
+
+    #[test]
+    fn the_digest_is_the_published_hash() {
+        // FNV-1a of 32 bits: of nothing its offset basis, of `foobar` 0xBF9CF968.
+        assert_eq!(digest_of(""), "2Maszd");
+        assert_eq!(digest_of("foobar"), "3VYhc8");
+    }
+}
