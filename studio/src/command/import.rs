@@ -12,9 +12,10 @@ use std::path::{Path, PathBuf};
 
 /// Reads a mechanism of another program, and writes it as a text of the language.
 ///
-/// Files `.linkage2` of Linkage and links of PMKS+ are read. What cannot be carried over is listed, a line each. The text is analysed as
-/// by `mech check`. It is written even if something is wrong with it, with exit code 1: `mech fix` may mend it. Where nothing can be
-/// read, the code is 2 for a link and 3 for a file.
+/// Files `.linkage2` of Linkage and links of PMKS+ are read. What cannot be carried over is listed, a line each. The text has the
+/// allowances that the drawing needs and the ranges that can be proved; several inputs follow their speeds by laws. It is checked as by
+/// `mech check`. If something is wrong with it, the line is told, and the exit code is 1: `mech fix` may mend it. Where nothing can be read,
+/// the code is 2 for a link and 3 for a file.
 #[derive(Args, Clone, Debug)]
 #[command(after_help = EXAMPLES, after_long_help = [EXAMPLES, "\n\n", CODES].concat())]
 pub(super) struct Import {

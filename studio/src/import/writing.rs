@@ -16,8 +16,12 @@ pub(crate) enum FileKind {
     Rust,
 }
 
-/// The places of a path that are recorded: a turn in a film that moves as SVG, which has the most moments.
+/// The places of a path that are recorded: a turn in the pictures and films that divide it most finely.
 const TRACE: u32 = 720;
+/// How many places a window records in a second, by laws.
+const PLACES_A_SECOND: f64 = 60.0;
+/// The longest trace.
+const LONGEST_TRACE: u32 = 1 << 14;
 /// What is lost of a number, as a part of the size of the drawing.
 const PRECISION: f64 = 1e-9;
 /// The width of a bar, as a part of the size of the drawing.
@@ -319,14 +323,25 @@ impl Writer<'_> {
         })
     }
 
+    /// How many places make the path of one turn: by laws until all inputs are back.
+    fn places_of_trace(&self) -> u32 {
+        let laws = Times::of(&self.drawing.motors).filter(|_| self.terms.has_laws);
+        let seconds = laws.and_then(|times| times.back).unwrap_or_default();
+        let wanted = seconds * PLACES_A_SECOND;
+        (TRACE..LONGEST_TRACE)
+            .find(|places| f64::from(*places) >= wanted)
+            .unwrap_or(LONGEST_TRACE)
+    }
+
     fn effects(&self) -> Option<String> {
+        let places = self.places_of_trace();
         let force = (!self.drawing.loads.is_empty()).then(|| "force;".to_owned());
         let links = self.drawing.links.iter().enumerate();
         let traces = links.flat_map(|(number, drawn)| {
             let points = drawn.points.iter().zip(&self.named.points[number]);
             let traced = points.filter(|(point, _)| point.is_traced);
             let link = &self.named.links[number];
-            traced.map(move |(_, point)| format!("trace {link}.{point} {TRACE};"))
+            traced.map(move |(_, point)| format!("trace {link}.{point} {places};"))
         });
         let clauses: Vec<String> = force.into_iter().chain(traces).collect();
         (!clauses.is_empty()).then(|| format!("effects {{ {} }}", clauses.join(" ")))

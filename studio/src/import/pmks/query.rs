@@ -137,10 +137,10 @@ impl<'q> Field<'q> {
     }
 
     /// From its beginning to the end of a later one.
-    pub(super) fn to_end_of(&self, last: &Self) -> Self {
+    pub(super) fn through(self, last: Self) -> Self {
         Self {
             end: last.end,
-            ..*self
+            ..self
         }
     }
 

@@ -98,7 +98,7 @@ impl<'q> Sections<'q> {
         tokens.next();
         // What follows are entries of the editor, since 2025. They may have points in them.
         if let Some(first) = tokens.next() {
-            extras(first.to_end_of(&body), &mut omissions);
+            extras(first.through(body), &mut omissions);
         }
         Ok(Self {
             body,

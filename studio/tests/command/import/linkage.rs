@@ -575,26 +575,3 @@ fn several_inputs_draw_by_laws() {
         assert!((row[5] - expected).abs() < 1e-9, "{row:?}");
     }
 }
-
-#[test]
-fn a_trace_is_one_turn() {
-    let folder = Folder::new().with("four_bar.linkage2", sample("four_bar"));
-    folder.mech("import four_bar.linkage2 -o a.mech");
-    folder.mech("film a.mech -o a.svg").done();
-    let film = folder.text("a.svg");
-    let trace = film.split("<polyline points=\"").nth(1).expect("a trace");
-    let trace = trace.split('"').next().expect("its points");
-    let places: Vec<[f64; 2]> = trace
-        .split(' ')
-        .map(|place| {
-            let (x, y) = place.split_once(',').expect("a place");
-            [x, y].map(|part| part.parse().expect("a number"))
-        })
-        .collect();
-    let longest = places
-        .windows(2)
-        .map(|pair| distance(pair[0], pair[1]))
-        .fold(0.0, f64::max);
-    let gap = distance(places[0], places[places.len() - 1]);
-    assert!(gap <= 2.0 * longest, "{gap} is open, steps are {longest}");
-}
