@@ -52,6 +52,17 @@ pub(super) fn is_of_linkage(text: &str) -> bool {
     plain(text).starts_with('<') && text.contains("<linkage2")
 }
 
+/// The link in a file that browsers make of it, and where it begins.
+pub(super) fn shortcut(text: &str) -> Option<(usize, &str)> {
+    const KEY: &str = "\nURL=";
+    if !plain(text).starts_with("[InternetShortcut]") {
+        return None;
+    }
+    let start = text.find(KEY)? + KEY.len();
+    let link = text[start..].lines().next()?;
+    Some((start, link))
+}
+
 /// A text without a mark of its encoding, and without blanks before it.
 fn plain(text: &str) -> &str {
     text.trim_start_matches(['\u{feff}']).trim_start()

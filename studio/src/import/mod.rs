@@ -27,6 +27,12 @@ use crate::failure::Failure;
 /// What is wrong with it, at its place.
 pub(crate) fn read(source: &Source) -> Result<Imported, Message> {
     let text = source.text();
+    if let Some((start, link)) = formats::shortcut(text) {
+        return pmks::read(link).map_err(|message| Message {
+            place: start + message.place.start..start + message.place.end,
+            ..message
+        });
+    }
     if is_link(text) {
         pmks::read(text)
     } else if formats::is_of_linkage(text) {

@@ -196,6 +196,7 @@ fn links_that_are_wrong() {
         "this is no link of PMKS+",
         22,
     );
+    faulty_link("?pmks2:0a1b2c3d.e30", "of PMKS+ of 2026", 2);
     faulty_link("?j=a%2", "`%` has to be followed", 5);
     faulty_link("?j=%ff", "is not UTF-8", 4);
     faulty_link("?j=a,0,0", "`&l=` is missing", 2);

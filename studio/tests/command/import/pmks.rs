@@ -133,6 +133,11 @@ fn a_slider_may_have_the_motor() {
         .block("CD", ["C", "D"]);
     let (text, _) = imported(&link.url());
     assert!(text.contains("motor d;"), "{text}");
+    // Older links have it, and the ground, at the pin of the block.
+    let mut older = link;
+    older.joints[2] = older.joints[2].replacen('0', "6", 1);
+    older.joints[3] = older.joints[3].replacen('7', "1", 1);
+    assert_eq!(imported(&older.url()).0, text);
     let moving = Moving::of(&text);
     let bar = [("ab", [0.75, 1.0]), ("cd", [4.0, 0.5])];
     let far = moving.keeps([0.0, -0.1, -0.2, -0.3], &[bar]);
