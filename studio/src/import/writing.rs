@@ -179,7 +179,8 @@ impl Writer<'_> {
             .map(|(point, name)| format!("point {name} = {};", self.place(point.at)))
             .collect();
         if let Some(mass) = link.mass {
-            let exact = |value| written_like(value, "");
+            // Units were changed, which rounds.
+            let exact = |value: f64| shortest(value, value * 1e-12);
             let mut item = format!("mass {} at {}", exact(mass.value), self.place(mass.at));
             if mass.inertia != 0.0 {
                 item += &format!(" inertia {}", exact(mass.inertia));

@@ -4,6 +4,7 @@
 
 mod checks;
 mod compact;
+mod corrections;
 mod digits;
 mod early;
 mod linkage;

@@ -1,5 +1,6 @@
 //! The sections of a link whose numbers are to the base 64: settings, joints, links and forces.
 
+use super::corrections::Correction;
 use super::digits::{decimal, digit, flags, whole};
 use super::linkage::{Force, Ids, Joint, Link, Linkage, Slot, Speeds};
 use super::query::Field;
@@ -25,6 +26,7 @@ pub(super) struct Sections<'q> {
     joints: Vec<Field<'q>>,
     links: Vec<Field<'q>>,
     forces: Vec<Field<'q>>,
+    corrections: Vec<Correction<'q>>,
     omissions: Vec<Omission>,
 }
 
@@ -97,9 +99,9 @@ impl<'q> Sections<'q> {
             .collect();
         tokens.next();
         // What follows are entries of the editor, since 2025. They may have points in them.
-        if let Some(first) = tokens.next() {
-            extras(first.through(body), &mut omissions);
-        }
+        let extras = tokens.next().map(|first| first.through(body));
+        let corrections = extras.map(|extras| read_extras(extras, &mut omissions));
+        let corrections = corrections.transpose()?.unwrap_or_default();
         Ok(Self {
             body,
             unit,
@@ -108,6 +110,7 @@ impl<'q> Sections<'q> {
             joints,
             links,
             forces,
+            corrections,
             omissions,
         })
     }
@@ -129,7 +132,7 @@ impl<'q> Sections<'q> {
             link.welded = link_ids.find_all(welded.into_iter())?;
             Ok(link)
         });
-        let links = links.collect::<Result<Vec<_>, Message>>()?;
+        let mut links = links.collect::<Result<Vec<_>, Message>>()?;
         if !links.iter().any(|link| link.is_root) {
             let text = "this link has no link of a mechanism in it";
             return Err(self.body.wrong(text));
@@ -140,7 +143,21 @@ impl<'q> Sections<'q> {
             }
             Ok(joint)
         });
-        let joints = joints.collect::<Result<Vec<_>, Message>>()?;
+        let mut joints = joints.collect::<Result<Vec<_>, Message>>()?;
+        let mut speeds = self.speeds;
+        for correction in &self.corrections {
+            let (all, every) = (&mut joints[..], &mut links[..]);
+            if !correction.apply((all, &joint_ids), (every, &link_ids), &mut speeds)? {
+                let what = "a number with more than three decimals is read with three";
+                omissions.push(Omission::new(
+                    format!("`{}`", short(correction.text())),
+                    what,
+                ));
+            }
+        }
+        for link in &mut links {
+            link.mass = link.mass.filter(|mass| mass.value > 0.0);
+        }
         let forces = self.forces.into_iter();
         let forces = forces
             .map(|field| G::force(field, &link_ids))
@@ -148,7 +165,7 @@ impl<'q> Sections<'q> {
         Ok(Linkage {
             unit: self.unit,
             has_gravity: self.has_gravity,
-            speeds: self.speeds,
+            speeds,
             joints,
             links,
             forces,
@@ -238,20 +255,32 @@ fn speeds(
     Ok(Speeds { turning, sliding })
 }
 
-/// Notes what of the last section is no matter of the editor.
-fn extras(field: Field<'_>, omissions: &mut Vec<Omission>) {
-    for entry in field.split(',') {
+/// Reads the last section: numbers with more decimals. Notes what of the others is no matter of the editor.
+fn read_extras<'q>(
+    section: Field<'q>,
+    omissions: &mut Vec<Omission>,
+) -> Result<Vec<Correction<'q>>, Message> {
+    let mut corrections = Vec::new();
+    for entry in section.split(',') {
         let text = entry.text();
         let what = match text.chars().next() {
             None => continue,
-            Some('P') => "a number with more than three decimals is read with three",
+            Some('P') => {
+                corrections.push(Correction::read(entry)?);
+                continue;
+            }
             Some(_) if text.starts_with("G1~") => "its gears are not read",
             Some(letter) if OF_EDITOR.contains(&letter) => continue,
             Some(_) => "this entry of the last section is not known",
         };
-        let short: String = text.chars().take(12).collect();
-        omissions.push(Omission::new(format!("`{short}`"), what));
+        omissions.push(Omission::new(format!("`{}`", short(text)), what));
     }
+    Ok(corrections)
+}
+
+/// The beginning of an entry.
+fn short(text: &str) -> String {
+    text.chars().take(20).collect()
 }
 
 fn unit(field: &Field<'_>) -> Result<Option<Unit>, Message> {

@@ -306,16 +306,41 @@ fn links_of_today_end_in_a_digest() {
     assert!(complaint.contains("check all letters"), "{complaint}");
     let mut marked = link.clone();
     // Locks, an anchor, a synthesis and a length that is held are no parts of a mechanism; what is not known is told.
-    marked.extras = ".JA,LAB,CGAB,S1,HlAB,PJA~0~0.0004,Q7";
+    marked.extras = ".JA,LAB,CGAB,S1,HlAB,PFpush~0~0.0004,Q7";
     let (text, omitted) = imported(&digested(&marked.query()));
     assert_eq!(text, imported(&link.url()).0);
     assert_eq!(
         omitted,
         "not carried over:
-  `PJA~0~0.0004`: a number with more than three decimals is read with three
   `Q7`: this entry of the last section is not known
+  `PFpush~0~0.0004`: a number with more than three decimals is read with three
 "
     );
+}
+
+#[test]
+fn numbers_have_more_than_three_decimals() {
+    let mut link = block(0.0);
+    link.extras = ".PJB~1~1.00025,PJC~0~2.8284271247461903,PLAB~0~0.0125,PLAB~2~0.00015,PI~0~7.25";
+    let (text, omitted) = imported(&digested(&link.query()));
+    assert_eq!(omitted, "");
+    for line in [
+        "/// Input `a` turns 7.25 times a minute, clockwise;",
+        "mass 1.25e-7 at (0.00015, 0);",
+        "joint b = revolute(ab, bc) at (0, 1.00025);",
+        "prismatic(ground, c_block) at (2.82842712",
+    ] {
+        assert!(text.contains(line), "{line}: {text}");
+    }
+    for (extras, fault) in [
+        (".PJB~1", "has a kind, an id, a field and a value"),
+        (".PJZ~1~2", "there is no joint `Z`"),
+        (".PJB~1~inf", "no number, or too large"),
+    ] {
+        link.extras = extras;
+        let complaint = import(&digested(&link.query())).refused(2);
+        assert!(complaint.contains(fault), "{complaint}");
+    }
 }
 
 #[test]
