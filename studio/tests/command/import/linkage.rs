@@ -528,6 +528,7 @@ fn what_is_written_passes_check() {
     let folder = Folder::new().with("a.linkage2", three);
     folder.mech("import a.linkage2 -o a.mech");
     folder.mech("check a.mech").done();
+    assert!(folder.text("a.mech").contains("\nallow redundant;\n"));
 }
 
 #[test]
