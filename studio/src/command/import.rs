@@ -5,16 +5,17 @@ use crate::check::{render, verdict_line};
 use crate::console::Console;
 use crate::document::{Document, Reading, Source};
 use crate::failure::{Failure, FailureKind};
-use crate::import::{self, FileKind, listed};
+use crate::import::{self, FileKind, Written, listed};
 use crate::output;
 use clap::Args;
 use std::path::{Path, PathBuf};
 
 /// Reads a mechanism of another program, and writes it as a text of the language.
 ///
-/// Files `.linkage2` of Linkage and links of PMKS+ are read. What cannot be carried over is listed, a line each. The text is analysed as
-/// by `mech check`. It is written even if something is wrong with it, with exit code 1: `mech fix` may mend it. Where nothing can be
-/// read, the code is 2 for a link and 3 for a file.
+/// Files `.linkage2` of Linkage and links of PMKS+ are read. What cannot be carried over is listed, a line each. The text has the
+/// allowances that the drawing needs and the ranges that can be proved; several inputs follow their speeds by laws. It is checked as by
+/// `mech check`. If something is wrong with it, the line is told, and the exit code is 1: `mech fix` may mend it. Where nothing can be read,
+/// the code is 2 for a link and 3 for a file.
 #[derive(Args, Clone, Debug)]
 #[command(after_help = EXAMPLES, after_long_help = [EXAMPLES, "\n\n", CODES].concat())]
 pub(super) struct Import {
@@ -59,7 +60,7 @@ impl Import {
             Failure::reported(origin.fault)
         })?;
         let name = self.name(&origin.wish)?;
-        let text = imported.text(&origin.title, &name, kind)?;
+        let Written { text, omissions } = imported.written(&origin.title, &name, kind)?;
         match &self.output {
             Some(path) => {
                 output::replace(path, text.as_bytes())?;
@@ -67,7 +68,7 @@ impl Import {
             }
             None => console.answer(&text)?,
         }
-        console.complain(&listed(&imported.omissions));
+        console.complain(&listed(&omissions));
         self.check(&name, text, console)
     }
 
@@ -106,7 +107,7 @@ impl Import {
         let fault = FailureKind::File;
         if self.from == STANDARD_INPUT {
             return Ok(Origin {
-                source: Source::read_from(STANDARD_INPUT, std::io::stdin())?,
+                source: Source::read_foreign_from(STANDARD_INPUT, std::io::stdin())?,
                 title: "the standard input".to_owned(),
                 wish: self.stem_of_output(),
                 fault,
@@ -118,7 +119,7 @@ impl Import {
                 .unwrap_or_default()
         };
         Ok(Origin {
-            source: Source::read(path)?,
+            source: Source::read_foreign(path)?,
             title: name(path.file_name()),
             wish: name(path.file_stem()),
             fault,
@@ -149,7 +150,7 @@ impl Import {
         let path = self.output.clone();
         let path = path.unwrap_or_else(|| PathBuf::from(format!("{name}.mech")));
         let document = Document::of(Source::new(path, text));
-        let Reading { model, result, .. } = document.analyse(document.choose(None)?)?;
+        let Reading { model, result, .. } = document.check(document.choose(None)?)?;
         match result {
             Ok(compiled) if self.output.is_some() => {
                 console.answer(format!("{}\n", verdict_line(&model, &compiled)))

@@ -36,13 +36,28 @@ impl Source {
         Ok(Self::new(path, text))
     }
 
-    /// Reads what has a name but is no file of its own, such as the standard input.
+    /// Reads what another program wrote. What is not UTF-8 is Latin-1.
+    ///
+    /// # Errors
+    /// If it cannot be read, or is longer than [`LONGEST`].
+    pub(crate) fn read_foreign(path: &Path) -> Result<Self, Failure> {
+        let file = File::open(path).map_err(|error| unread(path, &error))?;
+        Self::read_foreign_from(path, file)
+    }
+
+    /// The same of what has a name but is no file of its own, such as the standard input.
     ///
     /// # Errors
     /// As of a file.
-    pub(crate) fn read_from(name: &str, input: impl Read) -> Result<Self, Failure> {
-        let text = text_from(Path::new(name), input)?;
-        Ok(Self::new(name, text))
+    pub(crate) fn read_foreign_from(
+        name: impl AsRef<Path>,
+        input: impl Read,
+    ) -> Result<Self, Failure> {
+        let bytes = bytes_from(name.as_ref(), input)?;
+        let text = String::from_utf8(bytes);
+        let text =
+            text.unwrap_or_else(|error| error.as_bytes().iter().copied().map(char::from).collect());
+        Ok(Self::new(name.as_ref(), text))
     }
 
     /// A text that was not read from a file.
@@ -122,6 +137,13 @@ fn text_of(path: &Path) -> Result<String, Failure> {
 }
 
 fn text_from(path: &Path, input: impl Read) -> Result<String, Failure> {
+    String::from_utf8(bytes_from(path, input)?).map_err(|error| {
+        let place = error.utf8_error().valid_up_to();
+        unread(path, &format!("byte {place} is not UTF-8"))
+    })
+}
+
+fn bytes_from(path: &Path, input: impl Read) -> Result<Vec<u8>, Failure> {
     let mut bytes = Vec::new();
     let read = input.take(LONGEST + 1).read_to_end(&mut bytes);
     read.map_err(|error| unread(path, &error))?;
@@ -132,10 +154,7 @@ fn text_from(path: &Path, input: impl Read) -> Result<String, Failure> {
             &format!("it is longer than {most} MiB, which no source file is"),
         ));
     }
-    String::from_utf8(bytes).map_err(|error| {
-        let place = error.utf8_error().valid_up_to();
-        unread(path, &format!("byte {place} is not UTF-8"))
-    })
+    Ok(bytes)
 }
 
 fn unread(path: &Path, why: &dyn std::fmt::Display) -> Failure {

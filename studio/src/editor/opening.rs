@@ -6,7 +6,7 @@ use super::example::Example;
 use crate::document::Source;
 use crate::edit::Workspace;
 use crate::failure::Failure;
-use crate::import::{self, FileKind};
+use crate::import::{self, FileKind, Written};
 use std::path::{Path, PathBuf};
 
 /// Where the user goes when the present text is left.
@@ -130,7 +130,7 @@ fn opened(name: &str) -> Result<Opened, Failure> {
             "imported.mech".into(),
         )
     } else if is_of_linkage(path) {
-        taken(Source::read(path)?)
+        taken(Source::read_foreign(path)?)
     } else {
         Ok((Workspace::of(Source::read(path)?), None))
     }
@@ -157,7 +157,8 @@ fn is_of_linkage(path: &Path) -> bool {
 /// The text of what another program wrote, in no file yet, and what is lost.
 fn imported(source: &Source, title: &str, wish: &str, file: PathBuf) -> Result<Opened, Failure> {
     let found = import::read(source).map_err(|message| Failure::file(message.text))?;
-    let text = found.text(title, &import::type_name(wish)?, FileKind::Mechanism)?;
-    let losses = found.omissions.iter().map(ToString::to_string).collect();
+    let name = import::type_name(wish)?;
+    let Written { text, omissions } = found.written(title, &name, FileKind::Mechanism)?;
+    let losses = omissions.iter().map(ToString::to_string).collect();
     Ok((Workspace::proposed(file, text), Some(losses)))
 }

@@ -21,6 +21,8 @@ pub(super) struct Drawing {
     pub(super) joints: Vec<Joint>,
     pub(super) motors: Vec<Motor>,
     pub(super) loads: Vec<Load>,
+    /// The acceleration of gravity, where it acts.
+    pub(super) gravity: Option<f64>,
     /// How far a length may be off, because it was rounded where it was written.
     pub(super) rounding: f64,
 }
@@ -97,6 +99,21 @@ pub(super) enum Direction {
     Degrees(f64),
 }
 
+impl Direction {
+    /// A vector of this direction.
+    pub(super) fn vector(self) -> Pair {
+        let at = |angle: f64| {
+            let (sin, cos) = angle.sin_cos();
+            [cos, sin]
+        };
+        match self {
+            Self::Vector(vector) => vector,
+            Self::Radians(angle) => at(angle),
+            Self::Degrees(angle) => at(angle.to_radians()),
+        }
+    }
+}
+
 /// The sizes of two wheels.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Sizes {
@@ -113,6 +130,26 @@ pub(super) struct Motor {
     pub(super) joint: usize,
     /// How far it goes from the start, where that is known.
     pub(super) stroke: Option<f64>,
+    pub(super) speed: Option<Speed>,
+}
+
+/// How fast a motor goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Speed {
+    /// In turns a minute; counter-clockwise above zero.
+    Turns(f64),
+    /// How often it goes to the end of its stroke and back, in a minute.
+    Cycles(f64),
+    /// In units of length a second.
+    Way(f64),
+}
+
+impl Speed {
+    /// Whether it does not move at all.
+    pub(super) fn is_rest(self) -> bool {
+        let (Self::Turns(speed) | Self::Cycles(speed) | Self::Way(speed)) = self;
+        speed == 0.0
+    }
 }
 
 /// A force at a point of a link.

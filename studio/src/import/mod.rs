@@ -1,18 +1,21 @@
 //! Mechanisms of other programs, as texts of the language.
 //!
-//! `linkage` and `pmks` read what another program wrote. Both make a [`Drawing`](drawing::Drawing) of it, and a list of what a drawing
-//! cannot hold. `writing` names everything in the drawing and prints it.
+//! `linkage` and `pmks` read what another program wrote; `formats` tells what anything else is. Both make a [`Drawing`](drawing::Drawing) of
+//! it, and a list of what a drawing cannot hold. `terms` tries on the compiler which allowances, ranges and laws the drawing takes.
+//! `writing` names everything in the drawing and prints it.
 
 mod color;
 mod drawing;
+mod formats;
 mod linkage;
 mod names;
 mod omission;
 mod pmks;
+mod terms;
 mod writing;
 
 pub(crate) use drawing::Imported;
-pub(crate) use omission::listed;
+pub(crate) use omission::{Omission, listed};
 pub(crate) use writing::FileKind;
 
 use crate::document::{Message, Source};
@@ -23,10 +26,19 @@ use crate::failure::Failure;
 /// # Errors
 /// What is wrong with it, at its place.
 pub(crate) fn read(source: &Source) -> Result<Imported, Message> {
-    if is_link(source.text()) {
-        pmks::read(source.text())
+    let text = source.text();
+    if let Some((start, link)) = formats::shortcut(text) {
+        return pmks::read(link).map_err(|message| Message {
+            place: start + message.place.start..start + message.place.end,
+            ..message
+        });
+    }
+    if is_link(text) {
+        pmks::read(text)
+    } else if formats::is_of_linkage(text) {
+        linkage::read(text)
     } else {
-        linkage::read(source.text())
+        Err(formats::told(text))
     }
 }
 
@@ -35,15 +47,30 @@ pub(crate) fn is_link(text: &str) -> bool {
     pmks::is_link(text)
 }
 
+/// A text, and what it does not say.
+#[derive(Clone, Debug)]
+pub(crate) struct Written {
+    pub(crate) text: String,
+    pub(crate) omissions: Vec<Omission>,
+}
+
 impl Imported {
     /// What it is in the language, under a name, below a remark on where it comes from.
     ///
     /// # Errors
     /// If the compiler itself fails, which is a mistake of ours.
-    pub(crate) fn text(&self, origin: &str, name: &str, kind: FileKind) -> Result<String, Failure> {
+    pub(crate) fn written(
+        &self,
+        origin: &str,
+        name: &str,
+        kind: FileKind,
+    ) -> Result<Written, Failure> {
         let mut drawing = self.drawing.clone();
         drawing.remarks.insert(0, format!("From {origin}."));
-        writing::text(&drawing, name, kind)
+        let mut omissions = self.omissions.clone();
+        let terms = terms::agreed(&drawing, &mut omissions)?;
+        let text = writing::text(&drawing, &terms, name, kind)?;
+        Ok(Written { text, omissions })
     }
 }
 

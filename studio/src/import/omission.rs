@@ -17,29 +17,10 @@ impl Omission {
         Self { of, what }
     }
 
-    /// A motor has no speed.
-    pub(super) fn speed(turns: f64, is_clockwise: bool) -> Self {
-        let sense = if is_clockwise {
-            "clockwise"
-        } else {
-            "counter-clockwise"
-        };
-        let what = format!(
-            "the speed of the input is {turns} turns a minute, {sense}; a motor has no speed of its own"
-        );
-        Self::new("settings", what)
-    }
-
     /// A motor is on one joint.
     pub(super) fn free_links(of: &str) -> Self {
         let what = "its motor moves the first of several links on it; the others are free";
         Self::new(of, what)
-    }
-
-    /// The weights depend on the units.
-    pub(super) fn gravity() -> Self {
-        let what = "gravity acts; `gravity (0, -9.81);` says so in metres and kilograms";
-        Self::new("settings", what)
     }
 }
 

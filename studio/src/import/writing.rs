@@ -1,7 +1,8 @@
 //! The text of a drawing.
 
-use super::drawing::{Direction, Drawing, End, Form, Joint, Link, Pair, Sizes};
+use super::drawing::{Direction, Drawing, End, Form, Joint, Link, Motor, Pair, Sizes, Speed};
 use super::names::Names;
+use super::terms::{Terms, Times};
 use crate::document::in_rust;
 use crate::failure::Failure;
 use crate::text::{shortest, written_like};
@@ -15,8 +16,12 @@ pub(crate) enum FileKind {
     Rust,
 }
 
-/// The places of a path that are recorded.
-const TRACE: u32 = 360;
+/// The places of a path that are recorded: a turn in the pictures and films that divide it most finely.
+const TRACE: u32 = 720;
+/// How many places a window records in a second, by laws.
+const PLACES_A_SECOND: f64 = 60.0;
+/// The longest trace.
+const LONGEST_TRACE: u32 = 1 << 14;
 /// What is lost of a number, as a part of the size of the drawing.
 const PRECISION: f64 = 1e-9;
 /// The width of a bar, as a part of the size of the drawing.
@@ -28,9 +33,15 @@ const LINE: usize = 100;
 ///
 /// # Errors
 /// If the compiler itself fails, which is a mistake of ours.
-pub(crate) fn text(drawing: &Drawing, name: &str, kind: FileKind) -> Result<String, Failure> {
+pub(super) fn text(
+    drawing: &Drawing,
+    terms: &Terms,
+    name: &str,
+    kind: FileKind,
+) -> Result<String, Failure> {
     let writer = Writer {
         drawing,
+        terms,
         named: Named::of(drawing)?,
         size: drawing.size(),
     };
@@ -39,6 +50,14 @@ pub(crate) fn text(drawing: &Drawing, name: &str, kind: FileKind) -> Result<Stri
         FileKind::Mechanism => lines.join("\n") + "\n",
         FileKind::Rust => in_rust(lines.iter().map(String::as_str)),
     })
+}
+
+/// The names that the joints of a drawing get.
+///
+/// # Errors
+/// If the compiler itself fails, which is a mistake of ours.
+pub(super) fn joint_names(drawing: &Drawing) -> Result<Vec<String>, Failure> {
+    Ok(Named::of(drawing)?.joints)
 }
 
 /// The names of everything in a drawing, in its order.
@@ -82,15 +101,16 @@ impl Named {
 
 struct Writer<'d> {
     drawing: &'d Drawing,
+    terms: &'d Terms,
     named: Named,
     size: f64,
 }
 
 impl Writer<'_> {
     fn lines(&self, name: &str, kind: FileKind) -> Vec<String> {
-        let remarks = self.drawing.remarks.iter();
+        let remarks = self.drawing.remarks.iter().cloned().chain(self.speeds());
         let mut lines: Vec<String> = remarks
-            .map(|remark| format!("/// {}", on_one_line(remark)))
+            .map(|remark| format!("/// {}", on_one_line(&remark)))
             .collect();
         lines.push(match kind {
             FileKind::Mechanism => format!("struct {name};"),
@@ -101,6 +121,12 @@ impl Writer<'_> {
         if is_colored {
             lines.push("look machine;".to_owned());
         }
+        let allowed = [
+            (self.terms.is_coupled, "coupled"),
+            (self.terms.is_redundant, "redundant"),
+        ];
+        let allowed = allowed.iter().filter(|(is_allowed, _)| *is_allowed);
+        lines.extend(allowed.map(|(_, what)| format!("allow {what};")));
         lines.push(String::new());
         if is_colored {
             lines.extend(self.ground());
@@ -111,6 +137,8 @@ impl Writer<'_> {
         lines.push(String::new());
         lines.extend(self.joints());
         lines.extend(self.motors());
+        let gravity = self.drawing.gravity;
+        lines.extend(gravity.map(|size| format!("gravity (0, -{});", written_like(size, ""))));
         lines.extend(self.loads());
         lines.extend(self.effects());
         lines
@@ -151,7 +179,8 @@ impl Writer<'_> {
             .map(|(point, name)| format!("point {name} = {};", self.place(point.at)))
             .collect();
         if let Some(mass) = link.mass {
-            let exact = |value| written_like(value, "");
+            // Units were changed, which rounds.
+            let exact = |value: f64| shortest(value, value * 1e-12);
             let mut item = format!("mass {} at {}", exact(mass.value), self.place(mass.at));
             if mass.inertia != 0.0 {
                 item += &format!(" inertia {}", exact(mass.inertia));
@@ -208,16 +237,82 @@ impl Writer<'_> {
     }
 
     fn motors(&self) -> impl Iterator<Item = String> {
-        self.drawing.motors.iter().map(|motor| {
-            let name = &self.named.joints[motor.joint];
-            match motor.stroke {
-                Some(stroke) if stroke > 0.0 => {
-                    format!("motor {name} in 0 ..= {};", self.number(stroke))
-                }
-                Some(stroke) => format!("motor {name} in {} ..= 0;", self.number(stroke)),
-                None => format!("motor {name};"),
+        let motors = self.drawing.motors.iter().zip(&self.terms.ranges);
+        motors.map(|(motor, has_range)| self.motor(motor, self.terms.has_laws, *has_range))
+    }
+
+    /// The statement of a motor.
+    fn motor(&self, motor: &Motor, has_law: bool, has_range: bool) -> String {
+        let law = self.law(motor).filter(|_| has_law);
+        let law = law.map(|law| format!(" = {law}"));
+        let range = motor.stroke.filter(|_| has_range).map(|stroke| {
+            let [low, high] = [stroke.min(0.0), stroke.max(0.0)];
+            format!(" in {} ..= {}", self.number(low), self.number(high))
+        });
+        let name = &self.named.joints[motor.joint];
+        let [law, range] = [law, range].map(Option::unwrap_or_default);
+        format!("motor {name}{law}{range};")
+    }
+
+    /// How a motor moves in time, in seconds.
+    fn law(&self, motor: &Motor) -> Option<String> {
+        match (motor.speed?, motor.stroke) {
+            (Speed::Turns(turns), _) => {
+                let sign = if turns < 0.0 { "-" } else { "" };
+                let turns = written_like(turns.abs(), "");
+                Some(format!("{sign}2 * PI * {turns} / 60 * t"))
             }
-        })
+            (Speed::Cycles(cycles), Some(stroke)) => {
+                let (stroke, cycles) = (self.number(stroke), written_like(cycles, ""));
+                Some(format!(
+                    "{stroke} * (1 - abs(1 - mod({cycles} / 30 * t, 2)))"
+                ))
+            }
+            (Speed::Cycles(_), None) | (Speed::Way(_), _) => None,
+        }
+    }
+
+    /// What is said of speeds above the text: where motors have no laws, all that is known of them.
+    fn speeds(&self) -> Vec<String> {
+        let motors = self.drawing.motors.iter();
+        let mut remarks: Vec<String> = motors
+            .filter(|motor| !(self.terms.has_laws && motor.rounds().is_some()))
+            .filter_map(|motor| self.speed(motor))
+            .collect();
+        if self.terms.has_laws {
+            let back = Times::of(&self.drawing.motors).and_then(|times| times.back);
+            let back = back.map(|back| {
+                let back = shortest(back, 1e-9 * back);
+                format!(" After {back} seconds all are back where they started.")
+            });
+            let back = back.unwrap_or_default();
+            remarks.push(format!(
+                "Inputs go at their speeds; the time `t` is in seconds.{back}"
+            ));
+        }
+        remarks
+    }
+
+    fn speed(&self, motor: &Motor) -> Option<String> {
+        let name = &self.named.joints[motor.joint];
+        let exact = |value: f64| written_like(value, "");
+        let fact = match motor.speed? {
+            Speed::Turns(turns) => {
+                let sense = if turns < 0.0 {
+                    "clockwise"
+                } else {
+                    "counter-clockwise"
+                };
+                format!("turns {} times a minute, {sense}", exact(turns.abs()))
+            }
+            Speed::Cycles(cycles) => {
+                format!("goes to its end and back {} times a minute", exact(cycles))
+            }
+            Speed::Way(way) => format!("slides {} units a second", exact(way)),
+        };
+        let law = self.law(motor);
+        let law = law.map(|law| format!("; as a law in seconds `= {law}`"));
+        Some(format!("Input `{name}` {fact}{}.", law.unwrap_or_default()))
     }
 
     fn loads(&self) -> impl Iterator<Item = String> {
@@ -229,14 +324,25 @@ impl Writer<'_> {
         })
     }
 
+    /// How many places make the path of one turn: by laws until all inputs are back.
+    fn places_of_trace(&self) -> u32 {
+        let laws = Times::of(&self.drawing.motors).filter(|_| self.terms.has_laws);
+        let seconds = laws.and_then(|times| times.back).unwrap_or_default();
+        let wanted = seconds * PLACES_A_SECOND;
+        (TRACE..LONGEST_TRACE)
+            .find(|places| f64::from(*places) >= wanted)
+            .unwrap_or(LONGEST_TRACE)
+    }
+
     fn effects(&self) -> Option<String> {
+        let places = self.places_of_trace();
         let force = (!self.drawing.loads.is_empty()).then(|| "force;".to_owned());
         let links = self.drawing.links.iter().enumerate();
         let traces = links.flat_map(|(number, drawn)| {
             let points = drawn.points.iter().zip(&self.named.points[number]);
             let traced = points.filter(|(point, _)| point.is_traced);
             let link = &self.named.links[number];
-            traced.map(move |(_, point)| format!("trace {link}.{point} {TRACE};"))
+            traced.map(move |(_, point)| format!("trace {link}.{point} {places};"))
         });
         let clauses: Vec<String> = force.into_iter().chain(traces).collect();
         (!clauses.is_empty()).then(|| format!("effects {{ {} }}", clauses.join(" ")))

@@ -27,6 +27,8 @@ pub(super) struct Connector {
     pub(super) at: Pair,
     pub(super) is_anchor: bool,
     pub(super) is_input: bool,
+    /// How many turns a minute its motor makes, clockwise above zero; none where it is turned by hand.
+    pub(super) turns: Option<f64>,
     pub(super) is_traced: bool,
     /// Not a mere picture.
     pub(super) is_of_mechanism: bool,
@@ -73,6 +75,8 @@ pub(super) struct Cylinder {
     pub(super) ends: [usize; 2],
     /// How far it goes: below zero if it becomes shorter.
     pub(super) stroke: Option<f64>,
+    /// How often it goes to the end of its stroke and back, in a minute; none where it is moved by hand.
+    pub(super) cycles: Option<f64>,
 }
 
 /// Two wheels that roll on each other.

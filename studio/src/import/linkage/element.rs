@@ -5,9 +5,10 @@ use crate::import::drawing::LARGEST;
 use roxmltree::{Attribute, Node};
 use std::fmt::Display;
 use std::ops::Range;
+use std::str::FromStr;
 
 /// The number by which a document names a connector or a link.
-pub(super) type Id = u32;
+pub(super) type Id = i64;
 
 /// An element of a document.
 #[derive(Clone, Copy)]
@@ -115,18 +116,27 @@ impl<'d> Element<'d> {
     }
 
     /// A whole number from 0 on.
-    pub(super) fn whole(&self, name: &str) -> Result<Option<Id>, Message> {
-        let Some(text) = self.text(name) else {
-            return Ok(None);
-        };
-        let number = text.trim().parse();
-        let number = number.map_err(|_| self.misread(name, text, "no whole number from 0 on"))?;
-        Ok(Some(number))
+    pub(super) fn whole(&self, name: &str) -> Result<Option<u32>, Message> {
+        self.parsed(name, "no whole number from 0 on")
+    }
+
+    /// The number of something, if an attribute names it.
+    pub(super) fn reference(&self, name: &str) -> Result<Option<Id>, Message> {
+        self.parsed(name, "no whole number")
     }
 
     /// The number by which it is named.
     pub(super) fn id(&self) -> Result<Id, Message> {
-        self.whole("id")?.ok_or_else(|| self.missing("id"))
+        self.reference("id")?.ok_or_else(|| self.missing("id"))
+    }
+
+    fn parsed<N: FromStr>(&self, name: &str, what: &str) -> Result<Option<N>, Message> {
+        let Some(text) = self.text(name) else {
+            return Ok(None);
+        };
+        let number = text.trim().parse();
+        let number = number.map_err(|_| self.misread(name, text, what))?;
+        Ok(Some(number))
     }
 
     fn missing(&self, name: &str) -> Message {

@@ -15,6 +15,7 @@ mod unknown;
 
 use crate::document::Message;
 use crate::import::Imported;
+use crate::import::omission::Omission;
 use element::Element;
 use roxmltree::{ParsingOptions, TextPos};
 
@@ -30,14 +31,27 @@ pub(super) fn read(text: &str) -> Result<Imported, Message> {
             text: format!("this tag has more than {most} attributes, which no drawing has"),
         });
     }
+    let mended = tags::Mended::of(text);
+    let read = read_xml(&mended.text);
+    let mut document = read.map_err(|message| Message {
+        place: mended.old(&message.place),
+        ..message
+    })?;
+    if mended.has_spaces {
+        let what = "attributes without a space between them are read all the same";
+        document.omissions.push(Omission::new("document", what));
+    }
+    Ok(translation::translate(document))
+}
+
+fn read_xml(text: &str) -> Result<document::Document, Message> {
     let options = ParsingOptions {
         nodes_limit: MOST_NODES,
         ..ParsingOptions::default()
     };
     let tree = roxmltree::Document::parse_with_options(text, options);
     let tree = tree.map_err(|error| unparsed(text, &error))?;
-    let document = reading::read(&Element::new(tree.root_element()))?;
-    Ok(translation::translate(document))
+    reading::read(&Element::new(tree.root_element()))
 }
 
 /// Why a text is no XML.

@@ -2,7 +2,7 @@
 
 use super::document::Ratio;
 use super::element::Element;
-use super::reading::Ids;
+use super::reading::{Ids, Losses};
 use super::units::Units;
 use crate::document::Message;
 use crate::import::drawing::{LARGEST, Pair, Sizes};
@@ -10,8 +10,13 @@ use crate::import::drawing::{LARGEST, Pair, Sizes};
 /// The most decimals of a size.
 const DECIMALS: i32 = 9;
 
-/// Reads a `<ratio …>`.
-pub(super) fn read(element: &Element<'_>, ids: &Ids, units: &Units) -> Result<Ratio, Message> {
+/// Reads a `<ratio …>`; none if it names a link that is not there.
+pub(super) fn read(
+    element: &Element<'_>,
+    ids: &Ids,
+    units: &Units,
+    losses: &mut Losses<'_>,
+) -> Result<Option<Ratio>, Message> {
     let is_chain = match element.text("type") {
         Some("gears") => false,
         Some("chain") => true,
@@ -21,8 +26,8 @@ pub(super) fn read(element: &Element<'_>, ids: &Ids, units: &Units) -> Result<Ra
     };
     let wheels = element.children().filter(|child| child.name() == "link");
     let wheels = wheels.map(|child| {
-        let link = ids.link(&child, "id")?;
-        let link = link.ok_or_else(|| child.wrong("this <link> has no `id`"))?;
+        child.id()?;
+        let link = ids.link(&child, "id", losses)?;
         let size = child.needed_number("size")?;
         if size <= 0.0 {
             return Err(child.wrong_at("size", "the size of a wheel is above zero"));
@@ -32,6 +37,9 @@ pub(super) fn read(element: &Element<'_>, ids: &Ids, units: &Units) -> Result<Ra
     let wheels = wheels.collect::<Result<Vec<_>, _>>()?;
     let &[(a, size_a), (b, size_b)] = &wheels[..] else {
         return Err(element.wrong("a ratio is of two links"));
+    };
+    let (Some(a), Some(b)) = (a, b) else {
+        return Ok(None);
     };
     if a == b {
         return Err(element.wrong("a ratio is of two links, not of one"));
@@ -46,11 +54,11 @@ pub(super) fn read(element: &Element<'_>, ids: &Ids, units: &Units) -> Result<Ra
         let text = "the sizes of this ratio are no decimal numbers between 1e-9 and 1e15";
         Sizes::Teeth(teeth.ok_or_else(|| element.wrong(text))?)
     };
-    Ok(Ratio {
+    Ok(Some(Ratio {
         is_chain,
         links: [a, b],
         sizes,
-    })
+    }))
 }
 
 /// Whole numbers in the same ratio: themselves, if they are whole.

@@ -12,7 +12,7 @@ use crate::import::omission::Omission;
 use std::collections::BTreeMap;
 
 /// The bit of the layers of what belongs to the mechanism.
-const MECHANISM_LAYER: Id = 16;
+const MECHANISM_LAYER: u32 = 16;
 
 /// The elements of a document by what they are.
 #[derive(Default)]
@@ -25,7 +25,13 @@ struct Elements<'d> {
     omissions: Vec<Omission>,
 }
 
-/// The numbers of connectors and links by their ids.
+/// What is lost of something with a name.
+pub(super) struct Losses<'o> {
+    of: String,
+    omissions: &'o mut Vec<Omission>,
+}
+
+/// The numbers of connectors and links by their ids: of several with one id, that of the first.
 pub(super) struct Ids {
     connectors: BTreeMap<Id, usize>,
     links: BTreeMap<Id, usize>,
@@ -48,17 +54,24 @@ pub(super) fn read(root: &Element<'_>) -> Result<Document, Message> {
     };
     let mut omissions = elements.omissions;
     let connectors = elements.connectors.iter();
-    let connectors = connectors
+    let mut connectors = connectors
         .map(|element| connector(element, &ids, &units, &mut omissions))
         .collect::<Result<Vec<_>, _>>()?;
     let links = elements.links.iter();
-    let links = links
+    let mut links = links
         .map(|element| link(element, &ids, &units, &mut omissions))
         .collect::<Result<Vec<_>, _>>()?;
-    let ratios = elements.ratios.iter();
+    let ratios = elements.ratios.iter().zip(1..);
     let ratios = ratios
-        .map(|element| ratio::read(element, &ids, &units))
+        .map(|(element, number)| {
+            let of = format!("ratio {number}");
+            let omissions = &mut omissions;
+            ratio::read(element, &ids, &units, &mut Losses { of, omissions })
+        })
         .collect::<Result<Vec<_>, _>>()?;
+    let ratios = ratios.into_iter().flatten().collect();
+    ids.settle_connectors(&mut connectors, &mut omissions);
+    ids.settle_links(&mut links, &mut omissions);
     if !links.iter().any(|link| link.is_of_mechanism) {
         return Err(root.wrong("this document has no link, so it has no mechanism"));
     }
@@ -105,63 +118,119 @@ impl<'d> Elements<'d> {
     }
 }
 
-/// Elements by their ids.
+/// Elements by their ids. Of several with one id, the first has it.
 fn numbered(elements: &[Element<'_>]) -> Result<BTreeMap<Id, usize>, Message> {
     let mut numbers = BTreeMap::new();
     for (number, element) in elements.iter().enumerate() {
-        let id = element.id()?;
-        if numbers.insert(id, number).is_some() {
-            let name = element.name();
-            let text = format!("there is an earlier <{name}> with the id {id}; ids are unique");
-            return Err(element.wrong_at("id", text));
-        }
+        numbers.entry(element.id()?).or_insert(number);
     }
     Ok(numbers)
 }
 
+impl Losses<'_> {
+    fn note(&mut self, what: impl Into<String>) {
+        self.omissions.push(Omission::new(&*self.of, what));
+    }
+}
+
 impl Ids {
-    /// The connector that an attribute names, if it names one.
-    fn connector(&self, element: &Element<'_>, name: &str) -> Result<Option<usize>, Message> {
-        named(&self.connectors, element, name, "connector")
+    /// The connector that an attribute names, if it names one that is there.
+    fn connector(
+        &self,
+        element: &Element<'_>,
+        name: &str,
+        losses: &mut Losses<'_>,
+    ) -> Result<Option<usize>, Message> {
+        named(&self.connectors, element, (name, "connector"), losses)
     }
 
-    /// The link that an attribute names, if it names one.
-    pub(super) fn link(&self, element: &Element<'_>, name: &str) -> Result<Option<usize>, Message> {
-        named(&self.links, element, name, "link")
+    /// The link that an attribute names, if it names one that is there.
+    pub(super) fn link(
+        &self,
+        element: &Element<'_>,
+        name: &str,
+        losses: &mut Losses<'_>,
+    ) -> Result<Option<usize>, Message> {
+        named(&self.links, element, (name, "link"), losses)
     }
 
-    /// The connector that an element stands for.
-    fn needed_connector(&self, element: &Element<'_>) -> Result<usize, Message> {
+    /// The connector that an element stands for, if it is there.
+    fn connector_of(
+        &self,
+        element: &Element<'_>,
+        losses: &mut Losses<'_>,
+    ) -> Result<Option<usize>, Message> {
         element.id()?;
-        let found = self.connector(element, "id")?;
-        found.ok_or_else(|| element.wrong("this element names no connector"))
+        self.connector(element, "id", losses)
     }
 
     /// What an element is fastened to.
-    fn fastening(&self, element: &Element<'_>) -> Result<Option<Fastening>, Message> {
+    fn fastening(
+        &self,
+        element: &Element<'_>,
+        losses: &mut Losses<'_>,
+    ) -> Result<Option<Fastening>, Message> {
         for name in ["fastenlink", "fasten"] {
-            if let Some(link) = self.link(element, name)? {
+            if let Some(link) = self.link(element, name, losses)? {
                 return Ok(Some(Fastening::Link(link)));
             }
         }
-        let connector = self.connector(element, "fastenconnector")?;
+        let connector = self.connector(element, "fastenconnector", losses)?;
         Ok(connector.map(Fastening::Connector))
+    }
+
+    /// Of several connectors with one id, everything that names it means the first, as in Linkage: links, slides and fastenings.
+    fn settle_connectors(&self, all: &mut [Connector], omissions: &mut Vec<Omission>) {
+        for number in 0..all.len() {
+            let id = all[number].id;
+            let Some(first) = self
+                .connectors
+                .get(&id)
+                .copied()
+                .filter(|one| *one != number)
+            else {
+                continue;
+            };
+            let later = &mut all[number];
+            (later.is_of_mechanism, later.is_input, later.is_traced) = (false, false, false);
+            let (slide, fastened) = (later.slide.take(), later.fastened.take());
+            let first = &mut all[first];
+            first.slide = slide.or(first.slide);
+            first.fastened = fastened.or(first.fastened);
+            let what = "an earlier connector has this id, too, and all that names it; this one is left out";
+            omissions.push(Omission::new(format!("connector {id}"), what));
+        }
+    }
+
+    /// Several links with one id are several links; what is fastened by the id is fastened to the first, as in Linkage.
+    fn settle_links(&self, all: &mut [Link], omissions: &mut Vec<Omission>) {
+        for number in 0..all.len() {
+            let id = all[number].id;
+            let Some(first) = self.links.get(&id).copied().filter(|one| *one != number) else {
+                continue;
+            };
+            let fastened = all[number].fastened.take();
+            all[first].fastened = fastened.or(all[first].fastened);
+            let what = "an earlier link has this id, too; both are read, and what names the id means the first";
+            omissions.push(Omission::new(format!("link {id}"), what));
+        }
     }
 }
 
 fn named(
     numbers: &BTreeMap<Id, usize>,
     element: &Element<'_>,
-    name: &str,
-    what: &str,
+    (name, what): (&str, &str),
+    losses: &mut Losses<'_>,
 ) -> Result<Option<usize>, Message> {
-    let Some(id) = element.whole(name)? else {
+    let Some(id) = element.reference(name)? else {
         return Ok(None);
     };
-    match numbers.get(&id) {
-        Some(number) => Ok(Some(*number)),
-        None => Err(element.wrong_at(name, format!("there is no {what} {id}"))),
+    let number = numbers.get(&id).copied();
+    if number.is_none() {
+        losses.note(format!("it names the {what} {id}, which is not there"));
     }
+    Ok(number)
 }
 
 fn connector(
@@ -172,15 +241,13 @@ fn connector(
 ) -> Result<Connector, Message> {
     let id = element.id()?;
     let of = format!("connector {id}");
+    let mut losses = Losses { of, omissions };
     let at = [element.needed_number("x")?, element.needed_number("y")?];
     let is_input = element.flag("input")?;
-    let rpm = element.number("rpm")?.unwrap_or(0.0);
-    if is_input && rpm != 0.0 {
-        let what = format!("its speed is {rpm} turns a minute; a motor has no speed of its own");
-        omissions.push(Omission::new(&*of, what));
-    }
+    let mut turns = element.number("rpm")?.filter(|turns| *turns != 0.0);
     if is_input && element.flag("alwaysmanual")? {
-        omissions.push(Omission::new(&*of, "its motor is turned by hand"));
+        losses.note("its motor is turned by hand");
+        turns = None;
     }
     for (name, what) in [
         (
@@ -190,15 +257,12 @@ fn connector(
         ("startoffset", "the offset of its motor is not read"),
     ] {
         if element.number(name)?.is_some_and(|value| value != 0.0) {
-            omissions.push(Omission::new(&*of, what));
+            losses.note(what);
         }
     }
-    let slide = slide(element, ids, units)?;
+    let slide = slide(element, ids, units, &mut losses)?;
     if slide.is_none() && element.flag("slider")? {
-        omissions.push(Omission::new(
-            &*of,
-            "it slides, but no connectors say where",
-        ));
+        losses.note("it slides, but no two connectors say where");
     }
     Ok(Connector {
         id,
@@ -206,10 +270,11 @@ fn connector(
         at: at.map(|part| part * units.scale),
         is_anchor: element.flag("anchor")?,
         is_input,
+        turns,
         is_traced: element.flag("draw")?,
         is_of_mechanism: is_of_mechanism(element)?,
         slide,
-        fastened: ids.fastening(element)?,
+        fastened: ids.fastening(element, &mut losses)?,
     })
 }
 
@@ -220,8 +285,13 @@ fn is_of_mechanism(element: &Element<'_>) -> Result<bool, Message> {
     Ok((layers == 0 || layers & MECHANISM_LAYER != 0) && !is_measure)
 }
 
-/// Between which connectors one slides.
-fn slide(element: &Element<'_>, ids: &Ids, units: &Units) -> Result<Option<Slide>, Message> {
+/// Between which connectors one slides. As in Linkage the first two that are there count.
+fn slide(
+    element: &Element<'_>,
+    ids: &Ids,
+    units: &Units,
+    losses: &mut Losses<'_>,
+) -> Result<Option<Slide>, Message> {
     let radius = element.number("slideradius")?.unwrap_or(0.0);
     if !element.flag("slider")? {
         return Ok(None);
@@ -230,18 +300,12 @@ fn slide(element: &Element<'_>, ids: &Ids, units: &Units) -> Result<Option<Slide
         .children()
         .filter(|child| child.name() == "slidelimit");
     let limits = limits
-        .map(|child| ids.needed_connector(&child))
+        .map(|child| ids.connector_of(&child, losses))
         .collect::<Result<Vec<_>, _>>()?;
+    let limits: Vec<usize> = limits.into_iter().flatten().collect();
     let limits = match limits[..] {
-        [] => return Ok(None),
-        [a, b] if a != b => [a, b],
-        _ => {
-            let text = format!(
-                "a connector slides between two others; {} <slidelimit> are given",
-                limits.len()
-            );
-            return Err(element.wrong(text));
-        }
+        [a, b, ..] if a != b => [a, b],
+        _ => return Ok(None),
     };
     // Its sign says on which side of the limits the centre is, which is seen from the connector itself.
     let radius = radius.abs() * units.scale;
@@ -258,6 +322,8 @@ fn link(
     omissions: &mut Vec<Omission>,
 ) -> Result<Link, Message> {
     let id = element.id()?;
+    let of = format!("link {id}");
+    let mut losses = Losses { of, omissions };
     let mut connectors = Vec::new();
     let mut fastened_connectors = Vec::new();
     for child in element.children() {
@@ -265,61 +331,58 @@ fn link(
             "connector" => &mut connectors,
             "fastenconnector" => &mut fastened_connectors,
             other => {
-                let what = format!("<{other}> in it is not known");
-                omissions.push(Omission::new(format!("link {id}"), what));
+                losses.note(format!("<{other}> in it is not known"));
                 continue;
             }
         };
-        let connector = ids.needed_connector(&child)?;
-        if !list.contains(&connector) {
-            list.push(connector);
+        if let Some(found) = ids.connector_of(&child, &mut losses)?
+            && !list.contains(&found)
+        {
+            list.push(found);
         }
     }
     Ok(Link {
         id,
         name: element.own_name(),
-        cylinder: cylinder(element, id, (&connectors, units), omissions)?,
+        cylinder: cylinder(element, (&connectors, units), &mut losses)?,
         connectors,
         is_wheel: element.flag("gear")?,
         is_of_mechanism: is_of_mechanism(element)?,
         fastened_connectors,
-        fastened: ids.fastening(element)?,
+        fastened: ids.fastening(element, &mut losses)?,
         color: color(element)?,
     })
 }
 
 fn cylinder(
     element: &Element<'_>,
-    id: Id,
     (connectors, units): (&[usize], &Units),
-    omissions: &mut Vec<Omission>,
+    losses: &mut Losses<'_>,
 ) -> Result<Option<Cylinder>, Message> {
     if !element.flag("actuator")? {
         return Ok(None);
     }
-    let of = format!("link {id}");
     let &[first, second] = connectors else {
         let count = connectors.len();
-        let text = format!("a cylinder has two connectors; this one has {count}");
-        return Err(element.wrong(text));
+        losses.note(format!(
+            "a cylinder has two connectors; this one has {count}, so it is none"
+        ));
+        return Ok(None);
     };
     let stroke = element.number("throw")?.filter(|stroke| *stroke != 0.0);
     if stroke.is_none() {
-        let what = "it has no throw, so its motor has no range";
-        omissions.push(Omission::new(&*of, what));
+        losses.note("it has no throw, so its motor has no range");
     }
     let cycles = element.number("cpm")?.unwrap_or(0.0);
-    if cycles != 0.0 {
-        let what = format!("it goes {cycles} times a minute; a motor has no speed of its own");
-        omissions.push(Omission::new(&*of, what));
-    }
-    if element.flag("alwaysmanual")? {
-        omissions.push(Omission::new(of, "its motor is moved by hand"));
+    let is_manual = element.flag("alwaysmanual")?;
+    if is_manual {
+        losses.note("its motor is moved by hand");
     }
     Ok(Some(Cylinder {
         ends: [first, second],
         // One that goes backwards becomes shorter first.
         stroke: stroke.map(|stroke| stroke * units.scale * cycles.signum()),
+        cycles: (!is_manual && cycles != 0.0).then_some(cycles.abs()),
     }))
 }
 

@@ -4,7 +4,7 @@ use super::document::{Connector, Document, Link};
 use super::sliding::{Guide, guides};
 use super::unions::{Member, Unions};
 use crate::import::Imported;
-use crate::import::drawing::{self, Direction, Drawing, End, Form, Motor, Pair, Point};
+use crate::import::drawing::{self, Direction, Drawing, End, Form, Motor, Pair, Point, Speed};
 use crate::import::omission::Omission;
 
 /// Documents have six decimals of a pixel.
@@ -115,8 +115,14 @@ impl Translation<'_> {
             self.omit(number, "its motor has nothing to turn");
             return;
         };
-        let stroke = None;
-        self.drawing.motors.push(Motor { joint, stroke });
+        // It turns clockwise where its speed is above zero. Linkage turns inputs on the ground only.
+        let turns = self.document.connectors[number].turns;
+        let turns = turns.filter(|_| ends.contains(&End::Ground));
+        self.drawing.motors.push(Motor {
+            joint,
+            stroke: None,
+            speed: turns.map(|turns| Speed::Turns(-turns)),
+        });
         if ends.len() > 2 {
             let of = format!("connector {}", self.document.connectors[number].id);
             self.omissions.push(Omission::free_links(&of));
@@ -205,8 +211,11 @@ impl Translation<'_> {
             let joint = self
                 .drawing
                 .join(&format!("{} stroke", name(link)), form, ends);
-            let stroke = cylinder.stroke;
-            self.drawing.motors.push(Motor { joint, stroke });
+            self.drawing.motors.push(Motor {
+                joint,
+                stroke: cylinder.stroke,
+                speed: cylinder.cycles.map(Speed::Cycles),
+            });
         }
     }
 

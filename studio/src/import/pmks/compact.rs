@@ -1,60 +1,93 @@
-//! Links since June 2023: everything has a name, and the last letter checks the length of the link.
+//! Links since June 2023: everything has a name, and the last letters check the link.
 
+use super::checks::checked;
 use super::digits::decimal;
 use super::linkage::{Force, Ids, Joint, Link, Linkage, mass_of, name_of, parts_of};
 use super::query::Field;
-use super::sections::{Draft, Generation, Sections, fields, flags_and_id};
+use super::sections::{Draft, Generation, JointDraft, Sections, fields, flags_and_id};
 use crate::document::Message;
 use crate::import::color::Color;
 use crate::import::omission::Omission;
 
-/// The letters that check a length.
-const CHECKS: &[u8; 62] = b"0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
-
 /// The form of these links.
 struct Compact;
+
+/// The first letters of links that are not welded into another, and of those that are. Which one tells whether PMKS+ computes the mass
+/// centre and the moment of inertia, whose numbers stand in the link all the same, and whether it draws a disc.
+const ROOTS: &str = "YAMG0123";
+const PARTS: &str = "Namg4567";
+/// What follows the angle of a joint: a slot, a speed and a mass.
+const MORE: usize = 5;
 
 /// Reads a query.
 pub(super) fn read(query: Field<'_>) -> Result<Linkage, Message> {
     Sections::of(checked(query)?)?.read::<Compact>()
 }
 
-/// The query without its last letter, which has to fit its length.
-fn checked(query: Field<'_>) -> Result<Field<'_>, Message> {
-    let ends = query.last();
-    let (body, check) = ends.ok_or_else(|| query.wrong("the link is empty"))?;
-    // As the program counts.
-    let length = body.text().encode_utf16().count();
-    let right = char::from(CHECKS[length % CHECKS.len()]);
-    if check.text().chars().eq([right]) {
-        return Ok(body);
-    }
-    Err(check.wrong(format!(
-        "the last letter checks the length of the link: it is `{}`, but would have to be `{right}`; a part of the link may be missing",
-        check.text()
-    )))
-}
-
 impl Generation for Compact {
-    /// `[flags and id],[name],[x],[y],[angle]`
-    fn joint<'q>(field: Field<'q>, ids: &mut Ids<'q>) -> Result<Joint, Message> {
-        let [head, name, x, y, angle] = fields(&field, "joint")?;
-        let ([is_prismatic, is_input, is_grounded, is_welded, is_traced, _], id) =
-            flags_and_id(&field, &head, "joint")?;
+    /// `[flags and id],[name],[x],[y],[angle]`, and since 2025 perhaps `,[carrier],[end],[end]`, `,[speed]`, `,[mass]`
+    fn joint<'q>(
+        field: Field<'q>,
+        ids: &mut Ids<'q>,
+        omissions: &mut Vec<Omission>,
+    ) -> Result<JointDraft<'q>, Message> {
+        let all: Vec<Field<'q>> = field.split(',').collect();
+        let [head, name, x, y, angle, more @ ..] = &all[..] else {
+            return Err(field.wrong(format!(
+                "a joint has 5 to 10 fields with commas between them; this one has {}",
+                all.len()
+            )));
+        };
+        let (flags, id) = flags_and_id(&field, head, "joint")?;
         ids.enter(&id)?;
-        let angle = decimal(&angle)?;
-        Ok(Joint {
-            name: name_of(&name, &id),
-            at: [decimal(&x)?, decimal(&y)?],
-            along: is_prismatic.then_some(angle),
+        let more: [Option<&Field<'q>>; MORE] =
+            std::array::from_fn(|at| more.get(at).filter(|one| !one.text().is_empty()));
+        let [carrier, first, second, speed, mass] = more;
+        let slot = match [carrier, first, second] {
+            [None, None, None] => None,
+            [Some(carrier), Some(first), Some(second)] => Some([*carrier, *first, *second]),
+            _ => {
+                let text = "a slot is a link and two of its joints, one of which is missing here";
+                return Err(field.wrong(text));
+            }
+        };
+        // What is not there is zero.
+        let number = |field: Option<&Field<'q>>| field.map_or(Ok(0.0), decimal);
+        let [
+            is_prismatic,
+            is_input,
+            is_grounded,
+            is_welded,
+            is_traced,
+            is_sealed,
+        ] = flags;
+        let along = decimal(angle)?;
+        let joint = Joint {
             is_grounded,
             is_input,
             is_welded,
             is_traced,
-        })
+            is_sealed,
+            speed: number(speed)?,
+            mass: number(mass)?,
+            ..Joint::plain(
+                name_of(name, &id),
+                [decimal(x)?, decimal(y)?],
+                is_prismatic.then_some(along),
+            )
+        };
+        if joint.mass < 0.0 {
+            return Err(field.wrong("the mass of a block is not below zero"));
+        }
+        let mut rest = all.iter().skip(5 + MORE);
+        if rest.any(|one| !one.text().is_empty()) {
+            let what = "its fields behind the tenth, as friction, are not read";
+            omissions.push(Omission::new(format!("joint {}", joint.name), what));
+        }
+        Ok((joint, slot))
     }
 
-    /// `[Y or N][R or P][id],[name],[mass],[moment of inertia],[x],[y],[colour],[joints],,[welded links]`
+    /// `[letter][R or P][id],[name],[mass],[moment of inertia],[x],[y],[colour],[joints],,[welded links]`
     ///
     /// Gives the link without those that are welded into it, and these.
     fn link<'q>(
@@ -70,14 +103,17 @@ impl Generation for Compact {
                 all.len()
             )));
         };
-        let short = || head.wrong("a link begins with `Y` or `N`, then `R` or `P`, then its id");
+        let short = || {
+            head.wrong(format!(
+                "a link begins with one of `{ROOTS}` and `{PARTS}`, then `R` or `P`, then its id"
+            ))
+        };
         let (root, rest) = head.first().ok_or_else(short)?;
         let (kind, id) = rest.first().ok_or_else(short)?;
-        let is_root = match root.text() {
-            "Y" => true,
-            "N" => false,
-            _ => return Err(short()),
-        };
+        let is_root = ROOTS.contains(root.text());
+        if !is_root && !PARTS.contains(root.text()) {
+            return Err(short());
+        }
         let is_block = match kind.text() {
             "R" => false,
             "P" => true,

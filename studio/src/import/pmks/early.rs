@@ -6,7 +6,7 @@ use super::compact::{colored, is_color};
 use super::digits::decimal;
 use super::linkage::{Force, Ids, Joint, Link, Linkage, mass_of, name_of, parts_of};
 use super::query::Field;
-use super::sections::{Draft, Generation, HEADS, Sections, fields, flags_and_id};
+use super::sections::{Draft, Generation, HEADS, JointDraft, Sections, fields, flags_and_id};
 use crate::document::Message;
 use crate::import::omission::Omission;
 
@@ -28,21 +28,24 @@ pub(super) fn read(query: Field<'_>) -> Result<Linkage, Message> {
 
 impl Generation for Early {
     /// `[flags and id],[x],[y],[angle]`
-    fn joint<'q>(field: Field<'q>, ids: &mut Ids<'q>) -> Result<Joint, Message> {
+    fn joint<'q>(
+        field: Field<'q>,
+        ids: &mut Ids<'q>,
+        _: &mut Vec<Omission>,
+    ) -> Result<JointDraft<'q>, Message> {
         let [head, x, y, angle] = fields(&field, "joint")?;
         let ([is_prismatic, is_input, is_grounded, is_welded, ..], id) =
             flags_and_id(&field, &head, "joint")?;
         ids.enter(&id)?;
         let angle = decimal(&angle)?;
-        Ok(Joint {
-            name: name_of(&id, &id),
-            at: [decimal(&x)?, decimal(&y)?],
-            along: is_prismatic.then_some(angle),
+        let at = [decimal(&x)?, decimal(&y)?];
+        let joint = Joint {
             is_grounded,
             is_input,
             is_welded,
-            is_traced: false,
-        })
+            ..Joint::plain(name_of(&id, &id), at, is_prismatic.then_some(angle))
+        };
+        Ok((joint, None))
     }
 
     /// `[Y or N, or nothing][R or P][id],[mass],[moment of inertia],[x],[y],[colour, or nothing][joints]`, and perhaps `,,[welded links]`

@@ -1,6 +1,7 @@
 //! What a link says: joints, links and forces, with the names by which they call each other resolved.
 
 use super::query::Field;
+use super::units::Unit;
 use crate::document::Message;
 use crate::import::color::Color;
 use crate::import::drawing::{MOST, Mass, Pair};
@@ -10,11 +11,22 @@ use std::collections::BTreeMap;
 /// What a link says.
 pub(super) struct Linkage {
     /// The unit of length, if it is known.
-    pub(super) unit: Option<&'static str>,
+    pub(super) unit: Option<Unit>,
+    pub(super) has_gravity: bool,
+    pub(super) speeds: Speeds,
     pub(super) joints: Vec<Joint>,
     pub(super) links: Vec<Link>,
     pub(super) forces: Vec<Force>,
     pub(super) omissions: Vec<Omission>,
+}
+
+/// How fast inputs go that have no speed of their own; counter-clockwise is above zero.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Speeds {
+    /// In turns a minute.
+    pub(super) turning: f64,
+    /// In units of length a second; 0 where it is not said.
+    pub(super) sliding: f64,
 }
 
 /// A joint.
@@ -31,6 +43,21 @@ pub(super) struct Joint {
     pub(super) is_input: bool,
     pub(super) is_welded: bool,
     pub(super) is_traced: bool,
+    /// Whether it is the piston of a cylinder, which does not turn in its barrel.
+    pub(super) is_sealed: bool,
+    /// What it slides on, if that is a link.
+    pub(super) slot: Option<Slot>,
+    /// How fast it goes as an input; 0 where it has no speed of its own.
+    pub(super) speed: f64,
+    /// The mass of the block that slides.
+    pub(super) mass: f64,
+}
+
+/// A slot in a link, from one of its joints to another, by their numbers.
+#[derive(Clone, Copy)]
+pub(super) struct Slot {
+    pub(super) carrier: usize,
+    pub(super) ends: [usize; 2],
 }
 
 /// A link, or one that is welded into another.
@@ -95,6 +122,11 @@ impl<'q> Ids<'q> {
         Ok(())
     }
 
+    /// Whether there is one with this id.
+    pub(super) fn has(&self, id: &Field<'q>) -> bool {
+        self.numbers.contains_key(id.text())
+    }
+
     /// The number of the one with this id.
     pub(super) fn find(&self, id: &Field<'q>) -> Result<usize, Message> {
         let number = self.numbers.get(id.text()).copied();
@@ -124,6 +156,25 @@ pub(super) fn name_of(name: &Field<'_>, id: &Field<'_>) -> String {
         .map(ToOwned::to_owned)
         .next()
         .unwrap_or_default()
+}
+
+impl Joint {
+    /// A joint of this form and place that is nothing more.
+    pub(super) fn plain(name: String, at: Pair, along: Option<f64>) -> Self {
+        Self {
+            name,
+            at,
+            along,
+            is_grounded: false,
+            is_input: false,
+            is_welded: false,
+            is_traced: false,
+            is_sealed: false,
+            slot: None,
+            speed: 0.0,
+            mass: 0.0,
+        }
+    }
 }
 
 /// A mass, if there is any.

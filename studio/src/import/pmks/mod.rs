@@ -2,7 +2,9 @@
 //!
 //! `compact`, `early` and `plain` read three generations of links. All make a [`Linkage`](linkage::Linkage); `translation` makes a drawing of it.
 
+mod checks;
 mod compact;
+mod corrections;
 mod digits;
 mod early;
 mod linkage;
@@ -10,6 +12,7 @@ mod plain;
 mod query;
 mod sections;
 mod translation;
+mod units;
 
 use crate::document::Message;
 use crate::import::Imported;
@@ -17,6 +20,9 @@ use query::Query;
 
 /// What links of any kind begin with.
 const BEGINNINGS: [&str; 4] = ["https://", "http://", "?", "j="];
+
+/// What documents of 2026 begin with.
+const NATIVE: &str = "pmks2:";
 
 /// Whether a text is a link, or the query of one.
 pub(super) fn is_link(text: &str) -> bool {
@@ -32,6 +38,9 @@ pub(super) fn read(text: &str) -> Result<Imported, Message> {
     let whole = query.whole();
     let linkage = if plain::is_plain(whole.text()) {
         plain::read(&whole)?
+    } else if whole.text().contains(NATIVE) {
+        return Err(whole
+            .wrong("this link holds a document of PMKS+ of 2026 (`pmks2:`), which is not read"));
     } else if !sections::has_sections(whole.text()) {
         return Err(whole.wrong(
             "this is no link of PMKS+: it would have settings, joints and links after a question mark",

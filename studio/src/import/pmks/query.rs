@@ -125,12 +125,30 @@ impl<'q> Field<'q> {
         ))
     }
 
-    /// What stands between two marks, or after the first to the end.
-    pub(super) fn between(&self, mark: &str, next: &[&str]) -> Option<Self> {
+    /// What stands before the last letter of a kind, and behind it.
+    pub(super) fn before_last(&self, letter: char) -> Option<(Self, Self)> {
+        let middle = self.start + self.text().rfind(letter)?;
+        let before = Self {
+            end: middle,
+            ..*self
+        };
+        let start = middle + letter.len_utf8();
+        Some((before, Self { start, ..*self }))
+    }
+
+    /// From its beginning to the end of a later one.
+    pub(super) fn through(self, last: Self) -> Self {
+        Self {
+            end: last.end,
+            ..self
+        }
+    }
+
+    /// What stands behind a mark, as `&l=`, up to the next `&` or to the end.
+    pub(super) fn behind(&self, mark: &str) -> Option<Self> {
         let start = self.start + self.text().find(mark)? + mark.len();
         let after = &self.query.text[start..self.end];
-        let ends = next.iter().filter_map(|next| after.find(next));
-        let end = ends.min().map_or(self.end, |length| start + length);
+        let end = after.find('&').map_or(self.end, |length| start + length);
         Some(Self {
             query: self.query,
             start,

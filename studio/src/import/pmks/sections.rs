@@ -1,13 +1,16 @@
 //! The sections of a link whose numbers are to the base 64: settings, joints, links and forces.
 
-use super::digits::{digit, flags, whole};
-use super::linkage::{Force, Ids, Joint, Link, Linkage};
+use super::corrections::Correction;
+use super::digits::{decimal, digit, flags, whole};
+use super::linkage::{Force, Ids, Joint, Link, Linkage, Slot, Speeds};
 use super::query::Field;
+use super::units::{UNITS, Unit};
 use crate::document::Message;
 use crate::import::omission::Omission;
 
-/// The units of length, by their numbers.
-const UNITS: [&str; 3] = ["inches", "centimetres", "metres"];
+/// What the entries of the last section begin with that only the editor of drawings needs: locks of joints, links and forces, what
+/// mass centres are held against, goals of a synthesis, and lengths that are held.
+const OF_EDITOR: [char; 6] = ['J', 'L', 'F', 'C', 'S', 'H'];
 /// How many digits hold the flags of the settings.
 const SETTINGS: usize = 2;
 
@@ -17,19 +20,29 @@ pub(super) const HEADS: usize = 4;
 /// The sections of a link.
 pub(super) struct Sections<'q> {
     body: Field<'q>,
-    unit: Option<&'static str>,
+    unit: Option<Unit>,
+    has_gravity: bool,
+    speeds: Speeds,
     joints: Vec<Field<'q>>,
     links: Vec<Field<'q>>,
     forces: Vec<Field<'q>>,
+    corrections: Vec<Correction<'q>>,
     omissions: Vec<Omission>,
 }
 
 /// A link, and the ids of those that are welded into it.
 pub(super) type Draft<'q> = (Link, Vec<Field<'q>>);
 
+/// A joint, and the ids of a link and two joints of it if it slides between these.
+pub(super) type JointDraft<'q> = (Joint, Option<[Field<'q>; 3]>);
+
 /// How a generation of links writes what stands in its sections.
 pub(super) trait Generation {
-    fn joint<'q>(field: Field<'q>, ids: &mut Ids<'q>) -> Result<Joint, Message>;
+    fn joint<'q>(
+        field: Field<'q>,
+        ids: &mut Ids<'q>,
+        omissions: &mut Vec<Omission>,
+    ) -> Result<JointDraft<'q>, Message>;
     fn link<'q>(
         field: Field<'q>,
         joints: &Ids<'q>,
@@ -59,9 +72,9 @@ impl<'q> Sections<'q> {
             let token = tokens.next();
             *head = token.ok_or_else(|| body.wrong("the link ends before its settings"))?;
         }
-        let [bits, _, numbers, choices] = heads;
-        let is_clockwise = settings(&bits, &mut omissions)?;
-        speed(&numbers, is_clockwise, &mut omissions)?;
+        let [bits, decimals, numbers, choices] = heads;
+        let (is_clockwise, has_gravity) = settings(&bits)?;
+        let speeds = speeds(&decimals, &numbers, is_clockwise)?;
         let unit = unit(&choices)?;
         // For some weeks a list of names stood here. It was empty where nobody had given any.
         tokens.next_if(|token| token.text().is_empty());
@@ -84,16 +97,20 @@ impl<'q> Sections<'q> {
             .by_ref()
             .take_while(|token| !token.text().is_empty())
             .collect();
-        let selected = tokens.next();
-        if let Some(more) = selected.and_then(|_| tokens.next()) {
-            return Err(more.wrong("nothing stands here in a link of PMKS+"));
-        }
+        tokens.next();
+        // What follows are entries of the editor, since 2025. They may have points in them.
+        let extras = tokens.next().map(|first| first.through(body));
+        let corrections = extras.map(|extras| read_extras(extras, &mut omissions));
+        let corrections = corrections.transpose()?.unwrap_or_default();
         Ok(Self {
             body,
             unit,
+            has_gravity,
+            speeds,
             joints,
             links,
             forces,
+            corrections,
             omissions,
         })
     }
@@ -104,7 +121,7 @@ impl<'q> Sections<'q> {
         let mut joint_ids = Ids::of("joint");
         let joints = self.joints.into_iter();
         let joints = joints
-            .map(|field| G::joint(field, &mut joint_ids))
+            .map(|field| G::joint(field, &mut joint_ids, &mut omissions))
             .collect::<Result<Vec<_>, _>>()?;
         let mut link_ids = Ids::of("link");
         let drafts = self.links.into_iter();
@@ -115,10 +132,31 @@ impl<'q> Sections<'q> {
             link.welded = link_ids.find_all(welded.into_iter())?;
             Ok(link)
         });
-        let links = links.collect::<Result<Vec<_>, Message>>()?;
+        let mut links = links.collect::<Result<Vec<_>, Message>>()?;
         if !links.iter().any(|link| link.is_root) {
             let text = "this link has no link of a mechanism in it";
             return Err(self.body.wrong(text));
+        }
+        let joints = joints.into_iter().map(|(mut joint, slot)| {
+            if let Some(slot) = slot {
+                joint.slot = Some(slot_of(&joint, slot, (&joint_ids, &link_ids), &links)?);
+            }
+            Ok(joint)
+        });
+        let mut joints = joints.collect::<Result<Vec<_>, Message>>()?;
+        let mut speeds = self.speeds;
+        for correction in &self.corrections {
+            let (all, every) = (&mut joints[..], &mut links[..]);
+            if !correction.apply((all, &joint_ids), (every, &link_ids), &mut speeds)? {
+                let what = "a number with more than three decimals is read with three";
+                omissions.push(Omission::new(
+                    format!("`{}`", short(correction.text())),
+                    what,
+                ));
+            }
+        }
+        for link in &mut links {
+            link.mass = link.mass.filter(|mass| mass.value > 0.0);
         }
         let forces = self.forces.into_iter();
         let forces = forces
@@ -126,6 +164,8 @@ impl<'q> Sections<'q> {
             .collect::<Result<Vec<_>, _>>()?;
         Ok(Linkage {
             unit: self.unit,
+            has_gravity: self.has_gravity,
+            speeds,
             joints,
             links,
             forces,
@@ -160,37 +200,90 @@ pub(super) fn flags_and_id<'q>(
     Ok((flags(&bits)?, id))
 }
 
-/// Whether the input turns clockwise.
-fn settings(field: &Field<'_>, omissions: &mut Vec<Omission>) -> Result<bool, Message> {
+/// The slot in which a joint slides.
+fn slot_of<'q>(
+    joint: &Joint,
+    [carrier, first, second]: [Field<'q>; 3],
+    (joints, links): (&Ids<'q>, &Ids<'q>),
+    all: &[Link],
+) -> Result<Slot, Message> {
+    if joint.along.is_none() || joint.is_grounded {
+        let text = "only a joint that slides, and not on the ground, slides on a link";
+        return Err(carrier.wrong(text));
+    }
+    let link = links.find(&carrier)?;
+    let ends = [joints.find(&first)?, joints.find(&second)?];
+    if ends[0] == ends[1] {
+        return Err(second.wrong("a slot goes from one joint of a link to another"));
+    }
+    for (end, field) in ends.into_iter().zip([first, second]) {
+        if !all[link].joints.contains(&end) {
+            let text = format!("link `{}` has no joint `{}`", carrier.text(), field.text());
+            return Err(field.wrong(text));
+        }
+    }
+    Ok(Slot {
+        carrier: link,
+        ends,
+    })
+}
+
+/// Whether the input turns clockwise, and whether gravity acts: links of before its switch mean that it does.
+fn settings(field: &Field<'_>) -> Result<(bool, bool), Message> {
     let is_right = field.text().chars().count() == SETTINGS;
     let digits = field.last().filter(|_| is_right);
     let (high, low) = digits.ok_or_else(|| {
         let text = field.text();
         field.wrong(format!("the settings are {SETTINGS} digits, not `{text}`"))
     })?;
-    flags(&high)?;
-    let [is_clockwise, has_gravity, ..] = flags(&low)?;
-    if has_gravity {
-        omissions.push(Omission::gravity());
-    }
-    Ok(is_clockwise)
+    let [is_clockwise, ..] = flags(&low)?;
+    let [_, _, is_gravity_off, ..] = flags(&high)?;
+    Ok((is_clockwise, !is_gravity_off))
 }
 
-/// Notes the speed of the input.
-fn speed(
+/// How fast inputs go: the first whole number, and the second decimal, which came in 2025.
+fn speeds(
+    decimals: &Field<'_>,
     numbers: &Field<'_>,
     is_clockwise: bool,
-    omissions: &mut Vec<Omission>,
-) -> Result<(), Message> {
-    let mut numbers = numbers.split(',');
-    if let Some(speed) = numbers.next() {
-        let turns = whole(&speed)?;
-        omissions.push(Omission::speed(turns, is_clockwise));
-    }
-    numbers.try_for_each(|number| whole(&number).map(drop))
+) -> Result<Speeds, Message> {
+    let sense = if is_clockwise { -1.0 } else { 1.0 };
+    let all: Result<Vec<f64>, _> = numbers.split(',').map(|number| whole(&number)).collect();
+    let turning = all?.first().map_or(0.0, |turns| sense * turns);
+    let sliding = decimals.split(',').nth(1);
+    let sliding = sliding.map_or(Ok(0.0), |speed| decimal(&speed))?;
+    Ok(Speeds { turning, sliding })
 }
 
-fn unit(field: &Field<'_>) -> Result<Option<&'static str>, Message> {
+/// Reads the last section: numbers with more decimals. Notes what of the others is no matter of the editor.
+fn read_extras<'q>(
+    section: Field<'q>,
+    omissions: &mut Vec<Omission>,
+) -> Result<Vec<Correction<'q>>, Message> {
+    let mut corrections = Vec::new();
+    for entry in section.split(',') {
+        let text = entry.text();
+        let what = match text.chars().next() {
+            None => continue,
+            Some('P') => {
+                corrections.push(Correction::read(entry)?);
+                continue;
+            }
+            Some(_) if text.starts_with("G1~") => "its gears are not read",
+            Some(letter) if OF_EDITOR.contains(&letter) => continue,
+            Some(_) => "this entry of the last section is not known",
+        };
+        omissions.push(Omission::new(format!("`{}`", short(text)), what));
+    }
+    Ok(corrections)
+}
+
+/// The beginning of an entry.
+fn short(text: &str) -> String {
+    text.chars().take(20).collect()
+}
+
+fn unit(field: &Field<'_>) -> Result<Option<Unit>, Message> {
     let Some((length, mut others)) = field.first() else {
         return Ok(None);
     };

@@ -2,9 +2,13 @@
 
 use super::linkage::{Force, Joint, Link, Linkage};
 use crate::import::Imported;
-use crate::import::drawing::{self, Direction, Drawing, End, Form, Load, Mass, Motor, Point};
+use crate::import::drawing::{
+    self, Direction, Drawing, End, Form, Load, Mass, Motor, Pair, Point, Speed,
+};
 use crate::import::omission::Omission;
+use crate::text::rounded;
 use std::collections::{BTreeMap, BTreeSet};
+use std::f64::consts::TAU;
 
 /// Links have angles in thousandths of a radian.
 const ROUNDING: f64 = 0.000_501;
@@ -13,6 +17,7 @@ const USUAL: f64 = 15.0;
 
 /// The drawing of a linkage.
 pub(super) fn translate(mut linkage: Linkage) -> Imported {
+    fold(&mut linkage);
     let omissions = std::mem::take(&mut linkage.omissions);
     let mut translation = Translation {
         ends: ends(&linkage),
@@ -42,6 +47,31 @@ struct Translation<'l> {
     omissions: Vec<Omission>,
 }
 
+/// Moves what belongs to a slide to the slide: pins of its block may be on the ground, or the input, for it.
+fn fold(linkage: &mut Linkage) {
+    for block in linkage.links.iter().filter(|link| link.is_block) {
+        let &[a, b] = &block.joints[..] else {
+            continue;
+        };
+        let slides = |joint: usize| linkage.joints[joint].along.is_some();
+        let (slide, pin) = match [slides(a), slides(b)] {
+            [true, false] => (a, b),
+            [false, true] => (b, a),
+            _ => continue,
+        };
+        let pin = &mut linkage.joints[pin];
+        let is_input = std::mem::take(&mut pin.is_input);
+        let is_grounded = std::mem::take(&mut pin.is_grounded);
+        let speed = std::mem::take(&mut pin.speed);
+        let slide = &mut linkage.joints[slide];
+        slide.is_input |= is_input;
+        slide.is_grounded |= is_grounded && slide.slot.is_none();
+        if slide.speed == 0.0 {
+            slide.speed = speed;
+        }
+    }
+}
+
 /// What each link is: links that are welded together are one.
 fn ends(linkage: &Linkage) -> Vec<Option<End>> {
     let firsts = firsts(linkage);
@@ -53,7 +83,8 @@ fn ends(linkage: &Linkage) -> Vec<Option<End>> {
         }
         let all = linkage.links.iter().zip(&firsts);
         let mut together = all.filter(|(link, other)| link.is_root && *other == first);
-        if together.clone().any(|(link, _)| is_fixed(linkage, link)) {
+        let joints = together.clone().flat_map(|(link, _)| &link.joints);
+        if are_fixed(linkage, joints) {
             return Some(End::Ground);
         }
         if together.all(|(link, _)| link.joints.len() < 2) {
@@ -69,9 +100,14 @@ fn ends(linkage: &Linkage) -> Vec<Option<End>> {
 fn firsts(linkage: &Linkage) -> Vec<usize> {
     let mut firsts: Vec<usize> = (0..linkage.links.len()).collect();
     let joints = linkage.joints.iter().enumerate();
-    for (joint, _) in joints.filter(|(_, joint)| joint.is_welded) {
+    for (number, joint) in joints.filter(|(_, joint)| joint.is_welded) {
         let links = linkage.links.iter().enumerate();
-        let links = links.filter(|(_, link)| link.is_root && link.joints.contains(&joint));
+        let links = links.filter(|(_, link)| link.is_root && link.joints.contains(&number));
+        // Where a weld made one link of several, others are pinned to it, but for blocks.
+        let is_made = |link: &Link| !link.welded.is_empty();
+        let is_pinned = |link: &Link| !link.is_block && !is_made(link);
+        let has_made = joint.along.is_none() && links.clone().any(|(_, link)| is_made(link));
+        let links = links.filter(|(_, link)| !(has_made && is_pinned(link)));
         let groups: BTreeSet<usize> = links.map(|(link, _)| firsts[link]).collect();
         let Some(least) = groups.first() else {
             continue;
@@ -85,9 +121,9 @@ fn firsts(linkage: &Linkage) -> Vec<usize> {
     firsts
 }
 
-/// Whether a link cannot move, as two pivots hold it to the ground.
-fn is_fixed(linkage: &Linkage, link: &Link) -> bool {
-    let joints = link.joints.iter().map(|joint| &linkage.joints[*joint]);
+/// Whether what has these joints cannot move, as two pivots hold it to the ground.
+fn are_fixed<'l>(linkage: &Linkage, joints: impl Iterator<Item = &'l usize>) -> bool {
+    let joints = joints.map(|joint| &linkage.joints[*joint]);
     let mut pivots = joints.filter(|joint| joint.is_grounded && joint.along.is_none());
     match pivots.next() {
         Some(first) => pivots.any(|other| other.at != first.at),
@@ -120,7 +156,7 @@ impl Translation<'_> {
 
     /// Adds a link, or what else is welded to it.
     fn link(&mut self, number: usize, link: &Link) {
-        let mut mass = link.mass;
+        let mut mass = link.mass.map(|mass| self.weighed(mass));
         if let (true, Some(mass), Some(joint)) = (link.is_block, &mut mass, link.joints.first()) {
             mass.at = self.linkage.joints[*joint].at;
         }
@@ -139,43 +175,72 @@ impl Translation<'_> {
         };
     }
 
-    /// What carries a joint: the ground first, then links, each once.
-    fn at(&self, number: usize) -> Vec<End> {
-        let joint = &self.linkage.joints[number];
-        let mut all: Vec<End> = joint
-            .is_grounded
-            .then_some(End::Ground)
-            .into_iter()
-            .collect();
+    /// A mass in the units of the text.
+    fn weighed(&self, mass: Mass) -> Mass {
+        let factors = self.linkage.unit.map(|unit| [unit.mass, unit.inertia]);
+        let [value, inertia] = factors.unwrap_or([1.0, 1.0]);
+        Mass {
+            value: mass.value * value,
+            inertia: mass.inertia * inertia,
+            ..mass
+        }
+    }
+
+    /// What a link is, or what it is welded into.
+    fn end(&self, link: usize) -> Option<End> {
+        let links = self.linkage.links.iter().zip(&self.ends).enumerate();
+        let mut holders = links.filter(|(number, (other, _))| {
+            *number == link || other.is_root && other.welded.contains(&link)
+        });
+        holders.find_map(|(_, (_, end))| *end)
+    }
+
+    /// The links at a joint that are drawn, in their order, each once.
+    fn links_at(&self, number: usize) -> Vec<End> {
         let links = self.linkage.links.iter().zip(&self.ends);
         let links = links.filter(|(link, _)| link.joints.contains(&number));
-        for end in links.filter_map(|(_, end)| *end) {
-            if !all.contains(&end) {
-                all.push(end);
-            }
-        }
+        let mut all: Vec<End> = links.filter_map(|(_, end)| *end).collect();
         all.sort_unstable();
+        all.dedup();
         all
+    }
+
+    /// What a joint is fixed to, or slides on: the ground, or the link that has its slot.
+    fn track(&self, joint: &Joint) -> Option<End> {
+        let slot = joint.slot.and_then(|slot| self.end(slot.carrier));
+        slot.or_else(|| joint.is_grounded.then_some(End::Ground))
     }
 
     fn joint(&mut self, number: usize) {
         let joint = &self.linkage.joints[number];
         let of = format!("joint {}", joint.name);
-        let ends = self.at(number);
-        let at = joint.at;
+        let links = self.links_at(number);
+        let track = self.track(joint);
+        let mut blocks = self.linkage.links.iter().filter(|link| link.is_block);
+        let has_block = blocks.any(|link| link.joints.contains(&number));
+        let mut ends: Vec<End> = track.into_iter().chain(links.iter().copied()).collect();
+        ends.sort_unstable();
+        ends.dedup();
         let form = match joint.along {
-            None => Form::Revolute { at },
-            Some(angle) => Form::Prismatic {
-                at,
-                along: self.direction(&of, angle),
-            },
+            None => Some(Form::Revolute { at: joint.at }),
+            Some(angle) => self.along(&of, joint, angle),
         };
-        let first = self.drawing.join_all(&joint.name, &ends, form);
+        let has_form = form.is_some();
+        let first = match (form, track) {
+            (None, _) => None,
+            (Some(Form::Prismatic { at, along }), Some(track)) if !has_block => {
+                self.slide(joint, (at, along), track, &links)
+            }
+            (Some(form), _) => self.drawing.join_all(&joint.name, &ends, form),
+        };
         if joint.is_input {
-            let stroke = None;
             match first {
-                Some(joint) => {
-                    self.drawing.motors.push(Motor { joint, stroke });
+                Some(first) => {
+                    self.drawing.motors.push(Motor {
+                        joint: first,
+                        stroke: None,
+                        speed: self.speed(joint),
+                    });
                     if ends.len() > 2 {
                         self.omissions.push(Omission::free_links(&of));
                     }
@@ -185,22 +250,107 @@ impl Translation<'_> {
                     .push(Omission::new(&*of, "its motor has nothing to move")),
             }
         }
-        if ends.is_empty() {
+        if links.is_empty() && !(joint.along.is_none() && track.is_some()) {
             self.omissions
-                .push(Omission::new(of, "no link that moves has it"));
+                .push(Omission::new(&*of, "no link that moves has it"));
+        } else if has_form && first.is_none() && track.is_some() && joint.along.is_some() {
+            let what = "what slides there and what it slides on are one";
+            self.omissions.push(Omission::new(of, what));
         }
-        self.point(joint, &ends, first.is_some());
+        // The path of a block is that of its pin.
+        let is_traced = joint.is_traced && !has_block;
+        let is_fixed = joint.along.is_none() && ends.contains(&End::Ground);
+        self.point(joint, &links, (is_traced && !is_fixed, first.is_some()));
+    }
+
+    /// How fast an input goes, if that is known.
+    fn speed(&self, joint: &Joint) -> Option<Speed> {
+        let own = |other: f64| Some(joint.speed).filter(|own| *own != 0.0).unwrap_or(other);
+        let speeds = self.linkage.speeds;
+        let speed = if joint.along.is_none() {
+            Speed::Turns(own(speeds.turning))
+        } else {
+            Speed::Way(own(speeds.sliding))
+        };
+        (!speed.is_rest()).then_some(speed)
+    }
+
+    /// A line on which something slides: that of its slot, or at an angle.
+    fn along(&mut self, of: &str, joint: &Joint, angle: f64) -> Option<Form> {
+        let along = match joint.slot {
+            None => self.direction(of, angle),
+            Some(slot) => {
+                let [from, to] = slot.ends.map(|end| self.linkage.joints[end].at);
+                if from == to {
+                    let what = "both ends of its slot are at one place, so it has no direction";
+                    self.omissions.push(Omission::new(of, what));
+                    return None;
+                }
+                Direction::Vector([to[0] - from[0], to[1] - from[1]])
+            }
+        };
+        let at = joint.at;
+        Some(Form::Prismatic { at, along })
+    }
+
+    /// A joint that slides, without a block that is a link: what slides turns, too, if it is not welded. Gives the number of the joint
+    /// that slides, if there is any.
+    fn slide(
+        &mut self,
+        joint: &Joint,
+        (at, along): (Pair, Direction),
+        track: End,
+        links: &[End],
+    ) -> Option<usize> {
+        let name = &*joint.name;
+        let riders: Vec<End> = links.iter().copied().filter(|end| *end != track).collect();
+        let (first, others) = riders.split_first()?;
+        let block = (joint.mass > 0.0).then(|| {
+            self.weighed(Mass {
+                value: joint.mass,
+                at,
+                inertia: 0.0,
+            })
+        });
+        let (ends, pinned) = match (joint.is_welded || joint.is_sealed, block) {
+            (true, _) => ([track, *first], others),
+            (false, None) => ([*first, track], others),
+            (false, Some(_)) => {
+                let block = End::Link(self.drawing.links.len());
+                self.drawing.links.push(drawing::Link {
+                    name: format!("{name} block"),
+                    ..drawing::Link::default()
+                });
+                ([track, block], &*riders)
+            }
+        };
+        let turns = ends[1] == track;
+        let form = if turns {
+            let along = Direction::Vector(along.vector());
+            Form::Slot { at, along }
+        } else {
+            Form::Prismatic { at, along }
+        };
+        let slide = self.drawing.join(name, form, ends);
+        let [slides, _] = if turns { ends } else { [ends[1], ends[0]] };
+        for other in pinned {
+            let pin = format!("{name} pin");
+            self.drawing
+                .join(&pin, Form::Revolute { at }, [slides, *other]);
+        }
+        if let (Some(mass), End::Link(link)) = (block, slides) {
+            let own = &mut self.drawing.links[link].mass;
+            *own = Some(own.map_or(mass, |own| together(own, mass)));
+        }
+        Some(slide)
     }
 
     /// A point with a name, where a path is recorded or nothing else marks the end of a link.
-    fn point(&mut self, joint: &Joint, ends: &[End], has_joint: bool) {
-        let is_fixed = ends.contains(&End::Ground) && joint.along.is_none();
-        let moving = ends.iter().find_map(|end| match end {
+    fn point(&mut self, joint: &Joint, links: &[End], (is_traced, has_joint): (bool, bool)) {
+        let moving = links.iter().find_map(|end| match end {
             End::Link(link) => Some(*link),
             End::Ground => None,
         });
-        // The path of a slider is that of its pin.
-        let is_traced = joint.is_traced && !is_fixed && joint.along.is_none();
         if let Some(link) = moving.filter(|_| is_traced || !has_joint) {
             self.drawing.links[link].points.push(Point {
                 name: joint.name.clone(),
@@ -212,6 +362,12 @@ impl Translation<'_> {
 
     /// The direction of a slider. What is a usual angle but for rounding is that angle.
     fn direction(&mut self, of: &str, angle: f64) -> Direction {
+        // Whole turns are no matter of a direction. Links have three decimals.
+        let angle = if angle.abs() < TAU {
+            angle
+        } else {
+            rounded(angle % TAU, 1e-6)
+        };
         if angle == 0.0 {
             return Direction::Vector([1.0, 0.0]);
         }
@@ -228,12 +384,7 @@ impl Translation<'_> {
 
     fn force(&mut self, force: &Force) {
         let of = format!("force {}", force.name);
-        let links = self.linkage.links.iter().enumerate();
-        let holder = |(number, link): (usize, &Link)| {
-            let is_it = number == force.link || link.is_root && link.welded.contains(&force.link);
-            self.ends[number].filter(|_| is_it)
-        };
-        let Some(End::Link(link)) = links.into_iter().find_map(holder) else {
+        let Some(End::Link(link)) = self.end(force.link) else {
             let what = "it acts on no link that moves";
             self.omissions.push(Omission::new(of, what));
             return;
@@ -259,12 +410,21 @@ impl Translation<'_> {
     }
 
     fn remarks(&mut self) {
-        if let Some(unit) = self.linkage.unit {
-            self.drawing.remarks.push(format!("Lengths are in {unit}."));
+        let has_masses = self.drawing.links.iter().any(|link| link.mass.is_some());
+        let Some(unit) = self.linkage.unit else {
+            if has_masses {
+                let what = "the unit of length is not known, so neither are those of masses, and gravity is left out";
+                self.omissions.push(Omission::new("settings", what));
+            }
+            return;
+        };
+        let remarks = &mut self.drawing.remarks;
+        remarks.push(format!("Lengths are in {}.", unit.name));
+        if has_masses || !self.drawing.loads.is_empty() {
+            remarks.push(unit.remark.to_owned());
         }
-        if self.drawing.links.iter().any(|link| link.mass.is_some()) {
-            let remark = "Masses and moments of inertia are those of PMKS+.";
-            self.drawing.remarks.push(remark.to_owned());
+        if has_masses && self.linkage.has_gravity {
+            self.drawing.gravity = Some(unit.gravity);
         }
     }
 }

@@ -6,6 +6,10 @@ pub(super) struct Encoder {
     pub(super) joints: Vec<String>,
     pub(super) links: Vec<String>,
     pub(super) forces: Vec<String>,
+    /// The flags of the settings and the units, if they are not those of a clockwise input in centimetres.
+    pub(super) settings: Option<[&'static str; 2]>,
+    /// Entries of the last section.
+    pub(super) extras: &'static str,
 }
 
 /// The flags of a joint, as bits.
@@ -14,6 +18,7 @@ pub(super) const INPUT: usize = 2;
 pub(super) const GROUNDED: usize = 4;
 pub(super) const WELDED: usize = 8;
 pub(super) const TRACED: usize = 16;
+pub(super) const SEALED: usize = 32;
 
 const LETTERS: &[u8; 64] = b"0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_-";
 
@@ -51,6 +56,13 @@ impl Encoder {
         self
     }
 
+    /// The same with more fields: a slot, a speed, a mass.
+    pub(super) fn more(mut self, fields: &str) -> Self {
+        let last = self.joints.last_mut().expect("a joint");
+        *last += fields;
+        self
+    }
+
     /// A link without a mass.
     pub(super) fn link(self, id: &str, joints: &[&str]) -> Self {
         let joints = joints.join(",");
@@ -73,7 +85,9 @@ impl Encoder {
         let section = |all: &[String]| all.iter().map(|one| format!("{one}.")).collect::<String>();
         let [joints, links, forces] = [&self.joints, &self.links, &self.forces];
         let sections = [joints, links, forces].map(|all| section(all));
-        format!("0P.SS.K,0.101.{}.N_", sections.join("."))
+        let [bits, units] = self.settings.unwrap_or(["0P", "101"]);
+        let extras = self.extras;
+        format!("{bits}.SS.K,0.{units}.{}.N_{extras}", sections.join("."))
     }
 
     /// The query of the link.
@@ -91,4 +105,15 @@ impl Encoder {
 pub(super) fn checked(query: &str) -> String {
     let length = query.encode_utf16().count();
     format!("{query}{}", letter(length % 62))
+}
+
+/// The six letters that check a query, behind it: its hash, FNV-1a of 32 bits, to the base 62.
+pub(super) fn digested(query: &str) -> String {
+    let mut hash = 2_166_136_261_u32;
+    for unit in query.encode_utf16() {
+        hash = (hash ^ u32::from(unit)).wrapping_mul(16_777_619);
+    }
+    let digit = |place: u32| letter((u64::from(hash) / 62_u64.pow(place) % 62) as usize);
+    let digits: String = (0..6).rev().map(digit).collect();
+    format!("{query}*{digits}")
 }
