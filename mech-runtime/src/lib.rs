@@ -160,7 +160,8 @@ pub use mech_macros::mechanism_part;
 /// assembles in one way only.
 ///
 /// Every error stands at its cause. A repair is offered only if it was tried and compiles. A mechanism with errors still yields the
-/// struct and its methods, so no other code fails to compile. `docs/diagnoses.md` in the repository lists all errors.
+/// struct and its methods, so that other code compiles; what stands in a statement that cannot be read has none. `docs/diagnoses.md` in the
+/// repository lists what can be wrong with a mechanism. Errors of the text itself, as unknown names, are not listed.
 #[macro_export]
 macro_rules! mechanism {
     ($($body:tt)*) => {

@@ -68,7 +68,8 @@ pub trait Mechanism: Clone {
     /// Moves the motors to these values, in radians or scene units, and all links with them.
     ///
     /// # Errors
-    /// [`Blocked`] if a value is not finite or a loop does not close during the move. The mechanism then stays where it was.
+    /// [`Blocked`] if a value is not finite, a loop does not close during the move, or the move is so long that it would need more than 65,536
+    /// parts. The mechanism then stays where it was.
     fn move_to(&mut self, motors: Self::Motors) -> Result<(), Blocked<Self::Motors>>;
 
     /// Moves the motors straight towards these values, in radians or scene units, as far as possible.

@@ -139,7 +139,8 @@ fn graphs_hang_below() {
             joint d = revolute(rocker, ground) at (3, 0);
             motor a;
         }";
-    let folder = folder("graphs");
+    let folder = folder("graphs").join("gallery");
+    let studio = folder.join("../page/index.html");
     let showcase = Showcase {
         file: Some("four_bar.rs"),
         source,
@@ -147,9 +148,16 @@ fn graphs_hang_below() {
         ..showcase()
     };
     let curator = Curator::new(vec![Box::new(showcase)], folder.clone());
-    curator.serve([]).expect("all goes well");
-
-    let page = fs::read_to_string(folder.join("index.html")).expect("a page");
+    let page = || {
+        curator.serve([]).expect("all goes well");
+        fs::read_to_string(folder.join("index.html")).expect("a page")
+    };
+    // No link leads to a page that was not built.
+    assert!(page().contains("cargo mech edit examples/gallery/src/mechanisms/four_bar.rs"));
+    fs::create_dir_all(studio.parent().expect("its folder")).expect("a folder");
+    fs::write(&studio, "").expect("a page");
+    let page = page();
+    fs::remove_file(&studio).expect("it is there");
     assert_eq!(page.matches("<svg").count(), 2);
     assert!(page.contains(">coupler</text>") && page.contains(">loop 1</text>"));
     assert!(page.contains(r#"href="four-bar-links.dot""#));

@@ -53,9 +53,26 @@ impl Edit {
                 let window = context.egui_ctx.clone();
                 let wake = move || window.request_repaint();
                 let editor = Editor::new(workspace, wake.clone());
-                Ok(Box::new(Studio::guarded(editor, wake)))
+                Ok(Box::new(Studio::guarded(editor, unnamed(), wake)))
             }),
         );
         opened.map_err(|error| Failure::usage(format!("no window can be opened: {error}")))
     }
+}
+
+/// The folder in which texts without a file are kept: in the user's folder for what can be lost, or that for temporary files.
+fn unnamed() -> PathBuf {
+    let folder = |name: &str| {
+        let folder = PathBuf::from(std::env::var_os(name)?);
+        folder.is_absolute().then_some(folder)
+    };
+    let home = |within: &str| Some(folder("HOME")?.join(within));
+    let cache = if cfg!(windows) {
+        folder("LOCALAPPDATA")
+    } else if cfg!(target_os = "macos") {
+        home("Library/Caches")
+    } else {
+        folder("XDG_CACHE_HOME").or_else(|| home(".cache"))
+    };
+    cache.unwrap_or_else(std::env::temp_dir).join("mech")
 }

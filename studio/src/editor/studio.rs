@@ -10,6 +10,8 @@ use super::opening::Ending;
 use super::panel;
 use crate::edit::Workspace;
 use eframe::egui;
+#[cfg(not(target_arch = "wasm32"))]
+use std::path::PathBuf;
 
 /// The editor in a window of egui.
 pub struct Studio {
@@ -43,12 +45,17 @@ impl Studio {
         }
     }
 
-    /// Shows an editor, keeps its text beside its file, and watches the file. Calls `wake` when the file has changed.
+    /// Shows an editor, keeps its text beside its file, or in the folder `unnamed` if it has none, and watches the file. Calls `wake` when the
+    /// file has changed.
     #[cfg(not(target_arch = "wasm32"))]
     #[must_use]
-    pub fn guarded(editor: Editor, wake: impl Fn() + Send + Sync + 'static) -> Self {
+    pub fn guarded(
+        editor: Editor,
+        unnamed: PathBuf,
+        wake: impl Fn() + Send + Sync + 'static,
+    ) -> Self {
         Self {
-            guard: Guard::of(wake),
+            guard: Guard::of(unnamed, wake),
             ..Self::new(editor)
         }
     }

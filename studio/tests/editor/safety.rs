@@ -359,6 +359,8 @@ fn an_empty_text_has_nothing_of_the_file_before() {
     user.wait(10);
     assert_eq!(user.text(), drawn);
     assert!(!user.sees("changed on disk"));
+    let kept = folder.0.join("unnamed/.untitled.mech.autosave");
+    assert_eq!(fs::read_to_string(kept).expect("it is kept"), drawn);
 }
 
 #[test]

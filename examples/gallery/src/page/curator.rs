@@ -100,7 +100,9 @@ impl Curator {
         for exhibit in shown.clone() {
             self.write_graphs(exhibit)?;
         }
-        let (path, _) = self.write("index.html", html::page(shown).as_bytes())?;
+        let has_studio = self.folder.join("..").join(html::STUDIO).is_file();
+        let page = html::page(shown, has_studio);
+        let (path, _) = self.write("index.html", page.as_bytes())?;
         let path = path.canonicalize().unwrap_or(path);
         say(format_args!("\n{}", path.display()));
         if names.is_empty() {

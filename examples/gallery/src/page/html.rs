@@ -64,8 +64,14 @@ links with the joints between them, and its loops in the order in which they are
 </header>
 "#;
 
-/// The page with these exhibits. It refers to the pictures beside it, and to the page of the studio.
-pub(crate) fn page<'a>(exhibits: impl Iterator<Item = &'a dyn Exhibit>) -> String {
+/// The page of the studio, beside the folder of the gallery.
+pub(crate) const STUDIO: &str = "page/index.html";
+
+/// The page with these exhibits. It refers to the pictures beside it, and to the page of the studio, if there is one.
+pub(crate) fn page<'a>(
+    exhibits: impl Iterator<Item = &'a dyn Exhibit>,
+    has_studio: bool,
+) -> String {
     let (mut entries, mut articles) = (String::new(), String::new());
     for exhibit in exhibits {
         let [slug, title, caption, report] = [
@@ -84,7 +90,9 @@ pub(crate) fn page<'a>(exhibits: impl Iterator<Item = &'a dyn Exhibit>) -> Strin
         let graphs = exhibit
             .graphs()
             .map_or(String::new(), |graphs| graphs_of(&slug, &graphs));
-        let studio = exhibit.file().map_or(String::new(), studio_of);
+        let studio = exhibit
+            .file()
+            .map_or(String::new(), |file| studio_of(file, has_studio));
         // Writing to a `String` cannot fail.
         let _ = writeln!(entries, "<a href=\"#{slug}\">{title}</a>");
         let _ = write!(
@@ -109,10 +117,16 @@ href="{slug}.gif">GIF</a>, <a href="{moving}">SVG</a>.{studio}</p>
     format!("{head}<nav>\n{entries}</nav>\n<main>\n{articles}</main>\n</html>\n")
 }
 
-/// The way to the studio, whose page opens a file of the gallery.
-fn studio_of(file: &str) -> String {
+/// The way to the studio, which opens a file of the gallery: its page, if that was built, or its command.
+fn studio_of(file: &str, has_studio: bool) -> String {
     let file = escape(file);
-    format!(" <a\nhref=\"../page/index.html?file={file}\">Open in the studio</a>.")
+    if has_studio {
+        format!(" <a\nhref=\"../{STUDIO}?file={file}\">Open in the studio</a>.")
+    } else {
+        format!(
+            " In the studio:\n<code>cargo mech edit examples/gallery/src/mechanisms/{file}</code>."
+        )
+    }
 }
 
 /// The name of the SVG of an exhibit that moves.

@@ -16,6 +16,8 @@ use std::path::PathBuf;
 /// The text, kept beside its file while it is not saved.
 #[derive(Default)]
 pub(super) struct Autosave {
+    /// The folder in which texts without a file are kept.
+    unnamed: PathBuf,
     /// The file beside which it is kept.
     place: PathBuf,
     /// Where it is kept, and how it reads there.
@@ -27,9 +29,17 @@ pub(super) struct Autosave {
 }
 
 impl Autosave {
+    /// Keeps texts without a file in this folder.
+    pub(super) fn new(unnamed: PathBuf) -> Self {
+        Self {
+            unnamed,
+            ..Self::default()
+        }
+    }
+
     /// Keeps the text, if it has changed and is not saved.
     pub(super) fn keep(&mut self, editor: &mut Editor) {
-        let place = place_of(editor.workspace());
+        let place = place_of(editor.workspace(), &self.unnamed);
         if place != self.place {
             let moved = self.move_to(place, editor.workspace());
             editor.refuse_failed(moved);

@@ -50,32 +50,13 @@ fn is_of_other_window(path: &Path) -> bool {
 /// How many texts are kept beside a file at most: one for each window in which it is edited.
 const MOST: usize = 9;
 
-/// The file beside which a text is kept. One without a name is kept in the user's folder for such things.
-pub(super) fn place_of(workspace: &Workspace) -> PathBuf {
+/// The file beside which a text is kept. One without a name is kept in this folder.
+pub(super) fn place_of(workspace: &Workspace, unnamed: &Path) -> PathBuf {
     if workspace.is_named() {
-        return workspace.path().to_owned();
-    }
-    let folder = cache().unwrap_or_else(std::env::temp_dir);
-    folder
-        .join("mech")
-        .join(workspace.path().file_name().unwrap_or_default())
-}
-
-/// The user's folder for what can be lost; none if nobody knows.
-fn cache() -> Option<PathBuf> {
-    let folder = |name: &str| {
-        let folder = PathBuf::from(std::env::var_os(name)?);
-        folder.is_absolute().then_some(folder)
-    };
-    if cfg!(windows) {
-        return folder("LOCALAPPDATA");
-    }
-    let home = if cfg!(target_os = "macos") {
-        "Library/Caches"
+        workspace.path().to_owned()
     } else {
-        ".cache"
-    };
-    folder("XDG_CACHE_HOME").or_else(|| Some(folder("HOME")?.join(home)))
+        unnamed.join(workspace.path().file_name().unwrap_or_default())
+    }
 }
 
 /// The names under which texts are kept beside a file.

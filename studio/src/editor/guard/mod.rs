@@ -10,6 +10,7 @@ use crate::editor::opening::{Destination, Ending};
 use autosave::Autosave;
 use eframe::egui;
 use eframe::egui::ViewportCommand;
+use std::path::PathBuf;
 use watch::Watch;
 
 /// What keeps the user's work. In tests it may have no files: then it only asks before the window is closed.
@@ -22,10 +23,10 @@ pub(super) struct Guard {
 }
 
 impl Guard {
-    /// One that keeps the text beside its file, and watches the file. Calls `wake` when the file has changed.
-    pub(super) fn of(wake: impl Fn() + Send + Sync + 'static) -> Self {
+    /// One that keeps the text beside its file, or in a folder if it has none, and watches the file. Calls `wake` when the file has changed.
+    pub(super) fn of(unnamed: PathBuf, wake: impl Fn() + Send + Sync + 'static) -> Self {
         Self {
-            autosave: Some(Autosave::default()),
+            autosave: Some(Autosave::new(unnamed)),
             watch: Some(Watch::new(wake)),
             is_closing: false,
         }

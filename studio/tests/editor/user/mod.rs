@@ -90,7 +90,7 @@ impl User {
         self.wait(2);
     }
 
-    /// Before a file on the disk, which is watched; its text is kept while it is not saved.
+    /// Before a file on the disk, which is watched; its text is kept while it is not saved. What has no file is kept in a folder beside it.
     pub(crate) fn at_file(path: &Path) -> Self {
         let workspace = if path.exists() {
             Workspace::open(path, None).expect("it can be read")
@@ -98,7 +98,10 @@ impl User {
             Workspace::unsaved(path, "")
         };
         let editor = Editor::immediate(workspace);
-        Self::before_studio([1280.0, 800.0], Studio::guarded(editor, || {}))
+        Self::before_studio(
+            [1280.0, 800.0],
+            Studio::guarded(editor, path.with_file_name("unnamed"), || {}),
+        )
     }
 
     fn before_studio(size: [f32; 2], studio: Studio) -> Self {
