@@ -141,6 +141,9 @@ pub(super) fn faults_of_part(
 fn text_of(document: &Document, declaration: &Declaration) -> Result<TokenStream, Vec<Message>> {
     let text = tokens_of(document, declaration).map_err(|message| vec![message])?;
     Import::write_out(text, |import| imported(document, import)).map_err(|unknown| {
+        if let Some(fault) = unknown.fault() {
+            return in_bytes(&[fault], &declaration.whole);
+        }
         let place = range_of(Place::of(&unknown.path), &declaration.whole);
         let name = unknown.name().map(|name| name.to_string());
         let text = format!(
@@ -153,6 +156,9 @@ fn text_of(document: &Document, declaration: &Declaration) -> Result<TokenStream
 
 /// The text of a part that a mechanism takes from elsewhere: from its own file, or from the runtime.
 fn imported(document: &Document, import: &Import) -> Option<TokenStream> {
+    if import.fault().is_some() {
+        return None;
+    }
     let name = import.name()?;
     let here = document.parts.iter().find_map(|part| {
         let tokens = tokens_of(document, part).ok()?;
