@@ -50,11 +50,27 @@ struct Origin {
     fault: FailureKind,
 }
 
+impl Origin {
+    /// Whether it is a file that neither looks nor is called like what can be read.
+    fn is_of_other_format(&self) -> bool {
+        let text = self.source.text();
+        let ending = self.source.path().extension();
+        let is_called_so = ending.is_none_or(|ending| ending.eq_ignore_ascii_case("linkage2"));
+        !is_called_so && !import::is_link(text) && !text.contains("<linkage2")
+    }
+}
+
 impl Import {
     pub(super) fn run(&self, console: &mut Console) -> Result<(), Failure> {
         let kind = self.kind()?;
         let origin = self.origin()?;
         let imported = import::read(&origin.source).map_err(|message| {
+            if origin.is_of_other_format() {
+                return Failure::file(format!(
+                    "`{}` is no document of Linkage, which ends in `.linkage2`, nor does it hold a link of PMKS+: nothing else can be read",
+                    self.from
+                ));
+            }
             console.complain(&render(&origin.source, &[message], console.has_colors()));
             Failure::reported(origin.fault)
         })?;

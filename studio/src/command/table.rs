@@ -72,7 +72,7 @@ fn number(value: f64, size: f64, precision: Precision) -> String {
         #[expect(clippy::cast_possible_truncation, reason = "that is its precision")]
         Precision::F32 => format!("{}", value as f32 + 0.0),
         Precision::F64 => {
-            let rounded: f64 = format!("{value:.14e}").parse().unwrap_or(value);
+            let rounded: f64 = format!("{value:.15e}").parse().unwrap_or(value);
             format!("{}", rounded + 0.0)
         }
     }

@@ -353,11 +353,15 @@ impl<'a, T: Real> Meter<'a, T> {
     /// A point in the scene, or its velocity or acceleration.
     fn point(&self, at: &Position, point: AxisId, order: Order) -> Option<[f64; 2]> {
         let axis = self.model.axis(point);
-        let [cos, sin, x, y] = at.pose(self.compiled, axis.link)?;
-        let arm = turned([cos, sin], axis.at);
+        let pose = at.pose(self.compiled, axis.link)?;
         if order == Order::Place {
-            return Some([x + arm[0], y + arm[1]]);
+            // As generated code does it, to the bit.
+            let ([cos, sin, x, y], [a, b]) = (pose.map(T::from_f64), axis.at.map(T::from_f64));
+            let place = [x + cos * a - sin * b, y + sin * a + cos * b];
+            return Some(place.map(Real::to_f64));
         }
+        let [cos, sin, ..] = pose;
+        let arm = turned([cos, sin], axis.at);
         let [turning, u, v] = self.rate(at, axis.link, Order::Velocity)?;
         if order == Order::Velocity {
             return Some([u - turning * arm[1], v + turning * arm[0]]);

@@ -295,7 +295,11 @@ fn files_are_made_and_none_is_overwritten() {
         ),
         (&["four bar.linkage2", "-m", "a b"], 2, "cannot be the name"),
         (&["missing.linkage2"], 3, "cannot read `missing.linkage2`"),
-        (&["a.mech"], 3, "no document of Linkage"),
+        (
+            &["a.mech"],
+            3,
+            "error: `a.mech` is no document of Linkage, which ends in `.linkage2`",
+        ),
     ] {
         let complaint = import(words).refused(code);
         assert!(complaint.contains(fault), "{complaint}");
