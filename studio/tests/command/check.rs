@@ -207,3 +207,20 @@ fn a_path_of_a_part_that_is_none() {
         "{told}"
     );
 }
+
+/// What is wrong within a part of the library is told at the instance, not at the word that brings the part in.
+#[test]
+fn a_fault_within_a_part_of_the_library_stands_at_its_instance() {
+    let text = "struct Broken;
+use mech_runtime::parts::Pantograph;
+use first: Pantograph { frame = ground };
+use p: Pantograph(arm = 5) { frame = ground at (9, 0) };
+motor first.pivot; motor first.elbow; motor p.pivot;
+";
+    let folder = Folder::new().with("a.mech", text);
+    let told = folder.mech("check a.mech").refused(1);
+    assert!(
+        told.contains("`p.elbow`") && told.contains("--> a.mech:4:5"),
+        "{told}"
+    );
+}
