@@ -30,7 +30,8 @@ pub struct Reaction<T> {
     pub x: T,
     /// The force along the scene's y.
     pub y: T,
-    /// The torque. In a revolute joint it is that of its motor, if any. In a gear, belt or rack it is zero.
+    /// The torque. In a revolute joint it is that of its motor, if any. Where teeth touch it is zero. In a belt it is what the
+    /// first wheel exerts on the second; divided by the second's radius, it is the difference of the tensions.
     pub torque: T,
 }
 

@@ -13,6 +13,7 @@ mod large;
 mod looks;
 mod mistakes;
 mod motion;
+mod mutated;
 mod names;
 mod notes;
 mod order;

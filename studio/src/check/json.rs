@@ -2,6 +2,9 @@
 
 use super::Verdict;
 use crate::document::{self, Source};
+use crate::edit::differences;
+use crate::mend::{Mending, Remainder};
+use crate::text::Replacement;
 use serde::Serialize;
 use std::ops::Range;
 
@@ -19,6 +22,23 @@ struct Mechanism<'a> {
     moves: bool,
     place: Place,
     messages: Vec<Message<'a>>,
+    /// What was tried and mends it, the likeliest first.
+    repairs: Vec<Repair<'a>>,
+}
+
+#[derive(Serialize)]
+struct Repair<'a> {
+    text: &'a str,
+    /// What is left to do after it: `nothing`, `other start` or `other faults`.
+    remainder: &'static str,
+    /// What is to be replaced by what; null if a change of this text alone cannot make it.
+    edits: Option<Vec<Edit>>,
+}
+
+#[derive(Serialize)]
+struct Edit {
+    place: Place,
+    text: String,
 }
 
 #[derive(Serialize)]
@@ -63,16 +83,19 @@ pub(crate) fn to_json(source: &Source, verdicts: &[Verdict]) -> String {
                 moves: true,
                 place: in_file(source, place),
                 messages: notes.iter().map(|text| note(source, text, place)).collect(),
+                repairs: Vec::new(),
             },
             Verdict::Faulty {
                 name,
                 place,
                 messages,
+                repairs,
             } => Mechanism {
                 name: name.as_deref(),
                 moves: false,
                 place: in_file(source, place),
                 messages: messages.iter().map(|one| message(source, one)).collect(),
+                repairs: repairs.iter().map(|one| repair(source, one)).collect(),
             },
         })
         .collect();
@@ -111,6 +134,26 @@ fn note<'a>(source: &Source, text: &'a str, place: &Range<usize>) -> Message<'a>
         text,
         notes: Vec::new(),
         place: in_file(source, place),
+    }
+}
+
+fn repair<'a>(source: &Source, mending: &'a Mending) -> Repair<'a> {
+    let edits = mending.text.as_deref().map(|text| {
+        let edits = differences(source.text(), text).into_iter();
+        let edits = edits.map(|Replacement { range, text }| Edit {
+            place: in_file(source, &range),
+            text,
+        });
+        edits.collect()
+    });
+    Repair {
+        text: &mending.words,
+        remainder: match mending.remainder {
+            Remainder::Nothing => "nothing",
+            Remainder::OtherStart => "other start",
+            Remainder::OtherFaults => "other faults",
+        },
+        edits,
     }
 }
 

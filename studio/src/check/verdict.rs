@@ -2,6 +2,7 @@
 
 use crate::document::{Declaration, Document, Message, Reading};
 use crate::failure::Failure;
+use crate::mend::{Mending, mendings};
 use mech_compiler::Compiled;
 use mech_compiler::model::Model;
 use std::ops::Range;
@@ -27,16 +28,23 @@ pub(crate) enum Verdict {
         place: Range<usize>,
         /// What is wrong.
         messages: Vec<Message>,
+        /// What would mend it, if that was asked.
+        repairs: Vec<Mending>,
     },
 }
 
-/// What is found out about the mechanism of this name; without a name about all, and about the parts for other files.
-pub(crate) fn verdicts(document: &Document, name: Option<&str>) -> Result<Vec<Verdict>, Failure> {
+/// What is found out about the mechanism of this name; without a name about all, and about the parts for other files. Repairs are looked
+/// for where they are asked for.
+pub(crate) fn verdicts(
+    document: &Document,
+    name: Option<&str>,
+    are_repairs_asked: bool,
+) -> Result<Vec<Verdict>, Failure> {
+    let verdict = |declaration| verdict(document, declaration, are_repairs_asked);
     if name.is_some() {
-        return Ok(vec![verdict(document, document.choose(name)?)?]);
+        return Ok(vec![verdict(document.choose(name)?)?]);
     }
-    let mechanisms = document.declarations().iter();
-    let mechanisms = mechanisms.map(|declaration| verdict(document, declaration));
+    let mechanisms = document.declarations().iter().map(verdict);
     let mut verdicts = mechanisms.collect::<Result<Vec<_>, _>>()?;
     let messages = document.faults_of_parts()?;
     if !messages.is_empty() {
@@ -44,13 +52,24 @@ pub(crate) fn verdicts(document: &Document, name: Option<&str>) -> Result<Vec<Ve
             name: None,
             place: 0..document.source().text().len(),
             messages,
+            repairs: Vec::new(),
         });
     }
     Ok(verdicts)
 }
 
-fn verdict(document: &Document, declaration: &Declaration) -> Result<Verdict, Failure> {
-    let Reading { model, result, .. } = document.check(declaration)?;
+fn verdict(
+    document: &Document,
+    declaration: &Declaration,
+    are_repairs_asked: bool,
+) -> Result<Verdict, Failure> {
+    let reading = document.check(declaration)?;
+    let repairs = if are_repairs_asked {
+        mendings(document, declaration, &reading)?
+    } else {
+        Vec::new()
+    };
+    let Reading { model, result, .. } = reading;
     let place = declaration.whole.clone();
     Ok(match result {
         Ok(compiled) => Verdict::Moves {
@@ -63,6 +82,7 @@ fn verdict(document: &Document, declaration: &Declaration) -> Result<Verdict, Fa
             name: declaration.name.clone(),
             place,
             messages: faults.messages,
+            repairs,
         },
     })
 }

@@ -14,7 +14,7 @@ use clap::Args;
 pub(super) struct Check {
     #[command(flatten)]
     pub(super) target: Target,
-    /// Answers in JSON, for editors: places in bytes, and in lines and columns from 1.
+    /// Answers in JSON, for editors: places in bytes, and in lines and columns from 1. Repairs come with the changes of the text that make them.
     #[arg(long)]
     json: bool,
 }
@@ -28,7 +28,7 @@ Examples:
 impl Check {
     pub(super) fn run(&self, console: &mut Console) -> Result<(), Failure> {
         let document = self.target.document()?;
-        let verdicts = verdicts(&document, self.target.mechanism.as_deref())?;
+        let verdicts = verdicts(&document, self.target.mechanism.as_deref(), self.json)?;
         let source = document.source();
         if self.json {
             console.answer(to_json(source, &verdicts))?;

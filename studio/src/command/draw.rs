@@ -4,7 +4,7 @@ use super::picture::{Picture, Sitter, kind_of};
 use super::{CODES, Target};
 use crate::console::Console;
 use crate::failure::Failure;
-use crate::motion::{Drive, Paths, Span, posed};
+use crate::motion::{Drive, Paths, Setting, Span, posed};
 use crate::output;
 use clap::Args;
 use mech_compiler::evaluate::Machine;
@@ -79,7 +79,18 @@ impl Draw {
         if paths.is_empty() {
             return Ok(paths);
         }
-        let drive = Drive::new(model, compiled, None, Span::default(), &self.picture.at);
+        // The first motor moves, wherever the picture has it.
+        let first = model
+            .motors
+            .first()
+            .map(|motor| &model.joint(motor.joint).name);
+        let others = self
+            .picture
+            .at
+            .iter()
+            .filter(|one| Some(&one.motor) != first);
+        let others: Vec<Setting> = others.cloned().collect();
+        let drive = Drive::new(model, compiled, None, Span::default(), &others);
         let Ok(drive) = drive else {
             return Ok(paths);
         };

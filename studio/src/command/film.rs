@@ -4,7 +4,7 @@ use super::picture::{Picture, Sitter, kind_of};
 use super::{CODES, Target};
 use crate::console::Console;
 use crate::failure::Failure;
-use crate::motion::{Drive, Paths, Span, read_value};
+use crate::motion::{Drive, Paths, Span, Typed};
 use crate::output;
 use clap::Args;
 use mech_compiler::evaluate::Machine;
@@ -27,11 +27,11 @@ pub(super) struct Film {
     #[arg(long, value_name = "NAME")]
     motor: Option<String>,
     /// Where it begins: in degrees, scene units, or, with laws, units of time.
-    #[arg(long, value_name = "VALUE", allow_negative_numbers = true, value_parser = read_value)]
-    from: Option<f64>,
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    from: Option<Typed>,
     /// Where it ends, or turns back.
-    #[arg(long, value_name = "VALUE", allow_negative_numbers = true, value_parser = read_value)]
-    to: Option<f64>,
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    to: Option<Typed>,
     /// How long the film takes.
     #[arg(long, value_name = "SECONDS", default_value_t = 4, value_parser = clap::value_parser!(u32).range(1..=600))]
     seconds: u32,
@@ -86,17 +86,19 @@ impl Film {
         } else {
             drive
         };
-        let shoot = Shoot {
-            sitter: &sitter,
-            is_cyclic: drive.is_cyclic(model),
-            drive,
-        };
         let frames = self.seconds * self.rate;
-        let bytes = match kind {
-            Kind::Gif => self.gif(&shoot, frames)?,
-            Kind::Apng => self.apng(&shoot, frames)?,
-            Kind::Svg => self.svg(&shoot)?,
-        };
+        let bytes = drive.attempt(|drive| {
+            let shoot = Shoot {
+                sitter: &sitter,
+                is_cyclic: drive.is_cyclic(model),
+                drive: drive.clone(),
+            };
+            match kind {
+                Kind::Gif => self.gif(&shoot, frames),
+                Kind::Apng => self.apng(&shoot, frames),
+                Kind::Svg => self.svg(&shoot),
+            }
+        })?;
         output::replace(path, &bytes)
     }
 
@@ -179,20 +181,27 @@ impl Shoot<'_> {
         let Sitter {
             model, compiled, ..
         } = self.sitter;
-        let mut machine = Machine::<f64>::new(&compiled.program);
+        let parts = (0..frames).map(|number| self.part(f64::from(number) / f64::from(frames)));
+        let parts: Vec<f64> = parts.collect();
+        let mut poses = vec![Vec::new(); parts.len()];
+        self.drive.visit(
+            model,
+            compiled,
+            &parts,
+            |number, machine: &Machine<'_, f64>| {
+                poses[number].clone_from(&machine.position().poses);
+                Ok(())
+            },
+        )?;
         let mut paths = Paths::new(model, compiled)?;
+        if !paths.is_empty() {
+            poses.iter().for_each(|poses| paths.record(poses));
+        }
         let progress = Console::progress(u64::from(frames));
-        let rounds = if paths.is_empty() { 1 } else { 2 };
-        for round in 1..=rounds {
-            for number in 0..frames {
-                let part = self.part(f64::from(number) / f64::from(frames));
-                self.drive.move_to(model, compiled, &mut machine, part)?;
-                paths.record(&machine.position().poses);
-                if round == rounds {
-                    show(&machine.position().poses, &paths)?;
-                    progress.inc(1);
-                }
-            }
+        for poses in &poses {
+            paths.record(poses);
+            show(poses, &paths)?;
+            progress.inc(1);
         }
         progress.finish_and_clear();
         Ok(())

@@ -3,8 +3,10 @@
 use super::{CODES, Target};
 use crate::console::Console;
 use crate::failure::Failure;
+use crate::output;
 use clap::{Args, ValueEnum};
 use mech_compiler::graphs;
+use std::path::PathBuf;
 
 /// Writes a graph of a mechanism in the language DOT of Graphviz.
 #[derive(Args, Clone, Debug)]
@@ -13,8 +15,11 @@ pub(super) struct Graph {
     #[command(flatten)]
     pub(super) target: Target,
     /// What the graph shows.
-    #[arg(short, long, value_enum, default_value_t = Kind::Links)]
+    #[arg(long, value_enum, default_value_t = Kind::Links)]
     of: Kind,
+    /// The file to write; without, the graph is the answer.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
 }
 
 /// What a graph shows.
@@ -41,6 +46,9 @@ impl Graph {
             Kind::Loops => graphs::loops(&model, &compiled.plan),
             Kind::CommonJoints => graphs::common_joints(&model, &compiled.plan),
         };
-        console.answer(graph.to_dot())
+        match &self.output {
+            Some(path) => output::replace(path, graph.to_dot().as_bytes()),
+            None => console.answer(graph.to_dot()),
+        }
     }
 }

@@ -4,7 +4,7 @@ use super::Target;
 use super::assignment::Assignment;
 use crate::console::Console;
 use crate::failure::Failure;
-use crate::motion::{Drive, Setting, Span, read_value};
+use crate::motion::{Drive, Setting, Span, Typed, read_value};
 use crate::quantity::{self, Load, Measurement, Table, Units};
 use clap::Args;
 
@@ -21,17 +21,18 @@ pub(super) struct Measure {
     #[arg(long, value_name = "NAME")]
     motor: Option<String>,
     /// Where it begins: in degrees, scene units, or, with laws, seconds.
-    #[arg(long, value_name = "VALUE", allow_negative_numbers = true, value_parser = read_value)]
-    from: Option<f64>,
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    from: Option<Typed>,
     /// Where it ends.
-    #[arg(long, value_name = "VALUE", allow_negative_numbers = true, value_parser = read_value)]
-    to: Option<f64>,
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    to: Option<Typed>,
     /// How many steps it takes.
     #[arg(long, value_name = "COUNT", default_value_t = 360, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     steps: u32,
-    /// How fast the motor moves, in radians or scene units per second. By laws, motors have their own rates.
-    #[arg(long, value_name = "VALUE", default_value = "1", allow_negative_numbers = true, value_parser = read_value)]
-    rate: f64,
+    /// How fast the motor moves, in radians or scene units per second: without, 1, and forces are those at rest. By laws, motors have
+    /// their own rates.
+    #[arg(long, value_name = "VALUE", allow_negative_numbers = true, value_parser = read_value)]
+    rate: Option<f64>,
     /// Puts another motor at a value, in degrees if it turns: `--at a=30`.
     #[arg(long, value_name = "MOTOR=VALUE")]
     at: Vec<Setting>,
@@ -62,8 +63,9 @@ Quantities:
   transmission              the transmission angles of all dyads
   t                         the time since the motion began
 
-Angles are in degrees, their rates in radians. Loads are zero unless `--load` gives them. A cell is
-empty where a value is not determined, as a velocity at a dead point.";
+Angles are in degrees, their rates in radians. Velocities are those at a rate of 1, torques and reactions
+those at rest, unless `--rate` says another. Loads are zero unless `--load` gives them. A cell is empty
+where a value is not determined, as a velocity at a dead point.";
 
 impl Measure {
     /// Moves the mechanism, and measures.

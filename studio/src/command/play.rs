@@ -1,6 +1,7 @@
 //! `mech play`.
 
 use super::CODES;
+use super::picture::kind_of;
 use super::target::coherent;
 use crate::console::Console;
 use crate::document::{Declaration, Document, Source};
@@ -78,6 +79,7 @@ impl Play {
         let mut stage = Stage::new(player, PathBuf::new())?;
         match &self.picture {
             Some(path) => {
+                kind_of(path, &[("png", ())])?;
                 stage.wait(self.after);
                 stage.write(path)
             }
@@ -141,14 +143,14 @@ impl Play {
 /// Plays in the terminal, if this is one.
 fn in_terminal(stage: Stage) -> Result<(), Failure> {
     if !is_terminal() {
-        return Err(Failure::usage(format!(
-            "input and output are not a terminal; {INSTEAD}"
-        )));
+        return Err(Failure::usage(
+            "input and output are not a terminal; write a picture with `--picture FILE`",
+        ));
     }
     terminal::play(stage)
 }
 
-/// What can be done where there is no window, or no terminal.
+/// What can be done where there is no window.
 const INSTEAD: &str =
     "play in a terminal with `--terminal`, or write a picture with `--picture FILE`";
 

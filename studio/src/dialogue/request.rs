@@ -111,7 +111,7 @@ pub(super) fn numbers([x, y]: Pair) -> Result<[f64; 2], Failure> {
 pub(super) fn pose(text: &str) -> Result<Vec<(String, f64)>, Failure> {
     let values = text.split(',').map(|one| {
         let setting: crate::motion::Setting = one.parse().map_err(Failure::usage)?;
-        Ok((setting.motor, setting.value))
+        Ok((setting.motor, setting.value.number))
     });
     values.collect()
 }

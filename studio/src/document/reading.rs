@@ -10,7 +10,7 @@ use mech_compiler::repair::Offers;
 use mech_compiler::structure::Diagnosis;
 use mech_compiler::syntax::{self, Place};
 use mech_compiler::{Analysis, Compiled, Import, PartText, catch};
-use proc_macro2::{LexError, Span, TokenStream};
+use proc_macro2::{LexError, Span, TokenStream, TokenTree};
 use std::ops::Range;
 
 /// A mechanism of a document, read and analysed.
@@ -77,6 +77,7 @@ fn read(
 ) -> Result<Reading, Failure> {
     proc_macro2::extra::invalidate_current_thread_spans();
     let whole = &declaration.whole;
+    let instances = instances(document, declaration);
     let text = match text_of(document, declaration) {
         Ok(text) => text,
         Err(messages) => {
@@ -95,7 +96,7 @@ fn read(
     let analysis = catch(|| analyse(text)).map_err(Failure::internal)?;
     let Analysis { parsed, result } = analysis;
     let result = result.map_err(|faults| Faults {
-        messages: in_bytes(&faults.messages, whole),
+        messages: at_instances(in_bytes(&faults.messages, whole), &instances),
         diagnoses: faults.diagnoses,
         offers: faults.offers,
     });
@@ -141,6 +142,9 @@ pub(super) fn faults_of_part(
 fn text_of(document: &Document, declaration: &Declaration) -> Result<TokenStream, Vec<Message>> {
     let text = tokens_of(document, declaration).map_err(|message| vec![message])?;
     Import::write_out(text, |import| imported(document, import)).map_err(|unknown| {
+        if let Some(fault) = unknown.fault() {
+            return in_bytes(&[fault], &declaration.whole);
+        }
         let place = range_of(Place::of(&unknown.path), &declaration.whole);
         let name = unknown.name().map(|name| name.to_string());
         let text = format!(
@@ -153,6 +157,9 @@ fn text_of(document: &Document, declaration: &Declaration) -> Result<TokenStream
 
 /// The text of a part that a mechanism takes from elsewhere: from its own file, or from the runtime.
 fn imported(document: &Document, import: &Import) -> Option<TokenStream> {
+    if import.fault().is_some() {
+        return None;
+    }
     let name = import.name()?;
     let here = document.parts.iter().find_map(|part| {
         let tokens = tokens_of(document, part).ok()?;
@@ -182,6 +189,69 @@ fn unlexed(error: &LexError, body: &Range<usize>) -> Message {
         place: if is_inside { place } else { body.clone() },
         text: "this is no text of Rust: a quote or a bracket may be without its partner".to_owned(),
     }
+}
+
+/// An instance of a part from elsewhere.
+struct Instance {
+    name: String,
+    place: Range<usize>,
+    /// The word that brings the part in.
+    word: Range<usize>,
+}
+
+/// The instances of parts that a mechanism takes from elsewhere, as far as its text can be read.
+fn instances(document: &Document, declaration: &Declaration) -> Vec<Instance> {
+    let Ok(mut text) = tokens_of(document, declaration) else {
+        return Vec::new();
+    };
+    let mut words = Vec::new();
+    while let Some(import) = Import::first(&text) {
+        words.extend(import.name());
+        text = import.others;
+    }
+    let trees: Vec<TokenTree> = text.into_iter().collect();
+    let mut found = Vec::new();
+    for (index, tree) in trees.iter().enumerate() {
+        let [TokenTree::Ident(name), others @ ..] = &trees[index + 1..] else {
+            continue;
+        };
+        if !matches!(tree, TokenTree::Ident(word) if word == "use") {
+            continue;
+        }
+        let others = match others {
+            [TokenTree::Group(_), others @ ..] => others,
+            others => others,
+        };
+        if let [TokenTree::Punct(_), TokenTree::Ident(part), ..] = others
+            && let Some(word) = words.iter().find(|word| *word == part)
+        {
+            found.push(Instance {
+                name: name.to_string(),
+                place: name.span().byte_range(),
+                word: word.span().byte_range(),
+            });
+        }
+    }
+    found
+}
+
+/// What is wrong within a part from elsewhere is told at the instance that it names: all of the part stands at the word that brings it in.
+fn at_instances(mut messages: Vec<Message>, instances: &[Instance]) -> Vec<Message> {
+    for message in &mut messages {
+        let mention = |one: &Instance| {
+            let endings = ["`", ".", "["].into_iter();
+            let names = endings.map(|ending| format!("`{}{ending}", one.name));
+            names.filter_map(|name| message.text.find(&name)).min()
+        };
+        let named = instances
+            .iter()
+            .filter(|one| one.word == message.place)
+            .filter_map(|one| Some((mention(one)?, one)));
+        if let Some((_, instance)) = named.min_by_key(|(at, _)| *at) {
+            message.place = instance.place.clone();
+        }
+    }
+    messages
 }
 
 fn in_bytes(messages: &[syntax::Message], whole: &Range<usize>) -> Vec<Message> {

@@ -292,7 +292,7 @@ fn repair(document: &Document, index: usize, number: usize) -> Result<Applied, R
 }
 
 /// What was replaced between two texts, line by line.
-fn differences(before: &str, after: &str) -> Vec<Replacement> {
+pub(crate) fn differences(before: &str, after: &str) -> Vec<Replacement> {
     let difference = TextDiff::from_lines(before, after);
     let starts = |lines: &[&str]| {
         let mut at = 0;

@@ -60,7 +60,7 @@ fn posed<'c>(
     }
     let settings = motors.iter().map(|(motor, value)| Setting {
         motor: motor.clone(),
-        value: *value,
+        value: (*value).into(),
     });
     let settings: Vec<Setting> = settings.collect();
     Ok(motion::posed(model, compiled, &settings)?)

@@ -1,12 +1,9 @@
 //! Curves: what is measured while a motor moves through its range.
 
-use super::range::ranges;
 use super::snapshot::Snapshot;
 use crate::failure::Failure;
-use crate::motion::{Drive, Setting, Span, motor_of, range_of, turns};
+use crate::motion::{Drive, Setting, Span};
 use crate::quantity::{self, Load, Measurement, Table, Units};
-use mech_compiler::Compiled;
-use mech_compiler::model::Model;
 use std::sync::Arc;
 
 /// How many steps a curve has, as that of `mech table`.
@@ -80,16 +77,16 @@ fn measured(
     });
     let settings = wanted.others.iter().map(|(motor, value)| Setting {
         motor: motor.clone(),
-        value: *value,
+        value: (*value).into(),
     });
     let settings: Vec<Setting> = settings.collect();
-    let span = span(model, compiled, wanted.motor.as_deref())?;
-    let drive = Drive::new(model, compiled, wanted.motor.as_deref(), span, &settings)?;
+    let motor = wanted.motor.as_deref();
+    let drive = Drive::new(model, compiled, motor, Span::default(), &settings)?;
     let measurement = Measurement {
         model,
         drive: &drive,
         over,
-        rate: 1.0,
+        rate: None,
         steps: STEPS,
         loads: &wanted.loads,
         units: &Units {
@@ -98,20 +95,4 @@ fn measured(
         },
     };
     quantity::measure(&measurement, &quantities)
-}
-
-/// The range of a motor that slides and declares none: as far as the bar of its slider goes. Others know their own.
-fn span(model: &Model, compiled: &Compiled, motor: Option<&str>) -> Result<Span, Failure> {
-    let Some(name) = motor else {
-        return Ok(Span::default());
-    };
-    let motor = motor_of(model, name)?;
-    if turns(model, model.motor(motor).joint) || range_of(model, motor).is_some() {
-        return Ok(Span::default());
-    }
-    let found = ranges(model, compiled)?
-        .into_iter()
-        .find(|range| range.name == name);
-    let [from, to] = found.map(|range| range.ends.map(Some)).unwrap_or_default();
-    Ok(Span { from, to })
 }

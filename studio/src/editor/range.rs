@@ -49,7 +49,7 @@ pub(crate) fn ranges(model: &Model, compiled: &Compiled) -> Result<Vec<MotorRang
                 if turns { TAU } else { size / 2.0 },
             )?;
             let start = base[motor.index()];
-            if turns && found.is_free {
+            if turns && found.is_free[1] {
                 ([start, start + TAU], Basis::Round)
             } else {
                 (found.ends, Basis::Walked)

@@ -1,12 +1,14 @@
 //! A motion of all motors: one of them alone, or all by their laws.
 
 use super::obstacle::{motor_name, obstacle};
-use super::setting::{from_shown, motor_of, show_value, turns};
-use super::{Setting, Span};
-use crate::failure::Failure;
+use super::reach::{limits, reachable};
+use super::setting::{motor_of, show_value, turns};
+use super::{Setting, Span, Typed};
+use crate::failure::{Failure, FailureKind};
 use mech_compiler::Compiled;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{Model, MotorId};
+use mech_core::Real;
 use std::f64::consts::TAU;
 
 /// A motion of all motors.
@@ -17,6 +19,8 @@ pub(crate) struct Drive {
     kind: Kind,
     /// Its ends: values of the motor in radians or scene units, or times.
     ends: [f64; 2],
+    /// Which of them nobody has said: the mechanism goes no farther.
+    found: [bool; 2],
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,7 +47,8 @@ pub(crate) struct Moment {
 impl Drive {
     /// The motion of one motor, the others as they are set; or that by the laws of the motors, if no motor is named and some have laws.
     ///
-    /// Without a span a motor goes through its declared range, or round once, or as far as the mechanism lets it.
+    /// Without a span a motor goes through its declared range, or round once, or as far as the mechanism lets it. Without a name the
+    /// first motor moves that no setting puts at a value.
     pub(crate) fn new(
         model: &Model,
         compiled: &Compiled,
@@ -57,28 +62,80 @@ impl Drive {
             base[motor.index()] = value;
         }
         if motor.is_none() && model.lawful_motors().next().is_some() {
-            let ends = [span.from.unwrap_or(0.0), span.to.unwrap_or(1.0)];
-            let kind = Kind::Laws;
-            return Ok(Self { base, kind, ends });
+            let time = |end: Option<Typed>, usual| end.map_or(usual, |end| end.number);
+            let ends = [time(span.from, 0.0), time(span.to, 1.0)];
+            return Ok(Self {
+                base,
+                kind: Kind::Laws,
+                ends,
+                found: [false; 2],
+            });
         }
-        let motor = if let Some(name) = motor {
-            motor_of(model, name)?
-        } else {
-            let mut motors = model.motor_ids();
-            let first = motors.next();
-            first.ok_or_else(|| Failure::mechanism("the mechanism has no motor"))?
-        };
-        let joint = model.motor(motor).joint;
+        let motor = moving_motor(model, motor, settings)?;
         let [from, to] =
-            [span.from, span.to].map(|end| end.map(|end| from_shown(model, joint, end)));
-        let ends = if let (Some(from), Some(to)) = (from, to) {
-            [from, to]
-        } else {
-            let [low, high] = reachable(model, compiled, motor, &base)?;
-            [from.unwrap_or(low), to.unwrap_or(high)]
+            [span.from, span.to].map(|end| end.map(|end| end.of(model, motor)).transpose());
+        let (ends, found) = match (from?, to?) {
+            (Some(from), Some(to)) => ([from, to], [false; 2]),
+            (from, to) => {
+                let stretch = reachable(model, compiled, motor, &base)?;
+                let [low, high] = stretch.ends;
+                let [is_low, is_high] = stretch.found;
+                (
+                    [from.unwrap_or(low), to.unwrap_or(high)],
+                    [from.is_none() && is_low, to.is_none() && is_high],
+                )
+            }
         };
-        let kind = Kind::Motor(motor);
-        Ok(Self { base, kind, ends })
+        Ok(Self {
+            base,
+            kind: Kind::Motor(motor),
+            ends,
+            found,
+        })
+    }
+
+    /// Does something with this motion. At an end that was found, rounding decides what is possible: it is a hair farther inside, and
+    /// what fails there is done again with a thicker one.
+    pub(crate) fn attempt<R>(
+        &self,
+        mut done: impl FnMut(&Self) -> Result<R, Failure>,
+    ) -> Result<R, Failure> {
+        /// Parts of the way between the ends.
+        const HAIRS: [f64; 7] = [1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3];
+        let mut last = None;
+        for hair in HAIRS {
+            match done(&self.inside(hair)) {
+                Err(failure)
+                    if failure.kind() == FailureKind::Mechanism && self.found != [false; 2] =>
+                {
+                    last = Some(failure);
+                }
+                done => return done,
+            }
+        }
+        Err(last.unwrap_or_else(|| Failure::internal("nothing was attempted")))
+    }
+
+    /// The same with ends that were found this part of the way farther inside. Where the motor stands, it can stay.
+    fn inside(&self, hair: f64) -> Self {
+        let [from, to] = self.ends;
+        let width = hair * (to - from);
+        let moved = [from + width, to - width];
+        let is_start = |end: f64| {
+            self.motor()
+                .is_some_and(|one| self.base[one.index()] == end)
+        };
+        let end = |side: usize| {
+            if self.found[side] && !is_start(self.ends[side]) {
+                moved[side]
+            } else {
+                self.ends[side]
+            }
+        };
+        Self {
+            ends: [end(0), end(1)],
+            ..self.clone()
+        }
     }
 
     /// The motor that moves alone, if one does.
@@ -167,14 +224,15 @@ impl Drive {
     }
 
     /// Moves a mechanism to a part of the motion.
-    pub(crate) fn move_to(
+    pub(crate) fn move_to<T: Real>(
         &self,
         model: &Model,
         compiled: &Compiled,
-        machine: &mut Machine<'_, f64>,
+        machine: &mut Machine<'_, T>,
         part: f64,
     ) -> Result<(), Failure> {
         let Moment { by, values, .. } = self.moment(model, compiled, part, 0.0);
+        let values: Vec<T> = values.into_iter().map(T::from_f64).collect();
         machine.move_to(&values).map_err(|stop| {
             let why = obstacle(model, compiled, stop);
             Failure::mechanism(match self.kind {
@@ -191,6 +249,70 @@ impl Drive {
             })
         })
     }
+
+    /// Looks at a mechanism in these parts of the motion, each with its number. A motor goes from where it stands first up, then down:
+    /// so it comes last to the ends of what is possible, beyond which nothing would go on from there.
+    pub(crate) fn visit<T: Real>(
+        &self,
+        model: &Model,
+        compiled: &Compiled,
+        parts: &[f64],
+        mut look: impl FnMut(usize, &Machine<'_, T>) -> Result<(), Failure>,
+    ) -> Result<(), Failure> {
+        let mut machine = Machine::<T>::new(&compiled.program);
+        let mut visit = |machine: &mut Machine<'_, T>, numbers: &[usize]| {
+            numbers.iter().try_for_each(|&number| {
+                self.move_to(model, compiled, machine, parts[number])?;
+                look(number, machine)
+            })
+        };
+        let all: Vec<usize> = (0..parts.len()).collect();
+        let base: Vec<T> = self.base.iter().copied().map(T::from_f64).collect();
+        let Some(motor) = self.motor().filter(|_| machine.move_to(&base).is_ok()) else {
+            return visit(&mut machine, &all);
+        };
+        let start = machine.position().clone();
+        let ahead = |number: usize| {
+            let [from, to] = self.ends;
+            from + (to - from) * parts[number] - self.base[motor.index()]
+        };
+        let (mut up, mut down): (Vec<usize>, Vec<usize>) =
+            all.into_iter().partition(|&number| ahead(number) >= 0.0);
+        let nearer = |a: &usize, b: &usize| ahead(*a).abs().total_cmp(&ahead(*b).abs());
+        up.sort_by(nearer);
+        down.sort_by(nearer);
+        visit(&mut machine, &up)?;
+        machine.put_back(start);
+        visit(&mut machine, &down)
+    }
+}
+
+/// The motor of this name; without one the first that no setting puts at a value, as two cannot say where it is.
+fn moving_motor(
+    model: &Model,
+    name: Option<&str>,
+    settings: &[Setting],
+) -> Result<MotorId, Failure> {
+    let is_put = |motor: MotorId| {
+        let mut settings = settings.iter();
+        settings.any(|one| one.motor == motor_name(model, motor))
+    };
+    if model.motors.is_empty() {
+        return Err(Failure::mechanism("the mechanism has no motor"));
+    }
+    let Some(name) = name else {
+        let free = model.motor_ids().find(|&motor| !is_put(motor));
+        return free.ok_or_else(|| {
+            Failure::usage("`--at` puts every motor at a value, so that none can move")
+        });
+    };
+    let motor = motor_of(model, name)?;
+    if is_put(motor) {
+        return Err(Failure::usage(format!(
+            "motor `{name}` moves, so `--at` cannot put it at a value; say where with `--from` and `--to`"
+        )));
+    }
+    Ok(motor)
 }
 
 /// Whether links with these poses are seen at the same places.
@@ -202,89 +324,4 @@ fn are_near(a: &[[f64; 4]], b: &[[f64; 4]]) -> bool {
         .fold(1.0, |size: f64, part| size.max(part.abs()));
     let pairs = a.iter().flatten().zip(b.iter().flatten());
     pairs.into_iter().all(|(a, b)| (a - b).abs() < NEAR * size)
-}
-
-/// Between which values a motor can move, for a message.
-fn limits(model: &Model, compiled: &Compiled, motor: MotorId, base: &[f64]) -> String {
-    let joint = model.motor(motor).joint;
-    match reachable(model, compiled, motor, base) {
-        Ok(ends) => {
-            let [low, high] = ends.map(|end| show_value(model, joint, end));
-            format!("; it can go from {low} to {high}")
-        }
-        Err(_) => String::new(),
-    }
-}
-
-/// The ends of a motor's declared range, if it has one.
-pub(crate) fn range_of(model: &Model, motor: MotorId) -> Option<[f64; 2]> {
-    let range = model.motor(motor).range.as_ref()?;
-    let ends = [range.low, range.high];
-    ends.iter().all(|end| end.is_finite()).then_some(ends)
-}
-
-/// The values through which a motor moves if nobody says which: its declared range; or once round; or as far as it can go.
-fn reachable(
-    model: &Model,
-    compiled: &Compiled,
-    motor: MotorId,
-    base: &[f64],
-) -> Result<[f64; 2], Failure> {
-    if let Some(ends) = range_of(model, motor) {
-        return Ok(ends);
-    }
-    if !turns(model, model.motor(motor).joint) {
-        let name = motor_name(model, motor);
-        return Err(Failure::usage(format!(
-            "motor `{name}` slides, and declares no range; say where with `--from` and `--to`, in scene units"
-        )));
-    }
-    let found = reach(model, compiled, motor, base, TAU)?;
-    Ok(if found.is_free {
-        [base[motor.index()], found.ends[1]]
-    } else {
-        found.ends
-    })
-}
-
-/// How far a motor moves alone from where it is, both ways.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Reach {
-    /// Its lowest and highest value, in radians or scene units.
-    pub(crate) ends: [f64; 2],
-    /// Whether nothing stops it on its way up.
-    pub(crate) is_free: bool,
-}
-
-/// How far a motor moves alone from these values of all motors, both ways, no farther than this distance.
-pub(crate) fn reach(
-    model: &Model,
-    compiled: &Compiled,
-    motor: MotorId,
-    base: &[f64],
-    distance: f64,
-) -> Result<Reach, Failure> {
-    let mut machine = Machine::<f64>::new(&compiled.program);
-    let blocked = |stop| {
-        Failure::mechanism(format!(
-            "the motors cannot come to these values: {}",
-            obstacle(model, compiled, stop)
-        ))
-    };
-    machine.move_to(base).map_err(blocked)?;
-    let start = machine.position().clone();
-    let index = motor.index();
-    let mut end = |displacement: f64| -> Result<(f64, bool), Failure> {
-        machine.put_back(start.clone());
-        let mut goal = base.to_vec();
-        goal[index] += displacement;
-        let stop = machine.move_toward(&goal).map_err(blocked)?;
-        Ok((machine.position().motors[index], stop.is_none()))
-    };
-    let (high, is_free) = end(distance)?;
-    let (low, _) = end(-distance)?;
-    Ok(Reach {
-        ends: [low, high],
-        is_free,
-    })
 }

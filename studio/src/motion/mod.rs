@@ -3,9 +3,11 @@
 mod drive;
 mod obstacle;
 mod paths;
+mod reach;
 mod setting;
 
-pub(crate) use drive::{Drive, Moment, range_of, reach};
+pub(crate) use drive::{Drive, Moment};
 pub(crate) use obstacle::{joints_in_the_way, motor_name, obstacle};
 pub(crate) use paths::Paths;
-pub(crate) use setting::{Setting, Span, motor_of, posed, read_value, turns};
+pub(crate) use reach::{range_of, reach};
+pub(crate) use setting::{Setting, Span, Typed, motor_of, posed, read_value, turns};

@@ -1,6 +1,6 @@
 //! Values of motors as they are typed and shown: degrees for what turns, scene units for what slides.
 
-use super::obstacle;
+use super::{motor_name, obstacle, range_of};
 use crate::failure::Failure;
 use crate::text::quoted;
 use mech_compiler::Compiled;
@@ -12,8 +12,53 @@ use mech_compiler::model::{JointId, JointKind, Model, MotorId};
 pub(crate) struct Setting {
     /// The name of the motor's joint.
     pub(crate) motor: String,
+    /// Its value.
+    pub(crate) value: Typed,
+}
+
+/// The value of a motor, as it is typed: in degrees, which may be said, or in scene units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Typed {
     /// In degrees or scene units.
-    pub(crate) value: f64,
+    pub(crate) number: f64,
+    /// Whether it is said that these are degrees.
+    is_angle: bool,
+}
+
+impl From<f64> for Typed {
+    fn from(number: f64) -> Self {
+        Self {
+            number,
+            is_angle: false,
+        }
+    }
+}
+
+impl std::str::FromStr for Typed {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let text = text.trim();
+        let angle = text.strip_suffix("deg").or(text.strip_suffix('°'));
+        Ok(Self {
+            number: read_value(angle.unwrap_or(text))?,
+            is_angle: angle.is_some(),
+        })
+    }
+}
+
+impl Typed {
+    /// The value of a motor, in radians or scene units, which is in its declared range.
+    pub(super) fn of(self, model: &Model, motor: MotorId) -> Result<f64, Failure> {
+        let joint = model.motor(motor).joint;
+        if self.is_angle && !turns(model, joint) {
+            let name = motor_name(model, motor);
+            return Err(Failure::usage(format!(
+                "motor `{name}` slides: its values are in scene units, not in degrees"
+            )));
+        }
+        keep_in_range(model, motor, from_shown(model, joint, self.number))
+    }
 }
 
 impl std::str::FromStr for Setting {
@@ -25,19 +70,16 @@ impl std::str::FromStr for Setting {
             .ok_or("expected a motor and its value, as `a=30`")?;
         Ok(Self {
             motor: motor.trim().to_owned(),
-            value: read_value(value)?,
+            value: value.parse()?,
         })
     }
 }
 
 impl Setting {
-    /// The motor and its value, in radians or scene units.
+    /// The motor and its value, in radians or scene units, which is in its declared range.
     pub(crate) fn resolve(&self, model: &Model) -> Result<(MotorId, f64), Failure> {
         let motor = motor_of(model, &self.motor)?;
-        Ok((
-            motor,
-            from_shown(model, model.motor(motor).joint, self.value),
-        ))
+        Ok((motor, self.value.of(model, motor)?))
     }
 }
 
@@ -63,8 +105,8 @@ pub(crate) fn posed<'c>(
 /// From where to where a motor moves.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Span {
-    pub(crate) from: Option<f64>,
-    pub(crate) to: Option<f64>,
+    pub(crate) from: Option<Typed>,
+    pub(crate) to: Option<Typed>,
 }
 
 /// A finite number.
@@ -78,6 +120,23 @@ pub(crate) fn read_value(text: &str) -> Result<f64, String> {
     } else {
         Err(format!("`{text}` is not finite"))
     }
+}
+
+/// A value of a motor that is in its declared range. What is outside by rounding alone is at its end.
+fn keep_in_range(model: &Model, motor: MotorId, value: f64) -> Result<f64, Failure> {
+    let Some([low, high]) = range_of(model, motor) else {
+        return Ok(value);
+    };
+    let inside = value.clamp(low, high);
+    if (inside - value).abs() <= 1e-9 * (high - low) {
+        return Ok(inside);
+    }
+    let joint = model.motor(motor).joint;
+    let [value, low, high] = [value, low, high].map(|value| show_value(model, joint, value));
+    let name = motor_name(model, motor);
+    Err(Failure::usage(format!(
+        "{value} is outside of the declared range of motor `{name}`, {low} to {high}"
+    )))
 }
 
 /// The motor of this name.
@@ -100,7 +159,7 @@ pub(crate) fn turns(model: &Model, joint: JointId) -> bool {
 }
 
 /// A coordinate as it is shown, in radians or scene units.
-pub(crate) fn from_shown(model: &Model, joint: JointId, value: f64) -> f64 {
+fn from_shown(model: &Model, joint: JointId, value: f64) -> f64 {
     if turns(model, joint) {
         value.to_radians()
     } else {
@@ -113,14 +172,18 @@ pub(crate) fn unit_of(model: &Model, joint: JointId) -> &'static str {
     if turns(model, joint) { " deg" } else { "" }
 }
 
-/// A coordinate with its unit, rounded for a reader.
-pub(crate) fn show_value(model: &Model, joint: JointId, value: f64) -> String {
-    let shown = if turns(model, joint) {
+/// A coordinate in its unit.
+pub(super) fn shown(model: &Model, joint: JointId, value: f64) -> f64 {
+    if turns(model, joint) {
         value.to_degrees()
     } else {
         value
-    };
-    let rounded = (shown * 1e4).round() / 1e4;
+    }
+}
+
+/// A coordinate with its unit, rounded for a reader.
+pub(crate) fn show_value(model: &Model, joint: JointId, value: f64) -> String {
+    let rounded = (shown(model, joint, value) * 1e4).round() / 1e4;
     // Zero has no sign.
     format!("{}{}", rounded + 0.0, unit_of(model, joint))
 }

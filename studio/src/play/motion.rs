@@ -122,7 +122,7 @@ impl Way {
         } else {
             let distance = if turns { TAU } else { size / 2.0 };
             let found = reach(model, compiled, motor, base, distance)?;
-            if turns && found.is_free {
+            if turns && found.is_free[1] {
                 return Ok(Some(Self::Round));
             }
             found.ends

@@ -67,6 +67,8 @@ pub(crate) struct Needs {
     pub(crate) velocity: bool,
     pub(crate) acceleration: bool,
     pub(crate) force: bool,
+    /// Forces within it, which equilibrium has to determine.
+    pub(crate) reaction: bool,
 }
 
 impl Needs {
@@ -81,8 +83,10 @@ impl Needs {
                     needs.velocity |= order >= Order::Velocity;
                     needs.acceleration |= order >= Order::Acceleration;
                 }
-                Subject::Torque(_) | Subject::Reaction(..) | Subject::Transmission(_) => {
+                Subject::Torque(_) => needs.force = true,
+                Subject::Reaction(..) | Subject::Transmission(_) => {
                     needs.force = true;
+                    needs.reaction = true;
                 }
                 Subject::Time => {}
             }

@@ -3,13 +3,15 @@
 use super::Units;
 use super::kind::{Needs, Order, Part, Quantity, Reaction, Subject};
 use super::load::{self, Load};
+use super::position::{Position, plain_rates, torques};
+use super::turning::{Chain, whole_angle};
 use crate::failure::Failure;
-use crate::motion::{Drive, Moment, obstacle};
-use mech_compiler::evaluate::{LinkRates, Machine};
-use mech_compiler::model::{AxisId, JointId, JointKind, LinkId, Model};
-use mech_compiler::program::{Forces, InverseDynamics};
+use crate::motion::{Drive, Moment, obstacle, turns};
+use mech_compiler::evaluate::{Machine, Stop};
+use mech_compiler::model::{AxisId, JointId, JointKind, LinkId, Model, Precision};
+use mech_compiler::program::{self, Forces};
 use mech_compiler::{Compiled, compile};
-use std::f64::consts::TAU;
+use mech_core::Real;
 use std::ops::Range;
 
 /// What was measured: a row for each position.
@@ -21,6 +23,8 @@ pub(crate) struct Table {
     pub(crate) rows: Vec<Vec<Option<f64>>>,
     /// The number of the column over which the others are shown: the first, or the second.
     pub(crate) across: usize,
+    /// How exact they are.
+    pub(crate) precision: Precision,
 }
 
 impl Table {
@@ -42,8 +46,9 @@ pub(crate) struct Measurement<'a> {
     pub(crate) drive: &'a Drive,
     /// Over what the others are shown, if not over what the mechanism is driven by.
     pub(crate) over: Option<Quantity>,
-    /// How fast its motor moves, in radians or scene units per second.
-    pub(crate) rate: f64,
+    /// How fast its motor moves, in radians or scene units per second: if nobody says it, velocities are those at 1, and forces those at
+    /// rest.
+    pub(crate) rate: Option<f64>,
     /// The number of steps: there is a row more.
     pub(crate) steps: u32,
     /// The loads that are not zero.
@@ -51,33 +56,47 @@ pub(crate) struct Measurement<'a> {
     pub(crate) units: &'a Units,
 }
 
-/// Measures quantities through a motion.
+/// Measures quantities through a motion, in the precision of the mechanism.
 pub(crate) fn measure(of: &Measurement<'_>, quantities: &[Quantity]) -> Result<Table, Failure> {
     let quantities: Vec<Quantity> = of.over.iter().chain(quantities).cloned().collect();
-    let quantities = &quantities;
-    let needs = Needs::of(quantities);
-    let compiled = &compiled_for(of.model, needs)?;
-    let mut meter = Meter::new(of, compiled, quantities)?;
-    let mut rows = Vec::new();
-    for step in 0..=of.steps {
-        let part = f64::from(step) / f64::from(of.steps.max(1));
-        of.drive
-            .move_to(of.model, compiled, &mut meter.machine, part)?;
-        let moment = of.drive.moment(of.model, compiled, part, of.rate);
-        let by = driver(of, moment.by);
-        let mut row = vec![Some(by)];
-        let values = meter.read(&moment, quantities)?;
-        let shown = quantities.iter().zip(values).map(|(quantity, value)| {
-            value.map(|value| of.units.shown(of.model, quantity.subject, value))
-        });
-        row.extend(shown);
-        rows.push(row);
-    }
+    let model = &with_needs(of.model, &quantities);
+    let compiled = &compiled_for(model)?;
+    let rows = of.drive.attempt(|drive| match model.precision {
+        Precision::F32 => rows::<f32>(of, drive, model, compiled, &quantities),
+        Precision::F64 => rows::<f64>(of, drive, model, compiled, &quantities),
+    })?;
     Ok(Table {
-        columns: columns(of, quantities),
+        columns: columns(of, &quantities),
         rows,
         across: usize::from(of.over.is_some()),
+        precision: model.precision,
     })
+}
+
+fn rows<T: Real>(
+    of: &Measurement<'_>,
+    drive: &Drive,
+    model: &Model,
+    compiled: &Compiled,
+    quantities: &[Quantity],
+) -> Result<Vec<Vec<Option<f64>>>, Failure> {
+    let mut meter = Meter::<T>::new(of, model, compiled, quantities)?;
+    let parts = (0..=of.steps).map(|step| f64::from(step) / f64::from(of.steps.max(1)));
+    let parts: Vec<f64> = parts.collect();
+    let mut rows = vec![Vec::new(); parts.len()];
+    drive.visit(model, compiled, &parts, |number, machine| {
+        let moment = drive.moment(model, compiled, parts[number], of.rate.unwrap_or(1.0));
+        let pushed = drive.moment(model, compiled, parts[number], of.rate.unwrap_or(0.0));
+        let values = meter.read(machine.position(), [&moment, &pushed], quantities)?;
+        let shown = quantities.iter().zip(values).map(|(quantity, value)| {
+            value.map(|value| of.units.shown(model, quantity.subject, value))
+        });
+        rows[number] = std::iter::once(Some(driver(of, moment.by)))
+            .chain(shown)
+            .collect();
+        Ok(())
+    })?;
+    Ok(rows)
 }
 
 /// What the mechanism is driven by, as it is shown.
@@ -103,57 +122,90 @@ fn columns(of: &Measurement<'_>, quantities: &[Quantity]) -> Vec<(String, String
         None => ("t".to_owned(), "s".to_owned()),
     };
     let others = quantities.iter();
-    let others = others.map(|quantity| (quantity.name.clone(), unit(quantity.subject)));
+    let others = others.map(|quantity| {
+        let name = format!("{}{}", quantity.name, assumed(of, quantity.subject));
+        (name, unit(quantity.subject))
+    });
     std::iter::once(first).chain(others).collect()
 }
 
-/// The mechanism with all that is needed, whatever effects it declares, and with everything shown.
-fn compiled_for(model: &Model, needs: Needs) -> Result<Compiled, Failure> {
+/// At which rate of the motor a force is meant, as a part of its name.
+fn assumed(of: &Measurement<'_>, subject: Subject) -> String {
+    match (subject, of.drive.motor(), of.rate.unwrap_or(0.0)) {
+        (Subject::Torque(_) | Subject::Reaction(..), Some(_), 0.0) => " at rest".to_owned(),
+        (Subject::Torque(_) | Subject::Reaction(..), Some(_), rate) => format!(" at rate {rate}"),
+        _ => String::new(),
+    }
+}
+
+/// A mechanism with everything shown that declares what is needed, whatever effects it has: angles go on over whole turns however long a
+/// step is.
+fn with_needs(model: &Model, quantities: &[Quantity]) -> Model {
     let mut whole = Model {
         show: None,
         ..model.clone()
     };
-    needs.add_to(&mut whole.effects);
-    compile(&whole).map_err(|diagnoses| {
+    Needs::of(quantities).add_to(&mut whole.effects);
+    for quantity in quantities {
+        match quantity.subject {
+            Subject::Coordinate(joint, Order::Place) => whole.continuous.push(joint),
+            Subject::Angle(link, Order::Place) => {
+                let chain = Chain::to(model, link);
+                whole.continuous.extend(chain.joints());
+            }
+            _ => {}
+        }
+    }
+    whole.continuous.retain(|&joint| turns(model, joint));
+    whole.continuous.sort_unstable();
+    whole.continuous.dedup();
+    whole
+}
+
+/// The mechanism, compiled: where equilibrium does not determine the forces within it, with what virtual work tells of the motors.
+fn compiled_for(model: &Model) -> Result<Compiled, Failure> {
+    let compiled = compile(model).map_err(|diagnoses| {
         let texts = diagnoses
             .iter()
-            .map(|diagnosis| mech_compiler::reporter::text(diagnosis, &whole));
+            .map(|diagnosis| mech_compiler::reporter::text(diagnosis, model));
         let texts: Vec<String> = texts.collect();
         Failure::mechanism(format!("that cannot be computed: {}", texts.join("\n")))
-    })
+    })?;
+    let forced = &compiled.forced;
+    if !model.effects.force || forced.inverse_dynamics.is_some() || forced.inertia.is_some() {
+        return Ok(compiled);
+    }
+    let mut moved = model.clone();
+    moved.effects.dynamics = true;
+    compiled_for(&moved)
 }
 
 /// A mechanism that moves and is measured.
-struct Meter<'a> {
+struct Meter<'a, T: Real> {
     model: &'a Model,
     compiled: &'a Compiled,
-    machine: Machine<'a, f64>,
-    moving: Option<Machine<'a, f64>>,
-    forced: Option<Machine<'a, f64>>,
+    moving: Option<Machine<'a, T>>,
+    forced: Option<Machine<'a, T>>,
+    /// Where equilibrium does not determine the reactions, virtual work still tells the torques of the motors.
+    inertia: Option<Machine<'a, T>>,
     /// The numbers of all loads.
-    loads: Vec<f64>,
-    /// For each quantity its last value, from which an angle goes on over whole turns.
-    last: Vec<Option<f64>>,
+    loads: Vec<T>,
+    /// For each quantity that is the angle of a link the joints up to it.
+    chains: Vec<Option<Chain>>,
 }
 
-/// All that is known at a position.
-struct Position<'p> {
-    poses: &'p [[f64; 4]],
-    rates: Option<LinkRates<f64>>,
-    forces: Option<InverseDynamics<f64>>,
-}
-
-impl<'a> Meter<'a> {
+impl<'a, T: Real> Meter<'a, T> {
     fn new(
-        of: &Measurement<'a>,
+        of: &Measurement<'_>,
+        model: &'a Model,
         compiled: &'a Compiled,
         quantities: &[Quantity],
     ) -> Result<Self, Failure> {
         let needs = Needs::of(quantities);
         let forced = compiled.forced.inverse_dynamics.as_ref();
-        if needs.force && forced.is_none() {
+        if needs.reaction && forced.is_none() {
             return Err(Failure::mechanism(
-                "forces are not determined: joints of the mechanism are redundant",
+                "reactions are not determined: joints of the mechanism are redundant; torques of motors are",
             ));
         }
         let is_angle = |one: &Quantity| matches!(one.subject, Subject::Transmission(_));
@@ -164,70 +216,105 @@ impl<'a> Meter<'a> {
                 "there is no transmission angle for each loop: some loops are solved together",
             ));
         }
+        let inertia = compiled.forced.inertia.as_ref();
+        let machine = Machine::<T>::new(&compiled.program);
+        let start = Position::of(machine.position());
+        let chains = quantities.iter().map(|quantity| match quantity.subject {
+            Subject::Angle(link, Order::Place) => {
+                let heading = start.heading(compiled, link)?;
+                Some(Chain::to(model, link).from(model, compiled, &start, heading))
+            }
+            _ => None,
+        });
+        let loads = load::numbers(model, of.loads)?;
         Ok(Self {
-            model: of.model,
+            model,
             compiled,
-            machine: Machine::new(&compiled.program),
+            chains: chains.collect(),
             moving: compiled.moving.as_ref().map(Machine::new),
             forced: forced.filter(|_| needs.force).map(Machine::new),
-            loads: load::numbers(of.model, of.loads)?,
-            last: vec![None; quantities.len()],
+            inertia: inertia
+                .filter(|_| needs.force && forced.is_none())
+                .map(Machine::new),
+            loads: loads.into_iter().map(T::from_f64).collect(),
         })
     }
 
-    /// The values of all quantities where the mechanism is, in radians and scene units.
+    /// The values of all quantities where the mechanism is, in radians and scene units: velocities at one moment, forces as at another that
+    /// has other rates.
     fn read(
         &mut self,
-        moment: &Moment,
+        at: &program::Position<T>,
+        [moment, pushed]: [&Moment; 2],
         quantities: &[Quantity],
     ) -> Result<Vec<Option<f64>>, Failure> {
-        let at = self.machine.position().clone();
-        let [first, second] = &moment.rates;
-        let rates = self.moving.as_mut().and_then(|machine| {
+        let mut position = Position::of(at);
+        let in_precision = |moment: &Moment| {
+            let rates = moment.rates.each_ref();
+            rates.map(|rates| {
+                rates
+                    .iter()
+                    .map(|rate| T::from_f64(*rate))
+                    .collect::<Vec<T>>()
+            })
+        };
+        let [first, second] = in_precision(moment);
+        position.rates = self.moving.as_mut().and_then(|machine| {
             machine.put_back(at.clone());
-            machine.motion(first, second).ok()
+            machine
+                .motion(&first, &second)
+                .ok()
+                .map(|rates| plain_rates(&rates))
         });
-        let forces = match &mut self.forced {
-            None => None,
-            Some(machine) => {
-                machine.put_back(at.clone());
-                match machine.forces(first, second, &self.loads) {
-                    Ok(Forces::InverseDynamics(found)) => Some(found),
-                    // Not determined there.
-                    Ok(_) | Err(mech_compiler::evaluate::Stop::Singular(_)) => None,
-                    Err(stop) => {
-                        let why = obstacle(self.model, self.compiled, stop);
-                        return Err(Failure::mechanism(format!(
-                            "forces cannot be computed: {why}"
-                        )));
+        let [first, second] = in_precision(pushed);
+        for machine in self.forced.iter_mut().chain(&mut self.inertia) {
+            machine.put_back(at.clone());
+            match machine.forces(&first, &second, &self.loads) {
+                Ok(found) => match found.map(Real::to_f64) {
+                    Forces::InverseDynamics(found) => {
+                        position.torques = Some(found.torques.clone());
+                        position.forces = Some(found);
                     }
+                    Forces::Inertia(found) => {
+                        position.torques = Some(torques(&found, &pushed.rates[1]));
+                    }
+                    Forces::Holding(_) => {}
+                },
+                // Not determined there.
+                Err(Stop::Singular(_)) => {}
+                Err(stop) => {
+                    let why = obstacle(self.model, self.compiled, stop);
+                    return Err(Failure::mechanism(format!(
+                        "forces cannot be computed: {why}"
+                    )));
                 }
             }
-        };
-        let position = Position {
-            poses: &at.poses,
-            rates,
-            forces,
-        };
-        let mut values = Vec::new();
-        for (number, quantity) in quantities.iter().enumerate() {
-            let value = self.value(&position, moment, quantity.subject);
-            let value = value.map(|value| self.unwrapped(quantity.subject, number, value));
-            self.last[number] = value.or(self.last[number]);
-            values.push(value.filter(|value| value.is_finite()));
         }
-        Ok(values)
+        let values = quantities
+            .iter()
+            .zip(&self.chains)
+            .map(|(quantity, chain)| {
+                let value = self.value(&position, moment, quantity.subject, chain.as_ref());
+                value.filter(|value| value.is_finite())
+            });
+        Ok(values.collect())
     }
 
-    fn value(&self, at: &Position<'_>, moment: &Moment, subject: Subject) -> Option<f64> {
+    fn value(
+        &self,
+        at: &Position,
+        moment: &Moment,
+        subject: Subject,
+        chain: Option<&Chain>,
+    ) -> Option<f64> {
         match subject {
             Subject::Point(point, order, part) => {
                 let vector = self.point(at, point, order)?;
                 Some(part_of(vector, part))
             }
             Subject::Angle(link, Order::Place) => {
-                let [cos, sin, ..] = self.pose(at, link)?;
-                Some(sin.atan2(cos))
+                let heading = at.heading(self.compiled, link)?;
+                Some(chain?.whole(self.model, self.compiled, at, heading))
             }
             Subject::Angle(link, order) => Some(self.rate(at, link, order)?[0]),
             Subject::Coordinate(joint, Order::Place) => match self.model.motor_of(joint) {
@@ -235,7 +322,7 @@ impl<'a> Meter<'a> {
                 None => self.coordinate(at, joint),
             },
             Subject::Coordinate(joint, order) => self.coordinate_rate(at, joint, order),
-            Subject::Torque(motor) => Some(at.forces.as_ref()?.torques[motor.index()]),
+            Subject::Torque(motor) => at.torques.as_ref()?.get(motor.index()).copied(),
             Subject::Reaction(joint, part) => {
                 let number = self.model.declared_joints().position(|one| one == joint)?;
                 let [x, y, torque] = *at.forces.as_ref()?.reactions.get(number)?;
@@ -249,32 +336,8 @@ impl<'a> Meter<'a> {
         }
     }
 
-    /// An angle goes on from its last value by less than half a turn.
-    fn unwrapped(&self, subject: Subject, number: usize, value: f64) -> f64 {
-        let is_angle = match subject {
-            Subject::Angle(_, Order::Place) => true,
-            Subject::Coordinate(joint, Order::Place) => {
-                let turns = matches!(self.model.joint(joint).kind, JointKind::Revolute(..));
-                turns && self.model.motor_of(joint).is_none()
-            }
-            _ => false,
-        };
-        match self.last[number] {
-            Some(last) if is_angle => value + TAU * ((last - value) / TAU).round(),
-            _ => value,
-        }
-    }
-
-    fn pose(&self, at: &Position<'_>, link: LinkId) -> Option<[f64; 4]> {
-        if link == LinkId::GROUND {
-            return Some([1.0, 0.0, 0.0, 0.0]);
-        }
-        let place = self.compiled.program.place_of(link)?;
-        at.poses.get(place).copied()
-    }
-
     /// The angular rate of a link, and those of x and y.
-    fn rate(&self, at: &Position<'_>, link: LinkId, order: Order) -> Option<[f64; 3]> {
+    fn rate(&self, at: &Position, link: LinkId, order: Order) -> Option<[f64; 3]> {
         if link == LinkId::GROUND {
             return Some([0.0; 3]);
         }
@@ -288,13 +351,17 @@ impl<'a> Meter<'a> {
     }
 
     /// A point in the scene, or its velocity or acceleration.
-    fn point(&self, at: &Position<'_>, point: AxisId, order: Order) -> Option<[f64; 2]> {
+    fn point(&self, at: &Position, point: AxisId, order: Order) -> Option<[f64; 2]> {
         let axis = self.model.axis(point);
-        let [cos, sin, x, y] = self.pose(at, axis.link)?;
-        let arm = turned([cos, sin], axis.at);
+        let pose = at.pose(self.compiled, axis.link)?;
         if order == Order::Place {
-            return Some([x + arm[0], y + arm[1]]);
+            // As generated code does it, to the bit.
+            let ([cos, sin, x, y], [a, b]) = (pose.map(T::from_f64), axis.at.map(T::from_f64));
+            let place = [x + cos * a - sin * b, y + sin * a + cos * b];
+            return Some(place.map(Real::to_f64));
         }
+        let [cos, sin, ..] = pose;
+        let arm = turned([cos, sin], axis.at);
         let [turning, u, v] = self.rate(at, axis.link, Order::Velocity)?;
         if order == Order::Velocity {
             return Some([u - turning * arm[1], v + turning * arm[0]]);
@@ -308,15 +375,18 @@ impl<'a> Meter<'a> {
     }
 
     /// The direction of an axis in the scene.
-    fn direction(&self, at: &Position<'_>, id: AxisId) -> Option<[f64; 2]> {
+    fn direction(&self, at: &Position, id: AxisId) -> Option<[f64; 2]> {
         let axis = self.model.axis(id);
-        let [cos, sin, ..] = self.pose(at, axis.link)?;
+        let [cos, sin, ..] = at.pose(self.compiled, axis.link)?;
         Some(turned([cos, sin], axis.direction))
     }
 
-    fn coordinate(&self, at: &Position<'_>, joint: JointId) -> Option<f64> {
+    fn coordinate(&self, at: &Position, joint: JointId) -> Option<f64> {
         let [a, b] = self.axes(joint)?;
         let along = self.direction(at, a)?;
+        if let Some(angle) = whole_angle(self.model, self.compiled, at, joint) {
+            return Some(angle);
+        }
         if let JointKind::Revolute(..) = self.model.joint(joint).kind {
             let to = self.direction(at, b)?;
             return Some(cross(along, to).atan2(dot(along, to)));
@@ -328,7 +398,7 @@ impl<'a> Meter<'a> {
         Some(dot([to[0] - from[0], to[1] - from[1]], along))
     }
 
-    fn coordinate_rate(&self, at: &Position<'_>, joint: JointId, order: Order) -> Option<f64> {
+    fn coordinate_rate(&self, at: &Position, joint: JointId, order: Order) -> Option<f64> {
         let [a, b] = self.axes(joint)?;
         let [guide, other] = [a, b].map(|id| self.model.axis(id).link);
         let turning =

@@ -6,7 +6,9 @@ mod meter;
 mod naming;
 #[cfg(feature = "editor")]
 mod offer;
+mod position;
 mod round;
+mod turning;
 mod unit;
 
 pub(crate) use load::Load;

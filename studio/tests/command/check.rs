@@ -151,6 +151,23 @@ fn in_json_for_editors() {
     assert_eq!(&rust()[at("start")..at("end")], "Loose");
     assert_eq!(place["from"]["line"], 10);
     assert_eq!(place["to"]["column"], 26);
+    // Each repair comes with what makes it: the text that `fix` writes.
+    let repair = &second["repairs"][0];
+    assert_eq!(repair["text"], "add `motor a;`");
+    assert_eq!(repair["remainder"], "nothing");
+    let mut text = rust();
+    let edits = repair["edits"].as_array().expect("edits");
+    for edit in edits.iter().rev() {
+        let at = |what: &str| {
+            edit["place"][what]
+                .as_u64()
+                .and_then(|at| usize::try_from(at).ok())
+        };
+        let range = at("start").expect("a start")..at("end").expect("an end");
+        text.replace_range(range, edit["text"].as_str().expect("a text"));
+    }
+    folder.mech("fix a.rs --mechanism Loose --pick 1").done();
+    assert_eq!(text, folder.text("a.rs"));
 }
 
 #[test]
@@ -180,4 +197,39 @@ fn long_runs_keep_their_places() {
         assert!(complaints.contains(&place), "{number}");
         assert!(complaints.contains(&format!("`a{number}`")), "{number}");
     }
+}
+
+/// The macro and the command say the same of a path that is none, at the same place.
+#[test]
+fn a_path_of_a_part_that_is_none() {
+    let folder = Folder::new().with("a.mech", "struct Elsewhere;\nuse other :: ;\n");
+    let told = folder.mech("check a.mech").refused(1);
+    assert!(
+        told.contains("the name of a part is missing here") && told.contains("a.mech:2:"),
+        "{told}"
+    );
+    // A name that is known does not help.
+    let folder = Folder::new().with("a.mech", "struct Elsewhere;\nuse other JansenLeg;\n");
+    let told = folder.mech("check a.mech").refused(1);
+    assert!(
+        told.contains("expected `::` or `;`, found `JansenLeg`"),
+        "{told}"
+    );
+}
+
+/// What is wrong within a part of the library is told at the instance, not at the word that brings the part in.
+#[test]
+fn a_fault_within_a_part_of_the_library_stands_at_its_instance() {
+    let text = "struct Broken;
+use mech_runtime::parts::Pantograph;
+use first: Pantograph { frame = ground };
+use p: Pantograph(arm = 5) { frame = ground at (9, 0) };
+motor first.pivot; motor first.elbow; motor p.pivot;
+";
+    let folder = Folder::new().with("a.mech", text);
+    let told = folder.mech("check a.mech").refused(1);
+    assert!(
+        told.contains("`p.elbow`") && told.contains("--> a.mech:4:5"),
+        "{told}"
+    );
 }

@@ -333,3 +333,58 @@ fn all_that_can_be_said_is_listed() {
     let topic = say(&Folder::new(), "help remove\n").done();
     assert_eq!(topic.matches("\n    ").count(), 2, "{topic}");
 }
+
+/// The dialogue of README can be had, line by line: what it says is refused is, and nothing else.
+#[test]
+fn the_dialogue_of_the_readme_can_be_had() {
+    let readme = fs::read_to_string(repository("README.md")).expect("a page");
+    let lines = readme
+        .lines()
+        .filter_map(|line| line.strip_prefix("mech> "));
+    let lines: Vec<&str> = lines.collect();
+    let refused = lines
+        .iter()
+        .filter(|line| line.contains("# refused"))
+        .count();
+    assert!(lines.len() > 6 && refused == 1, "{lines:?}");
+    let folder = Folder::new().with("four_bar.mech", FOUR_BAR);
+    let answer = say(&folder, &(lines.join("\n") + "\n"));
+    assert_eq!(
+        answer.err.matches("error:").count(),
+        refused,
+        "{}",
+        answer.err
+    );
+    assert!(answer.err.contains("rule of assembly"), "{}", answer.err);
+    assert!(
+        folder.text("four_bar.mech").contains("rod.tip")
+            || folder.text("four_bar.mech").contains("link rod")
+    );
+}
+
+#[test]
+fn a_load_brings_the_effect_that_asks_for_it() {
+    for more in [
+        "",
+        "effects { velocity; }",
+        "effects { force; }",
+        "effects { dynamics; }",
+    ] {
+        let folder = Folder::new().with(
+            "a.mech",
+            FOUR_BAR.replace("link crank;", "link crank { mass 1 at (1, 0); }") + more,
+        );
+        say(
+            &folder,
+            "open a.mech\nload push = force(coupler.tip)\nload twist = torque(rocker)\nsave\n",
+        )
+        .done();
+        folder.mech("check a.mech").done();
+        let text = folder.text("a.mech");
+        assert_eq!(
+            text.matches("force;").count() + text.matches("dynamics;").count(),
+            1,
+            "{text}"
+        );
+    }
+}

@@ -52,7 +52,8 @@ fn rates_and_forces_of_a_crank() {
         table.lines().next(),
         Some(
             "motor a [deg],crank.pin.x [m],crank.pin.y [m],velocity:crank.pin.x [m/s],velocity:crank.pin.y [m/s],\
-             acceleration:crank.pin.norm [m/s²],torque:a [N·m],reaction:a.x [N],reaction:a.y [N],velocity:crank [rad/s]"
+             acceleration:crank.pin.norm [m/s²],torque:a at rate 0.5 [N·m],reaction:a.x at rate 0.5 [N],\
+             reaction:a.y at rate 0.5 [N],velocity:crank [rad/s]"
         )
     );
     for row in numbers(&table) {
@@ -129,11 +130,125 @@ motor x; ";
         .mech("table a.mech velocity:a --motor x --from 0 --to 0.1 --steps 1")
         .done();
     assert!(numbers(&table)[0][1].is_finite(), "{table}");
-    let refusal = folder.mech("table a.mech").refused(2);
+}
+
+/// A four-bar linkage whose first crank is driven, by its four pins.
+fn driven([c, a, b, d]: [[f64; 2]; 4], precision: &str) -> String {
+    let at = |[x, y]: [f64; 2]| format!("({x}, {y})");
+    format!(
+        "struct M: {precision}; link one; link two; link three;
+joint c = revolute(ground, one) at {}; joint a = revolute(one, two) at {};
+joint b = revolute(two, three) at {}; joint d = revolute(ground, three) at {};
+motor c;",
+        at(c),
+        at(a),
+        at(b),
+        at(d)
+    )
+}
+
+/// Cranks that cannot turn round stop where coupler and rocker lie in line, by the law of cosines: a motion that nobody bounds ends a hair
+/// before that, and what is said to be possible is.
+#[test]
+fn a_motion_without_ends_stays_within_what_is_possible() {
+    let mut seed = 7_u32;
+    let mut number = || {
+        seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        f64::from(seed >> 22) / 100.0
+    };
+    let mut limited = 0;
+    while limited < 24 {
+        let pins = [(); 4].map(|()| [number(), number()]);
+        let far = |a: usize, b: usize| (pins[a][0] - pins[b][0]).hypot(pins[a][1] - pins[b][1]);
+        let [crank, coupler, rocker, frame] = [far(0, 1), far(1, 2), far(2, 3), far(0, 3)];
+        let possible = (coupler - rocker).abs()..=coupler + rocker;
+        let [near, most] = [(crank - frame).abs(), crank + frame];
+        if far(1, 3) < 0.5 || (possible.contains(&near) && possible.contains(&most)) {
+            continue;
+        }
+        limited += 1;
+        let precision = if limited % 3 == 0 { "f32" } else { "f64" };
+        let text = driven(pins, precision);
+        let folder = Folder::new().with("a.mech", &text);
+        let rows = numbers(&folder.mech("table a.mech b velocity:b torque:c").done());
+        let angle = |of: usize| (pins[of][1] - pins[0][1]).atan2(pins[of][0] - pins[0][0]);
+        for row in [&rows[0], &rows[360]] {
+            let turned = angle(1) - angle(3) + row[0].to_radians();
+            let reach = (crank * crank + frame * frame - 2.0 * crank * frame * turned.cos()).sqrt();
+            let off = (reach - possible.start())
+                .abs()
+                .min((reach - possible.end()).abs());
+            let hair = if precision == "f32" { 2e-4 } else { 1e-7 };
+            assert!(off < hair * most, "{off:e} before the end: {text}");
+            assert!(row[1].is_finite(), "{text}");
+        }
+        folder.mech("plot a.mech b velocity:b -o a.svg").done();
+        folder.mech("film a.mech -o a.gif --seconds 1").done();
+        // Beyond: the message says what is possible, and that is true.
+        let beyond = rows[360][0] + 0.5;
+        let told = folder
+            .mech(&format!("table a.mech --to {beyond}"))
+            .refused(1);
+        let ends = told.split("it can go from ").nth(1).expect("ends").trim();
+        let (from, to) = ends.split_once(" to ").expect("two ends");
+        let words =
+            format!("table a.mech b --from={from} --to={to} --steps 9").replace(" deg", "deg");
+        folder.mech(&words).done();
+    }
+}
+
+/// A ram between two pins reaches from where boom and base lie on one side to where they lie opposite.
+#[test]
+fn a_ram_goes_as_far_as_its_triangle() {
+    let text = "struct Ram; link boom; link barrel; link rod;
+joint o = revolute(ground, boom) at (0, 0);
+joint g = revolute(ground, barrel) at (4, 0);
+joint h = revolute(boom, rod) at (0, 3);
+joint s = prismatic(barrel, rod) at (4, 0) along (-4, 3);
+motor s;";
+    let folder = Folder::new().with("a.mech", text);
+    let rows = numbers(&folder.mech("table a.mech o").done());
+    // Lengths 4 and 3, drawn with 5 between the pins: from 1 to 7.
+    for (row, end) in [(0, -4.0), (360, 2.0)] {
+        assert!((rows[row][0] - end).abs() < 1e-7, "{:?}", rows[row]);
+    }
+    folder.mech("film a.mech -o a.svg").done();
+    // One that nothing stops goes half as far as the mechanism is large.
+    let free =
+        "struct Free; link a; joint x = prismatic(ground, a) at (4, 0) along (1, 0); motor x;";
+    let folder = Folder::new().with("a.mech", free);
+    let rows = numbers(&folder.mech("table a.mech --steps 1").done());
     assert!(
-        refusal.contains("say where with `--from` and `--to`"),
-        "{refusal}"
+        close(rows[0][0], -2.0) && close(rows[1][0], 2.0),
+        "{rows:?}"
     );
+}
+
+/// However few steps it takes, a wheel has turned as often as it has.
+#[test]
+fn whole_turns_do_not_depend_on_steps() {
+    let text =
+        "struct Train; link arm { point tip = (1, 0); } link small; link coupler; link rocker;
+joint a = revolute(ground, arm) at (0, 0);
+joint s = revolute(ground, small) at (3, 0);
+joint mesh = gear(arm, small, 50 : 7);
+joint b = revolute(arm, coupler) at (0.5, 0.5);
+joint c = revolute(coupler, rocker) at (2, 5);
+joint d = revolute(ground, rocker) at (4, 3);
+motor a;";
+    let folder = Folder::new().with("a.mech", text);
+    let ends = |steps: u32| {
+        let words = format!("table a.mech s small b coupler rocker --to 1080 --steps {steps}");
+        numbers(&folder.mech(&words).done()).pop().expect("a row")
+    };
+    let turned = -3.0 * 360.0 * 50.0 / 7.0;
+    for steps in [1, 2, 7, 720] {
+        let row = ends(steps);
+        let expected = [1080.0, turned, turned, -1080.0, 0.0, 0.0];
+        for (found, expected) in row.iter().zip(expected) {
+            assert!(close(*found, expected), "{steps}: {row:?}");
+        }
+    }
 }
 
 #[test]
@@ -343,4 +458,210 @@ fn a_number_has_another_value_for_once() {
         told.contains("cannot be closed") || told.contains("close"),
         "{told}"
     );
+}
+
+/// A lift of scissors is held by (W + Wa / 2) / tan φ, where W is the weight of the table and Wa that of the arms.
+#[test]
+fn forces_are_those_at_rest_unless_a_rate_is_said() {
+    let text = "struct Scissor; const L = 1.2;
+link left { point foot = (0, 0); point mid = (L / 2, 0); point top = (L, 0); mass 8 at (L / 2, 0) inertia 0.96; }
+link right { point foot = (0, 0); point mid = (L / 2, 0); point top = (L, 0); mass 8 at (L / 2, 0) inertia 0.96; }
+link foot { point pin = (0, 0); line way = (0, 0) -> (1, 0); }
+link table { point fixed = (0, 0); line way = (0, 0) -> (1, 0); mass 100 at (0.5, 0.1); }
+ground { point o = (0, 0); line floor = (0, 0) -> (1, 0); }
+joint a = revolute(ground.o, left.foot); joint m = revolute(left.mid, right.mid);
+joint f = revolute(foot.pin, right.foot); joint x = prismatic(ground.floor, foot.way);
+joint t = revolute(right.top, table.fixed); joint s = slot(left.top, table.way);
+motor x; gravity (0, -9.81);
+start { x = 1.0; left near 33 deg; right near 147 deg; table near 0 deg; }";
+    let folder = Folder::new().with("a.mech", text);
+    let words = "table a.mech torque:x --from 1 --to 0.4 --steps 3";
+    let table = folder.mech(words).done();
+    assert!(
+        table.starts_with("motor x [unit],torque:x at rest [force]\n"),
+        "{table}"
+    );
+    for row in numbers(&table) {
+        let x = row[0];
+        let expected = -108.0 * 9.81 * x / (1.44 - x * x).sqrt();
+        assert!(close(row[1], expected), "{row:?}, not {expected}");
+    }
+    let moving = folder.mech(&format!("{words} --rate 1")).done();
+    assert!(moving.contains("torque:x at rate 1 [force]"), "{moving}");
+    assert!(
+        !close(numbers(&moving)[0][1], numbers(&table)[0][1]),
+        "{moving}"
+    );
+}
+
+/// A balance of Roberval is overconstrained: virtual work still tells what holds it, and what moves it.
+#[test]
+fn redundant_joints_leave_torques() {
+    let text = "struct Roberval; link upper { mass 3 at (0, 2) inertia 5; } link lower;
+link left { mass 1 at (-6, 4); } link right { mass 2 at (3.5, 4); }
+joint u = revolute(ground, upper) at (0, 2); joint l = revolute(ground, lower) at (0, 0);
+joint a = revolute(upper, left) at (-3, 2); joint b = revolute(lower, left) at (-3, 0);
+joint c = revolute(upper, right) at (3, 2); joint d = revolute(lower, right) at (3, 0);
+motor u = 0.3 * t * t; gravity (0, -9.81); allow redundant;";
+    let folder = Folder::new().with("a.mech", text);
+    for row in numbers(
+        &folder
+            .mech("table a.mech torque:u --steps 3 --to 1.2")
+            .done(),
+    ) {
+        // The pans go on circles of radius 3 without turning.
+        let inertia = 5.0 + (1.0 + 2.0) * 9.0;
+        let expected = 9.81 * 3.0 * (0.3 * row[0] * row[0]).cos() + inertia * 0.6;
+        assert!(close(row[1], expected), "{row:?}, not {expected}");
+    }
+    let told = folder.mech("table a.mech reaction:c").refused(1);
+    assert!(told.contains("reactions are not determined"), "{told}");
+}
+
+/// The first wheel of a belt turns the second by what the second's weight asks for, however its ratio is written.
+#[test]
+fn a_belt_tells_the_moment_on_its_second_wheel() {
+    let belt = |ratio: &str| {
+        let text = format!(
+            "struct Belt; link a; link b {{ mass 1 at (6, 0); }}
+joint j = revolute(ground, a) at (0, 0); joint k = revolute(ground, b) at (5, 0);
+joint belt = belt(a, b, {ratio}); motor j; gravity (0, -10);"
+        );
+        let folder = Folder::new().with("a.mech", text);
+        let words = "table a.mech reaction:belt reaction:belt.torque torque:j --to 90 --steps 2";
+        numbers(&folder.mech(words).done())
+    };
+    for ratio in ["20 : 40", "1 : 2", "0.5 : 1.0"] {
+        for row in belt(ratio) {
+            let weight = 10.0 * (row[0] / 2.0).to_radians().cos();
+            let expected = [0.0, 0.0, weight, weight / 2.0];
+            for (found, expected) in row[1..].iter().zip(expected) {
+                assert!(close(*found, expected), "{ratio}: {row:?}");
+            }
+        }
+    }
+}
+
+mech_runtime::mechanism! {
+    struct Single: f32;
+    link crank; link coupler { point tip = (2.5, 3); } link rocker;
+    joint a = revolute(ground, crank) at (0, 0);
+    joint b = revolute(crank, coupler) at (0.8, 0.6);
+    joint c = revolute(coupler, rocker) at (3.3, 2.9);
+    joint d = revolute(ground, rocker) at (4, 0);
+    motor a;
+}
+
+/// A text in single precision is measured as its generated code computes, to the bit.
+#[test]
+fn single_precision_stays_single() {
+    let text = FOUR_BAR.replace("struct FourBar", "struct Single: f32");
+    let folder = Folder::new().with("a.mech", text);
+    let table = folder.mech("table a.mech coupler.tip --steps 36").done();
+    let mut generated = Single::new();
+    for (step, row) in (0..=36).zip(table.lines().skip(1)) {
+        let angle = f64::from(step) / 36.0 * std::f64::consts::TAU;
+        #[expect(clippy::cast_possible_truncation, reason = "the motor takes that")]
+        generated.move_to([angle as f32]).expect("it turns");
+        let tip = generated.coupler_tip();
+        let cells: Vec<f32> = row
+            .split(',')
+            .skip(1)
+            .map(|cell| cell.parse().expect("a number"))
+            .collect();
+        assert_eq!(cells, [tip.x, tip.y], "{step}");
+    }
+}
+
+/// Cells have no digits of rounding, and no exponents.
+#[test]
+fn numbers_of_tables_are_short() {
+    let folder = Folder::new().with("a.mech", FOUR_BAR);
+    for words in [
+        "table a.mech --steps 7",
+        "table a.mech velocity:d torque:a --steps 9",
+    ] {
+        for cell in folder
+            .mech(words)
+            .done()
+            .lines()
+            .skip(1)
+            .flat_map(|row| row.split(','))
+        {
+            let digits = cell.trim_start_matches(['-', '0', '.']);
+            let digits = digits.chars().filter(char::is_ascii_digit).count();
+            assert!(digits <= 16 && !cell.contains('e'), "{cell}");
+        }
+    }
+    let last = folder.mech("table a.mech --steps 3").done();
+    assert_eq!(last.lines().last(), Some("360,360,-360,0,0"));
+}
+
+/// What is typed of motors is kept, or refused in words.
+#[test]
+fn what_is_said_of_motors_counts() {
+    let two = "struct Two; link a; link b { point tip = (3, 0); }
+joint r = revolute(ground, a) at (0, 0); joint s = revolute(a, b) at (2, 0);
+motor r in -90 deg ..= 90 deg; motor s;";
+    let slide =
+        "struct Slide; link a; joint x = prismatic(ground, a) at (0, 0) along (1, 0); motor x;";
+    let folder = Folder::new().with("a.mech", two).with("x.mech", slide);
+    let first = |words: &str| numbers(&folder.mech(words).done())[0].clone();
+    for at in ["r=30", "r=30deg", "r=30 deg", "r=30°"] {
+        let words = [
+            "table", "a.mech", "b", "--at", at, "--motor", "s", "--steps", "1",
+        ];
+        let answer = crate::run::mech_in(&folder.path("."), &words).done();
+        assert!(close(numbers(&answer)[0][1], 30.0), "{at}: {answer}");
+    }
+    // Without a name the first motor moves that nothing holds.
+    assert!(close(first("table a.mech b --at r=30 --steps 1")[1], 30.0));
+    assert!(close(
+        first("table a.mech --from=-45deg --to 60 --steps 1")[0],
+        -45.0
+    ));
+    for (words, code, why) in [
+        (
+            "table a.mech --at r=120",
+            2,
+            "`--at`|120 deg is outside of the declared range of motor `r`, -90 deg to 90 deg",
+        ),
+        (
+            "draw a.mech -o a.png --at r=120",
+            2,
+            "outside of the declared range of motor `r`",
+        ),
+        (
+            "table a.mech --from=-100",
+            2,
+            "-100 deg is outside of the declared range of motor `r`",
+        ),
+        (
+            "film a.mech -o a.gif --to 91",
+            2,
+            "91 deg is outside of the declared range",
+        ),
+        (
+            "table a.mech --at r=30 --motor r",
+            2,
+            "motor `r` moves, so `--at` cannot put it at a value",
+        ),
+        (
+            "table a.mech --at r=30 --at s=2",
+            2,
+            "`--at` puts every motor at a value",
+        ),
+        (
+            "table x.mech --from 3deg",
+            2,
+            "motor `x` slides: its values are in scene units",
+        ),
+        ("table a.mech --at r=3mm", 2, "`3mm` is not a number"),
+    ] {
+        let told = folder.mech(words).refused(code);
+        assert!(
+            why.split('|').any(|why| told.contains(why)),
+            "{words}: {told}"
+        );
+    }
 }

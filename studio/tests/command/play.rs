@@ -76,6 +76,14 @@ fn lines_that_make_no_sense() {
         ),
         ("play a.mech --after 1", "--picture"),
         (
+            "play a.mech --picture a.gif",
+            "its name has to end in `.png`",
+        ),
+        (
+            "play a.mech --terminal",
+            "are not a terminal; write a picture with `--picture FILE`",
+        ),
+        (
             "play a.mech --picture a.png --after NaN",
             "is not a number of seconds",
         ),

@@ -37,6 +37,14 @@ fn graphs_are_in_dot() {
 }
 
 #[test]
+fn a_graph_goes_to_a_file() {
+    let folder = Folder::new().with("a.mech", FOUR_BAR);
+    let graph = folder.mech("graph a.mech --of loops").done();
+    assert_eq!(folder.mech("graph a.mech --of loops -o a.dot").done(), "");
+    assert_eq!(folder.text("a.dot"), graph);
+}
+
+#[test]
 fn the_help_has_examples_and_exit_codes() {
     let folder = Folder::new();
     for command in [

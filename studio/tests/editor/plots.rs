@@ -374,7 +374,7 @@ fn a_load_acts_in_plots_and_arrows() {
         .and_then(|line| line.split(',').nth(1));
     let first: f64 = first.and_then(|cell| cell.parse().ok()).expect("a number");
     assert!(
-        first != 0.0 && user.sees(&format!("torque:a = {first:.4}")),
+        first != 0.0 && user.sees(&format!("torque:a at rest = {first:.4}")),
         "{first}\n{}",
         user.labels()
     );

@@ -5,7 +5,9 @@
 use super::compile_errors;
 use crate::syntax::{self, Message, Place};
 use proc_macro2::{Delimiter, Ident, Spacing, TokenStream, TokenTree};
-use quote::{format_ident, quote};
+use quote::{ToTokens, format_ident, quote};
+use syn::parse::{ParseStream, Parser};
+use syn::{Attribute, Visibility};
 
 /// An import in the text of a mechanism, and the remainder of the text.
 #[derive(Clone, Debug)]
@@ -65,6 +67,51 @@ impl Import {
         }
     }
 
+    /// What is wrong with the path, if it is none.
+    #[must_use]
+    pub fn fault(&self) -> Option<Message> {
+        const ROOTS: [&str; 4] = ["crate", "$crate", "self", "super"];
+        let expected = |found: &TokenTree, what: &str| {
+            let text = format!("expected {what}, found `{found}`; write `use path::Part;`");
+            Some(Message::new(Place::of(&found.to_token_stream()), text))
+        };
+        let trees: Vec<TokenTree> = self.path.clone().into_iter().collect();
+        let mut rest = &trees[..];
+        // A path may begin at the root of all crates.
+        let mut is_separated = true;
+        if let [first, second, others @ ..] = rest
+            && is_separator(first, second)
+        {
+            rest = others;
+        }
+        let mut may_be_root = true;
+        while let [tree, others @ ..] = rest {
+            if !is_separated {
+                let [second, others @ ..] = others else {
+                    return expected(tree, "`::` or `;`");
+                };
+                if !is_separator(tree, second) {
+                    return expected(tree, "`::` or `;`");
+                }
+                (is_separated, rest) = (true, others);
+                continue;
+            }
+            let text = tree.to_string();
+            let is_root = may_be_root && !others.is_empty() && ROOTS.contains(&text.as_str());
+            if !is_root && syn::parse_str::<Ident>(&text).is_err() {
+                return expected(tree, "the name of a module or a part");
+            }
+            may_be_root = is_root && text != "crate" && text != "$crate";
+            (is_separated, rest) = (false, others);
+        }
+        let last = trees.last()?;
+        if is_separated {
+            let text = "the name of a part is missing here; write `use path::Part;`";
+            return Some(Message::new(Place::of(&last.to_token_stream()), text));
+        }
+        None
+    }
+
     /// The call of the macro that adds the part.
     pub(super) fn call(&self, krate: &TokenStream) -> TokenStream {
         let Self { path, others } = self;
@@ -99,6 +146,13 @@ fn length_of_path(trees: &[TokenTree]) -> Option<usize> {
     (is_end && length > 0 && !is_use).then_some(length)
 }
 
+/// Whether two tokens are `::`.
+fn is_separator(first: &TokenTree, second: &TokenTree) -> bool {
+    let is_colon =
+        |tree: &TokenTree| matches!(tree, TokenTree::Punct(mark) if mark.as_char() == ':');
+    is_colon(first) && is_joint(first) && is_colon(second)
+}
+
 fn is_joint(tree: &TokenTree) -> bool {
     matches!(tree, TokenTree::Punct(mark) if mark.spacing() == Spacing::Joint)
 }
@@ -121,28 +175,19 @@ impl PartText {
     /// # Errors
     /// Everything that is wrong with the text.
     pub fn read(input: &TokenStream) -> Result<Self, Vec<Message>> {
-        let mut trees: Vec<TokenTree> = input.clone().into_iter().collect();
-        let mut is_public = false;
-        let mut visibility = TokenStream::new();
-        // Documentation first.
-        let mut attributes = TokenStream::new();
-        while matches!(trees.first(), Some(TokenTree::Punct(mark)) if mark.as_char() == '#') {
-            attributes.extend(trees.drain(..2.min(trees.len())));
-        }
-        if matches!(trees.first(), Some(TokenTree::Ident(word)) if word == "pub") {
-            visibility.extend(trees.drain(..1));
-            is_public = true;
-            if matches!(trees.first(), Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis)
-            {
-                visibility.extend(trees.drain(..1));
-                is_public = false;
-            }
-        }
-        let Some(TokenTree::Ident(name)) = trees.first().cloned() else {
+        let head = |input: ParseStream| {
+            let attributes = input.call(Attribute::parse_outer)?;
+            let visibility: Visibility = input.parse()?;
+            Ok((attributes, visibility, input.parse::<TokenStream>()?))
+        };
+        let (attributes, visibility, body) = head.parse2(input.clone()).map_err(|error| {
+            let place = Place::at(error.span());
+            vec![Message::new(place, error.to_string())]
+        })?;
+        let Some(TokenTree::Ident(name)) = body.clone().into_iter().next() else {
             let text = "expected the name of a part, as `pub Leg(size = 1) { ... }`";
             return Err(vec![Message::new(Place::of(input), text)]);
         };
-        let body: TokenStream = trees.into_iter().collect();
         let errors = syntax::parse(quote!(struct Part; part #body)).errors;
         if !errors.is_empty() {
             return Err(errors);
@@ -150,9 +195,9 @@ impl PartText {
         Ok(Self {
             name,
             body,
-            attributes,
-            visibility,
-            is_public,
+            is_public: matches!(visibility, Visibility::Public(_)),
+            attributes: quote!(#(#attributes)*),
+            visibility: visibility.into_token_stream(),
         })
     }
 

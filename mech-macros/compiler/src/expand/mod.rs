@@ -8,7 +8,7 @@ mod tests;
 pub use import::{Import, PartText, expand_part, macro_calls};
 
 use crate::analysis::{Analysis, analyse};
-use crate::bug::bug;
+use crate::bug::{bug, catch};
 use crate::emit;
 use crate::syntax::{self, Message};
 use proc_macro2::{TokenStream, TokenTree};
@@ -19,7 +19,12 @@ use quote::quote;
 pub fn expand(input: TokenStream) -> TokenStream {
     let (krate, body) = split_crate_path(input);
     if let Some(import) = Import::first(&body) {
-        return import.call(&krate);
+        let Some(fault) = import.fault() else {
+            return import.call(&krate);
+        };
+        let error = fault.to_compile_error();
+        let stub = catch(|| stub(&krate, without_imports(import))).unwrap_or_default();
+        return quote!(#error #stub);
     }
     guard::guard(
         &body,
@@ -56,6 +61,15 @@ fn stub(krate: &TokenStream, body: TokenStream) -> TokenStream {
     header.map_or_else(TokenStream::new, |header| {
         emit::stub(krate, header, &parsed)
     })
+}
+
+/// What remains of a text beside an import and all that follow it.
+fn without_imports(import: Import) -> TokenStream {
+    let mut text = import.others;
+    while let Some(next) = Import::first(&text) {
+        text = next.others;
+    }
+    text
 }
 
 /// The errors as calls of `compile_error!`.

@@ -123,8 +123,18 @@ impl Words<'_> {
         format!("`{}{unit}`", brief(short / scale))
     }
 
-    /// A motor's value as one would write it.
+    /// A motor's value as one would write it: zero where only rounding has left something.
     fn motor_value(&self, motor: MotorId, value: f64) -> String {
+        const ROUNDING: f64 = 1e-9;
+        let size = match self.model.joint(self.model.motor(motor).joint).kind {
+            JointKind::Revolute(..) => 1.0,
+            _ => self.model.size(),
+        };
+        let value = if value.abs() < ROUNDING * size {
+            0.0
+        } else {
+            value
+        };
         match self.model.joint(self.model.motor(motor).joint).kind {
             JointKind::Revolute(..) => format!("`{} deg`", brief(value.to_degrees())),
             _ => format!("`{}`", brief(value)),

@@ -251,7 +251,9 @@ impl Lowering<'_> {
         let [(first, p), (second, q)] = rolling
             .ends
             .map(|(end, factor)| (end.link(), number(factor)));
-        let torques = [(first, p), (second, q), (rolling.carrier, -p - q)];
+        // Of size one is the moment on the second, whatever the unit of the factors.
+        let p = p / q;
+        let torques = [(first, p), (second, 1.0), (rolling.carrier, -p - 1.0)];
         let pushes = torques.map(|(link, size)| Push::Torque {
             link,
             size: self.ssa.constant(size),

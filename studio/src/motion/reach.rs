@@ -1,0 +1,165 @@
+//! How far motors go.
+
+use super::obstacle::obstacle;
+use super::setting::{shown, turns, unit_of};
+use crate::failure::Failure;
+use mech_compiler::Compiled;
+use mech_compiler::evaluate::Machine;
+use mech_compiler::model::{Model, MotorId};
+use std::f64::consts::TAU;
+
+/// A part of a way that is more than rounding.
+const HAIR: f64 = 1e-8;
+
+/// How far a motor moves alone from where it is, both ways.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Reach {
+    /// Its lowest and highest value, in radians or scene units.
+    pub(crate) ends: [f64; 2],
+    /// Whether nothing stops it there, on its way down and up.
+    pub(crate) is_free: [bool; 2],
+}
+
+/// The values through which a motor moves if nobody says which.
+pub(super) struct Stretch {
+    /// Its ends, in radians or scene units.
+    pub(super) ends: [f64; 2],
+    /// Which of them are those of what is possible, as far as numbers tell.
+    pub(super) found: [bool; 2],
+}
+
+/// The ends of a motor's declared range, if it has one.
+pub(crate) fn range_of(model: &Model, motor: MotorId) -> Option<[f64; 2]> {
+    let range = model.motor(motor).range.as_ref()?;
+    let ends = [range.low, range.high];
+    ends.iter().all(|end| end.is_finite()).then_some(ends)
+}
+
+/// The values through which a motor moves if nobody says which: its declared range; or once round; or as far as it can go. A slide that
+/// nothing stops goes half as far as the mechanism is large.
+pub(super) fn reachable(
+    model: &Model,
+    compiled: &Compiled,
+    motor: MotorId,
+    base: &[f64],
+) -> Result<Stretch, Failure> {
+    /// Nothing in a closed loop goes farther than so many times the size of the mechanism.
+    const FAR: f64 = 16.0;
+    if let Some(ends) = range_of(model, motor) {
+        let found = [false; 2];
+        return Ok(Stretch { ends, found });
+    }
+    let start = base[motor.index()];
+    if turns(model, model.motor(motor).joint) {
+        let found = reach(model, compiled, motor, base, TAU)?;
+        return Ok(if found.is_free[1] {
+            Stretch {
+                ends: [start, found.ends[1]],
+                found: [false; 2],
+            }
+        } else {
+            Stretch::of(found)
+        });
+    }
+    let size = match model.size() {
+        0.0 => 1.0,
+        size => size,
+    };
+    let mut found = reach(model, compiled, motor, base, FAR * size)?;
+    for (side, way) in [(0, -0.5), (1, 0.5)] {
+        if found.is_free[side] {
+            found.ends[side] = start + way * size;
+        }
+    }
+    Ok(Stretch::of(found))
+}
+
+impl Stretch {
+    fn of(Reach { ends, is_free }: Reach) -> Self {
+        let found = is_free.map(|is_free| !is_free);
+        Self { ends, found }
+    }
+}
+
+/// How far a motor moves alone from these values of all motors, both ways, no farther than this distance.
+pub(crate) fn reach(
+    model: &Model,
+    compiled: &Compiled,
+    motor: MotorId,
+    base: &[f64],
+    distance: f64,
+) -> Result<Reach, Failure> {
+    let mut machine = Machine::<f64>::new(&compiled.program);
+    let blocked = |stop| {
+        Failure::mechanism(format!(
+            "the motors cannot come to these values: {}",
+            obstacle(model, compiled, stop)
+        ))
+    };
+    machine.move_to(base).map_err(blocked)?;
+    let start = machine.position().clone();
+    let index = motor.index();
+    let mut end = |displacement: f64| -> Result<(f64, bool), Failure> {
+        machine.put_back(start.clone());
+        let mut goal = base.to_vec();
+        goal[index] += displacement;
+        let stop = machine.move_toward(&goal).map_err(blocked)?;
+        let end = machine.position().motors[index];
+        if stop.is_none() {
+            return Ok((end, true));
+        }
+        let farthest = farthest(|part| {
+            machine.put_back(start.clone());
+            goal[index] = base[index] + (end - base[index]) * part;
+            machine.move_to(&goal).is_ok()
+        });
+        Ok((base[index] + (end - base[index]) * farthest, false))
+    };
+    let (low, is_free_down) = end(-distance)?;
+    let (high, is_free_up) = end(distance)?;
+    Ok(Reach {
+        ends: [low, high],
+        is_free: [is_free_down, is_free_up],
+    })
+}
+
+/// The greatest part of a way that can be gone at once. A move that was meant to go farther may have come a little farther: where loops are
+/// iterated, how it is divided decides.
+fn farthest(mut can: impl FnMut(f64) -> bool) -> f64 {
+    const HALVED: u32 = 40;
+    if can(1.0 - HAIR) {
+        return 1.0;
+    }
+    let [mut done, mut blocked] = [0.0, 1.0 - HAIR];
+    for _ in 0..HALVED {
+        let middle = f64::midpoint(done, blocked);
+        if can(middle) {
+            done = middle;
+        } else {
+            blocked = middle;
+        }
+    }
+    done
+}
+
+/// Between which values a motor can move, for a message. What is said here can be reached: it is rounded inwards.
+pub(super) fn limits(model: &Model, compiled: &Compiled, motor: MotorId, base: &[f64]) -> String {
+    let joint = model.motor(motor).joint;
+    let Ok(Stretch { ends, found }) = reachable(model, compiled, motor, base) else {
+        return String::new();
+    };
+    let [low, high] = ends.map(|end| shown(model, joint, end));
+    let width = high - low;
+    let digits = 10.0_f64.powf((6.0 - width.abs().log10()).round().clamp(0.0, 15.0));
+    let [low, high] =
+        [(low, 1.0, found[0]), (high, -1.0, found[1])].map(|(end, inwards, is_found)| {
+            let rounded = if is_found {
+                // Downwards at the upper end, upwards at the lower.
+                (-inwards) * ((-inwards) * digits * (end + inwards * HAIR * width)).floor() / digits
+            } else {
+                (digits * end).round() / digits
+            };
+            format!("{}{}", rounded + 0.0, unit_of(model, joint))
+        });
+    format!("; it can go from {low} to {high}")
+}

@@ -1,0 +1,84 @@
+//! All that is known where a mechanism is, whatever its precision.
+
+use mech_compiler::Compiled;
+use mech_compiler::evaluate::LinkRates;
+use mech_compiler::model::LinkId;
+use mech_compiler::program::{self, Inertia, InverseDynamics};
+use mech_core::Real;
+use std::f64::consts::TAU;
+
+/// All that is known where a mechanism is.
+#[derive(Default)]
+pub(super) struct Position {
+    /// The values of the motors, whole turns included.
+    motors: Vec<f64>,
+    poses: Vec<[f64; 4]>,
+    state: Vec<f64>,
+    pub(super) rates: Option<LinkRates<f64>>,
+    /// What the motors exert.
+    pub(super) torques: Option<Vec<f64>>,
+    pub(super) forces: Option<InverseDynamics<f64>>,
+}
+
+impl Position {
+    /// A position of a machine, without rates and forces.
+    pub(super) fn of<T: Real>(at: &program::Position<T>) -> Self {
+        let motors = at.motors.iter().zip(&at.turns);
+        Self {
+            motors: motors
+                .map(|(value, turns)| value.to_f64() + TAU * f64::from(*turns))
+                .collect(),
+            poses: at.poses.iter().map(|pose| pose.map(Real::to_f64)).collect(),
+            state: plain(&at.state),
+            ..Self::default()
+        }
+    }
+
+    /// The value of a motor by its number.
+    pub(super) fn motor(&self, number: usize) -> Option<f64> {
+        self.motors.get(number).copied()
+    }
+
+    /// A number of the state.
+    pub(super) fn state(&self, number: usize) -> Option<f64> {
+        self.state.get(number).copied()
+    }
+
+    /// The pose of a link.
+    pub(super) fn pose(&self, compiled: &Compiled, link: LinkId) -> Option<[f64; 4]> {
+        if link == LinkId::GROUND {
+            return Some([1.0, 0.0, 0.0, 0.0]);
+        }
+        let place = compiled.program.place_of(link)?;
+        self.poses.get(place).copied()
+    }
+
+    /// The angle of a link in the scene, between −π and π.
+    pub(super) fn heading(&self, compiled: &Compiled, link: LinkId) -> Option<f64> {
+        let [cos, sin, ..] = self.pose(compiled, link)?;
+        Some(sin.atan2(cos))
+    }
+}
+
+/// Rates of links in double precision.
+pub(super) fn plain_rates<T: Real>(rates: &LinkRates<T>) -> LinkRates<f64> {
+    let all = |rates: &Vec<[T; 3]>| rates.iter().map(|one| one.map(Real::to_f64)).collect();
+    LinkRates {
+        velocities: all(&rates.velocities),
+        accelerations: rates.accelerations.as_ref().map(all),
+    }
+}
+
+fn plain<T: Real>(numbers: &[T]) -> Vec<f64> {
+    numbers.iter().copied().map(Real::to_f64).collect()
+}
+
+/// What the motors exert where they have these second rates: what accelerates everything, less what acts already.
+pub(super) fn torques(inertia: &Inertia<f64>, second: &[f64]) -> Vec<f64> {
+    let rows = inertia.matrix.iter().zip(&inertia.drive);
+    let torque = |(row, drive): (&Vec<f64>, &f64)| {
+        let parts = row.iter().zip(second);
+        parts.map(|(mass, rate)| mass * rate).sum::<f64>() - drive
+    };
+    rows.map(torque).collect()
+}
