@@ -33,8 +33,9 @@ enum Kind {
     Svg,
 }
 
-/// How many places of a path are recorded in one motion.
+/// How many places of a path are recorded in one turn, and the most turns.
 const PLACES: u32 = 720;
+const MOST_TURNS: u32 = 22;
 
 impl Draw {
     pub(super) fn run(&self, console: &mut Console) -> Result<(), Failure> {
@@ -70,12 +71,12 @@ impl Draw {
         }
     }
 
-    /// The paths of traced points in the motion that the mechanism makes if nobody says which.
+    /// The whole paths of traced points in the motion that the mechanism makes if nobody says which.
     fn paths(&self, sitter: &Sitter) -> Result<Paths, Failure> {
         let Sitter {
             model, compiled, ..
         } = sitter;
-        let mut paths = Paths::new(model, compiled)?;
+        let mut paths = Paths::new(model, compiled)?.whole();
         if paths.is_empty() {
             return Ok(paths);
         }
@@ -94,9 +95,11 @@ impl Draw {
         let Ok(drive) = drive else {
             return Ok(paths);
         };
+        let drive = drive.completed(model, compiled);
+        let places = PLACES * drive.turns(model).min(MOST_TURNS);
         let mut machine = Machine::<f64>::new(&compiled.program);
-        for number in 0..=PLACES {
-            let part = f64::from(number) / f64::from(PLACES);
+        for number in 0..=places {
+            let part = f64::from(number) / f64::from(places);
             if drive.move_to(model, compiled, &mut machine, part).is_ok() {
                 paths.record(&machine.position().poses);
             }

@@ -134,8 +134,8 @@ fn follows(reading: &Reading, times: Times) -> Result<bool, Failure> {
     };
     let model = &reading.model;
     let span = Span {
-        from: Some(0.0),
-        to: Some(times.tried),
+        from: Some(0.0.into()),
+        to: Some(times.tried.into()),
     };
     let drive = Drive::new(model, compiled, None, span, &[])?;
     let mut machine = Machine::<f64>::new(&compiled.program);

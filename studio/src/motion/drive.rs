@@ -157,6 +157,21 @@ impl Drive {
             && (whole - whole.round()).abs() < 1e-9
     }
 
+    /// How many whole turns it takes; one if it comes to no whole turns.
+    pub(crate) fn turns(&self, model: &Model) -> u32 {
+        let turns = ((self.ends[1] - self.ends[0]) / TAU).abs().round();
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a few turns, else the most"
+        )]
+        let turns = turns as u32;
+        match self.kind {
+            Kind::Motor(_) if self.is_cyclic(model) => turns.max(1),
+            _ => 1,
+        }
+    }
+
     /// The same over so many turns that everything comes back to where it was, behind gears, too; as it is, if nothing like that is found.
     pub(crate) fn completed(self, model: &Model, compiled: &Compiled) -> Self {
         /// So many turns are tried.

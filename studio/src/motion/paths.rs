@@ -43,6 +43,14 @@ impl Paths {
         Ok(Self(paths?))
     }
 
+    /// The same, of which nothing is forgotten, however short a trace is declared.
+    pub(crate) fn whole(mut self) -> Self {
+        for path in &mut self.0 {
+            path.length = MOST;
+        }
+        self
+    }
+
     /// Whether nothing is traced.
     pub(crate) fn is_empty(&self) -> bool {
         self.0.is_empty()

@@ -137,6 +137,36 @@ fn a_motor_with_limits_goes_to_and_fro() {
     assert_eq!(folder.names(), ["a.gif", "a.mech"]);
 }
 
+/// However short a trace is, and over how many turns a path closes: the picture has all of it.
+#[test]
+fn a_picture_has_whole_paths() {
+    let text = |length: u32| format!("{FOUR_BAR} effects {{ trace coupler.tip {length}; }}");
+    let folder = Folder::new()
+        .with("short.mech", text(16))
+        .with("long.mech", text(4096));
+    let picture = |name: &str| {
+        folder
+            .mech(&format!("draw {name}.mech -o {name}.png"))
+            .done();
+        std::fs::read(folder.path(&format!("{name}.png"))).expect("a picture")
+    };
+    assert!(picture("short") == picture("long"));
+    // It closes after two turns of the arm, and is as far from its centre on both sides of it then.
+    let turns = "struct E; link arm; link planet { point tip = (4.5, 0); } joint a = revolute(ground, arm) at (0, 0);
+        joint b = revolute(arm, planet) at (3, 0); joint g = gear(planet, ground, 20 : -30 on arm); motor a; look none;
+        effects { trace planet.tip 64 color red; }";
+    let folder = folder.with("turns.mech", turns);
+    folder
+        .mech("draw turns.mech -o turns.svg --size 200")
+        .done();
+    let svg = folder.text("turns.svg");
+    let longest = svg
+        .split('"')
+        .map(|part| part.split([' ', ',', 'L']).count())
+        .max();
+    assert!(longest > Some(1440), "{longest:?}");
+}
+
 #[test]
 fn films_of_all_kinds() {
     let traced = format!("{FOUR_BAR} effects {{ trace coupler.tip 256; }}");
