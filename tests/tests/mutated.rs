@@ -92,7 +92,7 @@ fn what_the_macro_makes_of_anything_is_rust() {
     let (texts, strange) = (texts(), strange());
     let krate = quote!(::mech_runtime);
     let mut said = 0;
-    for seed in seeds(cases(500)) {
+    for seed in seeds(cases(3000)) {
         let mut dice = Dice::new(seed);
         let mut text = dice.pick(&texts).clone();
         for _ in 0..=dice.below(4) {

@@ -195,7 +195,9 @@ impl Shoot<'_> {
         )?;
         let mut paths = Paths::new(model, compiled)?;
         if !paths.is_empty() {
-            poses.iter().for_each(|poses| paths.record(poses));
+            for poses in &poses {
+                paths.record(poses);
+            }
         }
         let progress = Console::progress(u64::from(frames));
         for poses in &poses {

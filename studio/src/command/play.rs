@@ -144,7 +144,7 @@ impl Play {
 fn in_terminal(stage: Stage) -> Result<(), Failure> {
     if !is_terminal() {
         return Err(Failure::usage(
-            "input and output are not a terminal; write a picture with `--picture FILE`",
+            "`--terminal` needs one, and input and output are none; write a picture with `--picture FILE`",
         ));
     }
     terminal::play(stage)

@@ -218,10 +218,8 @@ fn instances(document: &Document, declaration: &Declaration) -> Vec<Instance> {
         if !matches!(tree, TokenTree::Ident(word) if word == "use") {
             continue;
         }
-        let others = match others {
-            [TokenTree::Group(_), others @ ..] => others,
-            others => others,
-        };
+        let is_row = matches!(others, [TokenTree::Group(_), ..]);
+        let others = &others[usize::from(is_row)..];
         if let [TokenTree::Punct(_), TokenTree::Ident(part), ..] = others
             && let Some(word) = words.iter().find(|word| *word == part)
         {

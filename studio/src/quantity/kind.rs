@@ -67,8 +67,6 @@ pub(crate) struct Needs {
     pub(crate) velocity: bool,
     pub(crate) acceleration: bool,
     pub(crate) force: bool,
-    /// Forces within it, which equilibrium has to determine.
-    pub(crate) reaction: bool,
 }
 
 impl Needs {
@@ -83,10 +81,8 @@ impl Needs {
                     needs.velocity |= order >= Order::Velocity;
                     needs.acceleration |= order >= Order::Acceleration;
                 }
-                Subject::Torque(_) => needs.force = true,
-                Subject::Reaction(..) | Subject::Transmission(_) => {
+                Subject::Torque(_) | Subject::Reaction(..) | Subject::Transmission(_) => {
                     needs.force = true;
-                    needs.reaction = true;
                 }
                 Subject::Time => {}
             }

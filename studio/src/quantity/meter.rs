@@ -203,7 +203,13 @@ impl<'a, T: Real> Meter<'a, T> {
     ) -> Result<Self, Failure> {
         let needs = Needs::of(quantities);
         let forced = compiled.forced.inverse_dynamics.as_ref();
-        if needs.reaction && forced.is_none() {
+        let is_within = |one: &Quantity| {
+            matches!(
+                one.subject,
+                Subject::Reaction(..) | Subject::Transmission(_)
+            )
+        };
+        if forced.is_none() && quantities.iter().any(is_within) {
             return Err(Failure::mechanism(
                 "reactions are not determined: joints of the mechanism are redundant; torques of motors are",
             ));

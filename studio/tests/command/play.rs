@@ -81,7 +81,7 @@ fn lines_that_make_no_sense() {
         ),
         (
             "play a.mech --terminal",
-            "are not a terminal; write a picture with `--picture FILE`",
+            "input and output are none; write a picture with `--picture FILE`",
         ),
         (
             "play a.mech --picture a.png --after NaN",

@@ -352,6 +352,9 @@ fn without_a_terminal_and_a_display_it_says_so() {
             error.contains("--terminal") && error.contains("--picture FILE"),
             "{error}"
         );
+        // What was tried in vain is not advised.
+        let advises = error.contains("play in a terminal with `--terminal`");
+        assert_eq!(advises, arguments.is_empty(), "{error}");
     }
 }
 
