@@ -22,7 +22,7 @@ const ASTRAY: f64 = 0.4;
 /// Near a dead point each step comes so near to it, as a part of what is left. When this part of a move is left, and nothing closes beyond,
 /// the rest is foretold.
 const NEARER: f64 = 0.97;
-const END: f64 = 1e-6;
+const END: f64 = 1e-8;
 /// Where something closes beyond it comes as near as that; with less than the second, steps fail because of rounding.
 const NEAREST: f64 = 1e-13;
 const ROUNDED: f64 = 1e-9;

@@ -30,6 +30,7 @@ pub use display::PlanText;
 pub(crate) use dyad::{CircleAndLine, Dyad, Line, TurningLine, TwoCircles, TwoLines};
 pub use equation::Unknown;
 pub(crate) use equation::{Equation, Residuals, Solution};
+pub(crate) use halton::Halton;
 pub use linear_relations::Rational;
 pub(crate) use linear_relations::{float_of, fraction};
 pub use needed::PlanPart;

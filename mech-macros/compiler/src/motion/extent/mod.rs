@@ -12,7 +12,7 @@ use crate::certify::Interval;
 use crate::model::{JointKind, LinkId, Model};
 use crate::motion::sweep::{FARTHEST_SLIDE, MostTurns, Sweep, interpolate, sweep_each};
 use crate::motion::walk::{Arrival, Walker, price};
-use crate::plan::Plan;
+use crate::plan::{Halton, Plan};
 use crate::program::{AtZero, Op, Position, Program};
 use bounds::Bounds;
 use line::{Line, Sample};
@@ -35,10 +35,13 @@ const OF_TURN: [usize; 2] = [12, 24];
 const OF_TURNS: usize = 96;
 /// So often is a way gone on that does not end where it began.
 const MOST_WAYS: usize = 4;
+/// Positions of all motors of an arm together, for each motor.
+const TOGETHER: usize = 12;
 /// Links that are taken outwards on each side.
 const CLIMBS: usize = 2;
-/// Rounds on the way outwards, the first step, the longest, and by what one is shortened that leads nowhere: parts of what is tried of motors.
-const ROUNDS: usize = 6;
+/// Rounds on the way outwards, and so many of them may lead nowhere; the first step, the longest, and by what one is shortened that leads nowhere: parts of what is tried of motors.
+const ROUNDS: usize = 8;
+const FRUITLESS: usize = 3;
 const FIRST_STEP: f64 = 1.0 / 16.0;
 const FARTHEST_STEP: f64 = 0.5;
 const SHORTER: f64 = 0.25;
@@ -93,12 +96,16 @@ struct Survey<'a> {
     /// How far out each link was seen, and everything.
     links: Vec<Sides>,
     sides: Sides,
+    /// How far out each link is seen at the start.
+    start: Vec<Outermost>,
     /// For each link whether several motors move it.
     is_shared: Vec<bool>,
     /// The ways of single motors.
     lines: Vec<Line>,
     /// The positions that the last move came past, and how far out links are seen there.
     passed: Vec<(Rc<Position<f64>>, Vec<Outermost>)>,
+    /// Positions of all motors together.
+    together: Vec<(Rc<Position<f64>>, Vec<Outermost>)>,
     /// Whether a motor was stopped before the end of its way: others may let it go on.
     was_blocked: bool,
     /// Whether some positions could not be paid.
@@ -156,12 +163,14 @@ impl<'a> Survey<'a> {
         let mut survey = Self {
             links: vec![EMPTY; seen.moving.len()],
             sides: seen.ground,
+            start: seen.outermost(&start.poses),
             is_shared: motors_of_links(program)
                 .iter()
                 .map(|motors| motors.count_ones() > 1)
                 .collect(),
             lines: Vec::new(),
             passed: Vec::new(),
+            together: Vec::new(),
             was_blocked: false,
             is_cut_short: false,
             model,
@@ -200,6 +209,7 @@ impl<'a> Survey<'a> {
     fn visit(&mut self, target: &[f64]) -> Option<Arrival> {
         let arrival = self.walker.visit(target);
         if arrival == Arrival::Unpaid {
+            self.is_cut_short = true;
             return None;
         }
         self.passed.clear();
@@ -335,8 +345,28 @@ impl<'a> Survey<'a> {
         });
     }
 
+    /// Moves an arm to combinations of its motors' values, evenly distributed.
+    fn visit_combinations(&mut self) {
+        let mut points = Halton::default();
+        for _ in 0..TOGETHER * self.ranges.len() {
+            let ranges = self.ranges.iter().enumerate();
+            let mut target: Vec<f64> = ranges
+                .map(|(motor, ([low, high], _))| low + (high - low) * points.at(motor))
+                .collect();
+            target.extend_from_slice(&self.program.start.motors[target.len()..]);
+            if self.visit(&target).is_none() {
+                return;
+            }
+            self.together.append(&mut self.passed);
+            points.advance();
+        }
+    }
+
     /// Moves all motors together: each link to where every motor alone takes it farthest out, and on from there.
     fn climb_all(&mut self) {
+        if self.program.is_function() {
+            self.visit_combinations();
+        }
         let of_side = |side: usize| {
             let links = (0..self.links.len()).filter(|&link| self.is_shared[link]);
             let mut links: Vec<(f64, usize)> = links
@@ -364,7 +394,7 @@ impl<'a> Survey<'a> {
         let out = |sample: &&Sample| sample.links[link].sides[side];
         let mut from = Rc::new(self.program.start.clone());
         let mut motors = from.motors.clone();
-        let start = self.seen.outermost(&from.poses)[link].sides[side];
+        let start = self.start[link].sides[side];
         let (mut expected, mut most) = (start, 0.0);
         for line in &self.lines {
             let best = line.samples.iter().max_by(|a, b| out(a).total_cmp(&out(b)));
@@ -402,7 +432,7 @@ impl<'a> Survey<'a> {
     fn climb(&mut self, side: usize, link: usize) {
         let (_, motors, from) = self.expected(side, link);
         self.walker.begin_roughly(&from);
-        let out = self.seen.outermost(&from.poses)[link].sides[side];
+        let out = self.seen.of_link(link, from.poses[link]).sides[side];
         let mut top = Top {
             side,
             link,
@@ -413,8 +443,14 @@ impl<'a> Survey<'a> {
             return;
         }
         self.note(&mut top);
+        for (position, links) in &self.together {
+            if links[link].sides[side] > top.out {
+                (top.out, top.from) = (links[link].sides[side], Rc::clone(position));
+            }
+        }
         let mut step = FIRST_STEP;
         let mut last: Option<[Vec<f64>; 2]> = None;
+        let mut fruitless = 0;
         for _ in 0..ROUNDS {
             let from = Rc::clone(&top.from);
             let before = top.out;
@@ -451,7 +487,8 @@ impl<'a> Survey<'a> {
             last = (!is_at_end).then_some([out, along]);
             let gain = top.out - before;
             step = (step * if gain > 0.0 { 2.0 } else { SHORTER }).min(FARTHEST_STEP);
-            if gain < WELL_KNOWN * self.width() && !is_at_end {
+            fruitless += usize::from(gain < WELL_KNOWN * self.width());
+            if fruitless == FRUITLESS {
                 return;
             }
         }
@@ -476,7 +513,7 @@ impl<'a> Survey<'a> {
         let Top {
             side, link, from, ..
         } = top;
-        let seen = &self.seen.outermost(&from.poses)[*link];
+        let seen = self.seen.of_link(*link, from.poses[*link]);
         let here = seen.sides[*side];
         let point = *self.seen.moving[*link].get(seen.points[*side] as usize)?;
         let sines = self.program.watches.iter().map(|watch| watch.sine);
@@ -494,7 +531,16 @@ impl<'a> Survey<'a> {
                 }
                 if let Some(beside) = self.walker.beside(from, &motors) {
                     out[motor] = (outwards(point, beside.poses[*link])[*side] - here) / step;
-                    sine[motor] = (square(&beside) - square(from)) / step;
+                    sine[motor] = (square(beside) - square(from)) / step;
+                    let value = from.motors[motor];
+                    let is_beyond = if out[motor] > 0.0 {
+                        value >= *high
+                    } else {
+                        value <= *low
+                    };
+                    if is_beyond && !is_endless {
+                        out[motor] = 0.0;
+                    }
                     break;
                 }
             }
