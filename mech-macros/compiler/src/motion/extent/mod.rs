@@ -37,11 +37,11 @@ const OF_TURNS: usize = 96;
 const MOST_WAYS: usize = 4;
 /// Positions of all motors of an arm together, for each motor.
 const TOGETHER: usize = 12;
-/// Links that are taken outwards on each side.
-const CLIMBS: usize = 2;
+/// Links that are taken outwards on each side: of loops, and of arms, which cost less.
+const CLIMBS: [usize; 2] = [1, 2];
 /// Rounds on the way outwards, and so many of them may lead nowhere; the first step, the longest, and by what one is shortened that leads nowhere: parts of what is tried of motors.
-const ROUNDS: usize = 8;
-const FRUITLESS: usize = 3;
+const ROUNDS: usize = 6;
+const FRUITLESS: usize = 2;
 const FIRST_STEP: f64 = 1.0 / 16.0;
 const FARTHEST_STEP: f64 = 0.5;
 const SHORTER: f64 = 0.25;
@@ -377,7 +377,7 @@ impl<'a> Survey<'a> {
             links
         };
         let links = SIDES.map(of_side);
-        for rank in 0..CLIMBS {
+        for rank in 0..CLIMBS[usize::from(self.program.is_function())] {
             for side in SIDES {
                 if let Some(&(out, link)) = links[side].get(rank)
                     && (rank == 0 || out > self.sides[side])
