@@ -3,12 +3,16 @@
 use crate::Dice;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{JointKind, Model};
+use mech_compiler::program::Position;
 use mech_compiler::{Compiled, Looks, Outline, looks};
 use std::f64::consts::TAU;
 use std::time::{Duration, Instant};
 
 /// How far a motor that slides without a range is taken, in sizes of the mechanism, as the documentation of `EXTENT` says.
 const SLIDE: f64 = 4.0;
+
+/// What flies away is seen no farther than so many sizes of the mechanism beyond its start, but for rounding.
+const LIMIT: f64 = 0.999 * 32.0;
 
 /// A walk takes no longer than this: some mechanisms move in very small pieces.
 const MOST: Duration = Duration::from_millis(500);
@@ -71,24 +75,43 @@ pub fn painted_outside(
         if !climbs {
             walked = position.clone();
         }
-        let mut sides = [f64::NEG_INFINITY; 4];
-        for &(link, [u, v], radius) in &seen {
-            let place = link.checked_sub(1).map(|link| position.poses[link]);
-            let [cos, sin, x, y] = place.unwrap_or([1.0, 0.0, 0.0, 0.0]);
-            let at = [x + cos * u - sin * v, y + sin * u + cos * v];
-            for part in 0..2 {
-                sides[part] = sides[part].max(low[part] - (at[part] - radius));
-                sides[2 + part] = sides[2 + part].max(at[part] + radius - high[part]);
-            }
-        }
+        let sides = beyond(&seen, position, [low, high]);
         for (known, beyond) in outermost.iter_mut().zip(sides) {
             if beyond > known.0 {
                 *known = (beyond, position.clone());
             }
         }
     }
-    let farthest = outermost.iter().map(|known| known.0);
-    farthest.fold(0.0, f64::max) / size
+    // How far within the box everything is at the start.
+    let start = beyond(
+        &seen,
+        Machine::<f64>::new(&compiled.program).position(),
+        [low, high],
+    );
+    let judged = outermost
+        .iter()
+        .zip(start)
+        .filter(|(_, start)| -start < LIMIT * model.size());
+    judged.map(|(known, _)| known.0).fold(0.0, f64::max) / size
+}
+
+/// How far anything is beyond each side of a box.
+fn beyond(
+    seen: &[(usize, [f64; 2], f64)],
+    position: &Position<f64>,
+    [low, high]: [[f64; 2]; 2],
+) -> [f64; 4] {
+    let mut sides = [f64::NEG_INFINITY; 4];
+    for &(link, [u, v], radius) in seen {
+        let place = link.checked_sub(1).map(|link| position.poses[link]);
+        let [cos, sin, x, y] = place.unwrap_or([1.0, 0.0, 0.0, 0.0]);
+        let at = [x + cos * u - sin * v, y + sin * u + cos * v];
+        for part in 0..2 {
+            sides[part] = sides[part].max(low[part] - (at[part] - radius));
+            sides[2 + part] = sides[2 + part].max(at[part] + radius - high[part]);
+        }
+    }
+    sides
 }
 
 /// For each link that is painted, 0 for the ground and else its place among the poses and one more, points and how far paint reaches around.

@@ -534,7 +534,8 @@ fn a_box_costs_little_however_small_the_pieces_of_a_move_are() {
     }
 }
 
-/// What motors reach is painted within the box, however large: where one moves loops, always. Where several do, a box is no proof.
+/// What motors reach is painted within the box, however large: where one moves loops, always. Where several do, a box is no proof. What
+/// flies away is held as far as the documentation of `EXTENT` says.
 #[test]
 fn nothing_is_painted_outside_of_the_box() {
     let (mut several, mut beyond) = (0, 0);
@@ -543,12 +544,6 @@ fn nothing_is_painted_outside_of_the_box() {
         let Ok(compiled) = compile(&model) else {
             return;
         };
-        let [low, high] = looks(&model, &compiled).extent(&model, &compiled);
-        let sides = [0, 1].map(|part| high[part] - low[part]);
-        // Where slides become parallel links fly away: in such a box nothing else would be seen.
-        if sides[0].max(sides[1]) > 1e4 * model.size() {
-            return;
-        }
         let outside = painted_outside(&model, &compiled, &mut dice, 120);
         if model.motors.len() > 1 {
             several += 1;
@@ -558,7 +553,7 @@ fn nothing_is_painted_outside_of_the_box() {
         }
     });
     println!("several motors: something beyond {beyond} of {several} boxes");
-    assert!(10 * beyond <= several, "{beyond} of {several}");
+    assert!(50 * beyond <= several, "{beyond} of {several}");
 }
 
 /// The same mechanism, so many times as large.

@@ -85,7 +85,7 @@ impl Survey {
                     let part = sample as f64 / samples as f64;
                     let target = interpolate(&start.motors, displacements, part);
                     let arrival = walker.visit(&target);
-                    positions.push(Frames::new(model, program, &walker.position().poses));
+                    positions.push(Frames::new(model, program, &walker.seen().poses));
                     arrival == Arrival::There
                 });
                 (came, walker.position().motors.clone())

@@ -256,7 +256,7 @@ impl Way<'_, '_> {
         let from = self.start.motors[self.motor];
         let mut position = self.start.clone();
         if let Some(walker) = &mut self.walker {
-            walker.begin(&position, self.positions / 4);
+            walker.begin_roughly(&position);
         }
         for number in 0..=samples + 1 {
             let mut target = self.start.motors.clone();

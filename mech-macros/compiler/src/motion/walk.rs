@@ -19,14 +19,20 @@ const BEGUN: f64 = 0.1;
 const BEGUN_SINE: f64 = 0.75;
 /// What is found lies no farther from what was foretold than this part of the way there.
 const ASTRAY: f64 = 0.4;
-/// Near a dead point each step comes so near to it, as a part of what is left, until this part of a move is left, or on a rough way.
-const NEARER: f64 = 0.9;
-const NEAREST: [f64; 2] = [1e-13, 1e-4];
+/// Near a dead point each step comes so near to it, as a part of what is left. When this part of a move is left, and nothing closes beyond,
+/// the rest is foretold.
+const NEARER: f64 = 0.97;
+const END: f64 = 1e-8;
+/// Where something closes beyond it comes as near as that; with less than the second, steps fail because of rounding.
+const NEAREST: f64 = 1e-13;
+const ROUNDED: f64 = 1e-9;
 /// Steps of a move at most, and so often is one halved before a journey is made instead; before a rough way ends.
 const MOST_STEPS: usize = 96;
 const MOST_FAILED: [usize; 2] = [6, 3];
-/// A step that was foretold lets the next one be so many times as long.
-const LONGER: f64 = 3.0;
+/// A step lets the next one be so many times as long at most, and at least; what is expected to be allowed is taken with a reserve.
+const LONGER: f64 = 4.0;
+const SHORTER: f64 = 0.1;
+const RESERVE: f64 = 0.7;
 /// What moves less than this part of what moves most is not looked at so closely.
 const SLOW: f64 = 0.02;
 /// A sine is zero that is less than this part of what it was before.
@@ -61,6 +67,8 @@ pub(crate) struct Walker<'p> {
     trail: Vec<Rc<Position<f64>>>,
     /// Those that the last move came past.
     pub(crate) passed: Vec<Rc<Position<f64>>>,
+    /// Where the last move ends at a dead point, foretold: it came almost there.
+    end: Option<Position<f64>>,
     /// Whether it made a step on this way that nothing foretold.
     pub(crate) is_unsure: bool,
     /// Whether it may end where nothing foretells how it goes on.
@@ -81,6 +89,7 @@ impl<'p> Walker<'p> {
             price: price(program),
             trail: Vec::new(),
             passed: Vec::new(),
+            end: None,
             reach: f64::INFINITY,
             is_rough: false,
             is_unsure: false,
@@ -93,15 +102,21 @@ impl<'p> Walker<'p> {
         self.machine.position()
     }
 
-    /// The same, to be kept.
+    /// The position at the end of the last move.
+    pub(crate) fn seen(&self) -> &Position<f64> {
+        self.end.as_ref().unwrap_or(self.position())
+    }
+
+    /// Its position, to be kept.
     pub(crate) fn here(&self) -> Rc<Position<f64>> {
-        Rc::new(self.position().clone())
+        Rc::new(self.seen().clone())
     }
 
     /// Lets it begin a way from a position that it had before. When journeys took so many positions on the way, steps that nothing foretells
     /// are made all the same.
     pub(crate) fn begin(&mut self, from: &Position<f64>, positions: usize) {
         self.machine.put_back(from.clone());
+        self.end = None;
         self.trail.clear();
         self.reach = f64::INFINITY;
         self.is_rough = false;
@@ -128,123 +143,166 @@ impl<'p> Walker<'p> {
         self.left = self.left.saturating_sub(operations);
     }
 
-    /// Whether so many positions can be paid.
-    pub(crate) fn can_pay(&self, positions: usize) -> bool {
-        self.left >= self.price.saturating_mul(positions)
-    }
-
     /// Moves as far towards these values of the motors as it can; [`passed`](Self::passed) tells by what way.
     pub(crate) fn visit(&mut self, target: &[f64]) -> Arrival {
         self.passed.clear();
+        self.end = None;
         if self.program.is_function() {
             return self.travel_or_leap(target);
         }
-        let start = self.position().motors.clone();
-        let way = between(&start, target);
-        let whole: f64 = way.iter().map(|part| part * part).sum::<f64>().sqrt();
-        if whole == 0.0 {
+        let mut way = Way::new(self.position(), target);
+        if way.whole == 0.0 {
             return Arrival::There;
         }
-        let is_begun = self.places(&self.here(), &way).len() > 1;
-        let (mut done, mut part) = (0.0, self.reach / whole);
-        if !is_begun {
-            part = FIRST * part.min(1.0);
-        }
-        let (mut comes_near, mut failed) = (false, 0);
+        let known = self.places(&self.here(), &way.vector);
+        way.part = (self.reach / way.whole).min(1.0);
+        way.part = match known.get(1) {
+            Some((nearest, _)) => way.part.min(LONGER * nearest.abs()),
+            None => FIRST * way.part,
+        };
         for _ in 0..MOST_STEPS {
-            let zero = self.zero_ahead(&way);
-            let length = match zero {
-                Some(zero) if comes_near => part.min(NEARER * zero),
-                _ => part,
-            };
-            let (mut next, mut motors) = (1.0, target.to_vec());
-            if done + 1.5 * length < 1.0 {
-                next = done + length;
-                motors = interpolate(&start, &way, next);
-            }
-            let nearest = NEAREST[usize::from(self.is_rough)];
-            let is_there = comes_near && zero.is_some_and(|zero| zero < nearest);
-            let before = self.here();
-            let mut came = Some(false);
-            if !is_there {
-                let zero = zero.filter(|_| comes_near);
-                came = self.step(&before, &motors, zero.map(|zero| zero / (next - done)));
-                if came == Some(false) && comes_near {
-                    // Before a change point everything is smooth in the motors.
-                    came = self.step(&before, &motors, None);
-                    comes_near = came != Some(true);
-                }
-            }
-            match came {
-                None => return Arrival::Unpaid,
-                Some(true) => {
-                    self.know(Rc::clone(&before));
-                    part = next - done;
-                    if failed == 0 {
-                        part *= LONGER;
-                    }
-                    self.reach = part * whole;
-                }
-                Some(false) if !comes_near && zero.is_some_and(|zero| zero < 2.0 * length) => {
-                    comes_near = true;
-                    continue;
-                }
-                Some(false) if !is_there && failed < MOST_FAILED[usize::from(self.is_rough)] => {
-                    failed += 1;
-                    part = 0.5 * length;
-                    continue;
-                }
-                Some(false) => {
-                    if let Some(zero) = zero.filter(|zero| 4.0 * zero < length || is_there) {
-                        next = 1.0_f64.min(done + 4.0 * zero.max(nearest));
-                        motors = interpolate(&start, &way, next);
-                    }
-                    // So near to a zero beyond which nothing closes it is at its end.
-                    if self.is_rough || is_there && !self.closes(&motors) {
-                        let sines = self
-                            .program
-                            .watches
-                            .iter()
-                            .map(|watch| before.state[watch.sine]);
-                        self.is_unsure |= sines.filter(|sine| sine.abs() < FLAT).count() > 1;
-                        self.passed.push(before);
-                        return Arrival::Blocked;
-                    }
-                    match self.travel_or_leap(&motors) {
-                        Arrival::There => {}
-                        end => {
-                            self.passed.push(before);
-                            return end;
-                        }
-                    }
-                    (comes_near, part) = (false, LONGER * (next - done));
-                    self.trail.clear();
-                }
-            }
-            self.passed.push(before);
-            (done, failed) = (next, 0);
-            if done >= 1.0 {
-                return Arrival::There;
+            if let Some(arrival) = self.go_on(&mut way) {
+                return arrival;
             }
         }
         self.travel_or_leap(target)
     }
 
-    /// Goes there in one step if that finds what was foretold, and else stays; none if that cannot be paid. At a dead point so far away as
-    /// `zero` says everything is smooth in the root of what is left until there.
+    /// Makes one step on a way, or shortens the next one; tells if the way is at its end.
+    fn go_on(&mut self, way: &mut Way<'_>) -> Option<Arrival> {
+        let before = self.here();
+        let zero = self.zero_ahead(&way.vector);
+        let near = zero.filter(|_| way.comes_near);
+        if let Some(zero) = near
+            && zero < END
+            && (self.is_rough || !self.closes(&way.motors(way.after(4.0 * END))))
+        {
+            self.foretell_end(way, before, zero);
+            return Some(Arrival::Blocked);
+        }
+        if near.is_some_and(|zero| zero < NEAREST) {
+            return self.go_past(way, before, way.after(4.0 * NEAREST));
+        }
+        let length = near.map_or(way.part, |zero| way.part.min(NEARER * zero));
+        let next = way.after(length);
+        let Some(astray) = self.try_step(way, &before, (next, near)) else {
+            return Some(Arrival::Unpaid);
+        };
+        let factor = factor(self.trail.len(), astray);
+        if astray <= 1.0 {
+            let most = if way.failed == 0 { LONGER } else { 1.0 };
+            way.part = (next - way.done) * factor.min(most);
+            self.reach = way.part * way.whole;
+            self.know(Rc::clone(&before));
+            return self.came(way, before, next);
+        }
+        if !way.comes_near && zero.is_some_and(|zero| zero < 2.0 * length) {
+            way.comes_near = true;
+            return None;
+        }
+        let is_rounded = near.is_some_and(|zero| zero < ROUNDED);
+        if !is_rounded && way.failed < MOST_FAILED[usize::from(self.is_rough)] {
+            way.failed += 1;
+            way.part = length * factor.clamp(SHORTER, 0.5);
+            return None;
+        }
+        let past = zero.filter(|zero| 4.0 * zero < length);
+        let next = past.map_or(next, |zero| way.after(4.0 * zero.max(NEAREST)));
+        self.go_past(way, before, next)
+    }
+
+    /// Makes a step where dead points show in the roots of what is left until there; or else where all is smooth. How far astray that was.
+    fn try_step(
+        &mut self,
+        way: &mut Way<'_>,
+        before: &Rc<Position<f64>>,
+        (next, near): (f64, Option<f64>),
+    ) -> Option<f64> {
+        let motors = way.motors(next);
+        let zero = near.map(|zero| zero / (next - way.done));
+        let mut astray = self.step(before, &motors, zero)?;
+        if astray > 1.0 && near.is_some() {
+            // Before a change point everything is smooth in the motors.
+            astray = self.step(before, &motors, None)?;
+            way.comes_near = astray > 1.0;
+        }
+        Some(astray)
+    }
+
+    /// Goes on where nothing foretells how, as at run time; a rough way ends there, and one beyond which nothing closes.
+    fn go_past(
+        &mut self,
+        way: &mut Way<'_>,
+        before: Rc<Position<f64>>,
+        next: f64,
+    ) -> Option<Arrival> {
+        let motors = way.motors(next);
+        let is_there = next - way.done <= 4.0 * NEAREST;
+        let arrival = if self.is_rough || is_there && !self.closes(&motors) {
+            self.doubt(&before);
+            Arrival::Blocked
+        } else {
+            self.travel_or_leap(&motors)
+        };
+        if arrival != Arrival::There {
+            self.passed.push(before);
+            return Some(arrival);
+        }
+        (way.comes_near, way.part) = (false, LONGER * (next - way.done));
+        self.trail.clear();
+        self.came(way, before, next)
+    }
+
+    /// Notes that it came so far from a position; tells if that is the end.
+    fn came(&mut self, way: &mut Way<'_>, before: Rc<Position<f64>>, next: f64) -> Option<Arrival> {
+        self.passed.push(before);
+        (way.done, way.failed) = (next, 0);
+        (next >= 1.0).then_some(Arrival::There)
+    }
+
+    /// Notes where a way ends that comes to a zero so near.
+    fn foretell_end(&mut self, way: &Way<'_>, before: Rc<Position<f64>>, zero: f64) {
+        self.doubt(&before);
+        let motors = way.motors(way.done + zero);
+        let places = self.places(&before, &between(&before.motors, &motors));
+        let mut end = self.foretell(&places, Some(1.0));
+        for watch in &self.program.watches {
+            // It stays on its side.
+            let (sine, side) = (&mut end.state[watch.sine], before.state[watch.sine]);
+            *sine = sine.abs().max(f64::EPSILON).copysign(side);
+        }
+        end.motors = motors;
+        // What flies away may be foretold beyond all numbers.
+        let mut numbers = end.poses.as_flattened().iter().chain(&end.state);
+        self.end = numbers.all(|number| number.is_finite()).then_some(end);
+        self.passed.push(before);
+    }
+
+    /// Where several loops come to their ends together, not all of what is beyond was seen.
+    fn doubt(&mut self, end: &Position<f64>) {
+        let watches = self.program.watches.iter();
+        let flat = watches.filter(|watch| end.state[watch.sine].abs() < FLAT);
+        self.is_unsure |= flat.count() > 1;
+    }
+
+    /// Goes there in one step if that finds what was foretold, and else stays; tells how far astray that was, as a part of what is allowed.
+    /// None if that cannot be paid. At a dead point so far away as `zero` says everything is smooth in the root of what is left until there.
     fn step(
         &mut self,
         before: &Rc<Position<f64>>,
         motors: &[f64],
         zero: Option<f64>,
-    ) -> Option<bool> {
+    ) -> Option<f64> {
         let places = self.places(before, &between(&before.motors, motors));
         let foretold = self.foretell(&places, zero);
         self.machine.put_back(foretold.clone());
-        let came = self.paid(self.left, |machine| machine.leap(motors).is_ok());
-        let is_foretold =
-            came == Some(true) && self.is_foretold(before, &foretold, places.len() > 1);
-        if is_foretold {
+        let came = self.paid(self.left, |machine| machine.leap(motors).is_ok())?;
+        let astray = if came {
+            self.astray(before, &foretold, places.len() > 1)
+        } else {
+            f64::INFINITY
+        };
+        if astray <= 1.0 {
             // Of loops that pass change points together, nothing tells that each passes its own.
             let sine = |watch: &&Watch| {
                 let [then, now] = [before, self.position()].map(|at| at.state[watch.sine]);
@@ -254,41 +312,42 @@ impl<'p> Walker<'p> {
         } else {
             self.machine.put_back(Position::clone(before));
         }
-        came.map(|_| is_foretold)
+        Some(astray)
     }
 
     /// The known positions on the line of a way, each with its part of the way from a position, and that first.
     fn places(&self, from: &Rc<Position<f64>>, way: &[f64]) -> Vec<(f64, Rc<Position<f64>>)> {
-        let square: f64 = way.iter().map(|part| part * part).sum();
         let mut places = vec![(0.0, Rc::clone(from))];
         for other in self.trail.iter().rev() {
-            let apart = between(&from.motors, &other.motors);
-            let pairs = || apart.iter().zip(way);
-            let place = pairs().map(|(apart, way)| apart * way).sum::<f64>() / square;
-            let aside = pairs().map(|(apart, way)| (apart - place * way).powi(2));
-            let is_on = aside.sum::<f64>() <= (ALIGNED * place).powi(2) * square;
-            if is_on && places.iter().all(|known| (known.0 - place).abs() > APART) {
+            if let Some(place) = place_on(way, from, other)
+                && places.iter().all(|known| (known.0 - place).abs() > APART)
+            {
                 places.push((place, Rc::clone(other)));
             }
         }
         places
     }
 
-    /// The part of the way where first the sine of a watched loop comes to zero, if its square goes on as between the last two positions.
+    /// The part of the way where first the sine of a watched loop comes to zero, if its square goes on as between the last positions.
     fn zero_ahead(&self, way: &[f64]) -> Option<f64> {
         let here = self.position();
-        let square: f64 = way.iter().map(|part| part * part).sum();
-        let before = self.trail.last()?;
-        let pairs = between(&here.motors, &before.motors);
-        let place = pairs
-            .iter()
-            .zip(way)
-            .map(|(apart, way)| apart * way)
-            .sum::<f64>()
-            / square;
+        let on_way =
+            |other: &Rc<Position<f64>>| Some((place_on(way, here, other)?, Rc::clone(other)));
+        let known: Vec<_> = self.trail.iter().rev().map_while(on_way).take(2).collect();
         let zero = |watch: &Watch| {
-            let [now, then] = [here, before].map(|position| position.state[watch.sine].powi(2));
-            let zero = place * now / (now - then);
+            let square = |position: &Position<f64>| position.state[watch.sine].powi(2);
+            let now = square(here);
+            let mut zeros = known.iter().map(|(place, position)| {
+                let then = square(position);
+                (place * now / (now - then), then)
+            });
+            let (first, then) = zeros.next()?;
+            // The place is taken to be a parabola of the square.
+            let zero = zeros.next().map_or(first, |(second, earlier)| {
+                (first * earlier - second * then) / (earlier - then)
+            });
+            let is_near = zero > 0.5 * first && zero < 2.0 * first;
+            let zero = if is_near { zero } else { first };
             (zero > 0.0).then_some(zero)
         };
         let zeros = self.program.watches.iter().filter_map(zero);
@@ -324,18 +383,23 @@ impl<'p> Walker<'p> {
         }
         for watch in &self.program.watches {
             let (now, then) = (before.state[watch.sine], &mut foretold.state[watch.sine]);
-            if watch.at_zero != AtZero::ChangeBranch && now * *then <= 0.0 {
+            // It goes over to the other side only where it went towards it before.
+            let goes_over = places.get(1).is_some_and(|(place, other)| {
+                let other = other.state[watch.sine];
+                now * other < 0.0 || *place < 0.0 && now.abs() < other.abs()
+            });
+            if now * *then <= 0.0 && !(watch.at_zero == AtZero::ChangeBranch && goes_over) {
                 *then = now;
             }
         }
         foretold
     }
 
-    /// Whether the mechanism is where it was foretold to be; where nothing was, whether it is near.
-    fn is_foretold(&self, from: &Position<f64>, foretold: &Position<f64>, is_begun: bool) -> bool {
+    /// How far the mechanism is from where it was foretold to be, as a part of what is allowed; where nothing was, from where it was.
+    fn astray(&self, from: &Position<f64>, foretold: &Position<f64>, is_begun: bool) -> f64 {
         let to = self.position();
         // Of directions and of places.
-        let is_near = [0, 2].into_iter().all(|part| {
+        let of_poses = [0, 2].map(|part| {
             let square = |x: f64, y: f64| x * x + y * y;
             let apart = |[a, b]: [&Position<f64>; 2], link: usize| {
                 let [a, b] = [a, b].map(|position| &position.poses[link]);
@@ -345,21 +409,20 @@ impl<'p> Walker<'p> {
                 .map(|link| apart([from, to], link))
                 .collect();
             let least = SLOW * SLOW * gone.iter().copied().fold(0.0, f64::max);
-            let sizes = to
-                .poses
-                .iter()
-                .map(|pose| square(pose[part], pose[part + 1]));
+            let sizes = to.poses.iter();
+            let sizes = sizes.map(|pose| square(pose[part], pose[part + 1]));
             let size = sizes.fold(0.0, f64::max).sqrt();
-            gone.iter().enumerate().all(|(link, gone)| {
+            let parts = gone.iter().enumerate().map(|(link, gone)| {
                 let allowed = if is_begun {
                     ASTRAY * gone.max(least).sqrt() + f64::EPSILON.sqrt() * size
                 } else {
                     BEGUN * size
                 };
-                apart([foretold, to], link) <= allowed * allowed
-            })
+                part_of(apart([foretold, to], link).sqrt(), allowed)
+            });
+            parts.fold(0.0, f64::max)
         });
-        let is_on_its_side = |watch: &Watch| {
+        let of_watch = |watch: &Watch| {
             let [before, foretold, found] =
                 [from, foretold, to].map(|position| position.state[watch.sine]);
             let gone = (found - before).abs();
@@ -370,23 +433,39 @@ impl<'p> Walker<'p> {
             };
             // On a change point its side is that of the next step.
             let is_flat = is_begun && foretold.abs().max(found.abs()) <= FLAT * gone;
-            (found - foretold).abs() <= allowed && (foretold * found > 0.0 || is_flat)
+            if foretold * found > 0.0 || is_flat {
+                part_of((found - foretold).abs(), allowed)
+            } else {
+                f64::INFINITY
+            }
         };
-        let is_in_its_turn = |follow: &Follow| {
+        let of_follow = |follow: &Follow| {
             let [foretold, found] = [foretold, to].map(|position| position.state[follow.angle]);
-            (found - foretold).abs() <= ANGLE
+            (found - foretold).abs() / ANGLE
         };
-        is_near
-            && self.program.watches.iter().all(is_on_its_side)
-            && self.program.follows.iter().all(is_in_its_turn)
+        let watches = self.program.watches.iter().map(of_watch);
+        let follows = self.program.follows.iter().map(of_follow);
+        let all = of_poses.into_iter().chain(watches).chain(follows);
+        all.fold(0.0, f64::max)
     }
 
     /// Whether loops close there in one step; it stays where it is.
     fn closes(&mut self, motors: &[f64]) -> bool {
         let before = self.position().clone();
-        let came = self.paid(self.left, |machine| machine.leap(motors).is_ok());
+        let closes = self.beside(&before, motors).is_some();
         self.machine.put_back(before);
-        came == Some(true)
+        closes
+    }
+
+    /// The position that one step leads to, and where it then is, if loops close there.
+    pub(crate) fn beside(
+        &mut self,
+        from: &Position<f64>,
+        motors: &[f64],
+    ) -> Option<&Position<f64>> {
+        self.machine.put_back(from.clone());
+        let came = self.paid(self.left, |machine| machine.leap(motors).is_ok());
+        (came == Some(true)).then(|| self.machine.position())
     }
 
     /// Moves there as a mechanism does at run time; if that takes too much, in one step.
@@ -449,6 +528,77 @@ impl<'p> Walker<'p> {
         self.pay(allowed - rest);
         (rest > 0).then_some(done)
     }
+}
+
+/// A way to values of the motors.
+struct Way<'t> {
+    start: Vec<f64>,
+    target: &'t [f64],
+    vector: Vec<f64>,
+    /// How long it is.
+    whole: f64,
+    /// The part that is done, and that of the next step.
+    done: f64,
+    part: f64,
+    /// Whether it comes near a dead point, and how often the next step was shortened.
+    comes_near: bool,
+    failed: usize,
+}
+
+impl<'t> Way<'t> {
+    fn new(from: &Position<f64>, target: &'t [f64]) -> Self {
+        let vector = between(&from.motors, target);
+        Self {
+            start: from.motors.clone(),
+            target,
+            whole: vector.iter().map(|part| part * part).sum::<f64>().sqrt(),
+            vector,
+            done: 0.0,
+            part: 0.0,
+            comes_near: false,
+            failed: 0,
+        }
+    }
+
+    /// What is done after a step of such a part; all of it if little is left.
+    fn after(&self, length: f64) -> f64 {
+        let next = self.done + length;
+        if next + 0.5 * length < 1.0 { next } else { 1.0 }
+    }
+
+    /// The motors where so much is done.
+    fn motors(&self, done: f64) -> Vec<f64> {
+        if done < 1.0 {
+            interpolate(&self.start, &self.vector, done)
+        } else {
+            self.target.to_vec()
+        }
+    }
+}
+
+/// How many times as long a step may be as one that went so far astray, foretold from so many positions before: it grows with that power.
+fn factor(known: usize, astray: f64) -> f64 {
+    if astray.is_infinite() {
+        return 0.5;
+    }
+    let power = [1.0, 1.0, 2.0, 3.0][known.min(TRAIL)];
+    RESERVE * astray.powf(-1.0 / power)
+}
+
+/// What part something is of what is allowed.
+fn part_of(found: f64, allowed: f64) -> f64 {
+    if found == 0.0 { 0.0 } else { found / allowed }
+}
+
+/// The part of a way where a position is that lies on its line, seen from another.
+fn place_on(way: &[f64], from: &Position<f64>, other: &Position<f64>) -> Option<f64> {
+    let square: f64 = way.iter().map(|part| part * part).sum();
+    let apart = between(&from.motors, &other.motors);
+    let pairs = || apart.iter().zip(way);
+    let place = pairs().map(|(apart, way)| apart * way).sum::<f64>() / square;
+    let aside = pairs().map(|(apart, way)| (apart - place * way).powi(2));
+    let is_on = aside.sum::<f64>() <= (ALIGNED * place).powi(2) * square;
+    is_on.then_some(place)
 }
 
 /// The way of the motors from some values to others.

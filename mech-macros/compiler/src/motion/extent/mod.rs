@@ -17,7 +17,7 @@ use crate::program::{AtZero, Op, Position, Program};
 use bounds::Bounds;
 use line::{Line, Sample};
 pub(crate) use seen::Reach;
-use seen::{EMPTY, SIDES, SeenPoints, Sides};
+use seen::{EMPTY, Outermost, SIDES, SeenPoints, Sides, outwards};
 use std::f64::consts::TAU;
 use std::rc::Rc;
 
@@ -33,16 +33,25 @@ const MOST_TURNS: i64 = 1 << 16;
 /// Positions of one turn of the fastest link, at least and at most, and of all turns if that is between.
 const OF_TURN: [usize; 2] = [12, 24];
 const OF_TURNS: usize = 96;
-/// A way that ended is left so many positions before its end.
-const BEFORE_END: usize = 6;
 /// So often is a way gone on that does not end where it began.
 const MOST_WAYS: usize = 4;
-/// Positions of all motors together, for each motor.
+/// Positions of all motors of an arm together, for each motor.
 const TOGETHER: usize = 12;
-/// Rounds on the way outwards; the first step is this part of what is tried of a motor, each next one an eighth of that before it.
-const ROUNDS: usize = 2;
-const FIRST_STEP: f64 = 1.0 / 24.0;
-const SHORTER: f64 = 0.125;
+/// Links that are taken outwards on each side: of loops, and of arms, which cost less.
+const CLIMBS: [usize; 2] = [1, 2];
+/// Rounds on the way outwards, and so many of them may lead nowhere; the first step, the longest, and by what one is shortened that leads nowhere: parts of what is tried of motors.
+const ROUNDS: usize = 6;
+const FRUITLESS: usize = 2;
+const FIRST_STEP: f64 = 1.0 / 16.0;
+const FARTHEST_STEP: f64 = 0.5;
+const SHORTER: f64 = 0.25;
+/// A slope is found by so short a step.
+const NUDGE: f64 = 1e-6;
+/// Where a sine is less, a loop is near its end; where it is less than the second, too near to tell a slope.
+const NEAR_END: f64 = 0.6;
+const AT_END: f64 = 0.3;
+/// What nothing bounds is seen no farther than so many sizes of the mechanism beyond the start: it flies away where slides become parallel.
+const LIMIT: f64 = 32.0;
 /// Positions that are tried between others where something may be farther out.
 const BETWEEN: usize = 32;
 /// A box is known well enough by this part of itself.
@@ -66,8 +75,7 @@ pub(crate) fn extent(
     let mut survey = Survey::new(model, program, shapes);
     survey.sweep(plan);
     if model.motors.len() > 1 {
-        survey.visit_combinations();
-        survey.push_outwards();
+        survey.climb_all();
     }
     survey.look_between();
     survey.corners()
@@ -88,16 +96,44 @@ struct Survey<'a> {
     /// How far out each link was seen, and everything.
     links: Vec<Sides>,
     sides: Sides,
-    /// For each side the position that reaches farthest out.
-    outermost: [Rc<Position<f64>>; 4],
+    /// How far out each link is seen at the start.
+    start: Vec<Outermost>,
+    /// For each link whether several motors move it.
+    is_shared: Vec<bool>,
     /// The ways of single motors.
     lines: Vec<Line>,
     /// The positions that the last move came past, and how far out links are seen there.
-    passed: Vec<(Rc<Position<f64>>, Vec<seen::Outermost>)>,
+    passed: Vec<(Rc<Position<f64>>, Vec<Outermost>)>,
+    /// Positions of all motors together.
+    together: Vec<(Rc<Position<f64>>, Vec<Outermost>)>,
     /// Whether a motor was stopped before the end of its way: others may let it go on.
     was_blocked: bool,
     /// Whether some positions could not be paid.
     is_cut_short: bool,
+}
+
+/// How far out a link came on a side, and from where: if a loop is at its end there, from before.
+struct Top {
+    side: usize,
+    link: usize,
+    out: f64,
+    from: Rc<Position<f64>>,
+}
+
+/// How far out something is on a side, how much farther with each motor, and how much greater the square of a sine that is small there.
+struct Slope {
+    here: f64,
+    out: Vec<f64>,
+    sine: Vec<f64>,
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// A vector plus so many times another.
+fn plus(a: &[f64], times: f64, b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a + times * b).collect()
 }
 
 impl<'a> Survey<'a> {
@@ -123,13 +159,18 @@ impl<'a> Survey<'a> {
         };
         let ranges: Vec<([f64; 2], bool)> =
             model.motors.iter().zip(&start.motors).map(range).collect();
-        let most = most(model, program, &seen, &ranges);
+        let most = most((model, size), program, &seen, &ranges);
         let mut survey = Self {
             links: vec![EMPTY; seen.moving.len()],
             sides: seen.ground,
-            outermost: std::array::from_fn(|_| Rc::new(start.clone())),
+            start: seen.outermost(&start.poses),
+            is_shared: motors_of_links(program)
+                .iter()
+                .map(|motors| motors.count_ones() > 1)
+                .collect(),
             lines: Vec::new(),
             passed: Vec::new(),
+            together: Vec::new(),
             was_blocked: false,
             is_cut_short: false,
             model,
@@ -145,44 +186,39 @@ impl<'a> Survey<'a> {
     }
 
     /// Notes how far out is what is seen where the mechanism is.
-    fn look(&mut self) -> Vec<seen::Outermost> {
+    fn look(&mut self) -> Vec<Outermost> {
         self.look_at(&self.walker.here())
     }
 
     /// The same of another position that it came past.
-    fn look_at(&mut self, position: &Rc<Position<f64>>) -> Vec<seen::Outermost> {
+    fn look_at(&mut self, position: &Position<f64>) -> Vec<Outermost> {
         self.walker.pay(self.seen.count());
         let links = self.seen.outermost(&position.poses);
-        for (known, found) in self.links.iter_mut().zip(&links) {
+        let all = self.links.iter_mut().zip(&links).zip(&self.most);
+        for ((known, found), most) in all {
             for side in SIDES {
-                known[side] = known[side].max(found.sides[side]);
-                if found.sides[side] > self.sides[side] {
-                    self.sides[side] = found.sides[side];
-                    self.outermost[side] = Rc::clone(position);
-                }
+                let out = found.sides[side].min(most[side]);
+                known[side] = known[side].max(out);
+                self.sides[side] = self.sides[side].max(out);
             }
         }
         links
     }
 
     /// Moves towards a target as far as it can and looks; none if that cannot be paid.
-    fn visit(&mut self, target: &[f64]) -> Option<(Arrival, Vec<seen::Outermost>)> {
-        match self.walker.visit(target) {
-            Arrival::Unpaid => None,
-            arrival => {
-                self.passed.clear();
-                for position in std::mem::take(&mut self.walker.passed).into_iter().skip(1) {
-                    let links = self.look_at(&position);
-                    self.passed.push((position, links));
-                }
-                Some((arrival, self.look()))
-            }
+    fn visit(&mut self, target: &[f64]) -> Option<Arrival> {
+        let arrival = self.walker.visit(target);
+        if arrival == Arrival::Unpaid {
+            self.is_cut_short = true;
+            return None;
         }
-    }
-
-    /// Where the machine is, on the way of a motor.
-    fn sample(&self, motor: usize, links: Vec<seen::Outermost>) -> Sample {
-        Sample::new(motor, (self.walker.here(), links))
+        self.passed.clear();
+        let passed = std::mem::take(&mut self.walker.passed).into_iter().skip(1);
+        for position in passed.chain([self.walker.here()]) {
+            let links = self.look_at(&position);
+            self.passed.push((position, links));
+        }
+        Some(arrival)
     }
 
     /// Moves each motor alone.
@@ -231,7 +267,7 @@ impl<'a> Survey<'a> {
             }
         }
         let links = self.look();
-        let mut way = vec![self.sample(motor, links)];
+        let mut way = vec![Sample::new(motor, (self.walker.here(), links))];
         let passes = self
             .program
             .watches
@@ -244,15 +280,13 @@ impl<'a> Survey<'a> {
             for sample in 1..=samples {
                 #[expect(clippy::cast_precision_loss, reason = "a few thousand samples")]
                 let part = sample as f64 / samples as f64;
-                let Some((arrival, links)) = self.visit(&interpolate(&from, displacements, part))
-                else {
+                let Some(arrival) = self.visit(&interpolate(&from, displacements, part)) else {
                     self.is_cut_short = true;
                     goes_on = false;
                     break;
                 };
                 let passed = self.passed.drain(..);
                 way.extend(passed.map(|seen| Sample::new(motor, seen)));
-                way.push(self.sample(motor, links));
                 if arrival == Arrival::Blocked {
                     goes_on = false;
                     break;
@@ -311,9 +345,8 @@ impl<'a> Survey<'a> {
         });
     }
 
-    /// Moves to combinations of the motors' values, evenly distributed.
+    /// Moves an arm to combinations of its motors' values, evenly distributed.
     fn visit_combinations(&mut self) {
-        self.walker.begin_roughly(&self.program.start);
         let mut points = Halton::default();
         for _ in 0..TOGETHER * self.ranges.len() {
             let ranges = self.ranges.iter().enumerate();
@@ -321,87 +354,215 @@ impl<'a> Survey<'a> {
                 .map(|(motor, ([low, high], _))| low + (high - low) * points.at(motor))
                 .collect();
             target.extend_from_slice(&self.program.start.motors[target.len()..]);
-            match self.visit(&target) {
-                None => {
-                    self.is_cut_short = true;
-                    return;
-                }
-                // Near its end a way is hard to begin.
-                Some((Arrival::Blocked, _)) => {
-                    let before = self
-                        .passed
-                        .get(self.passed.len().saturating_sub(BEFORE_END));
-                    let from = before.map_or(&self.program.start, |seen| &*seen.0);
-                    self.walker.begin_roughly(from);
-                }
-                Some(_) => {}
+            if self.visit(&target).is_none() {
+                return;
             }
+            self.together.append(&mut self.passed);
             points.advance();
         }
     }
 
-    /// From the outermost position on each side it goes farther out as long as it can, motor by motor.
-    fn push_outwards(&mut self) {
-        for side in SIDES {
-            let mut part = FIRST_STEP;
-            for _ in 0..ROUNDS {
-                for motor in 0..self.ranges.len() {
-                    let positions = 3 * SIDES.len() * ROUNDS * self.ranges.len();
-                    if self.walker.can_pay(positions) {
-                        self.push(side, motor, part);
-                    }
-                }
-                part *= SHORTER;
-            }
+    /// Moves all motors together: each link to where every motor alone takes it farthest out, and on from there.
+    fn climb_all(&mut self) {
+        if self.program.is_function() {
+            self.visit_combinations();
         }
-    }
-
-    /// Moves one motor both ways by a part of what is tried of it, from where a side is outermost; then to where a parabola has its top.
-    fn push(&mut self, side: usize, motor: usize, part: f64) {
-        let from = self.outermost[side].clone();
-        let step = part * (self.ranges[motor].0[1] - self.ranges[motor].0[0]);
-        let before = self.sides[side];
-        let mut known = Vec::new();
-        let outs = [step, -step].map(|step| {
-            self.walker.begin_roughly(&from);
-            for near in &known {
-                self.walker.know(Rc::clone(near));
-            }
-            let out = self.push_to(side, motor, from.motors[motor] + step);
-            known.push(self.walker.here());
-            out
-        });
-        let [above, below] = outs;
-        let bend = above + below - 2.0 * before;
-        if bend < 0.0 {
-            let top = 0.5 * (below - above) / bend;
-            self.walker.begin_roughly(&from);
-            for near in known {
-                self.walker.know(near);
-            }
-            self.push_to(
-                side,
-                motor,
-                from.motors[motor] + step * top.clamp(-8.0, 8.0),
-            );
-        }
-    }
-
-    /// Moves one motor to a value within what is tried of it; how far out it then is on a side.
-    fn push_to(&mut self, side: usize, motor: usize, value: f64) -> f64 {
-        let mut target = self.walker.position().motors.clone();
-        let ([low, high], is_endless) = self.ranges[motor];
-        target[motor] = if is_endless {
-            value
-        } else {
-            value.clamp(low, high)
+        let of_side = |side: usize| {
+            let links = (0..self.links.len()).filter(|&link| self.is_shared[link]);
+            let mut links: Vec<(f64, usize)> = links
+                .map(|link| (self.expected(side, link).0, link))
+                .filter(|(out, _)| *out >= self.sides[side])
+                .collect();
+            links.sort_by(|a, b| b.0.total_cmp(&a.0));
+            links
         };
-        let found = self.visit(&target);
-        let links = found.map(|(_, links)| links).unwrap_or_default();
-        links
-            .iter()
-            .map(|link| link.sides[side])
-            .fold(self.seen.ground[side], f64::max)
+        let links = SIDES.map(of_side);
+        for rank in 0..CLIMBS[usize::from(self.program.is_function())] {
+            for side in SIDES {
+                if let Some(&(out, link)) = links[side].get(rank)
+                    && (rank == 0 || out > self.sides[side])
+                {
+                    self.climb(side, link);
+                }
+            }
+        }
+    }
+
+    /// How far out a link may be on a side if what each motor does alone adds up; and the values of the motors there, beside a position on
+    /// the way of that which does most.
+    fn expected(&self, side: usize, link: usize) -> (f64, Vec<f64>, Rc<Position<f64>>) {
+        let out = |sample: &&Sample| sample.links[link].sides[side];
+        let mut from = Rc::new(self.program.start.clone());
+        let mut motors = from.motors.clone();
+        let start = self.start[link].sides[side];
+        let (mut expected, mut most) = (start, 0.0);
+        for line in &self.lines {
+            let best = line.samples.iter().max_by(|a, b| out(a).total_cmp(&out(b)));
+            if let Some(best) = best.filter(|best| out(best) > start) {
+                let gain = out(&best) - start;
+                expected += gain;
+                motors[line.motor] = best.at;
+                if gain > most {
+                    (from, most) = (self.before_end(line, best.at), gain);
+                }
+            }
+        }
+        (expected.min(self.most[link][side]), motors, from)
+    }
+
+    /// The position of a line nearest to a value of its motor where no loop is at its end.
+    fn before_end(&self, line: &Line, at: f64) -> Rc<Position<f64>> {
+        let samples = line.samples.iter();
+        let clear = samples.filter(|sample| !self.is_at_end(&sample.position));
+        let away = |sample: &&Sample| (sample.at - at).abs();
+        let nearest = clear.min_by(|a, b| away(a).total_cmp(&away(b)));
+        nearest.map_or_else(
+            || Rc::new(self.program.start.clone()),
+            |sample| Rc::clone(&sample.position),
+        )
+    }
+
+    /// Whether a loop is too near its end to tell how things change.
+    fn is_at_end(&self, position: &Position<f64>) -> bool {
+        let mut watches = self.program.watches.iter();
+        watches.any(|watch| position.state[watch.sine].abs() < AT_END)
+    }
+
+    /// Goes farther out with a link on a side as long as it can: up the slope, and where a loop is at its end along that, and then out to it.
+    fn climb(&mut self, side: usize, link: usize) {
+        let (_, motors, from) = self.expected(side, link);
+        self.walker.begin_roughly(&from);
+        let out = self.seen.of_link(link, from.poses[link]).sides[side];
+        let mut top = Top {
+            side,
+            link,
+            out,
+            from,
+        };
+        if self.visit(&motors).is_none() {
+            return;
+        }
+        self.note(&mut top);
+        for (position, links) in &self.together {
+            if links[link].sides[side] > top.out {
+                (top.out, top.from) = (links[link].sides[side], Rc::clone(position));
+            }
+        }
+        let mut step = FIRST_STEP;
+        let mut last: Option<[Vec<f64>; 2]> = None;
+        let mut fruitless = 0;
+        for _ in 0..ROUNDS {
+            let from = Rc::clone(&top.from);
+            let before = top.out;
+            let Some(Slope { here, out, sine }) = self.slope(&top) else {
+                return;
+            };
+            let inwards = dot(&out, &sine);
+            let is_at_end = inwards < 0.0;
+            let mut along = out.clone();
+            if is_at_end {
+                along = plus(&out, -inwards / dot(&sine, &sine), &sine);
+            } else if let Some([slope, way]) = &last {
+                // The way before was climbed already.
+                let part = dot(&out, &plus(&out, -1.0, slope)) / dot(slope, slope);
+                along = plus(&out, part.max(0.0), way);
+            }
+            self.walker.begin_roughly(&from);
+            let Some(there) = self.go(&mut top, &along, step) else {
+                return;
+            };
+            if is_at_end {
+                self.go(&mut top, &out, FARTHEST_STEP);
+            } else {
+                let rise = step * dot(&out, &along) / dot(&along, &along).sqrt();
+                let best = 0.5 * step * rise / (here + rise - there);
+                if best > 0.0 && best < FARTHEST_STEP {
+                    let near = self.walker.here();
+                    self.walker.begin_roughly(&from);
+                    self.walker.know(near);
+                    self.go(&mut top, &along, best);
+                    step = best;
+                }
+            }
+            last = (!is_at_end).then_some([out, along]);
+            let gain = top.out - before;
+            step = (step * if gain > 0.0 { 2.0 } else { SHORTER }).min(FARTHEST_STEP);
+            fruitless += usize::from(gain < WELL_KNOWN * self.width());
+            if fruitless == FRUITLESS {
+                return;
+            }
+        }
+    }
+
+    /// Notes where on the last move something came farther out.
+    fn note(&self, top: &mut Top) {
+        let mut from = Rc::clone(&top.from);
+        for (position, links) in &self.passed {
+            if !self.is_at_end(position) {
+                from = Rc::clone(position);
+            }
+            let out = links[top.link].sides[top.side];
+            if out > top.out {
+                (top.out, top.from) = (out, Rc::clone(&from));
+            }
+        }
+    }
+
+    /// How much farther out a link comes with each motor, in parts of what is tried of them; none where nothing moves it.
+    fn slope(&mut self, top: &Top) -> Option<Slope> {
+        let Top {
+            side, link, from, ..
+        } = top;
+        let seen = self.seen.of_link(*link, from.poses[*link]);
+        let here = seen.sides[*side];
+        let point = *self.seen.moving[*link].get(seen.points[*side] as usize)?;
+        let sines = self.program.watches.iter().map(|watch| watch.sine);
+        let flattest = sines.min_by(|a, b| from.state[*a].abs().total_cmp(&from.state[*b].abs()));
+        let flattest = flattest.filter(|&sine| from.state[sine].abs() < NEAR_END);
+        let square =
+            |position: &Position<f64>| flattest.map_or(0.0, |sine| position.state[sine].powi(2));
+        let [mut out, mut sine] = [vec![0.0; self.ranges.len()], vec![0.0; self.ranges.len()]];
+        for (motor, ([low, high], is_endless)) in self.ranges.iter().enumerate() {
+            for step in [NUDGE, -NUDGE] {
+                let mut motors = from.motors.clone();
+                motors[motor] += step * (high - low);
+                if !is_endless && !(*low..=*high).contains(&motors[motor]) {
+                    continue;
+                }
+                if let Some(beside) = self.walker.beside(from, &motors) {
+                    out[motor] = (outwards(point, beside.poses[*link])[*side] - here) / step;
+                    sine[motor] = (square(beside) - square(from)) / step;
+                    let value = from.motors[motor];
+                    let is_beyond = if out[motor] > 0.0 {
+                        value >= *high
+                    } else {
+                        value <= *low
+                    };
+                    if is_beyond && !is_endless {
+                        out[motor] = 0.0;
+                    }
+                    break;
+                }
+            }
+        }
+        (dot(&out, &out) > 0.0).then_some(Slope { here, out, sine })
+    }
+
+    /// Moves in a direction, by a part of what is tried of the motors; how far out the link then is, if that can be paid.
+    fn go(&mut self, top: &mut Top, direction: &[f64], step: f64) -> Option<f64> {
+        let length = dot(direction, direction).sqrt();
+        let mut target = self.walker.position().motors.clone();
+        let parts = target.iter_mut().zip(direction).zip(&self.ranges);
+        for ((value, part), ([low, high], is_endless)) in parts {
+            *value += step * (high - low) * part / length;
+            if !is_endless {
+                *value = value.clamp(*low, *high);
+            }
+        }
+        self.visit(&target)?;
+        self.note(top);
+        let (_, links) = self.passed.last()?;
+        Some(links[top.link].sides[top.side])
     }
 
     /// Tries positions between others where something may be farther out than was seen, the farthest first.
@@ -425,10 +586,11 @@ impl<'a> Survey<'a> {
                     self.walker.know(Rc::clone(&sample.position));
                 }
             }
-            let Some((_, links)) = self.visit(&target) else {
+            let motor = *motor;
+            let Some(seen) = self.visit(&target).and_then(|_| self.passed.pop()) else {
                 break;
             };
-            let sample = self.sample(*motor, links);
+            let sample = Sample::new(motor, seen);
             let is_between = from < sample.at && sample.at < to;
             if !is_between {
                 // It is as near to one of them as the motor can be.
@@ -471,19 +633,13 @@ impl<'a> Survey<'a> {
             sides[side] = sides[side].max(guess.out);
         }
         let several = self.ranges.len() > 1;
-        let motors = if several {
-            motors_of_links(self.program)
-        } else {
-            Vec::new()
-        };
         let [unseen, wasteful] = if self.is_cut_short || self.was_blocked {
             UNSEEN[2]
         } else {
             UNSEEN[usize::from(!self.program.is_function())]
         };
         for (link, (seen, most)) in self.links.iter().zip(&self.most).enumerate() {
-            let is_moved_by_several =
-                several && (self.was_blocked || motors[link].count_ones() > 1);
+            let is_moved_by_several = several && (self.was_blocked || self.is_shared[link]);
             if !(is_moved_by_several || self.is_cut_short) {
                 continue;
             }
@@ -514,7 +670,7 @@ impl<'a> Survey<'a> {
 
 /// How far out each link can be at most, wherever the motors are within what is tried of them.
 fn most(
-    model: &Model,
+    (model, size): (&Model, f64),
     program: &Program,
     seen: &SeenPoints,
     ranges: &[([f64; 2], bool)],
@@ -528,11 +684,22 @@ fn most(
     };
     let ranges: Vec<Interval> = ranges.iter().map(anywhere).collect();
     let bounds = Bounds::new(model, &ranges);
+    let start = seen.outermost(&program.start.poses);
+    let start = start.iter().fold(seen.ground, |sides, link| {
+        SIDES.map(|side| sides[side].max(link.sides[side]))
+    });
     let of_link = |(&link, points): (&LinkId, &Vec<Reach>)| {
-        points.iter().fold(EMPTY, |sides, &(at, radius)| {
+        let proved = points.iter().fold(EMPTY, |sides, &(at, radius)| {
             let [x, y] = bounds.of_point(link, at);
             let out = [-x.low(), -y.low(), x.high(), y.high()];
             SIDES.map(|side| sides[side].max(radius + out[side]))
+        });
+        SIDES.map(|side| {
+            if proved[side] < f64::INFINITY {
+                proved[side]
+            } else {
+                start[side] + LIMIT * size
+            }
         })
     };
     program

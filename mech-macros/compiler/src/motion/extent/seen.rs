@@ -68,23 +68,28 @@ impl SeenPoints {
 
     /// How far out each link is seen, if the links have these poses.
     pub(super) fn outermost(&self, poses: &[[f64; 4]]) -> Vec<Outermost> {
-        let of_link = |(pose, points): (&[f64; 4], &Vec<Reach>)| {
-            let mut found = Outermost {
-                sides: EMPTY,
-                points: [0; 4],
-            };
-            for (number, &point) in (0..).zip(points) {
-                let out = outwards(point, *pose);
-                for side in SIDES {
-                    if out[side] > found.sides[side] {
-                        found.sides[side] = out[side];
-                        found.points[side] = number;
-                    }
+        let poses = poses.iter().enumerate();
+        poses
+            .map(|(link, pose)| self.of_link(link, *pose))
+            .collect()
+    }
+
+    /// How far out a link is seen, if it has this pose.
+    pub(super) fn of_link(&self, link: usize, pose: [f64; 4]) -> Outermost {
+        let mut found = Outermost {
+            sides: EMPTY,
+            points: [0; 4],
+        };
+        for (number, &point) in (0..).zip(&self.moving[link]) {
+            let out = outwards(point, pose);
+            for side in SIDES {
+                if out[side] > found.sides[side] {
+                    found.sides[side] = out[side];
+                    found.points[side] = number;
                 }
             }
-            found
-        };
-        poses.iter().zip(&self.moving).map(of_link).collect()
+        }
+        found
     }
 }
 
