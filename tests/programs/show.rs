@@ -4,6 +4,7 @@ use mech_runtime::{Mechanism, mechanism};
 
 mechanism! {
     pub struct Press: f32;
+    look none;
 
     ground { circle (0, 0) radius 0.1 on plane 0 color 1; }
     link crank { circle (1, 0.5) radius 0.1 on plane 1 color 2; }

@@ -125,6 +125,7 @@ mechanism! {
 mechanism! {
     /// Its trace is shorter than its path.
     struct Traced;
+    look none;
     ground { circle (0, 0) radius 0.3 on plane 0 color 1; }
     link crank;
     link coupler { point tip = (2.5, 3); circle (2.5, 3) radius 0.2 on plane 1 color 2; }

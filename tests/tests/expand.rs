@@ -33,6 +33,7 @@ fn a_whole_mechanism() {
     insta::assert_snapshot!(expansion(
         "/// A crank on the ground.
         pub struct Crank;
+        look none;
         ground { point shaft = (0, 0); circle (0, 0) radius 2 on plane 0 color 1; }
         link crank { point shaft = (0, 0); point pin = (1, 0); }
         joint a = revolute(ground.shaft, crank.shaft);

@@ -6,7 +6,6 @@ use mech_runtime::Real;
 mechanism! {
     /// The paper's skeleton: a figure in profile, whose bones have more than two hundred freedoms, and the eight motors that walk it.
     pub struct Skeleton;
-    look none;
 
     // A bone lies along the x axis of its place where `turn` is 0. Those of higher hues are painted farther back.
     part Bone(l = 1, w = 1, hue = 13) {
@@ -50,7 +49,7 @@ mechanism! {
         use top[2]: Three(hue = 45 - 32 * k) { on = spine.end.it.bone at (1.2, -1) turned -150 deg, driver = spine.two.it.bone };
     }
 
-    ground { line road = (0, 0) -> (1, 0); rail [(-60, 0), (260, 0)] width 6; }
+    look none; ground { line road = (0, 0) -> (1, 0); rail [(-60, 0), (260, 0)] width 6; }
     link carriage { line keel = (0, 0) -> (1, 0); line mast = (0, 0) -> (0, 1); }
     link pelvis { line mast = (0, 0) -> (0, 1); polygon [(-7, 11), (3, 9), (8, 2), (3, -4), (-2, -8), (-5, -3), (-9, 5)] on plane -12 color 13; }
     joint walk = prismatic(ground.road, carriage.keel); joint rise = prismatic(carriage.mast, pelvis.mast);
