@@ -1,6 +1,6 @@
 //! What is declared, as statements of the language.
 
-use super::{Change, Command, Expression, Pair, Refusal, Scene};
+use super::{ActionKind, Change, Command, Expression, Pair, Refusal, Scene};
 use crate::mend::Rewriter;
 use crate::text::{Kind as Lexical, Lexer, Statement, is_of_word, quoted};
 
@@ -93,6 +93,9 @@ pub(super) fn declare(scene: &Scene, command: &Command) -> Result<Change, Refusa
                 &statement,
                 &[kind.word(), "start", "motor", "joint", "link"],
             )?;
+            if *kind == ActionKind::Load && !scene.model.effects.needs_actions() {
+                ask_for_forces(&mut rewriter)?;
+            }
         }
         Command::Use { body } => {
             let shown = body.trim().trim_end_matches(';');
@@ -208,6 +211,15 @@ fn trace(rewriter: &mut Rewriter<'_>, point: &str, length: &str) -> Result<(), R
     rewriter
         .add_clause("effects", &clause)
         .ok_or_else(unwritten)
+}
+
+/// Asks for what loads do: nobody may declare one that nothing asks for.
+fn ask_for_forces(rewriter: &mut Rewriter<'_>) -> Result<(), Refusal> {
+    if rewriter.statements.iter().any(|one| one.is("effects")) {
+        let added = rewriter.add_clause("effects", "force;");
+        return added.ok_or_else(unwritten);
+    }
+    add(rewriter, "effects { force; }", &OTHERS)
 }
 
 /// Says something of the whole mechanism, in place of what was said.
