@@ -3,7 +3,7 @@
 use super::declare::{check_expression, check_name, check_path, joint, pair};
 use super::{Assembly, Change, JointForm, Refusal, Scene, place, pose};
 use crate::document::Reading;
-use mech_compiler::model::{AxisId, LinkId};
+use mech_compiler::model::{AxisId, JointId, JointKind, LinkId};
 use mech_compiler::structure::Diagnosis;
 use std::fmt::{self, Display, Formatter};
 
@@ -50,6 +50,12 @@ pub(super) fn join(scene: &Scene, assembly: &Assembly) -> Result<Change, Refusal
         let [first, second] = assembly.ends.each_ref().map(|end| body_of(scene, end));
         if first.is_some() && first == second {
             return Err(Refusal::forbidden(Rule::TwoLinks, Vec::new()));
+        }
+        if let Some((first, second)) = first.zip(second)
+            && let Some(holder) = holder(scene, assembly, [first, second])
+        {
+            let why = format!("joint `{holder}` holds them already; remove it first");
+            return Err(Refusal::forbidden(Rule::HeldOnce, vec![why]));
         }
         if assembly.at.is_none() && is_joined(scene, assembly) {
             return Err(Refusal::forbidden(Rule::Once, Vec::new()));
@@ -116,6 +122,43 @@ fn body_of(scene: &Scene, end: &str) -> Option<LinkId> {
 fn axis_at(scene: &Scene, end: &str) -> Option<AxisId> {
     let axis = end.contains('.').then(|| place::axis_of(&scene.model, end));
     axis.flatten()
+}
+
+/// A joint of the same links beside which another would hold nothing, or beside which a weld would: links that are welded together count as
+/// one.
+fn holder<'s>(scene: &'s Scene, assembly: &Assembly, links: [LinkId; 2]) -> Option<&'s str> {
+    let model = &scene.model;
+    let holds = match assembly.kind {
+        JointForm::Revolute | JointForm::Prismatic | JointForm::Slot => false,
+        JointForm::Weld => true,
+        _ => return None,
+    };
+    let mut bodies: Vec<LinkId> = model.link_ids().collect();
+    for joint in model.joint_ids() {
+        if let JointKind::Weld(..) = model.joint(joint).kind {
+            let (a, b) = model.ends(joint);
+            let (to, from) = (bodies[a.index()], bodies[b.index()]);
+            bodies
+                .iter_mut()
+                .filter(|body| **body == from)
+                .for_each(|body| *body = to);
+        }
+    }
+    let [first, second] = links.map(|link| bodies[link.index()]);
+    let joins = |joint: &JointId| {
+        let (a, b) = model.ends(*joint);
+        let is_weld = matches!(model.joint(*joint).kind, JointKind::Weld(..));
+        let ends = [a, b].map(|link| bodies[link.index()]);
+        if first == second {
+            // One of the welds that hold them.
+            return is_weld && ends[0] == first;
+        }
+        holds
+            && model.joint(*joint).kind.axes().is_some()
+            && (ends == [first, second] || ends == [second, first])
+    };
+    let joint = model.joint_ids().find(joins)?;
+    Some(&model.joint(joint).name)
 }
 
 /// Whether some joint joins the same two axes.

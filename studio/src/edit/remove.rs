@@ -3,7 +3,7 @@
 use super::declare::{matter, unwritten};
 use super::{Change, Kind, Refusal, Scene};
 use crate::text::Statement;
-use mech_compiler::model::LinkId;
+use mech_compiler::model::{LinkId, Model};
 use std::ops::Range;
 
 /// Takes something out, with what cannot be without it.
@@ -62,6 +62,9 @@ pub(super) fn remove(scene: &Scene, kind: Kind, name: &str) -> Result<Change, Re
             let mut words = ["spring", "damper", "load"].into_iter();
             let done = words.find_map(|word| rewriter.remove_statement(word, name));
             done.ok_or_else(unknown)?;
+            if is_last_force(model) {
+                rewriter.remove_clauses("effects", |one| one.is("force"));
+            }
         }
         Kind::Use => {
             let statement = used(&rewriter.statements, name).ok_or_else(unknown)?;
@@ -91,6 +94,14 @@ pub(super) fn remove(scene: &Scene, kind: Kind, name: &str) -> Result<Change, Re
         return Err(unwritten());
     }
     Ok(change)
+}
+
+/// Whether only one thing acts, so that nobody may ask for forces without it.
+fn is_last_force(model: &Model) -> bool {
+    let actions = &model.actions;
+    let count = actions.springs.len() + actions.dampers.len() + actions.loads.len();
+    let has_mass = model.links.iter().any(|link| link.mass.is_some());
+    count == 1 && !has_mass && !model.effects.dynamics
 }
 
 /// Where the braces of a link stand, with the space before them, if nothing but statements is within.

@@ -308,17 +308,37 @@ impl Drawing {
 
     /// How far a place is from the bars of a link, or from its wheel.
     fn distance_to(&self, link: LinkId, place: [f64; 2]) -> f64 {
-        let places = self.places_on(link);
-        let mut least = f64::INFINITY;
-        for (index, from) in places.iter().enumerate() {
-            for to in &places[index..] {
-                least = least.min(distance_to_bar(place, *from, *to));
-            }
-        }
+        let bars = self.bars_of(link);
+        let away = bars.map(|[from, to]| distance_to_bar(place, from, to));
+        let mut least = away.fold(f64::INFINITY, f64::min);
         if let Some((center, radius)) = self.wheel(link) {
             least = least.min((distance(place, center) - radius).max(0.0));
         }
         least
+    }
+
+    /// The bar of a link that is nearest to a place, no farther away than `reach`.
+    pub(crate) fn bar_at(
+        &self,
+        link: LinkId,
+        place: [f64; 2],
+        reach: f64,
+    ) -> Option<[[f64; 2]; 2]> {
+        let away = |[from, to]: &[[f64; 2]; 2]| distance_to_bar(place, *from, *to);
+        let bars = self.bars_of(link).filter(|[from, to]| from != to);
+        let nearest = bars.min_by(|a, b| away(a).total_cmp(&away(b)));
+        nearest.filter(|bar| away(bar) <= reach)
+    }
+
+    /// The stretches between the points and joints of a link, and these themselves.
+    fn bars_of(&self, link: LinkId) -> impl Iterator<Item = [[f64; 2]; 2]> {
+        let places = self.places_on(link);
+        let pairs = (0..places.len()).flat_map(move |index| {
+            let from = places[index];
+            let others = places[index..].to_vec();
+            others.into_iter().map(move |to| [from, to])
+        });
+        pairs
     }
 
     /// The axes of a link.
@@ -330,6 +350,12 @@ impl Drawing {
     pub(crate) fn places_on(&self, link: LinkId) -> Vec<[f64; 2]> {
         let own = self.index.on_link[link.index()].iter();
         own.map(|axis| self.place(*axis)).collect()
+    }
+
+    /// Where the points and joints of the link of this name are in the scene; none if it is not there.
+    #[must_use]
+    pub fn places_of(&self, link: &str) -> Option<Vec<[f64; 2]>> {
+        Some(self.places_on(self.link(link)?))
     }
 
     /// The pitch circle of a link that rolls on another, about a pivot.
@@ -373,6 +399,11 @@ pub(crate) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
 
 /// How far a place is from the stretch between two others.
 fn distance_to_bar(place: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
+    distance(place, nearest_on_bar(place, from, to))
+}
+
+/// The place on the stretch between two others that is nearest.
+pub(crate) fn nearest_on_bar(place: [f64; 2], from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
     let along = [to[0] - from[0], to[1] - from[1]];
     let square = along[0] * along[0] + along[1] * along[1];
     let part = if square > 0.0 {
@@ -381,8 +412,5 @@ fn distance_to_bar(place: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
     } else {
         0.0
     };
-    distance(
-        place,
-        [from[0] + part * along[0], from[1] + part * along[1]],
-    )
+    [from[0] + part * along[0], from[1] + part * along[1]]
 }

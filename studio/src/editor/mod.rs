@@ -6,6 +6,7 @@
 
 mod action;
 mod arrow;
+mod by_hand;
 mod canvas;
 mod clipboard;
 mod colors;

@@ -1,9 +1,10 @@
-//! Where links are drawn that have no place yet: as far as it goes, where their joints want them.
+//! Where links are drawn while nothing moves them: as far as it goes, where their joints want them.
 
-use super::drawing::{Pose, SCENE, apply};
-use mech_compiler::model::{AxisId, JointKind, LinkId, Model};
+use super::drawing::{Pose, SCENE, apply, relative};
+use mech_compiler::model::{AxisId, Joint, JointKind, LinkId, Model};
 
-/// The pose of each link: as known, or as its joints to those that are known want it, or that of the scene.
+/// The pose of each link: as known, or as its joints to those that are known want it, or that of the scene. What a joint joins that is drawn
+/// apart jumps there.
 pub(super) fn placed(model: &Model, mut known: Vec<Option<Pose>>) -> Vec<Pose> {
     known.resize(model.links.len(), None);
     known[LinkId::GROUND.index()] = Some(SCENE);
@@ -14,10 +15,66 @@ pub(super) fn placed(model: &Model, mut known: Vec<Option<Pose>>) -> Vec<Pose> {
     while let Some((link, pose)) = next(model, &known) {
         known[link.index()] = Some(pose);
     }
-    known
+    let mut poses: Vec<Pose> = known
         .into_iter()
         .map(|pose| pose.unwrap_or(SCENE))
-        .collect()
+        .collect();
+    let tolerance = 1e-6 * model.size();
+    let (closed, open): (Vec<&Joint>, Vec<&Joint>) = model
+        .joints
+        .iter()
+        .partition(|joint| jump(model, &poses, joint).is_none_or(|jump| jump.is_within(tolerance)));
+    if !open.is_empty() {
+        let mut islands = Islands((0..poses.len()).collect());
+        for [a, b] in closed.iter().filter_map(|joint| links(model, joint)) {
+            islands.merge(a, b);
+        }
+        for joint in open {
+            islands.close(model, joint, &mut poses);
+        }
+    }
+    poses
+}
+
+/// The links that a joint makes coincide somewhere.
+fn links(model: &Model, joint: &Joint) -> Option<[LinkId; 2]> {
+    Some(joint.kind.axes()?.map(|axis| model.axis(axis).link))
+}
+
+/// Links that are drawn together: each has the number of its island.
+struct Islands(Vec<usize>);
+
+impl Islands {
+    /// Lets the second island of a joint jump to the first, or the first to the second if that has the ground.
+    fn close(&mut self, model: &Model, joint: &Joint, poses: &mut [Pose]) {
+        let (Some(ends), Some(jump)) = (links(model, joint), jump(model, poses, joint)) else {
+            return;
+        };
+        let [first, second] = ends.map(|link| self.0[link.index()]);
+        if first == second {
+            return;
+        }
+        let (moved, jump) = if second == self.0[LinkId::GROUND.index()] {
+            (first, jump.back())
+        } else {
+            (second, jump)
+        };
+        for (pose, island) in poses.iter_mut().zip(&self.0) {
+            if *island == moved {
+                *pose = jump.carry(*pose);
+            }
+        }
+        self.merge(ends[0], ends[1]);
+    }
+
+    fn merge(&mut self, a: LinkId, b: LinkId) {
+        let [to, from] = [a, b].map(|link| self.0[link.index()]);
+        for island in &mut self.0 {
+            if *island == from {
+                *island = to;
+            }
+        }
+    }
 }
 
 /// A link that a joint to a placed one can place.
@@ -49,6 +106,64 @@ fn beside(model: &Model, (fixed, pose): (AxisId, Pose), axis: AxisId, turns: boo
     };
     let [left, up] = apply([cos, sin, 0.0, 0.0], model.axis(axis).at);
     [cos, sin, x - left, y - up]
+}
+
+/// The shortest motion of the second link of a joint that closes it.
+struct Jump {
+    /// Where it takes the scene.
+    pose: Pose,
+    /// By how far the ends are apart, and turned.
+    gap: [f64; 2],
+}
+
+impl Jump {
+    /// Where it takes a pose.
+    fn carry(&self, [cos, sin, x, y]: Pose) -> Pose {
+        let [turn_cos, turn_sin, ..] = self.pose;
+        let [cos, sin] = apply([turn_cos, turn_sin, 0.0, 0.0], [cos, sin]);
+        let [x, y] = apply(self.pose, [x, y]);
+        [cos, sin, x, y]
+    }
+
+    /// The motion of the first link that closes the joint.
+    fn back(&self) -> Self {
+        let [cos, sin, ..] = self.pose;
+        let [x, y] = relative(self.pose, [0.0, 0.0]);
+        Self {
+            pose: [cos, -sin, x, y],
+            gap: self.gap,
+        }
+    }
+
+    /// Whether the joint is closed already.
+    fn is_within(&self, tolerance: f64) -> bool {
+        self.gap[0] <= tolerance && self.gap[1] <= 1e-6
+    }
+}
+
+/// What closes a joint. What slides keeps its place along the line.
+fn jump(model: &Model, poses: &[Pose], joint: &Joint) -> Option<Jump> {
+    let [(to, onto), (from, of)] = joint.kind.axes()?.map(|axis| {
+        let axis = model.axis(axis);
+        let pose = poses[axis.link.index()];
+        let [cos, sin, ..] = pose;
+        let direction = apply([cos, sin, 0.0, 0.0], axis.direction);
+        (apply(pose, axis.at), direction)
+    });
+    let [cos, sin] = match joint.kind {
+        JointKind::Revolute(..) => [1.0, 0.0],
+        _ => turn(SCENE, onto, of),
+    };
+    let mut way = [to[0] - from[0], to[1] - from[1]];
+    if let JointKind::Prismatic(..) = joint.kind {
+        let along = way[0] * onto[0] + way[1] * onto[1];
+        way = [way[0] - along * onto[0], way[1] - along * onto[1]];
+    }
+    let [x, y] = apply([cos, sin, 0.0, 0.0], from);
+    Some(Jump {
+        pose: [cos, sin, from[0] + way[0] - x, from[1] + way[1] - y],
+        gap: [way[0].hypot(way[1]), (cos - 1.0).hypot(sin)],
+    })
 }
 
 /// The angle near which a link was said to start, as a direction.

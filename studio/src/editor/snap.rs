@@ -1,6 +1,6 @@
 //! Where the pointer means.
 
-use super::drawing::{Drawing, Hit, distance};
+use super::drawing::{Drawing, Hit, distance, nearest_on_bar};
 use super::tool::Pick;
 
 /// A place that the pointer means, and why.
@@ -20,6 +20,8 @@ pub(super) struct Snapping<'d> {
     pub(super) is_on: bool,
     /// From where angles count, if they are to be multiples of 15 degrees.
     pub(super) angles_from: Option<[f64; 2]>,
+    /// Whether places on bars are meant: not of what is dragged, which takes its bars along.
+    pub(super) snaps_to_bars: bool,
     /// What is dragged, which does not snap to itself.
     pub(super) without: &'d [super::Item],
 }
@@ -58,9 +60,10 @@ impl Snapping<'_> {
                 guides: Vec::new(),
             };
         }
-        let (place, guides) = match self.angles_from {
-            Some(from) => (self.at_angle(from, place), vec![from]),
-            None => self.aligned(place),
+        let (place, guides) = match (self.angles_from, self.on_bar(place, &hit, reach)) {
+            (Some(from), _) => (self.at_angle(from, place), vec![from]),
+            (None, Some(on_bar)) => (on_bar, Vec::new()),
+            (None, None) => self.aligned(place),
         };
         Snapped {
             pick: Pick { place, hit },
@@ -76,6 +79,25 @@ impl Snapping<'_> {
         let near = near.filter(|(away, _)| *away <= reach);
         near.min_by(|a, b| a.0.total_cmp(&b.0))
             .map(|(_, place)| place)
+    }
+
+    /// The place on the bar that was hit: where that crosses the line of the grid which is nearest.
+    fn on_bar(&self, place: [f64; 2], hit: &Hit, reach: f64) -> Option<[f64; 2]> {
+        let Hit::Link(link) = hit else { return None };
+        let drawing = self.drawing.filter(|_| self.snaps_to_bars)?;
+        let [from, to] = drawing.bar_at(*link, place, reach)?;
+        let way = [to[0] - from[0], to[1] - from[1]];
+        // The coordinate that changes most along the bar comes to the grid.
+        let part = usize::from(way[1].abs() > way[0].abs());
+        let near = nearest_on_bar(place, from, to);
+        let on_grid = on_grid(near, grid(self.scale))[part];
+        let share = (on_grid - from[part]) / way[part];
+        if !(0.0..=1.0).contains(&share) {
+            return Some(near);
+        }
+        let mut found = [from[0] + share * way[0], from[1] + share * way[1]];
+        found[part] = on_grid;
+        Some(found)
     }
 
     /// A place on the grid, or aligned with handles.

@@ -97,7 +97,7 @@ impl Snapshot {
         faults.map_or(&[], |faults| &faults.messages)
     }
 
-    /// The mechanism as it starts, or as its joints want it. Links that were seen before stay where they were, if it does not move, or if
+    /// The mechanism as it starts, or as its joints want it. Links that were drawn before stay where they were, if it does not move, or if
     /// it is not seen at the start.
     pub(crate) fn drawing(&self, before: Option<&Drawing>, is_moved: bool) -> Option<Drawing> {
         let reading = self.reading.as_ref()?;
@@ -114,6 +114,12 @@ impl Snapshot {
                 .collect(),
         };
         Some(Drawing::new(model, known))
+    }
+
+    /// Where the links are at the start; none if it does not move.
+    pub(crate) fn start(&self) -> Option<Vec<Option<Pose>>> {
+        let reading = self.reading.as_ref()?;
+        Some(starts(&reading.model, self.compiled()?))
     }
 
     /// The mechanism to be played; none if it does not move.

@@ -12,6 +12,7 @@ use crate::document::{Document, PartOffer, Source};
 use crate::edit::Command;
 use crate::play::{Control, Player};
 use crate::text::written;
+use mech_compiler::model::LinkId;
 
 /// How many bodies are painted while something is dragged.
 const MOST_BODIES: usize = 200;
@@ -98,14 +99,6 @@ impl Editor {
         self.selection.extend(inside);
     }
 
-    /// Takes hold of the link under a pixel of the canvas, so that it follows the pointer.
-    pub(super) fn hold(&mut self, pixel: [f64; 2]) {
-        if let Some(player) = &mut self.player {
-            player.look(&self.camera);
-        }
-        self.obey(Control::Press(pixel));
-    }
-
     /// Takes hold of a joint or a point, to put it elsewhere. Other joints on the same pin go with it, unless it is to go alone.
     pub fn begin_drag(&mut self, item: &Item, is_alone: bool) {
         let Some(drawing) = &self.drawing else {
@@ -163,7 +156,7 @@ impl Editor {
     /// A joint or a point with all that goes with it: joints on the same pin, and what else is selected, if it is selected itself.
     fn going_with(&self, drawing: &Drawing, item: &Item) -> Vec<Item> {
         let mut items = drawing.on_same_pin(item);
-        if self.selection.contains(item) {
+        if self.is_selected_with(item) {
             let selected = self.selection.iter();
             let others = selected.flat_map(|one| drawing.handles_of(one));
             for other in others {
@@ -173,6 +166,31 @@ impl Editor {
             }
         }
         items
+    }
+
+    /// Whether a joint or a point is selected, or belongs to a link that is selected with others.
+    pub(super) fn is_selected_with(&self, item: &Item) -> bool {
+        let of_link = |drawing: &Drawing| {
+            let mut selected = self.selection.iter();
+            selected.any(|one| drawing.handles_of(one).contains(item))
+        };
+        let is_among = self.selection.len() > 1 && self.drawing.as_ref().is_some_and(of_link);
+        self.selection.contains(item) || is_among
+    }
+
+    /// What of a link can be taken hold of to drag it with all that is selected, and where that is; none if it is not selected with others.
+    pub(super) fn handle_of_selected(&self, link: LinkId) -> Option<(Item, [f64; 2])> {
+        let drawing = self.drawing.as_ref()?;
+        let item = Item::Link(drawing.model.link(link).name.clone());
+        if self.selection.len() < 2 || !self.selection.contains(&item) {
+            return None;
+        }
+        let handles = drawing.handles_of(&item);
+        let free = handles
+            .into_iter()
+            .find(|handle| !self.desk.is_locked(handle))?;
+        let (_, axis) = drawing.mover(&free)?;
+        Some((free, drawing.place(axis)))
     }
 
     /// What the pointer holds.

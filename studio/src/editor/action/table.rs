@@ -84,10 +84,12 @@ pub(super) const ACTIONS: &[Action] = &[
     Action {
         menu: Menu::Edit,
         name: "Undo",
-        help: "undoes the last step",
+        help: "undoes the last step, or what was moved by hand since",
         key: Some(with_command(Key::Z)),
         is_possible: |editor| {
-            !editor.is_at_rest() || !editor.workspace().history().made().is_empty()
+            !editor.is_at_rest()
+                || editor.is_moved_by_hand()
+                || !editor.workspace().history().made().is_empty()
         },
         perform: Editor::undo,
     },

@@ -27,6 +27,7 @@ impl Canvas {
             scale: shown.scale(),
             is_on: true,
             angles_from: None,
+            snaps_to_bars: true,
             without: &[],
         }
         .snap(self.cross);

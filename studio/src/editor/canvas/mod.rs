@@ -40,6 +40,8 @@ enum Holds {
     Paper,
     /// A corner of a frame around what is to be selected.
     Frame(Pos2),
+    /// A joint or a point, which is so far from the pointer.
+    Thing([f64; 2]),
 }
 
 impl Canvas {
@@ -105,46 +107,7 @@ impl Canvas {
             return;
         }
         self.snapped = None;
-        if response.drag_started()
-            && let Some(origin) = ui.input(|input| input.pointer.press_origin())
-        {
-            let place = shown.place(origin);
-            let on_link = editor
-                .seen_drawing()
-                .map(|drawing| drawing.hit(place, REACH / shown.scale()));
-            let is_primary = response.drag_started_by(PointerButton::Primary);
-            self.holds = match on_link {
-                Some(Hit::Link(_) | Hit::Joint(_)) if is_primary && editor.player.is_some() => {
-                    editor.hold(within(shown.rect, origin));
-                    Holds::Link
-                }
-                _ if modifiers.shift => Holds::Frame(origin),
-                _ => Holds::Paper,
-            };
-        }
-        if let Some(pointer) = response.interact_pointer_pos() {
-            match self.holds {
-                Holds::Link => editor.obey(Control::Point(within(shown.rect, pointer))),
-                Holds::Paper => {
-                    let moved = response.drag_delta();
-                    editor.camera.pan([moved.x, moved.y].map(f64::from));
-                }
-                Holds::Frame(_) | Holds::Nothing => {}
-            }
-        }
-        if response.drag_stopped() {
-            match self.holds {
-                Holds::Link => editor.obey(Control::Release),
-                Holds::Frame(corner) => {
-                    if let Some(pointer) = response.interact_pointer_pos() {
-                        let ends = [corner, pointer].map(|end| shown.place(end));
-                        editor.select_within(ends);
-                    }
-                }
-                Holds::Paper | Holds::Nothing => {}
-            }
-            self.holds = Holds::Nothing;
-        }
+        self.drag(editor, response, None, shown, ui);
         if response.clicked()
             && let Some(pointer) = response.interact_pointer_pos()
         {
@@ -154,6 +117,77 @@ impl Canvas {
                 .and_then(|drawing| drawing.item_at(place, REACH / shown.scale()));
             editor.select(item, modifiers.shift || modifiers.command);
         }
+    }
+
+    /// Drags what was under the pointer when it was pressed. Since then it may have gone far, so that it began on something else.
+    fn drag(
+        &mut self,
+        editor: &mut Editor,
+        response: &Response,
+        handle: Option<Handle>,
+        shown: &Shown,
+        ui: &egui::Ui,
+    ) {
+        if response.drag_started()
+            && let Some(origin) = ui.input(|input| input.pointer.press_origin())
+        {
+            self.holds = take_hold(editor, response, handle, origin, shown, ui);
+        }
+        let Some(pointer) = response.interact_pointer_pos() else {
+            return;
+        };
+        match self.holds {
+            Holds::Link => editor.obey(Control::Point(within(shown.rect, pointer))),
+            Holds::Paper => {
+                let moved = response.drag_delta();
+                editor.camera.pan([moved.x, moved.y].map(f64::from));
+            }
+            Holds::Thing(away) => self.lead(editor, pointer, away, shown, ui),
+            Holds::Frame(_) | Holds::Nothing => {}
+        }
+        if !response.drag_stopped() {
+            return;
+        }
+        match std::mem::take(&mut self.holds) {
+            Holds::Link => editor.obey(Control::Release),
+            Holds::Frame(corner) => {
+                let ends = [corner, pointer].map(|end| shown.place(end));
+                editor.select_within(ends);
+            }
+            Holds::Thing(_) => {
+                self.snapped = None;
+                editor.end_drag();
+            }
+            Holds::Paper | Holds::Nothing => {}
+        }
+    }
+
+    /// Leads what is dragged to where the pointer means.
+    fn lead(
+        &mut self,
+        editor: &mut Editor,
+        pointer: Pos2,
+        away: [f64; 2],
+        shown: &Shown,
+        ui: &egui::Ui,
+    ) {
+        let Some(moved) = editor.held().map(|dragging| dragging.items.clone()) else {
+            return;
+        };
+        let is_alt = ui.input(|input| input.modifiers.alt);
+        let snapping = Snapping {
+            drawing: editor.drawing.as_ref(),
+            scale: shown.scale(),
+            is_on: editor.settings.snaps != is_alt,
+            angles_from: None,
+            snaps_to_bars: false,
+            without: &moved,
+        };
+        let [x, y] = shown.place(pointer);
+        let snapped = snapping.snap([x + away[0], y + away[1]]);
+        let place = snapped.pick.place;
+        self.snapped = Some(snapped);
+        editor.drag_to(place);
     }
 
     /// What the pointer, the keyboard or a reader does to a handle.
@@ -166,21 +200,13 @@ impl Canvas {
         hovered: &mut Option<Item>,
     ) {
         let center = shown.pixel(handle.place);
-        let reach = if ui.input(egui::InputState::any_touches) {
-            2.0 * REACH
-        } else {
-            REACH
-        };
-        #[expect(clippy::cast_possible_truncation, reason = "a few pixels")]
-        let area = Rect::from_center_size(center, Vec2::splat(2.0 * reach as f32));
-        let dragged = editor.held();
-        let is_dragged =
-            dragged.is_some_and(|dragging| dragging.items.first() == Some(handle.item));
+        let area = area(center, ui);
+        let id = ui.scope_id().with(("handle", handle.item));
+        let dragged = [ui.ctx().dragged_id(), ui.ctx().drag_stopped_id()];
         // What is dragged out of the window has to learn that it is let go.
-        if !shown.rect.intersects(area) && !is_dragged {
+        if !shown.rect.intersects(area) && !dragged.contains(&Some(id)) {
             return;
         }
-        let id = ui.scope_id().with(("handle", handle.item));
         let response = ui.interact(area, id, Sense::click_and_drag());
         let is_selected = editor.selection.contains(handle.item);
         response.widget_info(|| {
@@ -213,33 +239,7 @@ impl Canvas {
         ui: &egui::Ui,
     ) {
         let modifiers = ui.input(|input| input.modifiers);
-        if response.drag_started_by(PointerButton::Primary) {
-            // What is selected already goes on with all that is.
-            if !editor.selection.contains(handle.item) {
-                editor.select(Some(handle.item.clone()), modifiers.shift);
-            }
-            editor.begin_drag(handle.item, modifiers.alt);
-        }
-        let moved = editor.held().map(|dragging| dragging.items.clone());
-        let moved = moved.filter(|items| items.first() == Some(handle.item));
-        let is_dragged = moved.is_some();
-        if is_dragged && let Some(pointer) = response.interact_pointer_pos() {
-            let snapping = Snapping {
-                drawing: editor.drawing.as_ref(),
-                scale: shown.scale(),
-                is_on: editor.settings.snaps != modifiers.alt,
-                angles_from: None,
-                without: moved.as_deref().unwrap_or_default(),
-            };
-            let snapped = snapping.snap(shown.place(pointer));
-            let place = snapped.pick.place;
-            self.snapped = Some(snapped);
-            editor.drag_to(place);
-        }
-        if is_dragged && response.drag_stopped() {
-            self.snapped = None;
-            editor.end_drag();
-        }
+        self.drag(editor, response, Some(handle), shown, ui);
         if response.clicked() {
             editor.select(
                 Some(handle.item.clone()),
@@ -273,6 +273,7 @@ impl Canvas {
                     .last()
                     .filter(|_| modifiers.shift)
                     .map(|pick| pick.place),
+                snaps_to_bars: true,
                 without: &[],
             };
             snapping.snap(place)
@@ -309,6 +310,71 @@ impl Canvas {
             }
         }
     }
+}
+
+/// Takes hold of what is at the place where the pointer was pressed.
+fn take_hold(
+    editor: &mut Editor,
+    response: &Response,
+    handle: Option<Handle>,
+    origin: Pos2,
+    shown: &Shown,
+    ui: &egui::Ui,
+) -> Holds {
+    let modifiers = ui.input(|input| input.modifiers);
+    let place = shown.place(origin);
+    if response.drag_started_by(PointerButton::Primary) {
+        let own = handle.filter(|handle| area(shown.pixel(handle.place), ui).contains(origin));
+        let thing = own.map(|handle| handle.item.clone());
+        let near = |reach: f64| {
+            let drawing = editor.seen_drawing()?;
+            let hit = drawing.hit(place, reach / shown.scale());
+            Some((drawing.item_of(&hit), hit))
+        };
+        let thing = thing.or_else(|| match near(reach(ui))? {
+            (item, Hit::Joint(_) | Hit::Axis(_)) => item,
+            _ => None,
+        });
+        if let Some(item) = thing {
+            // What is selected already goes on with all that is.
+            if !editor.is_selected_with(&item) {
+                editor.select(Some(item.clone()), modifiers.shift);
+            }
+            editor.begin_drag(&item, modifiers.alt);
+            return Holds::Thing([0.0; 2]);
+        }
+        if let Some((_, Hit::Link(link))) = near(REACH) {
+            if let Some((item, at)) = editor.handle_of_selected(link) {
+                editor.begin_drag(&item, false);
+                return Holds::Thing([at[0] - place[0], at[1] - place[1]]);
+            }
+            if editor.player.is_some() {
+                editor.hold(within(shown.rect, origin));
+                return Holds::Link;
+            }
+        }
+    }
+    if modifiers.shift {
+        Holds::Frame(origin)
+    } else {
+        Holds::Paper
+    }
+}
+
+/// How near the pointer has to come to a handle, in pixels: a finger less.
+fn reach(ui: &egui::Ui) -> f64 {
+    if ui.input(egui::InputState::any_touches) {
+        2.0 * REACH
+    } else {
+        REACH
+    }
+}
+
+/// Where a handle can be taken hold of.
+fn area(center: Pos2, ui: &egui::Ui) -> Rect {
+    #[expect(clippy::cast_possible_truncation, reason = "a few pixels")]
+    let side = 2.0 * reach(ui) as f32;
+    Rect::from_center_size(center, Vec2::splat(side))
 }
 
 /// Magnifies by the wheel or by two fingers, and moves the paper by two fingers.

@@ -28,6 +28,9 @@ pub(in crate::editor) fn steps(editor: &mut Editor, ui: &mut egui::Ui) {
                 }
             }
         });
+    if back > 0 {
+        editor.by_hand.clear();
+    }
     for _ in 0..back {
         editor.undo();
     }

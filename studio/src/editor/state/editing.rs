@@ -5,6 +5,7 @@ use super::pending::{Pending, Waiting};
 use crate::dialogue::{Request, Turn, request};
 use crate::edit::{Command, Kind, Saving, Workspace};
 use crate::editor::dragging::Dragging;
+use crate::editor::drawing::distance;
 use crate::editor::opening::Ending;
 use crate::editor::settings::{Settings, View};
 use crate::editor::tool::{Pick, Tool};
@@ -12,6 +13,9 @@ use crate::editor::worker::Worker;
 use crate::editor::{Gesture, Item};
 use crate::failure::Failure;
 use crate::play::Control;
+use crate::text::shortest;
+use mech_compiler::model::{AxisId, JointId, Link, LinkId};
+use std::collections::BTreeSet;
 use std::path::Path;
 
 impl Editor {
@@ -43,7 +47,7 @@ impl Editor {
         }
     }
 
-    /// Goes back by a step, or gives up a gesture that was not made yet.
+    /// Goes back by a step, or gives up a gesture that was not made yet, or takes back what was moved by hand since the last step.
     pub fn undo(&mut self) {
         let is_let_go = |dragging: &mut Dragging| dragging.is_released && dragging.is_awaited();
         if self.dragging.take_if(is_let_go).is_some() {
@@ -53,6 +57,10 @@ impl Editor {
         if let Some(title) = self.pending.give_up_last() {
             self.let_go();
             self.tell(format!("given up: {title}"));
+            return;
+        }
+        if self.take_back_motion() {
+            self.tell("taken back: the motion by hand");
             return;
         }
         let title = self.session.workspace.undo().map(ToOwned::to_owned);
@@ -104,14 +112,66 @@ impl Editor {
             name: item.name().to_owned(),
         });
         let commands: Vec<Command> = commands.collect();
-        match &commands[..] {
-            [] => self.refuse("nothing is selected"),
-            [only] => self.perform(only.clone()),
-            several => {
-                let title = format!("remove {} things", several.len());
-                self.perform(Gesture::new(title, commands));
+        let title = match &commands[..] {
+            [] => return self.refuse("nothing is selected"),
+            [only] => only.title(),
+            several => format!("remove {} things", several.len()),
+        };
+        let all = self.ends_that_stay().into_iter().chain(commands);
+        self.perform(Gesture::new(title, all.collect()));
+    }
+
+    /// Points where links are joined by what is selected and nothing else: without it these are free ends.
+    fn ends_that_stay(&self) -> Vec<Command> {
+        let Some(drawing) = &self.drawing else {
+            return Vec::new();
+        };
+        let model = &drawing.model;
+        let is_gone = |link: LinkId| {
+            let name = model.link(link).name.clone();
+            self.selection.contains(&Item::Link(name))
+        };
+        let goes = |joint: &JointId| {
+            let name = model.joint(*joint).name.clone();
+            let (a, b) = model.ends(*joint);
+            self.selection.contains(&Item::Joint(name)) || is_gone(a) || is_gone(b)
+        };
+        let (gone, kept): (Vec<JointId>, Vec<JointId>) = model.joint_ids().partition(goes);
+        let axes = |joints: Vec<JointId>| {
+            let axes = joints.into_iter();
+            axes.filter_map(|joint| model.joint(joint).kind.axes())
+                .flatten()
+        };
+        let kept: BTreeSet<AxisId> = axes(kept).collect();
+        let is_there = |axis: &AxisId| kept.contains(axis) || drawing.path(*axis).is_some();
+        let tolerance = 1e-9 * model.size();
+        let mut found: Vec<(String, [f64; 2])> = Vec::new();
+        for axis in axes(gone) {
+            let (link, at) = (model.axis(axis).link, model.axis(axis).at);
+            let Link { name, die, .. } = model.link(link);
+            let mut others = drawing.axes_on(link).filter(is_there);
+            let stays = others.any(|other| distance(model.axis(other).at, at) <= tolerance)
+                || found
+                    .iter()
+                    .any(|(other, place)| other == name && distance(*place, at) <= tolerance);
+            // What a part has is declared there.
+            let is_own = link != LinkId::GROUND && die.is_none() && !name.contains('.');
+            if is_own && !is_gone(link) && !stays {
+                found.push((name.clone(), at));
             }
         }
+        let mut taken = BTreeSet::new();
+        let ends = found.into_iter().map(|(link, at)| {
+            let paths = (1_u32..).map(|number| format!("{link}.end{number}"));
+            let mut free = paths.filter(|path| drawing.axis(path).is_none());
+            let path = free.find(|path| taken.insert(path.clone()));
+            Command::Axis {
+                path: path.unwrap_or_default(),
+                at: at.map(|part| shortest(part, tolerance)),
+                along: None,
+            }
+        });
+        ends.collect()
     }
 
     /// Goes on with another mechanism of the file, by its number.

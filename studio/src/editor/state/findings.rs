@@ -274,15 +274,14 @@ impl Editor {
         self.mendings.clear();
         self.ghost = None;
         self.is_mending = true;
+        self.by_hand.clear();
         if snapshot.is_readable() {
             let was_empty = self.drawing.is_none();
+            if snapshot.compiled().is_none() {
+                self.stop();
+            }
             self.drawing = snapshot.drawing(self.drawing.as_ref(), self.seen_at().is_some());
             self.drawn = Some(snapshot.clone());
-            if snapshot.compiled().is_none() {
-                self.player = None;
-                self.ranges.clear();
-                self.paths.clear();
-            }
             self.forget_what_is_gone();
             self.picks = self.picked(&picks);
             if was_empty && self.settings.view == View::Ours {
@@ -292,7 +291,7 @@ impl Editor {
         } else if self.workspace().text().trim().is_empty() {
             self.drawn = None;
             self.drawing = None;
-            self.player = None;
+            self.stop();
             self.selection.clear();
             self.picks = self.picked(&picks);
         }

@@ -6,6 +6,7 @@ mod pending;
 mod playing;
 
 use super::action::Dialog;
+use super::by_hand::ByHand;
 use super::desk::Desk;
 use super::dragging::Dragging;
 use super::drawing::Drawing;
@@ -56,6 +57,8 @@ pub struct Editor {
     played: Option<Arc<Snapshot>>,
     /// What moves, if the text that is drawn moves.
     pub(in crate::editor) player: Option<Player>,
+    /// What was moved by hand since the text changed.
+    pub(in crate::editor) by_hand: ByHand,
     pub(in crate::editor) ranges: Vec<MotorRange>,
     pub(in crate::editor) paths: Vec<Path>,
     pub(in crate::editor) mendings: Vec<Mending>,
@@ -131,6 +134,7 @@ impl Editor {
             drawing: None,
             played: None,
             player: None,
+            by_hand: ByHand::default(),
             ranges: Vec::new(),
             paths: Vec::new(),
             mendings: Vec::new(),

@@ -2,6 +2,7 @@
 
 use super::Editor;
 use crate::editor::bounds_of;
+use crate::editor::by_hand::Hand;
 use crate::editor::drawing::Drawing;
 use crate::editor::path::Path;
 use crate::editor::range::MotorRange;
@@ -26,6 +27,56 @@ impl Editor {
             self.settings.view = View::Users;
             self.fit();
         }
+    }
+
+    /// Plays no more. A pose goes with the motors: it is seen at the start again.
+    pub(super) fn stop(&mut self) {
+        let is_posed = self.seen_at().is_some();
+        let start = self.drawn.as_ref().and_then(|drawn| drawn.start());
+        if let (Some(drawing), Some(start), true) = (&mut self.drawing, start, is_posed) {
+            drawing.set_poses(start);
+        }
+        self.player = None;
+        self.ranges.clear();
+        self.paths.clear();
+        self.by_hand.clear();
+    }
+
+    /// Notes where the motors are, before somebody moves them by hand.
+    fn note_motors(&mut self, hand: Hand) {
+        if let Some(player) = &self.player {
+            self.by_hand.note(hand, player.motors());
+        }
+    }
+
+    /// Takes the link under a pixel of the canvas, so that it follows the pointer.
+    pub(in crate::editor) fn hold(&mut self, pixel: [f64; 2]) {
+        self.note_motors(Hand::Link);
+        if let Some(player) = &mut self.player {
+            player.look(&self.camera);
+        }
+        self.obey(Control::Press(pixel));
+    }
+
+    /// Whether something was moved by hand since the text changed.
+    pub(in crate::editor) fn is_moved_by_hand(&self) -> bool {
+        !self.by_hand.is_empty()
+    }
+
+    /// Takes back the last motion by hand since the text changed. Returns whether there was one.
+    pub(super) fn take_back_motion(&mut self) -> bool {
+        self.obey(Control::Release);
+        while let (Some(before), Some(player)) = (self.by_hand.pop(), &mut self.player) {
+            if before == player.motors() {
+                continue;
+            }
+            for (motor, value) in before.into_iter().enumerate() {
+                player.drive(motor, value);
+            }
+            self.pose();
+            return true;
+        }
+        false
     }
 
     /// Whether the player has the mechanism of the present text.
@@ -69,6 +120,7 @@ impl Editor {
 
     /// Moves a motor, by its number, to a value in radians or scene units.
     pub fn scrub(&mut self, motor: usize, value: f64) {
+        self.note_motors(Hand::Motor(motor));
         if let Some(player) = &mut self.player {
             player.drive(motor, value);
             self.pose();

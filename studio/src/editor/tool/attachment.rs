@@ -96,6 +96,36 @@ impl<'d> Builder<'d> {
         }
     }
 
+    /// The link at a place that is to be joined to another: of a joint of that one, its other end.
+    pub(super) fn link_beside(&self, pick: &Pick, other: LinkId) -> Option<LinkId> {
+        match (&pick.hit, self.drawing) {
+            (Hit::Joint(joint), Some(drawing)) => match drawing.model.ends(*joint) {
+                (a, b) if a == other => Some(b),
+                (a, b) if b == other => Some(a),
+                _ => self.link_at(pick),
+            },
+            _ => self.link_at(pick),
+        }
+    }
+
+    /// Takes out what joins two links in places, so that something else can.
+    pub(super) fn remove_joints_of(&mut self, links: [LinkId; 2]) {
+        let Some(drawing) = self.drawing else {
+            return;
+        };
+        for joint in drawing.model.declared_joints() {
+            let (a, b) = drawing.model.ends(joint);
+            let joint = drawing.model.joint(joint);
+            let is_between = [a, b] == links || [b, a] == links;
+            if is_between && joint.kind.axes().is_some() {
+                self.add(Command::Remove {
+                    kind: Kind::Joint,
+                    name: joint.name.clone(),
+                });
+            }
+        }
+    }
+
     /// The moving link at a place, or why there is none.
     pub(super) fn moving_link_at(&self, pick: &Pick) -> Result<LinkId, String> {
         let link = self.link_at(pick).filter(|link| *link != LinkId::GROUND);

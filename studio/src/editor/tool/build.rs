@@ -47,7 +47,7 @@ pub(super) fn pin(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     assemble(builder, picks, JointForm::Revolute)
 }
 
-/// Makes two links one.
+/// Makes two links one: what joined them before goes.
 pub(super) fn weld(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     assemble(builder, picks, JointForm::Weld)
 }
@@ -55,12 +55,16 @@ pub(super) fn weld(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
 /// Joins two links. Where the places coincide, the joint is placed there; else the second point jumps to the first.
 fn assemble(builder: &mut Builder<'_>, picks: &[Pick], form: JointForm) -> Built {
     let [first, second] = two(picks)?;
+    let other = builder.moving_link_at(second)?;
     let ends = [
-        builder.link_at(first).unwrap_or(LinkId::GROUND),
-        builder.moving_link_at(second)?,
+        builder.link_beside(first, other).unwrap_or(LinkId::GROUND),
+        other,
     ];
     if ends[0] == ends[1] {
         return Err("both places are on the same link; pick one on another".to_owned());
+    }
+    if form == JointForm::Weld {
+        builder.remove_joints_of(ends);
     }
     if distance(first.place, second.place) < 1e-9 || form == JointForm::Weld {
         let [a, b] = ends.map(End::Link);

@@ -207,6 +207,14 @@ impl User {
         found.map(|handle| handle.place)
     }
 
+    /// Where the points and joints of a link are drawn in the scene.
+    pub(crate) fn ends_of(&self, link: &str) -> Vec<[f64; 2]> {
+        let drawing = self.editor().drawing();
+        drawing
+            .and_then(|drawing| drawing.places_of(link))
+            .unwrap_or_default()
+    }
+
     /// Makes a repair that is offered, by its number from 1.
     pub(crate) fn mend(&mut self, number: usize) {
         self.click_on_beginning("Diagnoses");

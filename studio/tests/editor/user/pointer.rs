@@ -119,6 +119,33 @@ impl User {
         self.gestures += 1;
     }
 
+    /// Clicks near a place of the scene, without Alt.
+    pub(crate) fn click_near(&mut self, place: [f64; 2]) {
+        self.mean(&[]);
+        let at = self.pixel(place);
+        self.press(at);
+        self.release(at);
+        self.gestures += 1;
+    }
+
+    /// Presses as soon as the pointer arrives, and is far away before the next picture.
+    pub(crate) fn rush(&mut self, from: [f64; 2], to: [f64; 2]) {
+        self.mean(&[from, to]);
+        let [from, to] = [from, to].map(|place| self.pixel(place));
+        let press = Event::PointerButton {
+            pos: from,
+            button: PointerButton::Primary,
+            pressed: true,
+            modifiers: self.modifiers,
+        };
+        // Events that are told one by one come in pictures of their own.
+        let events = &mut self.harness.input_mut().events;
+        events.extend([Event::PointerMoved(from), press, Event::PointerMoved(to)]);
+        self.harness.run_steps(2);
+        self.release(to);
+        self.gestures += 1;
+    }
+
     /// Presses and releases with Alt held: nothing snaps.
     pub(crate) fn drag_with_alt(&mut self, from: [f64; 2], to: [f64; 2]) {
         self.harness.event(Event::ModifiersChanged(Modifiers::ALT));
