@@ -6,6 +6,7 @@ use proptest::prelude::*;
 mechanism! {
     /// A crank drawn as a textbook bar, a ring that turns with its follower.
     struct Barred;
+    look none;
     const WIDTH = 0.5;
     ground { point shaft = (0, 0); ring (0, 0) radius 0.5 hole 0.3 on plane 0 color 1; }
     link crank { point shaft = (0, 0); point pin = (2, 0); bar [(0, 0), (2, 0), (2, 1)] width WIDTH on plane 2 color 2; }
@@ -32,6 +33,7 @@ mechanism! {
 
 mechanism! {
     struct Limited;
+    look none;
     link arm { circle (3, 0) radius 1; }
     joint a = revolute(ground, arm) at (0, 0);
     motor a in 0 deg ..= 90 deg;
@@ -40,6 +42,7 @@ mechanism! {
 mechanism! {
     /// A wheel that turns once while its worm turns a thousand times.
     struct WormWheel;
+    look none;
     link worm;
     link wheel { circle (2, 0) radius 0.5; }
     joint a = revolute(ground, worm) at (-5, 0);
@@ -51,6 +54,7 @@ mechanism! {
 mechanism! {
     /// An arm that is bent at the start, and reaches farthest when it is straight.
     struct Arm;
+    look none;
     link upper;
     link fore { circle (2, 1) radius 0.25; }
     joint shoulder = revolute(ground, upper) at (0, 0);
@@ -62,6 +66,7 @@ mechanism! {
 mechanism! {
     /// A crank that stops, between two samples, where its rod stands upright below the rail.
     struct Stopping;
+    look none;
     link crank { circle (0.8660254037844387, 0.5) radius 0.25; }
     link rod;
     link block;

@@ -8,6 +8,7 @@ use proptest::prelude::*;
 mechanism! {
     /// A crank-rocker whose coupler draws a curve, with every method that moves it.
     struct FourBar;
+    look none;
     ground { polygon [(-1, -1), (5, -1), (5, 5), (-1, 5)] on plane 0 color 1; }
     link crank { point pin = (0.8, 0.6); }
     link coupler { point tip = (2.5, 3); circle (2.5, 3) radius 0.2 on plane 2 color 3; }

@@ -367,17 +367,23 @@ impl<'a> Survey<'a> {
         if self.program.is_function() {
             self.visit_combinations();
         }
+        let is_arm = self.program.is_function();
         let of_side = |side: usize| {
             let links = (0..self.links.len()).filter(|&link| self.is_shared[link]);
+            // A combination may have taken an arm farther out than its motors alone do.
+            let may_go_on = |&(out, link): &(f64, usize)| {
+                let farthest = if is_arm { self.most[link][side] } else { out };
+                farthest >= self.sides[side]
+            };
             let mut links: Vec<(f64, usize)> = links
                 .map(|link| (self.expected(side, link).0, link))
-                .filter(|(out, _)| *out >= self.sides[side])
+                .filter(may_go_on)
                 .collect();
             links.sort_by(|a, b| b.0.total_cmp(&a.0));
             links
         };
         let links = SIDES.map(of_side);
-        for rank in 0..CLIMBS[usize::from(self.program.is_function())] {
+        for rank in 0..CLIMBS[usize::from(is_arm)] {
             for side in SIDES {
                 if let Some(&(out, link)) = links[side].get(rank)
                     && (rank == 0 || out > self.sides[side])
