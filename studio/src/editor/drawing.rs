@@ -333,12 +333,11 @@ impl Drawing {
     /// The stretches between the points and joints of a link, and these themselves.
     fn bars_of(&self, link: LinkId) -> impl Iterator<Item = [[f64; 2]; 2]> {
         let places = self.places_on(link);
-        let pairs = (0..places.len()).flat_map(move |index| {
+        (0..places.len()).flat_map(move |index| {
             let from = places[index];
             let others = places[index..].to_vec();
             others.into_iter().map(move |to| [from, to])
-        });
-        pairs
+        })
     }
 
     /// The axes of a link.
