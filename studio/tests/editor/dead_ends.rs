@@ -114,6 +114,10 @@ fn what_is_pinned_jumps_at_once() {
     is_drawn(&user, "bar1", [[-3.0, 0.0], [-1.0, 1.0]]);
     is_drawn(&user, "bar2", [[-1.0, 1.0], [0.0, -1.0]]);
     is_drawn(&user, "bar3", [[0.0, -1.0], [1.0, 0.0]]);
+    // Without the pin it is where the text has it.
+    user.shortcut(Key::Z, false);
+    is_drawn(&user, "bar2", [[1.0, 2.0], [2.0, 0.0]]);
+    is_drawn(&user, "bar3", [[2.0, 0.0], [3.0, 1.0]]);
     // The first on the ground stays where it is, whichever is picked first.
     let mut user = User::new();
     user.key(Key::B);
