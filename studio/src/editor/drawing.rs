@@ -2,7 +2,7 @@
 
 use super::Item;
 use super::index::{self, Index};
-use super::placement::placed;
+use super::placement::{closed, placed};
 use mech_compiler::model::{AxisId, Between, JointId, JointKind, LinkId, Model};
 use mech_compiler::plan::have_same_steps;
 use std::sync::Arc;
@@ -19,6 +19,8 @@ pub struct Drawing {
     pub(crate) model: Arc<Model>,
     /// The pose of each link.
     poses: Vec<Pose>,
+    /// Where each link rests: neither where a motor has it, nor where it has jumped to a joint.
+    rests: Vec<Pose>,
     index: Arc<Index>,
 }
 
@@ -64,18 +66,21 @@ pub(crate) enum Hit {
 impl Drawing {
     /// A mechanism whose links have these poses, as far as these are known. The others are put where their joints want them.
     pub(crate) fn new(model: Model, known: Vec<Option<Pose>>) -> Self {
-        let poses = placed(&model, known);
+        let rests = placed(&model, known);
+        let poses = closed(&model, rests.clone());
         let index = Arc::new(Index::of(&model));
         Self {
             model: Arc::new(model),
             poses,
+            rests,
             index,
         }
     }
 
     /// The same mechanism with other numbers. Joints that come to the same place may share an axis from then on.
     pub(crate) fn with_numbers(&self, model: Model, known: Vec<Option<Pose>>) -> Self {
-        let poses = placed(&model, known);
+        let rests = placed(&model, known);
+        let poses = closed(&model, rests.clone());
         let index = if have_same_steps(&self.model, &model) {
             self.index.clone()
         } else {
@@ -84,8 +89,14 @@ impl Drawing {
         Self {
             model: Arc::new(model),
             poses,
+            rests,
             index,
         }
+    }
+
+    /// Where a link rests: neither where a motor has it, nor where it has jumped to a joint.
+    pub(crate) fn rest(&self, link: LinkId) -> Pose {
+        self.rests.get(link.index()).copied().unwrap_or(SCENE)
     }
 
     /// Puts links where they are known to be.
@@ -333,12 +344,11 @@ impl Drawing {
     /// The stretches between the points and joints of a link, and these themselves.
     fn bars_of(&self, link: LinkId) -> impl Iterator<Item = [[f64; 2]; 2]> {
         let places = self.places_on(link);
-        let pairs = (0..places.len()).flat_map(move |index| {
+        (0..places.len()).flat_map(move |index| {
             let from = places[index];
             let others = places[index..].to_vec();
             others.into_iter().map(move |to| [from, to])
-        });
-        pairs
+        })
     }
 
     /// The axes of a link.

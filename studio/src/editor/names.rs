@@ -1,6 +1,7 @@
 //! Names for what is drawn, none of which is taken.
 
 use super::drawing::Drawing;
+use crate::text::is_of_word;
 use std::collections::BTreeSet;
 
 /// Gives names that are not taken, each once.
@@ -22,6 +23,25 @@ impl Names {
             taken.extend(actions.loads.iter().map(|one| one.name.clone()));
         }
         Self { taken }
+    }
+
+    /// Those that a text does not have.
+    pub(super) fn within(text: &str) -> Self {
+        let words = text.split(|letter| !is_of_word(letter));
+        Self {
+            taken: words.map(ToOwned::to_owned).collect(),
+        }
+    }
+
+    /// A name like another: that itself, if it is free.
+    pub(super) fn like(&mut self, name: &str, is_joint: bool) -> String {
+        if self.taken.insert(name.to_owned()) {
+            return name.to_owned();
+        }
+        if is_joint && name.len() == 1 {
+            return self.joint();
+        }
+        self.numbered(name.trim_end_matches(|last: char| last.is_ascii_digit()))
     }
 
     /// A word with a number: `bar3`.

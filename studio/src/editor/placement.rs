@@ -3,8 +3,7 @@
 use super::drawing::{Pose, SCENE, apply, relative};
 use mech_compiler::model::{AxisId, Joint, JointKind, LinkId, Model};
 
-/// The pose of each link: as known, or as its joints to those that are known want it, or that of the scene. What a joint joins that is drawn
-/// apart jumps there.
+/// The pose of each link: as known, or as its joints to those that are known want it, or that of the scene.
 pub(super) fn placed(model: &Model, mut known: Vec<Option<Pose>>) -> Vec<Pose> {
     known.resize(model.links.len(), None);
     known[LinkId::GROUND.index()] = Some(SCENE);
@@ -15,10 +14,14 @@ pub(super) fn placed(model: &Model, mut known: Vec<Option<Pose>>) -> Vec<Pose> {
     while let Some((link, pose)) = next(model, &known) {
         known[link.index()] = Some(pose);
     }
-    let mut poses: Vec<Pose> = known
+    known
         .into_iter()
         .map(|pose| pose.unwrap_or(SCENE))
-        .collect();
+        .collect()
+}
+
+/// The poses of links after what a joint joins that is drawn apart has jumped there.
+pub(super) fn closed(model: &Model, mut poses: Vec<Pose>) -> Vec<Pose> {
     let tolerance = 1e-6 * model.size();
     let (closed, open): (Vec<&Joint>, Vec<&Joint>) = model
         .joints

@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::mend::{Mending, mendings};
 use crate::play::Mechanism;
 use mech_compiler::Compiled;
-use mech_compiler::model::Model;
+use mech_compiler::model::{LinkId, Model};
 use std::sync::Arc;
 
 /// What the compiler makes of a text.
@@ -97,29 +97,28 @@ impl Snapshot {
         faults.map_or(&[], |faults| &faults.messages)
     }
 
-    /// The mechanism as it starts, or as its joints want it. Links that were drawn before stay where they were, if it does not move, or if
-    /// it is not seen at the start.
+    /// The mechanism as it starts, or as its joints want it. If it does not move, links that rested before stay there. If it is not seen at
+    /// the start, they stay where they were.
     pub(crate) fn drawing(&self, before: Option<&Drawing>, is_moved: bool) -> Option<Drawing> {
         let reading = self.reading.as_ref()?;
-        let model = reading.model.clone();
-        let known = match &reading.result {
-            Ok(compiled) if !is_moved => starts(&reading.model, compiled),
-            _ => model
-                .link_ids()
-                .map(|link| {
-                    let before = before?;
-                    let name = &model.link(link).name;
-                    before.link(name).map(|link| before.pose(link))
-                })
-                .collect(),
+        let model = &reading.model;
+        let known = |pose: fn(&Drawing, LinkId) -> Pose| {
+            let links = model.link_ids();
+            let known = links.map(|link| {
+                let before = before?;
+                let link = before.link(&model.link(link).name)?;
+                Some(pose(before, link))
+            });
+            known.collect::<Vec<Option<Pose>>>()
         };
-        Some(Drawing::new(model, known))
-    }
-
-    /// Where the links are at the start; none if it does not move.
-    pub(crate) fn start(&self) -> Option<Vec<Option<Pose>>> {
-        let reading = self.reading.as_ref()?;
-        Some(starts(&reading.model, self.compiled()?))
+        let Ok(compiled) = &reading.result else {
+            return Some(Drawing::new(model.clone(), known(Drawing::rest)));
+        };
+        let mut drawing = Drawing::new(model.clone(), starts(model, compiled));
+        if is_moved {
+            drawing.set_poses(known(Drawing::pose));
+        }
+        Some(drawing)
     }
 
     /// The mechanism to be played; none if it does not move.

@@ -114,6 +114,10 @@ fn what_is_pinned_jumps_at_once() {
     is_drawn(&user, "bar1", [[-3.0, 0.0], [-1.0, 1.0]]);
     is_drawn(&user, "bar2", [[-1.0, 1.0], [0.0, -1.0]]);
     is_drawn(&user, "bar3", [[0.0, -1.0], [1.0, 0.0]]);
+    // Without the pin it is where the text has it.
+    user.shortcut(Key::Z, false);
+    is_drawn(&user, "bar2", [[1.0, 2.0], [2.0, 0.0]]);
+    is_drawn(&user, "bar3", [[2.0, 0.0], [3.0, 1.0]]);
     // The first on the ground stays where it is, whichever is picked first.
     let mut user = User::new();
     user.key(Key::B);
@@ -175,6 +179,13 @@ fn the_tool_force_asks_for_forces() {
         user.said()
     );
     assert!(user.editor().player().is_some(), "{}", user.said());
+    // With the last one, what asks for it goes.
+    user.at_once(|editor| {
+        editor.select(Some(Item::Action("load1".to_owned())), false);
+        editor.remove_selected();
+    });
+    assert!(!user.text().contains("force"), "{}", user.said());
+    user.shortcut(Key::Z, false);
     // A second one, and one beside an effect that is there.
     user.click([-2.0, 1.0]);
     assert_eq!(user.text().matches("force;").count(), 1, "{}", user.said());
@@ -254,6 +265,26 @@ fn a_weld_replaces_the_pin_of_the_same_bars() {
 }
 
 #[test]
+fn a_weld_takes_no_pivot_and_no_motor_away() {
+    let text = "struct Arm;
+link upper; link fore { point tip = (2, 2); }
+joint a = revolute(ground, upper) at (0, 0);
+joint b = revolute(upper, fore) at (1, 0);
+motor a;
+motor b;
+";
+    for [first, second] in [[[-2.0, -2.0], [0.0, 0.0]], [[1.0, 0.0], [2.0, 2.0]]] {
+        let mut user = User::with_text(text);
+        user.click_on("Weld");
+        user.click(first);
+        user.click(second);
+        assert_eq!(user.text(), text);
+        let notice = user.editor().notice().cloned().expect("it is told");
+        assert!(notice.text.contains("remove it first"), "{notice:?}");
+    }
+}
+
+#[test]
 fn a_weld_beside_a_pin_is_refused_in_the_line() {
     let text = "struct Bars;
 link one { point o = (0, 0); point e = (2, 0); }
@@ -312,4 +343,93 @@ fn what_is_pressed_is_what_was_under_the_pointer_then() {
     let mut user = User::with_text(FOUR_BAR);
     user.rush([-2.0, 0.6], [-2.0, 1.0]);
     assert_eq!(user.text(), FOUR_BAR, "{}", user.said());
+}
+
+#[test]
+fn all_is_copied_with_its_pins_here_and_elsewhere() {
+    let text = FOUR_BAR
+        .replace(
+            "link crank;",
+            "const SIZE = 1;\nlink crank { circle (-2, 0.5) radius 0.1 * SIZE color teal; }",
+        )
+        .replace("at (-2, 1)", "at (-2, SIZE)");
+    let mut user = User::with_text(&text);
+    user.shortcut(Key::A, false);
+    user.copy_and_paste();
+    let after = user.text().to_owned();
+    for copy in [
+        "link crank1 { circle (-1.8, 0.3) radius 0.1 * SIZE color teal; }",
+        "revolute(ground, crank1) at (-1.8, -0.2);",
+        "revolute(crank1, coupler1) at (-1.8, SIZE + (-0.2));",
+        "revolute(rocker1, ground) at (2.2, -0.2);",
+    ] {
+        assert!(after.contains(copy), "{copy}: {}", user.said());
+    }
+    assert_eq!(after.matches("motor ").count(), 2, "{}", user.said());
+    assert!(user.editor().player().is_some(), "{}", user.said());
+    assert_eq!(user.editor().selection().len(), 3);
+    user.shortcut(Key::Z, false);
+    assert_eq!(user.text(), text);
+    // Another text has another constant of that name.
+    user.shortcut(Key::A, false);
+    let copied = user.copy();
+    for other in ["", "struct Other;\nconst SIZE = 2;\nlink crank;\n"] {
+        let mut user = User::with_text(other);
+        user.paste(&copied);
+        assert!(
+            user.text().contains("(coupler, rocker) at (1.2, 2.8)"),
+            "{}",
+            user.said()
+        );
+        let has_other = user.text().contains("const SIZE1 = 1;");
+        assert_eq!(has_other, !other.is_empty(), "{}", user.said());
+        assert!(user.editor().is_readable(), "{}", user.said());
+    }
+    user.at_once(|editor| editor.open(mech_studio::Workspace::unsaved("other.mech", "")));
+    user.paste("");
+    assert!(user.editor().player().is_some(), "{}", user.said());
+    // What is not of the studio is told.
+    let before = user.text().to_owned();
+    user.paste("hello");
+    assert_eq!(user.text(), before);
+    let notice = user.editor().notice().cloned().expect("it is told");
+    assert!(
+        notice.is_refusal && notice.text.contains("nothing was copied"),
+        "{notice:?}"
+    );
+}
+
+#[test]
+fn whatever_joins_links_is_copied() {
+    let jansen = include_str!("../../../examples/gallery/src/mechanisms/jansen.rs");
+    let figure = "struct Figure;
+link wheel1; link wheel2; link bar1; link block1; link arm { point tip = (1, 0); }
+joint a = revolute(ground, wheel1) at (-3, 0);
+joint b = revolute(ground, wheel2) at (0, 0);
+joint mesh1 = gear(wheel1, wheel2, 20 : 40);
+joint c = revolute(wheel2, bar1) at (1, 0);
+joint d = revolute(bar1, block1) at (5, 0);
+joint e = prismatic(ground, block1) at (5, 0) along 0 deg;
+joint f = weld(arm, bar1) at (3, 0);
+motor a;
+";
+    for (name, text) in [("jansen.rs", jansen), ("figure.mech", figure)] {
+        let mut user = User::with_file(name, text);
+        let count = |user: &User, word: &str| user.text().matches(word).count();
+        let before = ["joint ", "link ", "motor "].map(|word| count(&user, word));
+        user.shortcut(Key::A, false);
+        user.copy_and_paste();
+        let after = ["joint ", "link ", "motor "].map(|word| count(&user, word));
+        assert!(user.editor().player().is_some(), "{}", user.said());
+        assert!(
+            after
+                .iter()
+                .zip(before)
+                .all(|(after, before)| *after > before),
+            "{}",
+            user.said()
+        );
+        let links = user.editor().selection().len();
+        assert!(links >= 5, "{}", user.said());
+    }
 }

@@ -89,7 +89,7 @@ fn obey_clipboard(editor: &mut Editor, context: &egui::Context) {
     for event in events {
         match event {
             egui::Event::Copy if !editor.selection().is_empty() => editor.copy(),
-            egui::Event::Paste(_) if !editor.copied.is_empty() => editor.paste(),
+            egui::Event::Paste(text) => editor.paste(&text),
             _ => {}
         }
     }

@@ -122,7 +122,7 @@ pub(super) const ACTIONS: &[Action] = &[
     Action {
         menu: Menu::Edit,
         name: "Copy",
-        help: "notes the selected links, to be pasted",
+        help: "notes the selected links with what joins them, to be pasted here or elsewhere",
         key: Some(with_command(Key::C)),
         is_possible: SELECTED,
         perform: Editor::copy,
@@ -130,10 +130,10 @@ pub(super) const ACTIONS: &[Action] = &[
     Action {
         menu: Menu::Edit,
         name: "Paste",
-        help: "declares the copied links once more",
+        help: "declares what was copied, under names that are free",
         key: Some(with_command(Key::V)),
         is_possible: |editor| !editor.copied.is_empty(),
-        perform: Editor::paste,
+        perform: |editor| editor.paste(""),
     },
     Action {
         menu: Menu::Edit,

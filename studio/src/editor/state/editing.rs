@@ -241,11 +241,13 @@ impl Editor {
         let worker = std::mem::replace(&mut self.worker, Worker::immediate());
         let (settings, size) = (self.settings.clone(), self.camera.size());
         let pending = Pending::after(&self.pending);
+        let copied = std::mem::take(&mut self.copied);
         *self = Self::with(workspace, worker, pending);
         self.settings = Settings {
             view: self.settings.view,
             ..settings
         };
+        self.copied = copied;
         self.camera.resize(size);
         self.fit();
     }

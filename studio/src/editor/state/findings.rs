@@ -34,6 +34,10 @@ impl Editor {
                     Some(gesture) => gesture,
                     None => continue,
                 },
+                Waiting::Paste(copied) => {
+                    self.paste_now(&copied);
+                    continue;
+                }
                 Waiting::Picks(tool, picks) => match self.gesture_of(tool, &picks) {
                     Ok(gesture) => gesture,
                     Err(why) => {

@@ -73,8 +73,8 @@ pub struct Editor {
     pub(in crate::editor) settings: Settings,
     /// What is asked in a window of its own.
     pub(in crate::editor) dialog: Option<Dialog>,
-    /// What was copied: links.
-    pub(in crate::editor) copied: Vec<String>,
+    /// What was copied: statements.
+    pub(in crate::editor) copied: String,
     /// A line that is to be completed and said.
     pub(in crate::editor) proposed: Option<String>,
     /// Whether keys go to the drawing, or to something in it.
@@ -154,7 +154,7 @@ impl Editor {
                 ..Settings::default()
             },
             dialog: None,
-            copied: Vec::new(),
+            copied: String::new(),
             proposed: None,
             is_canvas_focused: false,
             hovered: None,

@@ -21,6 +21,8 @@ pub(in crate::editor) enum Waiting {
     Picks(Tool, Vec<NamedPick>),
     /// These links are declared once more, under names that will be free.
     Copies(Vec<String>),
+    /// These statements are declared, under names that will be free.
+    Paste(String),
 }
 
 /// A gesture that is being tried, on which text.
@@ -109,6 +111,7 @@ impl Pending {
             Some(Waiting::Gesture(gesture)) => Some(gesture.title),
             Some(Waiting::Picks(tool, _)) => Some(tool.name().to_owned()),
             Some(Waiting::Copies(_)) => Some("copies".to_owned()),
+            Some(Waiting::Paste(_)) => Some("paste".to_owned()),
             None => self.tried.take().map(|tried| tried.gesture.title),
         }
     }

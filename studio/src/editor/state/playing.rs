@@ -29,13 +29,8 @@ impl Editor {
         }
     }
 
-    /// Plays no more. A pose goes with the motors: it is seen at the start again.
+    /// Plays no more.
     pub(super) fn stop(&mut self) {
-        let is_posed = self.seen_at().is_some();
-        let start = self.drawn.as_ref().and_then(|drawn| drawn.start());
-        if let (Some(drawing), Some(start), true) = (&mut self.drawing, start, is_posed) {
-            drawing.set_poses(start);
-        }
         self.player = None;
         self.ranges.clear();
         self.paths.clear();

@@ -108,7 +108,7 @@ impl<'d> Builder<'d> {
         }
     }
 
-    /// Takes out what joins two links in places, so that something else can.
+    /// Takes out what joins two moving links in places, so that something else can. A joint with a motor stays, and stands in the way.
     pub(super) fn remove_joints_of(&mut self, links: [LinkId; 2]) {
         let Some(drawing) = self.drawing else {
             return;
@@ -117,7 +117,8 @@ impl<'d> Builder<'d> {
             let (a, b) = drawing.model.ends(joint);
             let joint = drawing.model.joint(joint);
             let is_between = [a, b] == links || [b, a] == links;
-            if is_between && joint.kind.axes().is_some() {
+            let is_free = !links.contains(&LinkId::GROUND) && !drawing.has_motor(&joint.name);
+            if is_between && is_free && joint.kind.axes().is_some() {
                 self.add(Command::Remove {
                     kind: Kind::Joint,
                     name: joint.name.clone(),

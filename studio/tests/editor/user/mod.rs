@@ -4,8 +4,8 @@ mod pointer;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    DroppedFile, Event, Key, Modifiers, Pos2, Rect, Vec2, ViewportCommand, ViewportEvent,
-    ViewportId,
+    DroppedFile, Event, Key, Modifiers, OutputCommand, Pos2, Rect, Vec2, ViewportCommand,
+    ViewportEvent, ViewportId,
 };
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -241,6 +241,27 @@ impl User {
         self.harness.event(Event::Paste(String::new()));
         self.harness.run_steps(2);
         self.gestures += 2;
+    }
+
+    /// Copies what is selected. Returns what the clipboard has then.
+    pub(crate) fn copy(&mut self) -> String {
+        self.harness.event(Event::Copy);
+        let mut copied = String::new();
+        for _ in 0..2 {
+            self.harness.run_steps(1);
+            for command in &self.harness.output().platform_output.commands {
+                if let OutputCommand::CopyText(text) = command {
+                    copied.clone_from(text);
+                }
+            }
+        }
+        copied
+    }
+
+    /// Pastes what the clipboard has.
+    pub(crate) fn paste(&mut self, text: &str) {
+        self.harness.event(Event::Paste(text.to_owned()));
+        self.harness.run_steps(3);
     }
 
     /// Lets the keys go to what has this name.

@@ -1,33 +1,76 @@
 //! What is copied and pasted.
 
+mod fragment;
+
 use super::names::Names;
 use super::snap::grid;
 use super::state::Waiting;
 use super::{Editor, Gesture, Item};
 use crate::edit::Command;
+use crate::failure::Failure;
 use crate::text::shortest;
 use mech_compiler::model::{AxisId, AxisKind};
+use std::collections::BTreeSet;
 
 impl Editor {
-    /// Notes the selected links.
+    /// Notes the selected links as statements, with the joints and motors between them.
     pub(super) fn copy(&mut self) {
         let links = self.selection.iter().filter_map(|item| match item {
             Item::Link(name) => Some(name.clone()),
             _ => None,
         });
-        self.copied = links.collect();
-        // An empty clipboard is never pasted.
-        self.to_clipboard = Some(self.copied.join(" ")).filter(|names| !names.is_empty());
-        match self.copied.len() {
-            0 => self.refuse("links are copied; select one"),
+        let links: BTreeSet<String> = links.collect();
+        let copied = match self.fragment_of(&links) {
+            Ok(Some(copied)) => copied,
+            Ok(None) => return self.refuse("links are copied; select one that is declared here"),
+            Err(failure) => return self.refuse(failure),
+        };
+        self.to_clipboard = Some(copied.clone());
+        self.copied = copied;
+        match links.len() {
             1 => self.tell("copied a link"),
             count => self.tell(format!("copied {count} links")),
         }
     }
 
-    /// Declares the copied links once more.
-    pub(super) fn paste(&mut self) {
-        self.declare_again(self.copied.clone());
+    fn fragment_of(&self, links: &BTreeSet<String>) -> Result<Option<String>, Failure> {
+        let document = self.workspace().document();
+        let beside = grid(self.camera.view().scale());
+        fragment::copied(
+            &document,
+            self.workspace().index(),
+            links,
+            [beside, -beside],
+        )
+    }
+
+    /// Declares what was copied, here or elsewhere.
+    pub(super) fn paste(&mut self, text: &str) {
+        let text = if text.is_empty() { &self.copied } else { text };
+        if !fragment::can_be_pasted(text) {
+            self.refuse("nothing was copied that can be pasted; select links and copy them");
+            return;
+        }
+        self.wait(Waiting::Paste(text.to_owned()));
+    }
+
+    /// Declares statements that were copied, as one step. The copies are selected.
+    pub(super) fn paste_now(&mut self, copied: &str) {
+        let (document, index) = (self.workspace().document(), self.workspace().index());
+        match fragment::pasted(&document, index, copied) {
+            Ok((text, links)) => {
+                let title = match links.len() {
+                    1 => "paste a link".to_owned(),
+                    count => format!("paste {count} links"),
+                };
+                self.session.workspace.push(title.as_str(), &text);
+                self.let_go();
+                self.selection = links.into_iter().map(Item::Link).collect();
+                self.read();
+                self.tell(title);
+            }
+            Err(why) => self.refuse(why),
+        }
     }
 
     /// Declares links once more, as soon as the gestures before that are made: until then nobody knows which names are free.
