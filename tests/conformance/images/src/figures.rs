@@ -30,13 +30,13 @@ fn print<S: Subject>() -> Option<()> {
             moved &= subject.move_to(*motors);
         }
     });
-    // One by one: many are more than the clock can count.
-    let mut frame = 0;
+    // One by one, and their sum in more bits: many are more than the clock can count.
+    let mut frame = 0_u64;
     for motors in motion.iter().step_by(STRIDE) {
-        frame += clock.instructions(|| {
+        frame += u64::from(clock.instructions(|| {
             moved &= subject.move_to(*motors);
             subject.draw(&mut picture);
-        });
+        }));
     }
     let stack_of_position = stack_of(|| {
         for motors in &motion {
@@ -51,11 +51,11 @@ fn print<S: Subject>() -> Option<()> {
     });
 
     let steps = u32::from(STEPS);
-    let frames = steps / STRIDE as u32;
+    let frames = u64::from(steps) / STRIDE as u64;
     for (name, value) in [
         ("state", S::state() as u32),
         ("position", (position + steps / 2) / steps),
-        ("frame", (frame + frames / 2) / frames),
+        ("frame", ((frame + frames / 2) / frames) as u32),
         ("stack", stack_of_position),
         ("stack-drawing", stack_of_drawing),
     ] {
