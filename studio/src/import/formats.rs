@@ -38,7 +38,7 @@ const ROOTS: [(&str, &str); 4] = [
 ];
 
 /// What a text is that is neither a link nor a document of Linkage, at its beginning.
-pub(super) fn told(text: &str) -> Message {
+pub(super) fn unknown_format(text: &str) -> Message {
     let start = text.len() - plain(text).len();
     let length = text[start..].chars().next().map_or(0, char::len_utf8);
     Message {
@@ -109,7 +109,7 @@ fn root(text: &str) -> Option<&str> {
 
 #[cfg(test)]
 mod tests {
-    use super::{is_of_linkage, told};
+    use super::{is_of_linkage, unknown_format};
 
     #[test]
     fn what_is_not_read_is_told_as_what_it_is() {
@@ -125,7 +125,7 @@ mod tests {
             ("<Mechanism/>", "another program: its root is <Mechanism>"),
             ("a b c", "the format of this file is not known"),
         ] {
-            let message = told(text).text;
+            let message = unknown_format(text).text;
             assert!(message.contains(what), "{message}");
             assert!(message.contains("links of PMKS+"), "{message}");
         }

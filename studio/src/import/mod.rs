@@ -38,7 +38,7 @@ pub(crate) fn read(source: &Source) -> Result<Imported, Message> {
     } else if formats::is_of_linkage(text) {
         linkage::read(text)
     } else {
-        Err(formats::told(text))
+        Err(formats::unknown_format(text))
     }
 }
 

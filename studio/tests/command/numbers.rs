@@ -133,7 +133,7 @@ motor x; ";
 }
 
 /// A four-bar linkage whose first crank is driven, by its four pins.
-fn driven([c, a, b, d]: [[f64; 2]; 4], precision: &str) -> String {
+fn driven_four_bar([c, a, b, d]: [[f64; 2]; 4], precision: &str) -> String {
     let at = |[x, y]: [f64; 2]| format!("({x}, {y})");
     format!(
         "struct M: {precision}; link one; link two; link three;
@@ -168,7 +168,7 @@ fn a_motion_without_ends_stays_within_what_is_possible() {
         }
         limited += 1;
         let precision = if limited % 3 == 0 { "f32" } else { "f64" };
-        let text = driven(pins, precision);
+        let text = driven_four_bar(pins, precision);
         let folder = Folder::new().with("a.mech", &text);
         let rows = numbers(&folder.mech("table a.mech b velocity:b torque:c").done());
         let angle = |of: usize| (pins[of][1] - pins[0][1]).atan2(pins[of][0] - pins[0][0]);

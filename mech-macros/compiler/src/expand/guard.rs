@@ -16,11 +16,16 @@ pub(crate) fn guard(
     catch(expansion).unwrap_or_else(|what| {
         let text =
             format!("internal error: {what}. Please report it, with this text:\n{mechanism}");
-        let error = Message::new(Place::of(mechanism), text).to_compile_error();
-        // The error above is what counts: if the stub fails too, the user does without it.
-        let stub = catch(stub).unwrap_or_default();
-        quote!(#error #stub)
+        beside_stub(&Message::new(Place::of(mechanism), text), stub)
     })
+}
+
+/// An error beside a stub of the mechanism's type.
+pub(super) fn beside_stub(message: &Message, stub: impl FnOnce() -> TokenStream) -> TokenStream {
+    let error = message.to_compile_error();
+    // The error is what counts: if the stub fails too, the user does without it.
+    let stub = catch(stub).unwrap_or_default();
+    quote!(#error #stub)
 }
 
 #[cfg(test)]

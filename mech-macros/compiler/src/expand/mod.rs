@@ -8,7 +8,7 @@ mod tests;
 pub use import::{Import, PartText, expand_part, macro_calls};
 
 use crate::analysis::{Analysis, analyse};
-use crate::bug::{bug, catch};
+use crate::bug::bug;
 use crate::emit;
 use crate::syntax::{self, Message};
 use proc_macro2::{TokenStream, TokenTree};
@@ -22,9 +22,7 @@ pub fn expand(input: TokenStream) -> TokenStream {
         let Some(fault) = import.fault() else {
             return import.call(&krate);
         };
-        let error = fault.to_compile_error();
-        let stub = catch(|| stub(&krate, without_imports(import))).unwrap_or_default();
-        return quote!(#error #stub);
+        return guard::beside_stub(&fault, || stub(&krate, without_imports(import)));
     }
     guard::guard(
         &body,
