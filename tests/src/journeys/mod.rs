@@ -359,7 +359,8 @@ impl Trial<'_> {
                 format!("it stops by {stop:?}, the judge at {end}"),
             );
         }
-        Ok(false)
+        // From a dead point it goes back the way it came.
+        Ok(true)
     }
 
     /// Leaps of several motors, long and short.

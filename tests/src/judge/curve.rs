@@ -344,6 +344,31 @@ impl<'j> Curve<'j> {
         clear.then_some(turn)
     }
 
+    /// The point of the curve between two knots at which the move has come so far: beside a turning point, where a small part of a move is a
+    /// long way on the curve. Points are sought by their arc length, and corrected across the curve.
+    fn beside_turning_point(
+        &self,
+        [low, high]: [&Knot; 2],
+        between: &impl Fn(f64) -> DVector<f64>,
+        goal: f64,
+    ) -> Option<DVector<f64>> {
+        let way = low.at.len() - 1;
+        let on_curve = |t: f64| {
+            let across = (&low.tangent * (1.0 - t) + &high.tangent * t).normalize();
+            Some(self.correct(&between(t), &across)?.0)
+        };
+        let (mut a, mut b) = (0.0, 1.0);
+        for _ in 0..50 {
+            let middle = f64::midpoint(a, b);
+            if on_curve(middle)?[way] < goal {
+                a = middle;
+            } else {
+                b = middle;
+            }
+        }
+        on_curve(a)
+    }
+
     /// Where the links are at a part of the move that the curve reaches, how badly conditioned that is, and how sure.
     #[must_use]
     pub fn at(&self, part: f64) -> Option<(Place, f64)> {
@@ -387,7 +412,12 @@ impl<'j> Curve<'j> {
         let corrected = self
             .correct(&guess, &across)
             .filter(|(_, off)| off * condition < 0.1);
-        let (mut found, _) = corrected.unwrap_or((guess, 0.0));
+        let mut found = match corrected {
+            Some((found, _)) => found,
+            None => self
+                .beside_turning_point([low, high], &between, goal)
+                .unwrap_or(guess),
+        };
         found[way] = 0.0;
         Some((Place(found), condition))
     }

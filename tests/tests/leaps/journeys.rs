@@ -82,11 +82,27 @@ fn what_went_astray_once_does_so_no_more() {
     }
 }
 
+/// What stopped at a dead point goes back the way it came, on its side, also behind loops that are iterated.
+#[test]
+fn from_a_dead_point_it_goes_back() {
+    let texts = [
+        include_str!("texts/back-from-a-dead-point.txt"),
+        include_str!("texts/coupled-back-from-a-dead-point.txt"),
+    ];
+    for text in texts {
+        let family = Family::Text(text.to_owned());
+        for kind in [Kind::Leaps, Kind::Stops] {
+            let found = tally(kind, &family, 0..10, false, 1);
+            assert!(found.faults.is_empty(), "{kind:?} of {text}: {found:#?}");
+        }
+    }
+}
+
 /// Steps of 1e-5 and 1e-3 over change points of which rounding may hide on which side of them a loop stands, and a stop at a dead point
-/// beside directions that are used reversed, too: there the loop was taken for thirty times as large as it is.
+/// beside directions that are used reversed, too: there the loop was taken for thirty times as large as it is. From dead points they go back.
 #[test]
 fn single_precision_passes_change_points_in_small_steps_and_no_dead_point() {
-    for seed in [810_116, 201_245, 201_317] {
+    for seed in [810_116, 201_245, 201_317, 7_102, 7_193, 7_348] {
         let found = tally(Kind::Stops, &Family::Symmetric, seed..seed + 1, true, 1);
         assert!(found.faults.is_empty() && found.moves > 20, "{found:#?}");
     }

@@ -6,6 +6,7 @@
 //! continuous if the dyad goes over to its other side.
 
 mod across;
+mod departure;
 mod event;
 mod pace;
 mod piece;

@@ -166,7 +166,7 @@ fn stays_away<T: Real, J: Journey<T>>(
     });
     let change = T::from_f64(if watch.guessed { of_guess } else { OF_BOUND }) * watch.change;
     squares > change * part * speed
-        && (!watch.guessed || is_calm(journey, from, to, (index, squares)))
+        && (!watch.guessed || is_calm(journey, from, to, index))
         && (squares > T::from_f64(SEEN) || !stands(journey, [from, to], index))
 }
 
@@ -177,14 +177,14 @@ fn stands<T: Real, J: Journey<T>>(journey: &J, ends: [&J::Position; 2], index: u
 }
 
 /// Whether a sine changes little, and not its sign.
-fn is_calm<T: Real, J: Journey<T>>(
+pub(super) fn is_calm<T: Real, J: Journey<T>>(
     journey: &J,
     from: &J::Position,
     to: &J::Position,
-    (index, squares): (usize, T),
+    index: usize,
 ) -> bool {
     let (a, b) = (journey.sine(from, index), journey.sine(to, index));
-    a * b > T::ZERO && (a * a - b * b).abs() <= T::from_f64(0.25) * squares
+    a * b > T::ZERO && (a * a - b * b).abs() <= T::from_f64(0.25) * (a * a + b * b)
 }
 
 #[inline]

@@ -3,6 +3,7 @@
 use super::across::{
     beyond_cluster, beyond_touch, bounces, distance, is_stepped_over, meeting, touches,
 };
+use super::departure::{depart, is_at_dead_point, is_beside_zero};
 use super::event::{Event, first_event};
 use super::pace::{is_passable, lesser};
 use super::{AtZero, Growth, Journey, MOST_TRIES, Standing};
@@ -38,12 +39,22 @@ pub(super) fn travel_piece<T: Real, J: Journey<T>>(
     // By how much farther the target is put each time, so that it is beyond what rounding hides after a few.
     let mut times = 1.0;
     orient(journey, &mut from);
+    if let Some(away) = depart(journey, &from, done) {
+        (from, done) = away;
+        if done >= target {
+            return Reach {
+                to: from,
+                end: done,
+                stop: None,
+            };
+        }
+    }
     // Each round passes a change point, finds a dead point before its aim, or puts its target farther.
     for _ in 0..=8 * journey.watches() + DOUBLINGS {
         let mut reach = reach(journey, &from, done, aim);
         // Where one is on its other side, others may not leave theirs any more.
         for _ in 0..journey.watches() {
-            match leave(journey, (&mut from, done), &reach.to) {
+            match leave(journey, (&mut from, done), &reach) {
                 Leaving::Stopped(index) => {
                     return Reach {
                         to: from,
@@ -101,8 +112,8 @@ pub(super) fn travel_piece<T: Real, J: Journey<T>>(
             Event::None | Event::Near(..) => {
                 settle(journey, &from, done, &mut reach);
                 if reach.end >= T::ONE {
-                    pass_hidden(journey, (&from, done), &mut reach);
                     note_arrived(journey, &from, &mut reach.to);
+                    pass_hidden(journey, (&from, done), &mut reach);
                 }
                 return reach;
             }
@@ -306,9 +317,15 @@ pub(super) fn pass<T: Real, J: Journey<T>>(journey: &J, position: &mut J::Positi
 fn leave<T: Real, J: Journey<T>>(
     journey: &J,
     (from, done): (&mut J::Position, T),
-    to: &J::Position,
+    reach: &Reach<J::Position, J::Stop, T>,
 ) -> Leaving {
-    for index in 0..journey.watches() {
+    let to = &reach.to;
+    // What does not close right behind is at a dead point.
+    let is_open = |index| {
+        let is_open = |stop| journey.is_open(stop, index) && is_beside_zero(journey, to, index);
+        reach.stop.as_ref().is_some_and(is_open)
+    };
+    for index in (0..journey.watches()).filter(|index| !is_open(*index)) {
         let leaves = match journey.standing(from, index) {
             Standing::Passed => false,
             Standing::Arrived if goes_away(journey, from, to, index) => true,
@@ -319,6 +336,7 @@ fn leave<T: Real, J: Journey<T>>(
         if leaves && journey.sense(from, index) > T::ZERO {
             match journey.watch(index).at_zero {
                 AtZero::Stay => {}
+                _ if is_at_dead_point(journey, (from, done), index) => {}
                 AtZero::ChangeBranch if touches(journey, (from, done), index) => {
                     journey.set_standing(from, index, Standing::Away);
                 }
