@@ -114,10 +114,18 @@ impl<'p, T: Real> Machine<'p, T> {
 
     /// Goes there in one step, whatever lies between. It stays where it was if something does not close there.
     pub(crate) fn leap(&mut self, motors: &[T]) -> Result<(), Stop> {
-        let goal = Move::new(&self.runner, &self.position, motors, &self.position.turns);
-        let position = goal.leap()?;
-        self.position = position;
+        self.position = self.leaped(&self.position, motors)?;
         Ok(())
+    }
+
+    /// The same from another position.
+    pub(crate) fn leap_from(&mut self, last: &Position<T>, motors: &[T]) -> Result<(), Stop> {
+        self.position = self.leaped(last, motors)?;
+        Ok(())
+    }
+
+    fn leaped(&self, last: &Position<T>, motors: &[T]) -> Result<Position<T>, Stop> {
+        Move::new(&self.runner, last, motors, &last.turns).leap()
     }
 
     /// Gives the motors these values, one for each in order of declaration, in radians or scene units. The values of all params may

@@ -11,7 +11,7 @@ use mech_core::contraction::{before_first, contracts};
 use mech_core::dense::solve;
 use mech_core::motors::turned;
 use std::borrow::Cow;
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 /// The inputs of a program of rates or forces, besides the motors' values.
 #[derive(Clone, Copy, Debug)]
@@ -28,6 +28,8 @@ pub(super) struct Runner<'p, T: Real> {
     prepared: Cow<'p, Prepared<T>>,
     /// How many operations it may still make.
     pub(super) left: Cell<usize>,
+    /// The values of the last step, the constants among them, to be used again.
+    values: RefCell<Vec<T>>,
 }
 
 /// What is made once of a program so that it can be run.
@@ -91,6 +93,7 @@ impl<'p, T: Real> Runner<'p, T> {
             program,
             prepared: Cow::Owned(Prepared::new(program)),
             left: Cell::new(usize::MAX),
+            values: RefCell::default(),
         }
     }
 
@@ -100,6 +103,7 @@ impl<'p, T: Real> Runner<'p, T> {
             program,
             prepared: Cow::Borrowed(prepared),
             left: Cell::new(usize::MAX),
+            values: RefCell::default(),
         }
     }
 
@@ -117,11 +121,14 @@ impl<'p, T: Real> Runner<'p, T> {
             accelerations: &zero,
             loads: &[],
         };
-        let values = self.values_of(steps, last, (motors, turns), given)?;
-        match self.open(&values) {
+        let values = self.values.take();
+        let values = self.values_of((steps, values), last, (motors, turns), given)?;
+        let position = match self.open(&values) {
             None => self.position(&values, (motors, turns)),
             Some(block) => Err(Stop::Open(block)),
-        }
+        };
+        self.values.replace(values);
+        position
     }
 
     /// Counts operations: none are made that are not left.
@@ -250,13 +257,13 @@ impl<'p, T: Real> Runner<'p, T> {
         inputs: (&[T], &[i32]),
         given: MotionInputs<'_, T>,
     ) -> Result<Vec<T>, Stop> {
-        self.values_of(&self.prepared.steps, last, inputs, given)
+        self.values_of((&self.prepared.steps, Vec::new()), last, inputs, given)
     }
 
-    /// The values of all nodes after these steps.
+    /// The values of all nodes after these steps: in the place of other values of this program, if there are some.
     fn values_of(
         &self,
-        steps: &[Step],
+        (steps, mut values): (&[Step], Vec<T>),
         last: &Position<T>,
         (motors, turns): (&[T], &[i32]),
         given: MotionInputs<'_, T>,
@@ -271,7 +278,9 @@ impl<'p, T: Real> Runner<'p, T> {
         };
         let inputs = motors.iter().zip(turns).enumerate().map(reduced);
         let (motors, turns): (Vec<T>, Vec<i32>) = inputs.unzip();
-        let mut values = self.prepared.constants.clone();
+        if values.is_empty() {
+            values.clone_from(&self.prepared.constants);
+        }
         let mut solved = vec![false; self.program.ssa.blocks.len()];
         for &Step { value, op } in steps {
             if let Op::Solved(block, _) = op

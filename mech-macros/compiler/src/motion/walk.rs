@@ -295,13 +295,11 @@ impl<'p> Walker<'p> {
     ) -> Option<f64> {
         let places = self.places(before, &between(&before.motors, motors));
         let foretold = self.foretell(&places, zero);
-        self.machine.put_back(foretold.clone());
-        let came = self.paid(self.left, |machine| machine.leap(motors).is_ok())?;
-        let astray = if came {
-            self.astray(before, &foretold, places.len() > 1)
-        } else {
-            f64::INFINITY
-        };
+        let leap = |machine: &mut Machine<'_, f64>| machine.leap_from(&foretold, motors).is_ok();
+        if !self.paid(self.left, leap)? {
+            return Some(f64::INFINITY);
+        }
+        let astray = self.astray(before, &foretold, places.len() > 1);
         if astray <= 1.0 {
             // Of loops that pass change points together, nothing tells that each passes its own.
             let sine = |watch: &&Watch| {
