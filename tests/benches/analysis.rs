@@ -1,7 +1,7 @@
 //! How long a mechanism takes to be analysed, planned, written and expanded, by its number of loops.
 
 use mech_compiler::{compile, evaluate, plan, program, structure};
-use mech_tests::chain;
+use mech_test_support::chain;
 use std::time::Instant;
 
 fn main() {

@@ -1,7 +1,7 @@
 //! How long a crate takes to be built again after a change in it, with mechanisms of several sizes beside an empty one, as
 //! a user has it: in a workspace of its own, with cargo's own profiles. `cargo bench -p mech-tests --bench compile_time`
 
-use mech_tests::{chain_text, median};
+use mech_test_support::{chain_text, median};
 use std::fmt::Write as _;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};

@@ -5,7 +5,7 @@
 mod common;
 
 use common::{Threshold, compare};
-use mech_tests::four_bar;
+use mech_test_support::four_bar;
 use std::hint::black_box;
 
 four_bar!(struct Position: f64; motor a;);

@@ -17,7 +17,7 @@ use std::hint::black_box;
 /// A four-bar: ground 4, crank 1, coupler 3.5, rocker 3.
 macro_rules! emitted {
     ($name:ident, $float:ident, $($range:tt)*) => {
-        mech_tests::four_bar!(struct $name: $float; motor a $($range)*;);
+        mech_test_support::four_bar!(struct $name: $float; motor a $($range)*;);
     };
 }
 

@@ -1,7 +1,7 @@
 //! How long `mechanism!` itself takes, from the tokens of the text to those of the code: each mechanism of the gallery, and
 //! chains by their number of loops.
 
-use mech_tests::{bodies, chain_text, median};
+use mech_test_support::{bodies, chain_text, median};
 use proc_macro2::TokenStream;
 use quote::quote;
 use std::hint::black_box;

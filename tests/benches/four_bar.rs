@@ -1,12 +1,12 @@
 //! The emitted four-bar beside a hand-written Newton iteration: same geometry, same rounds, same guard, one process,
 //! interleaved rounds, medians.
 
-use mech_tests::side_by_side;
+use mech_test_support::side_by_side;
 use std::hint::black_box;
 
 macro_rules! emitted {
     ($name:ident, $rounds:literal) => {
-        mech_tests::four_bar!(struct $name: f64; motor a; method newton($rounds););
+        mech_test_support::four_bar!(struct $name: f64; motor a; method newton($rounds););
     };
 }
 

@@ -22,7 +22,7 @@ macro_rules! bench {
         mod $float {
             use super::*;
 
-            mech_tests::four_bar!(struct Emitted: $float; motor a;);
+            mech_test_support::four_bar!(struct Emitted: $float; motor a;);
 
             const GROUND: $float = 4.0;
             const COUPLER: $float = 3.5;

@@ -3,7 +3,9 @@
 
 use mech_compiler::model::Model;
 use mech_compiler::{analyse, expand, looks};
-use mech_tests::{Dice, add_cam, cases, chain, grow, grow_coupled, painted_outside, seeds, text};
+use mech_test_support::{
+    Dice, add_cam, cases, chain, grow, grow_coupled, painted_outside, seeds, text,
+};
 use proc_macro2::TokenStream;
 use quote::quote;
 use std::fs;

@@ -1,6 +1,6 @@
 //! Journeys of random mechanisms, held against an independent judge: `journeys KIND COUNT SEED [f32] [FAMILY] [FILE.mech] [examples=N]`.
 
-use mech_tests::journeys::{Family, Fault, Kind, tally};
+use mech_test_support::journeys::{Family, Fault, Kind, tally};
 use std::time::Instant;
 
 fn main() {

@@ -7,7 +7,7 @@ use mech_compiler::model::{JointKind, Method, Model, Precision};
 use mech_compiler::program::Program;
 use mech_compiler::structure::Diagnosis;
 use mech_runtime::Real;
-use mech_tests::{Dice, SOURCES, grow, grow_coupled, model, models, shuffled, size};
+use mech_test_support::{Dice, SOURCES, grow, grow_coupled, model, models, shuffled, size};
 
 /// Methods, and from how many differences their iterations are started.
 const METHODS: [(Method, u8); 5] = [
@@ -245,14 +245,14 @@ fn nothing_in_the_gallery_is_worse_than_estimated() {
 }
 
 fn cases() -> u64 {
-    mech_tests::cases(5)
+    mech_test_support::cases(5)
 }
 
 #[test]
 fn dyads_at_random_are_hardly_worse_than_estimated() {
     for precision in [Precision::F64, Precision::F32] {
         let mut seen = Seen::default();
-        for seed in mech_tests::seeds(cases()) {
+        for seed in mech_test_support::seeds(cases()) {
             let mut dice = Dice::new(seed);
             let additions = 1 + dice.below(5);
             let model = grow(&mut dice, additions).model;
@@ -278,7 +278,7 @@ fn dyads_at_random_are_hardly_worse_than_estimated() {
 fn coupled_loops_at_random_are_seldom_worse_than_estimated() {
     for precision in [Precision::F64, Precision::F32] {
         let mut seen = Seen::default();
-        for seed in mech_tests::seeds(4 * cases()) {
+        for seed in mech_test_support::seeds(4 * cases()) {
             let mut dice = Dice::new(seed);
             let additions = 1 + dice.below(3);
             let model = grow_coupled(&mut dice, additions).model;

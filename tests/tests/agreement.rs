@@ -4,7 +4,7 @@ use super::zoo;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{JointKind, LinkId};
 use mech_runtime::{Mechanism, Real};
-use mech_tests::{
+use mech_test_support::{
     in_f64, lengths, mechanism_of, mechanisms, size, with_ground, worst_gap, worst_stretch,
 };
 use std::f64::consts::{PI, TAU};

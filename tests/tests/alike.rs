@@ -5,7 +5,7 @@ use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::Model;
 use mech_runtime::Real;
-use mech_tests::{Dice, chain_text, grow_from, model, text};
+use mech_test_support::{Dice, chain_text, grow_from, model, text};
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
@@ -239,11 +239,11 @@ fn walker(dice: &mut Dice) -> String {
 
 #[test]
 fn what_is_shared_gives_the_bits_of_the_interpreter() {
-    let mut dice = Dice::new(mech_tests::seeds(16).start);
+    let mut dice = Dice::new(mech_test_support::seeds(16).start);
     let mut cases = vec![Case::new(chain_text(30), &mut dice)];
     let texts = [several, uneven_chain, star, walker];
     let effects = ["", "\neffects { velocity; acceleration; }"];
-    for round in 0..usize::try_from(mech_tests::cases(1)).expect("not so many") {
+    for round in 0..usize::try_from(mech_test_support::cases(1)).expect("not so many") {
         for (number, text) in texts.iter().enumerate() {
             // Two rounds try each of them with and without effects.
             let text = text(&mut dice) + effects[(round + number) % 2];
@@ -262,7 +262,7 @@ fn what_is_shared_gives_the_bits_of_the_interpreter() {
         fn main() {{ {calls} }}"
     );
     let root = Path::new(env!("CARGO_TARGET_TMPDIR")).join("alike");
-    let mut rustc = mech_tests::rustc(&root);
+    let mut rustc = mech_test_support::rustc(&root);
     let source = root.join("alike.rs");
     fs::write(&source, format!("#![allow(dead_code)]\n{program}")).expect("a file");
     // Optimised, so that several rows are computed at once, but with all checks.

@@ -7,7 +7,7 @@ use mech_compiler::model::{
 };
 use mech_compiler::structure::{Factor, RollingEnd};
 use mech_compiler::{Compiled, compile, reporter};
-use mech_tests::{Dice, dice, for_all, law, reach, text, with_ground, worst_gap};
+use mech_test_support::{Dice, dice, for_all, law, reach, text, with_ground, worst_gap};
 use proptest::collection::vec;
 use proptest::prelude::Strategy;
 use std::f64::consts::TAU;

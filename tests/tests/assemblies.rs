@@ -3,7 +3,9 @@
 use mech_compiler::model::{JointId, JointKind, Model, Near, Origin};
 use mech_compiler::structure::{Diagnosis, LoopAssembly, OpenLoop};
 use mech_compiler::{Compiled, compile, reporter};
-use mech_tests::{Sample, cases, driven_on_the_ground, for_all, in_own_frames, model, samples};
+use mech_test_support::{
+    Sample, cases, driven_on_the_ground, for_all, in_own_frames, model, samples,
+};
 
 /// Legs of two loops each, in frames of their own, that one crank moves through gears.
 fn legs(count: usize) -> String {

@@ -6,7 +6,7 @@ use mech_compiler::model::Shown;
 use mech_compiler::program::build;
 use mech_compiler::structure::{Diagnosis, RangeTrouble};
 use mech_runtime::{Cause, Phase};
-use mech_tests::{
+use mech_test_support::{
     Sample, add_cam, cases, for_all, model, reach, samples, shuffled, with_ground, worst_gap,
 };
 use std::f64::consts::{PI, TAU};
@@ -116,7 +116,7 @@ mod generated {
 fn differences(at: impl Fn(f64) -> f64, place: f64) -> [f64; 2] {
     const STEP: f64 = 1e-3;
     let five = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|number| at(place + number * STEP));
-    mech_tests::differences(five, STEP)
+    mech_test_support::differences(five, STEP)
 }
 
 #[test]

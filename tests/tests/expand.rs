@@ -1,7 +1,7 @@
 //! What people see who look at the generated code. Renew with `INSTA_UPDATE=always cargo test -p mech-tests --test compiler expand`,
 //! and read it.
 
-use mech_tests::{bodies, four_bar_text};
+use mech_test_support::{bodies, four_bar_text};
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens as _;
 use std::fs;

@@ -2,7 +2,7 @@
 //! of them where there is debug information.
 
 use mech_compiler::model::JointKind;
-use mech_tests::{chain, chain_text};
+use mech_test_support::{chain, chain_text};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use std::fmt::Write as _;
 use std::fs;
@@ -258,7 +258,7 @@ fn large_ones_compile_in_debug() {
         }}",
         lawful(motors)
     );
-    let mut rustc = mech_tests::rustc(&root);
+    let mut rustc = mech_test_support::rustc(&root);
     let source = root.join("large.rs");
     fs::write(&source, &program).expect("a file");
     let status = rustc.args(["-C", "debuginfo=2"]).arg(&source).status();

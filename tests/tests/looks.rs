@@ -8,7 +8,7 @@ use mech_compiler::model::{JointKind, LinkId, Model, StartValue};
 use mech_compiler::structure::Pin;
 use mech_compiler::{Compiled, Looks, Measure, Outline, Painted, compile, looks};
 use mech_runtime::Palette;
-use mech_tests::{Sample, cases, for_all, model, painted_outside, samples};
+use mech_test_support::{Sample, cases, for_all, model, painted_outside, samples};
 use nalgebra::{Complex, Isometry2, Point2, Translation2, UnitComplex};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
@@ -377,7 +377,7 @@ fn no_bar_crosses_a_pin_that_it_does_not_carry() {
             solvable += 1;
             if !is_free(&plane) {
                 missed += 1;
-                println!("a bar crosses a pin\n{}", mech_tests::text(&model));
+                println!("a bar crosses a pin\n{}", mech_test_support::text(&model));
             }
         }
     });

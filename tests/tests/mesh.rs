@@ -4,7 +4,7 @@ use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::structure::{Diagnosis, MeshTrouble};
 use mech_runtime::mechanism;
-use mech_tests::model;
+use mech_test_support::model;
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 

@@ -8,7 +8,7 @@ use mech_compiler::evaluate::{Machine, Stop};
 use mech_compiler::model::{AtChangePoints, Method, Model, Precision};
 use mech_compiler::program::{Position, Program};
 use mech_runtime::Real;
-use mech_tests::{
+use mech_test_support::{
     Dice, apart, driven_elsewhere, grow, lengths, with_ground, worst_gap, worst_stretch,
 };
 use std::f64::consts::SQRT_2;
@@ -32,7 +32,7 @@ const METHODS: [Method; 5] = [
 ];
 
 fn cases() -> u64 {
-    mech_tests::cases(1_000)
+    mech_test_support::cases(1_000)
 }
 
 /// A random mechanism and its method.
@@ -383,7 +383,7 @@ fn move_in_segments<T: Real>(
 /// All failures of the mechanisms of the first seeds.
 fn failures(precision: Precision, only: &[Method], wanted: Wanted) -> Vec<String> {
     let mut failures = Vec::new();
-    for seed in mech_tests::seeds(cases().div_ceil(SEGMENTS)) {
+    for seed in mech_test_support::seeds(cases().div_ceil(SEGMENTS)) {
         let method = METHODS[usize::try_from(seed).unwrap_or(0) % METHODS.len()];
         if !only.contains(&method) {
             continue;

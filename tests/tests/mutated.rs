@@ -1,6 +1,6 @@
 //! Whatever a text is mangled to, what the macro makes of it is Rust, or says what is wrong at a place. `MECH_CASES=20000` for more.
 
-use mech_tests::{Dice, bodies, cases, seeds};
+use mech_test_support::{Dice, bodies, cases, seeds};
 use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::quote;
 

@@ -3,8 +3,8 @@
 
 use mech_compiler::compile;
 use mech_compiler::model::{JointKind, Model};
-use mech_tests::sketch::{Bond, Sketch};
-use mech_tests::{Dice, SOURCES, cases, model, models, seeds};
+use mech_test_support::sketch::{Bond, Sketch};
+use mech_test_support::{Dice, SOURCES, cases, model, models, seeds};
 use std::f64::consts::{PI, TAU};
 
 /// What is farther from a change point, as a part of the loop's size, is not told.

@@ -3,7 +3,7 @@
 use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{JointId, Model, MotorId};
-use mech_tests::{
+use mech_test_support::{
     Dice, Sample, apart, chain, coupled_samples, driven_elsewhere, for_all, model, on_any_ground,
     reach, reordered, samples, shuffle, shuffled, size, with_ground, worst_gap,
 };

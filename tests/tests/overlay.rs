@@ -6,7 +6,7 @@ use mech_compiler::model::{LinkId, Model};
 use mech_compiler::symbols::{Spot, Symbol, moving_points, symbols};
 use mech_runtime::overlay::Arrows;
 use mech_runtime::{Canvas, Outline, Overlay, Pose, mechanism};
-use mech_tests::{SOURCES, mechanisms};
+use mech_test_support::{SOURCES, mechanisms};
 
 type Vector = [f64; 2];
 

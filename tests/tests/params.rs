@@ -6,7 +6,7 @@ use mech_compiler::evaluate::{Machine, Stop, sensitivities};
 use mech_compiler::model::{AtChangePoints, AxisId, JointId, JointKind, Method, Model};
 use mech_compiler::program::ParamRates;
 use mech_compiler::program::{Position, Program, Watch};
-use mech_tests::{
+use mech_test_support::{
     Dice, SOURCES, Sample, apart, cases, direction, for_all, in_own_frames, models, place, reach,
     samples, scale, size, vary, with_ground, with_params, worst_gap, worst_stretch,
 };

@@ -3,7 +3,7 @@
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{JointKind, Model};
 use mech_compiler::{Compiled, compile};
-use mech_tests::{Dice, Sample, for_all, model, samples, text};
+use mech_test_support::{Dice, Sample, for_all, model, samples, text};
 
 /// What the use of a part does to its drawing.
 #[derive(Clone, Copy, Debug)]
@@ -126,7 +126,7 @@ fn a_use_mirrors_scales_turns_and_moves_every_motion() {
                 break;
             }
             placed.move_to(&theirs).expect("the image moves as it does");
-            let size = placement.scale * (1.0 + mech_tests::size(&typed_out));
+            let size = placement.scale * (1.0 + mech_test_support::size(&typed_out));
             for (pose, image) in plain.position().poses.iter().zip(&placed.position().poses) {
                 for point in [[0.0, 0.0], [1.0, 0.5]] {
                     let expected = placement.apply(apply(pose, point));

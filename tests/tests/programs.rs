@@ -30,7 +30,7 @@ fn programs_compile_and_run() {
 /// Compiles and runs a program: what is wrong with it.
 fn run(program: &Path) -> Result<(), String> {
     let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("programs");
-    let mut rustc = mech_tests::rustc(&out);
+    let mut rustc = mech_test_support::rustc(&out);
     let compiled = rustc.arg(program).output().expect("the compiler runs");
     if !compiled.status.success() {
         return Err(String::from_utf8_lossy(&compiled.stderr).into_owned());

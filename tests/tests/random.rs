@@ -4,7 +4,7 @@ use mech_compiler::evaluate::Machine;
 use mech_compiler::model::Model;
 use mech_compiler::structure::Diagnosis;
 use mech_compiler::{compile, reporter};
-use mech_tests::{
+use mech_test_support::{
     Sample, apart, for_all, in_own_frames, model, reach, samples, size, text, with_ground,
     worst_gap, worst_stretch,
 };

@@ -4,7 +4,7 @@ use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::reporter;
 use mech_compiler::structure::{Diagnosis, RangeTrouble};
-use mech_tests::model;
+use mech_test_support::model;
 use proptest::prelude::*;
 use std::fmt::Write as _;
 

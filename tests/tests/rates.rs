@@ -5,7 +5,7 @@ use mech_compiler::compile;
 use mech_compiler::evaluate::{Machine, Stop};
 use mech_compiler::model::{Effects, LinkId, Method, Model, Precision, Shown};
 use mech_compiler::program::{Position, Program};
-use mech_tests::{
+use mech_test_support::{
     Dice, SOURCES, Sample, add_cam, cases, coupled_samples, differences, for_all, grow, models,
     samples, seeds, shuffled, size,
 };

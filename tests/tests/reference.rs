@@ -12,7 +12,7 @@
 use mech_gallery::andrews::AndrewsSqueezer;
 use mech_gallery::jansen::JansenLeg;
 use mech_runtime::{Isometry2, Point2, mechanism};
-use mech_tests::four_bar;
+use mech_test_support::four_bar;
 use std::f64::consts::{PI, TAU};
 
 mechanism! {

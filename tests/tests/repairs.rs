@@ -10,7 +10,7 @@ use mech_compiler::repair::{Offers, Repair, Search, apply_all, offers};
 use mech_compiler::reporter;
 use mech_compiler::structure::Diagnosis;
 use mech_compiler::syntax::Places;
-use mech_tests::{
+use mech_test_support::{
     Dice, Sample, cases, chain, for_all, model, samples, seeds, shuffle, with_ground, worst_gap,
 };
 
@@ -352,7 +352,7 @@ fn repairs_are_tried_without_proofs_of_ranges() {
             joint s = revolute(ground, stay) at (0, 9); joint t = revolute(stay, coupler) at (1, 8);
             motor a {range};"
         );
-        mech_tests::model(&text)
+        mech_test_support::model(&text)
     };
     let [free, ranged] = ["", "in -170 deg ..= 170 deg"].map(with_range);
     let [free, ranged] = [free, ranged].map(|model| {
@@ -374,7 +374,7 @@ fn one_choice_of_several_motors_is_offered_beside_something_else() {
         joint w = revolute(ground.w, wheel.w); joint s = revolute(wheel.w, spur.w);
         joint mesh = gear(crank, wheel, 30 : 17);
         motor a;";
-    let model = mech_tests::model(text);
+    let model = mech_test_support::model(text);
     let diagnoses = diagnose(&model);
     let found = assert_mended(&model, &diagnoses);
     let adds = |repair: &&Repair| matches!(repair, Repair::AddMotors(_));
@@ -396,7 +396,7 @@ fn wheels_on_one_shaft_may_go() {
             "struct Shaft; link a; link b; joint p = revolute(ground, a) at (0, 0); joint q = revolute(ground, b) at (0, 0);
             joint mesh = gear(a, b, 20 : 40); {beside} motor p;"
         );
-        let model = mech_tests::model(&text);
+        let model = mech_test_support::model(&text);
         let diagnoses = diagnose(&model);
         let found = assert_mended(&model, &diagnoses);
         assert!(found.iter().all(|offers| !offers.is_empty()), "{text}");

@@ -5,7 +5,7 @@ use mech_compiler::model::{JointId, JointKind, LinkId, Model, Shape, ShapeKind};
 use mech_compiler::structure::{Pin, Rolling};
 use mech_compiler::{Compiled, Looks, Measure, Outline, Painted, Place, compile, looks};
 use mech_runtime::Palette;
-use mech_tests::{Sample, for_all, samples};
+use mech_test_support::{Sample, for_all, samples};
 use nalgebra::Point2;
 use std::f64::consts::TAU;
 

@@ -4,8 +4,8 @@ use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{LinkId, Ratio};
 use mech_compiler::program::Forces;
-use mech_tests::sketch::{Bond, Sketch};
-use mech_tests::{Dice, cases, model, seeds, size, with_ground, worst_gap};
+use mech_test_support::sketch::{Bond, Sketch};
+use mech_test_support::{Dice, cases, model, seeds, size, with_ground, worst_gap};
 
 /// A planetary gear whose sun, planet, carrier and housing are of several welded links each, and whose pins are on any of them: its text,
 /// and how far all links turn on each other by Willis.

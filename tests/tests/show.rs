@@ -6,7 +6,7 @@ use mech_compiler::model::{LinkId, Method, Model, Range, Shown};
 use mech_compiler::plan::{Plan, Source, Step, plan};
 use mech_compiler::program::{Op, Program, Slot, Value, build};
 use mech_compiler::structure::analyse;
-use mech_tests::{Dice, cases, grow, seeds};
+use mech_test_support::{Dice, cases, grow, seeds};
 use proc_macro2::TokenStream;
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
@@ -245,7 +245,7 @@ const PRESS: &str = "
     motor a; motor g;";
 
 fn model(head: &str, show: &str) -> Model {
-    mech_tests::model(&format!("{head} {PRESS} {show}"))
+    mech_test_support::model(&format!("{head} {PRESS} {show}"))
 }
 
 /// What the mechanism becomes.

@@ -6,7 +6,7 @@ use mech_compiler::evaluate::Machine;
 use mech_compiler::model::Model;
 use mech_compiler::repair::{Repair, offers};
 use mech_compiler::structure::Diagnosis;
-use mech_tests::{Dice, cases, model, seeds};
+use mech_test_support::{Dice, cases, model, seeds};
 use nalgebra::{DMatrix, DVector, RowDVector};
 use std::fmt::Write as _;
 

@@ -3,7 +3,7 @@
 use super::zoo::{self, rolling, special};
 use mech_compiler::plan::{Mesh, Rational, Step};
 use mech_runtime::{Mechanism, mechanism};
-use mech_tests::mechanism_of;
+use mech_test_support::mechanism_of;
 use std::f64::consts::TAU;
 
 mechanism! {

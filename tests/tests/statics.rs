@@ -3,7 +3,7 @@
 use mech_compiler::evaluate::Machine;
 use mech_compiler::program::Forces;
 use mech_runtime::{Cause, mechanism};
-use mech_tests::mechanisms;
+use mech_test_support::mechanisms;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 mechanism! {

@@ -6,7 +6,9 @@ use mech_compiler::model::{AtChangePoints, AxisId, JointId, JointKind, LinkId, M
 use mech_compiler::structure::{Factor, Rolling, RollingEnd};
 use mech_compiler::syntax::parse;
 use mech_runtime::Real;
-use mech_tests::{Dice, Sample, cases, coupled_samples, for_all, size, with_ground, worst_gap};
+use mech_test_support::{
+    Dice, Sample, cases, coupled_samples, for_all, size, with_ground, worst_gap,
+};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use std::f64::consts::TAU;

@@ -5,7 +5,7 @@
 
 mod race;
 
-use mech_tests::median;
+use mech_test_support::median;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
 use std::fs::{self, File};

@@ -1,6 +1,6 @@
 //! What the benches of speed share: comparisons, repeated to show their spread, printed with their thresholds.
 
-use mech_tests::{median, side_by_side};
+use mech_test_support::{median, side_by_side};
 
 /// How often each comparison is repeated.
 const REPEATS: usize = 7;

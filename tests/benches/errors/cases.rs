@@ -1,6 +1,6 @@
 //! Mechanisms with one error each, small and large.
 
-use mech_tests::chain_text;
+use mech_test_support::chain_text;
 use std::fmt::Write as _;
 
 /// A mechanism with an error.

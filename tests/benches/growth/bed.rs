@@ -3,7 +3,7 @@
 use crate::dense::Dense;
 use mech_compiler::evaluate::Machine;
 use mech_runtime::Mechanism;
-use mech_tests::{chain, median};
+use mech_test_support::{chain, median};
 use std::hint::black_box;
 use std::time::Instant;
 

@@ -2,7 +2,7 @@
 //! knows nothing of the order in which loops can be solved.
 
 use mech_compiler::model::JointKind;
-use mech_tests::chain;
+use mech_test_support::chain;
 use nalgebra::{DMatrix, DVector};
 
 /// A closed polygon: vectors, each fixed to a link that is driven or has an unknown direction, and one fixed to the ground.

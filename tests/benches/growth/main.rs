@@ -11,7 +11,7 @@
 
 mod plot;
 
-use mech_tests::chain_text;
+use mech_test_support::chain_text;
 use plot::Line;
 use std::fmt::Write as _;
 use std::fs;

@@ -6,7 +6,7 @@ mod zoo;
 
 use mech_compiler::evaluate::{Machine, sensitivities};
 use mech_runtime::{Blocked, Cause, Mechanism, Phase, Reached, Real};
-use mech_tests::{
+use mech_test_support::{
     in_f64, mechanism_of, place, reach, size, with_ground, with_params, worst_gap, worst_stretch,
 };
 use zoo::{

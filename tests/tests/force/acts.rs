@@ -4,7 +4,7 @@ use super::{Given, Position};
 use mech_compiler::evaluate::LinkRates;
 use mech_compiler::model::{AxisId, Between, JointKind, LinkId, LoadKind, Model};
 use mech_compiler::program::InverseDynamics;
-use mech_tests::size;
+use mech_test_support::size;
 
 /// What acts on a link: a force at a point, and a torque.
 pub(super) type Act = (LinkId, [f64; 2], [f64; 2], f64);

@@ -5,9 +5,9 @@ use super::random_actions::load_up;
 use mech_compiler::compile;
 use mech_compiler::model::{JointKind, Model};
 use mech_runtime::{Cause, GaussLegendre, Real, Scalar};
-use mech_tests::judge::{Fall, Judge};
-use mech_tests::sketch::Sketch;
-use mech_tests::{Dice, Simulated, cases, model, seeds, size, symmetric, with_ground};
+use mech_test_support::judge::{Fall, Judge};
+use mech_test_support::sketch::Sketch;
+use mech_test_support::{Dice, Simulated, cases, model, seeds, size, symmetric, with_ground};
 
 /// So many steps are made with each mechanism at most, and every so often one is judged.
 const STEPS: u32 = 250;

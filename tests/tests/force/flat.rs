@@ -5,7 +5,7 @@ use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::program::Forces;
 use mech_runtime::Real;
-use mech_tests::{Dice, cases, model, seeds};
+use mech_test_support::{Dice, cases, model, seeds};
 
 /// The rate of its motor: what is left of the forces by which links are turned and stopped is nothing.
 const RATE: f64 = 3.0;

@@ -12,7 +12,9 @@ use mech_compiler::evaluate::{Machine, Stop};
 use mech_compiler::model::Model;
 use mech_compiler::program::{Forces, Inertia, InverseDynamics};
 use mech_compiler::{Compiled, compile};
-use mech_tests::{Dice, SOURCES, Sample, coupled_samples, for_all, models, reach, samples, size};
+use mech_test_support::{
+    Dice, SOURCES, Sample, coupled_samples, for_all, models, reach, samples, size,
+};
 use proptest::prelude::*;
 use random_actions::load_up;
 
@@ -271,7 +273,7 @@ fn forces_in_random_mechanisms_obey_newton_and_euler_and_virtual_work() {
         },
     );
     println!("{seen:?}");
-    let cases = usize::try_from(mech_tests::cases(200)).expect("not so many");
+    let cases = usize::try_from(mech_test_support::cases(200)).expect("not so many");
     assert!(seen.places > cases, "{seen:?}");
 }
 

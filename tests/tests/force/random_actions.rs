@@ -4,7 +4,7 @@ use mech_compiler::model::{
     Actions, AxisId, AxisKind, Between, Damper, Effects, JointKind, LinkId, Load, LoadKind, Mass,
     Model, Origin, Spring,
 };
-use mech_tests::{Dice, size};
+use mech_test_support::{Dice, size};
 
 /// Puts random masses on all links, and lets random things act on them.
 pub(super) fn load_up(model: &mut Model, dice: &mut Dice) {

@@ -3,7 +3,7 @@
 use mech_compiler::model::{Axis, JointKind, LinkId, Method, Model};
 use mech_compiler::syntax::parse;
 use mech_runtime::{Blocked, Cause, Mechanism, Pose, Reached, Real};
-use mech_tests::{with_ground, worst_gap, worst_stretch};
+use mech_test_support::{with_ground, worst_gap, worst_stretch};
 
 /// A gap of this many units of rounding of the size passes for closed, in each coordinate.
 const ROUNDING: f64 = 64.0;

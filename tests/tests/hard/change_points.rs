@@ -3,7 +3,7 @@
 use crate::bed::Bed;
 use crate::geometry::{four_bar, mirrored, slider_crank};
 use mech_runtime::Mechanism;
-use mech_tests::Dice;
+use mech_test_support::Dice;
 use std::f64::consts::PI;
 
 const STEPS: [f64; 11] = [

@@ -155,7 +155,7 @@ fn platform(far: f64) -> String {
 
 /// The directions of all links on a way of small steps, with what comes before the motor's angle among the motors.
 fn directions<T: Real>(text: &str, before: &[f64]) -> Vec<[f64; 2]> {
-    let model = mech_tests::model(text);
+    let model = mech_test_support::model(text);
     let compiled = compile(&model).unwrap_or_else(|found| panic!("{found:?}: {text}"));
     let mut machine = Machine::<T>::new(&compiled.program);
     let mut found = Vec::new();

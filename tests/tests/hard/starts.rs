@@ -1,7 +1,7 @@
 //! Starts that are themselves singular.
 
 use mech_compiler::{compile, reporter, syntax};
-use mech_tests::four_bar_text;
+use mech_test_support::four_bar_text;
 
 #[track_caller]
 fn assert_compiles(text: &str) {

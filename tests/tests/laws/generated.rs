@@ -2,7 +2,7 @@
 
 use super::five;
 use mech_runtime::{Cause, mechanism};
-use mech_tests::differences;
+use mech_test_support::differences;
 
 mechanism! {
     /// A four-bar that is driven at an even speed, with an arm that swings on its coupler.
@@ -79,7 +79,7 @@ mechanism! {
 #[test]
 fn the_time_gives_motors_the_values_of_their_laws() {
     let source = include_str!("generated.rs");
-    let (_, compiled) = mech_tests::mechanisms(source).swap_remove(0);
+    let (_, compiled) = mech_test_support::mechanisms(source).swap_remove(0);
     let timing = compiled.timing.expect("motors have laws");
     let (mut timed, mut given) = (FourBar::new(), FourBar::new());
     for step in 0..500 {

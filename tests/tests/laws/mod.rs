@@ -7,7 +7,7 @@ mod moving;
 use jet::{Jet, jet};
 use mech_compiler::model::{Effects, Law, Model, Now};
 use mech_compiler::program::{Timing, build_timing};
-use mech_tests::{differences, for_all, model_of_law};
+use mech_test_support::{differences, for_all, model_of_law};
 use proptest::prelude::*;
 
 /// A random expression in `t` that is smooth wherever it has a value.

@@ -4,7 +4,7 @@ use super::EFFECTS;
 use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{LawId, Method, Model, Precision};
-use mech_tests::{Dice, Sample, cases, differences, for_all, samples, size};
+use mech_test_support::{Dice, Sample, cases, differences, for_all, samples, size};
 
 /// A mechanism whose motors all follow smooth laws from where they start.
 fn with_laws(mut model: Model, dice: &mut Dice) -> Model {
@@ -22,7 +22,7 @@ fn with_laws(mut model: Model, dice: &mut Dice) -> Model {
             _ => format!("{start} + {speed} * (1 - exp(-t * t))"),
         };
         model.motors[motor].law = Some(LawId::new(model.laws.len()));
-        model.laws.push(mech_tests::law(&text));
+        model.laws.push(mech_test_support::law(&text));
     }
     model
 }

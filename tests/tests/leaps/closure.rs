@@ -4,8 +4,8 @@ use super::reading::Subject;
 use mech_compiler::model::{JointId, JointKind};
 use mech_compiler::program::Position;
 use mech_compiler::structure::{Factor, Rolling, RollingEnd};
-use mech_tests::judge::wrap;
-use mech_tests::{worst_gap, worst_stretch};
+use mech_test_support::judge::wrap;
+use mech_test_support::{worst_gap, worst_stretch};
 use std::f64::consts::TAU;
 
 /// A gap of this part of the extent is none.

@@ -4,7 +4,7 @@ use super::closure::fault;
 use super::reading::{Subject, bits};
 use mech_compiler::evaluate::{Machine, Stop};
 use mech_compiler::program::Position;
-use mech_tests::judge::{Curve, End};
+use mech_test_support::judge::{Curve, End};
 use std::time::{Duration, Instant};
 
 /// How a leap is wrong.

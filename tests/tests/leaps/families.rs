@@ -3,7 +3,7 @@
 use super::comparing::{Finding, Kind, compare, shorten};
 use super::reading::Subject;
 use mech_compiler::evaluate::Machine;
-use mech_tests::{Dice, for_all};
+use mech_test_support::{Dice, for_all};
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
 

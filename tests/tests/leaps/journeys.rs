@@ -1,7 +1,7 @@
 //! Random journeys of symmetrical, fast and overconstrained mechanisms, shuffled, driven anywhere: the judge has the last word.
 
-use mech_tests::journeys::{Family, Fault, Kind, tally};
-use mech_tests::{cases, seeds};
+use mech_test_support::journeys::{Family, Fault, Kind, tally};
+use mech_test_support::{cases, seeds};
 
 /// So many mechanisms of each family. Once in a thousand moves a stop may come early. In single precision positions beside change points may be off by more
 /// than the judge takes for rounding, as long as they are not elsewhere. What the judge does not know is nothing.
@@ -75,8 +75,13 @@ fn what_went_astray_once_does_so_no_more() {
     for text in texts {
         let family = Family::Text(text.to_owned());
         let single = text.contains(": f32;");
-        for kind in [Kind::Steps, Kind::Leaps, Kind::Stops] {
-            let found = tally(kind, &family, 0..3, single, 1);
+        // Small steps are the same for any seed.
+        for (kind, seeds) in [
+            (Kind::Steps, 0..1),
+            (Kind::Leaps, 0..3),
+            (Kind::Stops, 0..3),
+        ] {
+            let found = tally(kind, &family, seeds, single, 1);
             assert!(found.faults.is_empty(), "{kind:?} of {text}: {found:#?}");
         }
     }

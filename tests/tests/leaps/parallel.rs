@@ -4,7 +4,7 @@
 use super::families::{assert_leaps, assert_leaps_in_a_row, none, targets, wrong_in_steps};
 use super::reading::Subject;
 use mech_compiler::evaluate::Machine;
-use mech_tests::judge::wrap;
+use mech_test_support::judge::wrap;
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fmt::Write as _;

@@ -7,9 +7,9 @@ use super::reading::Subject;
 use mech_compiler::evaluate::{Machine, Stop};
 use mech_compiler::model::JointKind;
 use mech_compiler::program::Position;
-use mech_tests::journeys::apart;
-use mech_tests::judge::{Curve, End};
-use mech_tests::{Dice, cases, seeds};
+use mech_test_support::journeys::apart;
+use mech_test_support::judge::{Curve, End};
+use mech_test_support::{Dice, cases, seeds};
 use proptest::strategy::{Strategy as _, ValueTree as _};
 
 /// Random positions of each mechanism.

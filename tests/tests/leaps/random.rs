@@ -5,7 +5,7 @@ use super::drawing::{Drawing, Drawn, coupled, sequential};
 use super::reading::Subject;
 use super::tally::Tally;
 use mech_compiler::evaluate::Machine;
-use mech_tests::{Dice, cases, seeds};
+use mech_test_support::{Dice, cases, seeds};
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
@@ -25,7 +25,8 @@ pub(crate) fn runner(seed: u64) -> TestRunner {
 /// A target: by a little, by some turns, or far away.
 pub(crate) fn target(dice: &mut Dice, drawn: &Drawn, subject: &Subject, at: &[f64]) -> Vec<f64> {
     let turn = *dice.pick(&[0.3, 3.0, 7.0, 7.0, 40.0, 300.0]);
-    let slide = *dice.pick(&[0.1, 1.0, 4.0, 20.0]) * mech_tests::size(&subject.model).max(1.0);
+    let slide =
+        *dice.pick(&[0.1, 1.0, 4.0, 20.0]) * mech_test_support::size(&subject.model).max(1.0);
     let only = dice.below(2 * at.len());
     let mut to = at.to_vec();
     for (number, value) in to.iter_mut().enumerate() {

@@ -1,7 +1,7 @@
 //! Positions of what can be moved.
 
 use mech_compiler::program::Position;
-pub(crate) use mech_tests::journeys::Subject;
+pub(crate) use mech_test_support::journeys::Subject;
 
 /// Every bit of a position.
 pub(crate) fn bits(position: &Position<f64>) -> Vec<u64> {

@@ -6,7 +6,7 @@ use super::random::{runner, target};
 use super::reading::Subject;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::LinkId;
-use mech_tests::{Dice, cases, seeds};
+use mech_test_support::{Dice, cases, seeds};
 use proptest::strategy::{Strategy, ValueTree as _};
 
 /// Leaps of one mechanism.

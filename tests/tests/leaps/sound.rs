@@ -1,10 +1,10 @@
 //! Whether the judge itself is right: closed forms of mechanisms that have them, through change points and up to dead points.
 
 use mech_compiler::model::LinkId;
-use mech_tests::Dice;
-use mech_tests::journeys::Subject;
-use mech_tests::judge::{Curve, End, Place};
-use mech_tests::sketch::{Bond, Sketch};
+use mech_test_support::Dice;
+use mech_test_support::journeys::Subject;
+use mech_test_support::judge::{Curve, End, Place};
+use mech_test_support::sketch::{Bond, Sketch};
 use std::f64::consts::{PI, TAU};
 
 /// A ring of four links between these bonds, drawn anywhere in any order, with a ground and a driven joint.

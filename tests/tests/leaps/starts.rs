@@ -4,8 +4,8 @@ use super::drawing::{Drawing, coupled, sequential};
 use super::random::runner;
 use super::reading::Subject;
 use mech_compiler::evaluate::{Machine, Stop};
-use mech_tests::judge::{Curve, End};
-use mech_tests::{cases, seeds};
+use mech_test_support::judge::{Curve, End};
+use mech_test_support::{cases, seeds};
 use proptest::strategy::{Strategy, ValueTree as _};
 
 /// Moves that are tried.

@@ -42,7 +42,7 @@ pub(crate) fn compile(name: &str, lines: &[Line]) {
 /// What is wrong with the lines of a crate.
 fn check(name: &str, lines: &[Line]) -> Vec<String> {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("names");
-    let mut rustc = mech_tests::rustc(&folder);
+    let mut rustc = mech_test_support::rustc(&folder);
     let source = folder.join(format!("{name}.rs"));
     let mut text = "#![allow(warnings)] ".to_owned();
     for (number, line) in lines.iter().enumerate() {

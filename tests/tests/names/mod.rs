@@ -43,7 +43,7 @@ const KEYWORDS: &[&str] = &[
 
 /// How many mechanisms are compiled of each subject.
 fn cases() -> usize {
-    usize::try_from(mech_tests::cases(3)).expect("not so many")
+    usize::try_from(mech_test_support::cases(3)).expect("not so many")
 }
 
 /// The expansion of a mechanism.

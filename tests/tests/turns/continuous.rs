@@ -7,7 +7,7 @@ use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{JointId, JointKind, Model};
 use mech_runtime::{Phase, mechanism};
-use mech_tests::{Dice, grow, model};
+use mech_test_support::{Dice, grow, model};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 

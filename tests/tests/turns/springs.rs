@@ -7,7 +7,7 @@ use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::program::{Forces, Position};
 use mech_runtime::{GaussLegendre, Phase, mechanism};
-use mech_tests::{four_bar, model};
+use mech_test_support::{four_bar, model};
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
 

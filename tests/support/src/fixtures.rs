@@ -6,15 +6,15 @@ macro_rules! sources {
 
 /// Names and sources of the gallery's mechanisms, then of the zoo's, which the tests expand too: the last have params.
 pub const SOURCES: &[(&str, &str)] = sources![
-    "andrews": "../../examples/gallery/src/mechanisms/andrews.rs",
-    "four_bar": "../../examples/gallery/src/mechanisms/four_bar.rs",
-    "geared_piston": "../../examples/gallery/src/mechanisms/geared_piston.rs",
-    "jansen": "../../examples/gallery/src/mechanisms/jansen.rs",
-    "rocker_arm": "../../examples/gallery/src/mechanisms/rocker_arm.rs",
-    "watt": "../../examples/gallery/src/mechanisms/watt.rs",
-    "rolling": "../tests/zoo/rolling.rs",
-    "special": "../tests/zoo/special.rs",
-    "changed": "../tests/changed/zoo.rs",
+    "andrews": "../../../examples/gallery/src/mechanisms/andrews.rs",
+    "four_bar": "../../../examples/gallery/src/mechanisms/four_bar.rs",
+    "geared_piston": "../../../examples/gallery/src/mechanisms/geared_piston.rs",
+    "jansen": "../../../examples/gallery/src/mechanisms/jansen.rs",
+    "rocker_arm": "../../../examples/gallery/src/mechanisms/rocker_arm.rs",
+    "watt": "../../../examples/gallery/src/mechanisms/watt.rs",
+    "rolling": "../../tests/zoo/rolling.rs",
+    "special": "../../tests/zoo/special.rs",
+    "changed": "../../tests/changed/zoo.rs",
 ];
 
 /// Declares the four-bar with ground 4, crank 1, coupler 3.5 and rocker 3, and with masses. Its motor and more follow its name.
