@@ -1,13 +1,12 @@
 //! `docs/diagnoses.md` is what the compiler says: the meanings are those of the enum's own documentation, the messages those
-//! of the reporter, and each remedy is made and compiled. Renew with
+//! of the reporter, and each remedy is made and compiled. Examples stand in `tests/cases/diagnoses`: first in comments the variant, what to do
+//! about it, and lines that are taken out and put in. Renew with
 //! `UPDATE_CATALOGUE=1 cargo test -p mech-tests --test compiler catalogue`, and read it.
 
-mod entries;
-
-use entries::{ENTRIES, Entry};
 use mech_compiler::model::Model;
 use mech_compiler::syntax::{Places, parse};
 use mech_compiler::{compile, repair, reporter};
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::{env, fs};
 
@@ -19,12 +18,53 @@ edit after which it compiles. Errors of the text itself (unknown names, bad numb
 and are not listed. This page is made and checked by `tests/tests/catalogue`.
 ";
 
+/// A mechanism that is wrong, and the edit that makes it right.
+struct Entry {
+    /// The variant of `Diagnosis`.
+    variant: String,
+    /// What to do about it.
+    remedy: String,
+    /// What to write instead of what.
+    edit: [String; 2],
+    /// The text.
+    example: String,
+}
+
+impl Entry {
+    fn read(text: &str) -> Self {
+        let with = |sign: &str| {
+            let lines = text.lines().filter_map(|line| line.strip_prefix(sign));
+            lines.collect::<Vec<_>>().join("\n")
+        };
+        let comments = with("// ");
+        let (variant, remedy) = comments.split_once('\n').expect("a variant and a remedy");
+        let example = text.lines().filter(|line| !line.starts_with("//"));
+        Self {
+            variant: variant.to_owned(),
+            remedy: remedy.to_owned(),
+            edit: [with("//- "), with("//+ ")],
+            example: example.collect::<Vec<_>>().join("\n"),
+        }
+    }
+}
+
+/// All of them, by the names of their files.
+fn entries() -> Vec<Entry> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/cases/diagnoses");
+    let files = fs::read_dir(folder).expect("the folder");
+    let mut paths: Vec<_> = files.map(|file| file.expect("a file").path()).collect();
+    paths.sort_by_key(|path| path.file_stem().map(ToOwned::to_owned));
+    let texts = paths
+        .iter()
+        .map(|path| fs::read_to_string(path).expect("a text"));
+    texts.map(|text| Entry::read(&text)).collect()
+}
+
 #[test]
 fn every_diagnosis_is_listed() {
-    let mut listed: Vec<&str> = ENTRIES.iter().map(|entry| entry.variant).collect();
-    listed.dedup();
-    let variants: Vec<String> = variants().into_iter().map(|(name, _)| name).collect();
-    assert_eq!(listed, variants, "entries.rs against the enum");
+    let listed: BTreeSet<String> = entries().into_iter().map(|entry| entry.variant).collect();
+    let variants: BTreeSet<String> = variants().into_iter().map(|(name, _)| name).collect();
+    assert_eq!(listed, variants, "the examples against the enum");
 }
 
 #[test]
@@ -45,9 +85,8 @@ fn the_page_is_what_the_compiler_says() {
 
 #[test]
 fn every_remedy_mends_its_example() {
-    for entry in ENTRIES {
-        let (from, to) = entry.edit;
-        let name = entry.variant;
+    for entry in entries() {
+        let ([from, to], name) = (&entry.edit, &entry.variant);
         assert_eq!(entry.example.matches(from).count(), 1, "{name}: {from}");
         let (model, _) = read(&entry.example.replace(from, to));
         if let Err(diagnoses) = compile(&model) {
@@ -57,23 +96,23 @@ fn every_remedy_mends_its_example() {
 }
 
 fn page() -> String {
-    let mut page = HEAD.to_owned();
+    let (mut page, entries) = (HEAD.to_owned(), entries());
     for (variant, meaning) in variants() {
         let _ = write!(page, "\n## `{variant}`\n\n{meaning}\n");
-        for entry in ENTRIES.iter().filter(|entry| entry.variant == variant) {
-            let (example, messages) = (entry.example.trim(), messages(entry));
+        for entry in entries.iter().filter(|entry| entry.variant == variant) {
+            let (example, messages) = (&entry.example, messages(entry));
             let _ = write!(
                 page,
                 "\n```text\n{example}\n```\n\n```text\n{messages}\n```\n\n{} Here: {}.\n",
                 entry.remedy,
-                edit(entry.edit)
+                edit(&entry.edit)
             );
         }
     }
     page
 }
 
-fn edit((from, to): (&str, &str)) -> String {
+fn edit([from, to]: &[String; 2]) -> String {
     let quoted = |text: &str| {
         let lines: Vec<String> = text
             .lines()
@@ -82,19 +121,20 @@ fn edit((from, to): (&str, &str)) -> String {
         lines.join(" ")
     };
     let from = quoted(from);
-    match to {
-        "" => format!("leave {from} out"),
-        to => format!("instead of {from} write {}", quoted(to)),
+    if to.is_empty() {
+        format!("leave {from} out")
+    } else {
+        format!("instead of {from} write {}", quoted(to))
     }
 }
 
 /// All that the compiler says, as it shows it.
 fn messages(entry: &Entry) -> String {
-    let (model, places) = read(entry.example);
-    let diagnoses = compile(&model).expect_err(entry.variant);
+    let (model, places) = read(&entry.example);
+    let diagnoses = compile(&model).expect_err(&entry.variant);
     let first = format!("{:?}", diagnoses[0]);
     let name = first.split([' ', '{', '(']).next();
-    assert_eq!(name, Some(entry.variant), "{diagnoses:?}");
+    assert_eq!(name, Some(&entry.variant[..]), "{diagnoses:?}");
     let offers = repair::offers(&model, &diagnoses);
     let messages = reporter::messages(&diagnoses, &offers, &model, &places);
     let shown = |text: &str| {
