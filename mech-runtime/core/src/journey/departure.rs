@@ -9,7 +9,7 @@ use crate::Real;
 const FIRST: f64 = 16.0;
 const DOUBLINGS: u32 = 48;
 /// Such a square grows in proportion to the distance from a dead point, but for this part of it: from a change point it grows with the
-/// distance's square. The dead point may lie so far beside where the loop stands, as a part of the distance.
+/// distance's square, to both sides. The dead point may lie so far beside where the loop stands, as a part of the distance.
 const OFF: f64 = 0.125;
 const BESIDE: f64 = 0.25;
 /// It is so many times what rounding hides where a loop is away from its dead point. That is not looked for where it is greater than so many
@@ -75,7 +75,11 @@ fn leave_straight<T: Real, J: Journey<T>>(
             [.., Some(to)] if end > T::ONE || is_well_away(journey, to, index) => break,
             [Some(first), Some(second), Some(third), Some(to)] => {
                 let positions = [first, second, third, to];
-                if grows_straight(journey, positions, index) && passes(positions, end) {
+                // At a dead point nothing closes in the other sense.
+                if grows_straight(journey, positions, index)
+                    && passes(positions, end)
+                    && journey.at(from, done - sense * distance).is_err()
+                {
                     return Some((to.clone(), end));
                 }
             }

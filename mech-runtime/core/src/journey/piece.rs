@@ -14,8 +14,8 @@ const ROUNDINGS: f64 = 64.0;
 
 /// A loop has left a change point for good where its sine is so many times as great as what rounding hides, and comes to one where it is less
 /// than so many times as great: rounding does not lead from the one to the other.
-const WELL_AWAY: f64 = 4.0;
-const NEAR: f64 = 2.0;
+const WELL_AWAY: f64 = 6.0;
+const NEAR: f64 = 3.0;
 
 /// So often is the distance doubled by which a target is put farther: from a part of the precision to the whole move.
 const DOUBLINGS: usize = 32;
