@@ -123,7 +123,7 @@ impl Lowering {
             self.outside_as_drawn(ranged)
         } else {
             format!(
-                "motor `{name}` starts at `{expr}`, outside its range; choose a start within `{written}`, or widen it"
+                "motor `{name}` starts at `{expr}`, outside its range; choose a start within `{written}`, or widen the range"
             )
         };
         self.report.error(expr.place, text);

@@ -199,7 +199,7 @@ fn a_motor_starts_in_its_range() {
     with_crank(
         "motor shaft in 0 ..= 1; start { shaft = «-1e-9»; }",
         &[
-            "motor `shaft` starts at `-1e-9`, outside its range; choose a start within `0 ..= 1`, or widen it",
+            "motor `shaft` starts at `-1e-9`, outside its range; choose a start within `0 ..= 1`, or widen the range",
         ],
     );
 }
@@ -260,7 +260,7 @@ fn every_motor_is_held_to_its_own_range() {
             "{slide}motor push in 3 ..= 4; motor turn in 1 ..= 2; start {{ turn = «3.5»; push = 3.5; }}"
         ),
         &[
-            "motor `turn` starts at `3.5`, outside its range; choose a start within `1 ..= 2`, or widen it",
+            "motor `turn` starts at `3.5`, outside its range; choose a start within `1 ..= 2`, or widen the range",
         ],
     );
 }
