@@ -159,9 +159,9 @@ pub use mech_macros::mechanism_part;
 /// exactly the freedom that the joints leave. It checks that the loops can be solved one after the other, and that the mechanism
 /// assembles in one way only.
 ///
-/// Every error stands at its cause. A repair is offered only if it was tried and takes the error away; another error may be left. A mechanism with errors still yields the
-/// struct and its methods, so that other code compiles; what stands in a statement that cannot be read has none. `docs/diagnoses.md` in the
-/// repository lists what can be wrong with a mechanism. Errors of the text itself, as unknown names, are not listed.
+/// Every error stands at its cause. A repair is offered only if it was tried and takes the error away; another error may be left. A mechanism
+/// with errors still yields the struct and its methods, so that other code compiles. What stands in a statement that cannot be read has none.
+/// `docs/diagnoses.md` in the repository lists what can be wrong with a mechanism. Errors of the text itself, as unknown names, are not listed.
 #[macro_export]
 macro_rules! mechanism {
     ($($body:tt)*) => {

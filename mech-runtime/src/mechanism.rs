@@ -41,18 +41,18 @@ pub trait Mechanism: Clone {
     /// The upright box around the shapes throughout the motion: lower left and upper right corner, in scene units. Without shapes, the
     /// box around joints and points.
     ///
-    /// It holds everything that is painted wherever the motors go within their ranges. A motor that turns without a range makes all turns;
-    /// what moves on with every turn, as a rack does, is followed for one turn either way, or for as many as gears take until all wheels
-    /// stand as before. A motor that slides without a range goes as far as loops let it, at most four sizes of the mechanism either way.
-    /// Params are as at the start, and paths of traced points are seen.
+    /// It holds everything that is painted wherever the motors go within their ranges. A motor that turns without a range makes all turns. What
+    /// moves on with every turn, as a rack does, is followed for one turn either way. Behind gears it is followed for as many as they take until
+    /// all wheels stand as before. A motor that slides without a range goes as far as loops let it, at most four sizes of the mechanism either
+    /// way. Params are as at the start, and paths of traced points are seen.
     ///
-    /// The compiler proves how far links reach at most, by their lengths and ranges, and moves the mechanism within a budget. The box is a
-    /// proof where these two meet, as for open chains. Where one motor moves loops, it is what was seen, and what parabolas tell between
-    /// positions. Where several do, links are taken outwards by all of them together, but not all positions are tried. Then it is what is
-    /// proved, if that is not much wider, or else wider than what was seen: by a 25th of each link's motion for arms, a tenth where loops move
-    /// freely, a fifth where motors block each other. Of random mechanisms one to three in a hundred still come out of it, mostly where a loop
-    /// goes back from a dead point on its other side. What nothing bounds, as it flies off where slides come to lie along each other, is held
-    /// as far as 32 sizes of the mechanism beyond the start.
+    /// The compiler proves how far links reach at most, by their lengths and ranges, and moves the mechanism within a budget. The box is a proof
+    /// where these two meet, as for open chains. Where one motor moves loops, it is what was seen, and what parabolas tell between positions.
+    /// Where several do, links are taken outwards by all of them together, but not all positions are tried. Then it is what is proved, if that
+    /// is not much wider. Else it is wider than what was seen, by a part of each link's motion. That is a 25th for arms, a tenth where loops
+    /// move freely, a fifth where motors block each other. Of random mechanisms one to three in a hundred still come out of it. Mostly a loop
+    /// there goes back from a dead point on its other side. Some things nothing bounds, as they fly off where slides come to lie along each
+    /// other. They are held as far as 32 sizes of the mechanism beyond the start.
     const EXTENT: [[Self::Scalar; 2]; 2];
 
     /// The mechanism as assembled at compile time.
@@ -69,8 +69,8 @@ pub trait Mechanism: Clone {
     /// Moves the motors to these values, in radians or scene units, and all links with them.
     ///
     /// # Errors
-    /// [`Blocked`] if a value is not finite, a loop does not close during the move, or the move is so long that it would need more than 65,536
-    /// parts. The mechanism then stays where it was.
+    /// [`Blocked`] if a value is not finite, a loop does not close during the move, or the move would need more than 65,536 parts. The mechanism
+    /// then stays where it was.
     fn move_to(&mut self, motors: Self::Motors) -> Result<(), Blocked<Self::Motors>>;
 
     /// Moves the motors straight towards these values, in radians or scene units, as far as possible.

@@ -136,7 +136,7 @@ mechanism_part! {
 }
 
 mechanism_part! {
-    /// A leg of Joe Klann's walkers, with the lengths of US patent 6,260,862, to the left of a crank shaft at the origin of both ports.
+    /// A leg of Joe Klann's walkers, with the lengths of US patent 6,260,862. It is to the left of a crank shaft at the origin of both ports.
     ///
     /// `crank` is the turning axle. `phase` is the angle of the leg's pin on it.
     pub KlannLeg(phase = 0 deg, unit = 1) {

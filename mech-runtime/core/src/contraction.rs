@@ -1,7 +1,7 @@
 //! A test that Newton's iteration stays with the solution at which it started.
 //!
-//! By Kantorovich's theorem, the iteration converges to the only solution near if a product is less than a half: that of the first step and
-//! the curvature of the equations. The ratio of the second step to the first bounds that product from below. A ratio of a quarter would
+//! By Kantorovich's theorem, the iteration converges to the only solution near if a product is less than a half. It is that of the first step
+//! and the curvature of the equations. The ratio of the second step to the first bounds that product from below. A ratio of a quarter would
 //! stand for the half. This test demands an eighth, and a short first step. Otherwise the iteration may end in another assembly.
 
 use crate::Real;

@@ -14,13 +14,13 @@ const PLACES: [f64; NODES] = [-3.0, -2.0, -1.0, 1.0, 2.0, 3.0];
 const NEAR: f64 = 32.0;
 /// Numbers that are not smooth by more than this many times the fourth power of that sine have no limit.
 const ROUGH: f64 = 16.0;
-/// Up to this part of its cube, what interpolation leaves out is no more than rounding hides: the one is the power of one and a half of what
-/// is not smooth.
+/// Up to this part of its cube, what interpolation leaves out is no more than rounding hides. The one is the power of one and a half of what is
+/// not smooth.
 const SMOOTH: f64 = 0.25;
 /// Where they are not so smooth, distances are halved, so many times at most. Each time rounding hides eight times as much.
 const MOST_WIDTHS: u32 = 6;
-/// Each next distance that is tried is so many times as long at least and at most, until the sine is great enough; so many are tried, up
-/// to so many times the first: an input that does not get farther than that is not what passes the change point.
+/// Each next distance that is tried is so many times as long at least and at most, until the sine is great enough. So many are tried, up to so
+/// many times the first. An input that does not get farther than that is not what passes the change point.
 const LONGER: [f64; 2] = [1.2, 4.0];
 const MOST_DISTANCES: u32 = 24;
 const FARTHEST: f64 = 256.0;
@@ -211,8 +211,8 @@ fn size<T: Real>(numbers: &[T; NODES]) -> T {
         .fold(T::ZERO, |size, number| size.max(number.abs()))
 }
 
-/// By how much numbers are not smooth: a pole, or what jumps, is left of their odd part without its line and its cubic; what the outer
-/// nodes tell otherwise than the inner ones, or a kink, is left of their even part.
+/// By how much numbers are not smooth. A pole, or what jumps, is left of their odd part without its line and its cubic. What the outer nodes
+/// tell otherwise than the inner ones, or a kink, is left of their even part.
 fn roughness<T: Real>([a, b, c, d, e, f]: &[T; NODES]) -> T {
     let number = T::from_f64;
     let odd = number(0.15) * (number(5.0) * (*d - *c) - number(4.0) * (*e - *b) + (*f - *a));

@@ -40,8 +40,8 @@ pub fn sqrt_f32(x: f32) -> f32 {
     f32::from_bits((exponent << 23).wrapping_add(root.wrapping_sub(HIDDEN)))
 }
 
-/// One by the root of `number`, which is in units of 2^-30 and is the mantissa or twice that: in units of 2^-32, never too
-/// great, and too small by no more than a few units of 2^-30.
+/// One by the root of `number`, which is in units of 2^-30 and is the mantissa or twice that. The result is in units of 2^-32, never too great,
+/// and too small by no more than a few units of 2^-30.
 fn inverse_root(mantissa: u32, is_double: bool, number: u32) -> u32 {
     // The root of a half.
     const HALF: u32 = 0xB504_F334;

@@ -1,8 +1,8 @@
 //! The sine and cosine of an angle in radians.
 //!
-//! Up to a limit of many thousand turns ([`LIMIT_F64`], [`LIMIT_F32`]) there is no branch, table or fused operation, so a loop over angles
-//! vectorises on any processor. A larger angle is first reduced exactly, in whole numbers. The `within` functions do not test the limit.
-//! The caller can test it once for a whole array:
+//! Up to a limit of many thousand turns ([`LIMIT_F64`], [`LIMIT_F32`]) there is no branch, table or fused operation. So a loop over angles
+//! vectorises on any processor. A larger angle is first reduced exactly, in whole numbers. The `within` functions do not test the limit. The
+//! caller can test it once for a whole array:
 //!
 //! ```
 //! use mech_core::trig::{LIMIT_F64, sin_cos_within_f64};

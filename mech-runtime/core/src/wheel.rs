@@ -19,7 +19,7 @@ pub const fn fill_wheel(
     }
 }
 
-/// Fills in the corners of a ring with teeth inside: those of its teeth, then those of its rim, in one line that goes there and back.
+/// Fills in the corners of a ring with teeth inside. They are those of its teeth, then those of its rim, in one line that goes there and back.
 /// Each half has a corner more than all teeth, with which it closes.
 pub const fn fill_ring(
     corners: &mut [[f64; 2]],

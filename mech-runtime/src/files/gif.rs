@@ -75,8 +75,8 @@ impl<W: Write> Gif<W> {
     /// Adds a frame.
     ///
     /// # Errors
-    /// [`FileError`] if it has another size or is in true colour: then it is as if it had not been tried; or if the writer fails:
-    /// then the file is torn.
+    /// [`FileError`] if it has another size or is in true colour: then it is as if it had not been tried. Also if the writer fails: then the
+    /// file is torn.
     pub fn add<'a>(&mut self, frame: impl Into<Picture<'a>>) -> Result<(), FileError> {
         let frame = frame.into().of_size(self.size)?;
         let (entries, palette) = entries_of(frame)?;

@@ -1,8 +1,8 @@
 //! A step of time under forces, by Gauss–Legendre collocation.
 //!
-//! The second rates at the stages are found by iteration: each stage is a position of its own that is moved along, so that dead
-//! points and limits are noticed as in any move. The methods are those of Gauss and Legendre for equations of second order (Hairer, Nørsett and
-//! Wanner, *Solving Ordinary Differential Equations I*, II.14): symmetric, of twice the order of their stages.
+//! The second rates at the stages are found by iteration. Each stage is a position of its own that is moved along, so that dead points and
+//! limits are noticed as in any move. The methods are those of Gauss and Legendre for equations of second order: symmetric, of twice the order
+//! of their stages. See Hairer, Nørsett and Wanner, *Solving Ordinary Differential Equations I*, II.14.
 
 use super::{Inertia, Motors, Position, Stop};
 use crate::blocked::Input;
@@ -193,7 +193,7 @@ where
     Ok(now)
 }
 
-/// What stops a motion that goes on as fast as it is, for so long: a loop that does not close, or the end of a range.
+/// What stops a motion that goes on as fast as it is, for so long. It is a loop that does not close, or the end of a range.
 #[cold]
 fn reason<T, const I: usize, const M: usize, const L: usize, const K: usize>(
     now: &Simulated<T, I, M, L, K>,

@@ -3,8 +3,7 @@
 use super::turn::Turn;
 use crate::Scalar;
 
-/// The corners of the outline of an arc, one after the other: along its outer side, around its end, back along its inner side, around
-/// its beginning.
+/// The corners of the outline of an arc: along its outer side, around its end, back along its inner side, around its beginning.
 #[derive(Clone)]
 pub(super) struct Arc<T> {
     center: [T; 2],

@@ -28,8 +28,8 @@ use core::ops::Range;
 /// A frame takes `W` × `H` bytes, 768 bytes for its palette, and its view. A local variable lies on the stack;
 /// `Box::new(Frame::new())` may build it there too. A large picture overflows the stack: use a static, or a `HeapFrame` (feature `std`).
 ///
-/// The other methods are those of [`Indexed`]. Paint a picture that is too large for memory in strips: each in the same small frame,
-/// with a [`View`] of another part of the scene.
+/// The other methods are those of [`Indexed`]. Paint a picture that is too large for memory in strips. Each goes into the same small frame, with
+/// a [`View`] of another part of the scene.
 pub type Frame<const W: usize, const H: usize> = Indexed<Array<W, H>>;
 
 /// A [`Frame`] on the heap, with a size chosen at run time. With feature `std`.

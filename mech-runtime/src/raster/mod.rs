@@ -22,9 +22,9 @@
 //! | [`Smooth`] | `HeapSmooth` | 4 | 16 rows, and 2 KiB |
 //! | [`Stage`] | `HeapStage` | 2 | 2 KiB, and 40 bytes for each outline |
 //!
-//! A picture of fixed size in a local variable lies on the stack. A large one overflows it, and no program can catch that: 1024 × 768
-//! pixels of a `Smooth` take 3.2 MB, and a thread has 2 MiB by default. It can lie in a static. Pictures on the heap need feature `std`
-//! and 3 KiB of stack. `TooLarge` is the error of a picture that exceeds the memory.
+//! A picture of fixed size in a local variable lies on the stack. A large one overflows it, and no program can catch that. 1024 × 768 pixels of
+//! a `Smooth` take 3.2 MB, and a thread has 2 MiB by default. It can lie in a static. Pictures on the heap need feature `std` and 3 KiB of
+//! stack. `TooLarge` is the error of a picture that exceeds the memory.
 //!
 //! With feature `embedded-graphics`, `raster::embedded` brings pictures to displays.
 

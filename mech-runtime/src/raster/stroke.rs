@@ -3,8 +3,8 @@
 use super::turn::Turn;
 use crate::{Real, Scalar};
 
-/// The corners of the outline of a line, one after the other: along one side, around its end, back along the other side, around its
-/// beginning. By the non-zero rule it surrounds what is near the line.
+/// The corners of the outline of a line: along one side, around its end, back along the other side, around its beginning. By the non-zero rule
+/// it surrounds what is near the line.
 #[derive(Clone)]
 pub(super) struct Stroke<T, P> {
     point: P,

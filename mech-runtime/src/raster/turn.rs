@@ -11,8 +11,8 @@ pub(super) struct Turn<T> {
 }
 
 impl<T: Scalar> Turn<T> {
-    /// Through an angle in radians, around something of a radius in pixels. Fineness is the number of steps that a whole turn takes
-    /// around a radius of one pixel; it grows with the root of the radius, so that the error in pixels is the same, up to `most`.
+    /// Through an angle in radians, around something of a radius in pixels. Fineness is the number of steps that a whole turn takes around a
+    /// radius of one pixel. The number grows with the root of the radius, so that the error in pixels is the same, up to `most`.
     pub(super) fn new(angle: T, radius: T, fineness: f32, most: u32) -> Self {
         let share = (Real::abs(angle) / T::TURN).to_f32();
         let steps = share * fineness * nalgebra::ComplexField::sqrt(radius.to_f32());

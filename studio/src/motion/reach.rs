@@ -1,11 +1,12 @@
 //! How far motors go.
 
 use super::obstacle::obstacle;
-use super::setting::{shown, turns, unit_of};
+use super::setting::{from_shown, shown, turns, unit_of};
 use crate::failure::Failure;
 use mech_compiler::Compiled;
 use mech_compiler::evaluate::Machine;
-use mech_compiler::model::{Model, MotorId};
+use mech_compiler::model::{Model, MotorId, Precision};
+use mech_core::Real;
 use std::f64::consts::TAU;
 
 /// A part of a way that is more than rounding.
@@ -142,24 +143,41 @@ fn farthest(mut can: impl FnMut(f64) -> bool) -> f64 {
     done
 }
 
-/// Between which values a motor can move, for a message. What is said here can be reached: it is rounded inwards.
+/// Between which values a motor can move, for a message. What is said here can be reached: it is rounded inwards, unless an end is a round
+/// number to rounding and the motor comes there.
 pub(super) fn limits(model: &Model, compiled: &Compiled, motor: MotorId, base: &[f64]) -> String {
     let joint = model.motor(motor).joint;
     let Ok(Stretch { ends, found }) = reachable(model, compiled, motor, base) else {
         return String::new();
     };
-    let [low, high] = ends.map(|end| shown(model, joint, end));
-    let width = high - low;
-    let digits = 10.0_f64.powf((6.0 - width.abs().log10()).round().clamp(0.0, 15.0));
-    let [low, high] =
-        [(low, 1.0, found[0]), (high, -1.0, found[1])].map(|(end, inwards, is_found)| {
-            let rounded = if is_found {
-                // Downwards at the upper end, upwards at the lower.
-                (-inwards) * ((-inwards) * digits * (end + inwards * HAIR * width)).floor() / digits
-            } else {
-                (digits * end).round() / digits
-            };
-            format!("{}{}", rounded + 0.0, unit_of(model, joint))
-        });
+    let comes_to = match model.precision {
+        Precision::F32 => comes_to::<f32>,
+        Precision::F64 => comes_to::<f64>,
+    };
+    let width = shown(model, joint, ends[1] - ends[0]).abs();
+    let digits = 10.0_f64.powf((6.0 - width.log10()).round().clamp(0.0, 15.0));
+    let [low, high] = [(0, 1.0), (1, -1.0)].map(|(side, inwards)| {
+        let end = shown(model, joint, ends[side]);
+        let near = (digits * end).round() / digits;
+        let is_round = (near - end).abs() <= HAIR * width;
+        let told = if !found[side]
+            || is_round && comes_to(compiled, motor, base, from_shown(model, joint, near))
+        {
+            near
+        } else {
+            // Downwards at the upper end, upwards at the lower.
+            -inwards * (-inwards * digits * (end + inwards * HAIR * width)).floor() / digits
+        };
+        format!("{}{}", told + 0.0, unit_of(model, joint))
+    });
     format!("; it can go from {low} to {high}")
+}
+
+/// Whether a motor comes to a value, the others as they are.
+fn comes_to<T: Real>(compiled: &Compiled, motor: MotorId, base: &[f64], value: f64) -> bool {
+    let mut machine = Machine::<T>::new(&compiled.program);
+    let mut values: Vec<T> = base.iter().copied().map(T::from_f64).collect();
+    let is_there = machine.move_to(&values).is_ok();
+    values[motor.index()] = T::from_f64(value);
+    is_there && machine.move_to(&values).is_ok()
 }

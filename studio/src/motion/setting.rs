@@ -159,7 +159,7 @@ pub(crate) fn turns(model: &Model, joint: JointId) -> bool {
 }
 
 /// A coordinate as it is shown, in radians or scene units.
-fn from_shown(model: &Model, joint: JointId, value: f64) -> f64 {
+pub(super) fn from_shown(model: &Model, joint: JointId, value: f64) -> f64 {
     if turns(model, joint) {
         value.to_radians()
     } else {

@@ -213,6 +213,7 @@ motor s;";
         assert!((rows[row][0] - end).abs() < 1e-7, "{:?}", rows[row]);
     }
     folder.mech("film a.mech -o a.svg").done();
+    limits_are_told(text, &["-4", "2"]);
     // One that nothing stops goes half as far as the mechanism is large.
     let free =
         "struct Free; link a; joint x = prismatic(ground, a) at (4, 0) along (1, 0); motor x;";
@@ -222,6 +223,45 @@ motor s;";
         close(rows[0][0], -2.0) && close(rows[1][0], 2.0),
         "{rows:?}"
     );
+}
+
+/// A dead point at a round number is told as it is, and a motion comes to it.
+fn limits_are_told(text: &str, ends: &[&str]) {
+    for precision in ["", ": f32"] {
+        let folder = Folder::new().with("a.mech", text.replacen(';', &format!("{precision};"), 1));
+        let told = folder.mech("table a.mech --from=-200 --to=200").refused(1);
+        let told = told.split("it can go from ").nth(1).expect("ends").trim();
+        let told: Vec<&str> = told.split(" to ").collect();
+        let words = format!("table a.mech --from={} --to={} --steps 9", told[0], told[1]);
+        folder.mech(&words.replace(" deg", "deg")).done();
+        // Single precision may not come quite as far.
+        if precision.is_empty() {
+            assert!(
+                ends.iter().all(|end| told.contains(end)),
+                "{told:?}: {text}"
+            );
+        }
+    }
+}
+
+/// Coupler and rocker lie in line where the crank lies along the ground, on either side of it.
+#[test]
+fn a_dead_point_at_zero_is_told_as_zero() {
+    for side in [1, -1] {
+        let text = format!(
+            "struct M;
+ground {{ point o = (0, 0); point d = (3, {}); }}
+link crank {{ point o = (0, 0); point p = (3, 0); }}
+link coupler {{ point p = (0, 0); point q = (3, 0); }}
+link rocker {{ point q = (0, 0); point d = (4, 0); }}
+joint a = revolute(ground.o, crank.o); joint b = revolute(crank.p, coupler.p);
+joint c = revolute(coupler.q, rocker.q); joint d = revolute(ground.d, rocker.d);
+motor a; start {{ a = {} deg; coupler near 0 deg; }}",
+            -7 * side,
+            -40 * side
+        );
+        limits_are_told(&text, &["0 deg"]);
+    }
 }
 
 /// However few steps it takes, a wheel has turned as often as it has.

@@ -13,7 +13,7 @@ use std::{env, fs};
 const HEAD: &str = "\
 # What the compiler can find wrong
 
-Each diagnosis with its meaning, the smallest mechanism that has it, what the compiler says about that, and a remedy: an \
+Each diagnosis stands with its meaning, the smallest mechanism that has it, and what the compiler says about that. A remedy is an \
 edit after which it compiles. Errors of the text itself (unknown names, bad numbers, misspelt statements) come before these \
 and are not listed. This page is made and checked by `tests/tests/catalogue`.
 ";

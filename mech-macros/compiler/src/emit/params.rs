@@ -38,11 +38,11 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
         }
 
         /// Gives the params these values, in the order of their declaration, and assembles everything anew by a continuous change
-        /// from where it is; the motors stay where they are.
+        /// from where it is. The motors stay where they are.
         ///
         /// # Errors
-        /// If a value is not finite, or a loop cannot be closed on the way there: then with the params up to which it could have
-        /// gone. The mechanism then stays as it was.
+        /// If a value is not finite, or a loop cannot be closed on the way there. That error has the params up to which it could
+        /// have gone. The mechanism then stays as it was.
         #visibility fn set_params(&mut self, params: [#scalar; #count]) -> Result<(), Blocked<[#scalar; #count]>> {
             let mut target = self.position.motors;
             #(#changes)*
@@ -57,7 +57,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
         let value = quote!(self.position.motors.values[#index]);
         methods.extend(emitter.constant_accessor(&getter, &doc, scalar, &value));
         let doc = format!(
-            " Gives param `{name}` this value and assembles everything anew by a continuous change from where it is; the motors stay \
+            " Gives param `{name}` this value and assembles everything anew by a continuous change from where it is. The motors stay \
              where they are."
         );
         let set = with_end(
@@ -70,8 +70,8 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
             #[doc = #doc]
             ///
             /// # Errors
-            /// If the value is not finite, or a loop cannot be closed on the way there: then with the value up to which it could
-            /// have gone. The mechanism then stays as it was.
+            /// If the value is not finite, or a loop cannot be closed on the way there. That error has the value up to which it
+            /// could have gone. The mechanism then stays as it was.
             #visibility fn #setter(&mut self, value: #scalar) -> Result<(), Blocked<#scalar>> {
                 let mut target = self.position.motors;
                 target.values[#index] = value;

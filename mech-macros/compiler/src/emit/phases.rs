@@ -61,7 +61,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
         #[doc = #doc]
         ///
         /// # Errors
-        /// If a value is not finite, a phase is beyond 2³¹ turns, or a loop cannot be closed on the way there; the mechanism
+        /// If a value is not finite, a phase is beyond 2³¹ turns, or a loop cannot be closed on the way there. The mechanism
         /// then stays where it was.
         #visibility fn turn_to(&mut self, phases: [Phase; #turning] #slides) -> Result<(), #blocked> {
             let mut target = #start;

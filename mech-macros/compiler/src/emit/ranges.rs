@@ -48,7 +48,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
             (#is_finite && MoveLimits::contains(&known::MOVE_LIMITS, &values)).then_some(InRange::tested(motors))
         }
 
-        /// Moves to values of the motors within their declared ranges: it was proved at compile time that nothing is in the
+        /// Moves to values of the motors within their declared ranges. It was proved at compile time that nothing is in the
         /// way there, so this cannot fail.
         #[inline]
         #visibility fn move_within(&mut self, motors: InRange<Self, #values>) {

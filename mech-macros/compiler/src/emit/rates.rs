@@ -124,8 +124,8 @@ fn methods(emitter: &Emitter<'_>, moving: &Program) -> TokenStream {
         /// After a move without rates it rests.
         ///
         /// # Errors
-        /// If a value is not finite, a loop cannot be closed on the way there, or rates are not determined there, as at a dead point;
-        /// the mechanism then stays where it was.
+        /// If a value is not finite, a loop cannot be closed on the way, or rates are not determined there, as at a dead point.
+        /// The mechanism then stays where it was.
         #[inline]
         #visibility fn move_with(&mut self, motors: #values #parameters) -> Result<(), #blocked> {
             #before

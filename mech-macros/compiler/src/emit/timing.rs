@@ -60,14 +60,14 @@ fn at_time(emitter: &Emitter<'_>) -> TokenStream {
     let refusal = refusal(emitter);
     let errors = if effects.velocity {
         quote! {
-            #[doc = " If the time, or the value or a rate of a law at it, is not a finite number, a loop cannot be closed on the"]
-            #[doc = " way there, or it is at a dead point or a change point there, where rates are not determined; the mechanism"]
+            #[doc = " If the time, or a law's value or rate at it, is not finite, or a loop cannot be closed on the way there."]
+            #[doc = " Also if it is at a dead point or a change point there, where rates are not determined. The mechanism"]
             #[doc = " then stays where it was."]
         }
     } else {
         quote! {
-            #[doc = " If the time, or the value of a law at it, is not a finite number, or a loop cannot be closed on the way"]
-            #[doc = " there; the mechanism then stays where it was."]
+            #[doc = " If the time, or the value of a law at it, is not finite, or a loop cannot be closed on the way there."]
+            #[doc = " The mechanism then stays where it was."]
         }
     };
     quote! {

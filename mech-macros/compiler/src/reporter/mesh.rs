@@ -29,8 +29,8 @@ impl Words<'_> {
                     Ratio::Radii(..) => "radii",
                 };
                 format!(
-                    "the ring of {what} is not larger than the wheel in it: {unit} of {first} and {second} are {one} and \
-                     {other}, and the negative size is the ring's"
+                    "the ring of {what} is not larger than its wheel: {unit} of {first} and {second} are {one} and \
+                     {other}; the negative size is the ring's"
                 )
             }
             MeshTrouble::Distance { distance, asked } => {

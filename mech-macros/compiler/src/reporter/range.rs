@@ -81,7 +81,7 @@ impl Words<'_> {
                 )
             }
             RangeTrouble::Missing => format!(
-                "motor {name} has no range, though another motor has one: what it moves never comes back to where it was, so that \
+                "motor {name} has no range, though another motor has one\nnote: what it moves never comes back to where it was, so that \
                  nothing can be proved of all its values\nhelp: declare a range for {name} too, as `motor {} in LOW ..= HIGH`",
                 self.model.joint(declared.joint).name
             ),

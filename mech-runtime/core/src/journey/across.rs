@@ -1,5 +1,5 @@
-//! Past change points without a position between: those of loops that are solved by iteration, which fails there, and those of several
-//! loops that are so near each other that rounding hides which comes first.
+//! Past change points without a position between. They are those of loops that are solved by iteration, which fails there. Or they are those of
+//! several loops, so near each other that rounding hides which comes first.
 
 use super::event::{Event, position_at};
 use super::pace::lesser;
@@ -7,8 +7,8 @@ use super::piece::{Reach, has_passed, is_zero, pass, reach};
 use super::{AtZero, Journey};
 use crate::Real;
 
-/// How far beyond it is begun, in fourth roots of the precision: both what curves a straight line and what rounding does to it are
-/// small then beside the distance from the other branch.
+/// How far beyond it is begun, in fourth roots of the precision. What curves a straight line and what rounding does to it are both small then
+/// beside the distance from the other branch.
 const OFFSETS: [f64; 2] = [8.0, 32.0];
 /// The same for loops in closed form, whose positions are as exact as rounding lets them be.
 const TOGETHER: [f64; 3] = [0.25, NEAREST, 2.0];
@@ -16,8 +16,8 @@ const TOGETHER: [f64; 3] = [0.25, NEAREST, 2.0];
 const SINCE: f64 = 0.25;
 /// What comes to zero nearer to another than this is passed with it.
 pub(super) const NEAREST: f64 = 0.03125;
-/// The first step back from it changes the sine by no more than this part of it, each next one is so much longer, or shorter where
-/// it fails: beside it no iteration reaches far.
+/// The first step back from it changes the sine by no more than this part of it, as beside it no iteration reaches far. Each next one is so much
+/// longer, or shorter where it fails.
 const FIRST: f64 = 0.25;
 const LONGER: f64 = 1.25;
 const SHORTER: f64 = 0.25;
@@ -41,7 +41,7 @@ const OFF: f64 = 0.25;
 
 /// A sine that is so many times less halfway to its zero touches it: one that goes straight through is half as great there.
 const TOUCHES: f64 = 2.5;
-/// That is looked at from where the square of the sine is so many times what rounding hides, if that is within so much of its change.
+/// That is looked at from where the square of the sine is so many times what rounding hides. It has to be within so much of its change.
 const TOUCH: f64 = 1024.0;
 const LONGEST: f64 = 0.25;
 
@@ -185,8 +185,8 @@ pub(super) fn beyond_cluster<T: Real, J: Journey<T>>(
     })
 }
 
-/// Whether the sine of a loop in closed form only touches a zero, and how far from it that was seen: halfway to such a zero a sine is a
-/// fourth of what it was, not a half.
+/// Whether the sine of a loop in closed form only touches a zero, and how far from it that was seen. Halfway to such a zero a sine is a fourth
+/// of what it was, not a half.
 fn touch<T: Real, J: Journey<T>>(
     journey: &J,
     (from, done): (&J::Position, T),
@@ -294,8 +294,8 @@ impl<P: Clone, T: Real> Line<'_, P, T> {
         at.1 <= self.before.1 || watched.all(|index| self.meets(journey, at, index))
     }
 
-    /// The position there, if everything goes straight on: loops whose sines change their signs are on their other sides. Their sines
-    /// and that of the loop at its zero have to be what was foreseen, and the line has to lead through where the piece began.
+    /// The position there, if everything goes straight on: loops whose sines change their signs are on their other sides. Their sines and that
+    /// of the loop at its zero have to be what was foreseen. The line has to lead through where the piece began.
     fn beyond<J: Journey<T, Position = P>>(
         &self,
         journey: &J,
@@ -332,8 +332,8 @@ impl<P: Clone, T: Real> Line<'_, P, T> {
     }
 }
 
-/// A position farther from a zero of a sine than one beside it, where the move leads away from it: in steps so short that none goes
-/// over to another branch.
+/// A position farther from a zero of a sine than one beside it, where the move leads away from it. It is reached in steps so short that none
+/// goes over to another branch.
 fn away<T: Real, J: Journey<T>>(
     journey: &J,
     (from, done): (&J::Position, T),

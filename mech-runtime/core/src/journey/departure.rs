@@ -1,4 +1,4 @@
-//! Dead points that a move begins at or leads to: beside one rounding lets a loop close here and there, and hides the sign of its sine.
+//! Dead points that a move begins at or leads to. Beside one, rounding lets a loop close here and there, and hides the sign of its sine.
 
 use super::pace::{is_calm, is_far_at_ends};
 use super::piece::{has_passed, hidden_square};
@@ -8,7 +8,7 @@ use crate::Real;
 /// The first distance changes the square of a sine by so many roundings, at most. Each next one is twice as long.
 const FIRST: f64 = 16.0;
 const DOUBLINGS: u32 = 48;
-/// Such a square grows in proportion to the distance from a dead point, but for this part of it: from a change point it grows with the
+/// Such a square grows in proportion to the distance from a dead point, but for this part of it. From a change point it grows with the
 /// distance's square, to both sides. The dead point may lie so far beside where the loop stands, as a part of the distance.
 const OFF: f64 = 0.125;
 const BESIDE: f64 = 0.25;
@@ -18,8 +18,8 @@ const SEEN: f64 = 16.0;
 const MOST: f64 = 256.0;
 const MOST_ROOTS: f64 = 64.0;
 
-/// Where everything is a little farther, and the part of the move that is done there, if a loop stands at a dead point or beside it and the
-/// move leads away from it.
+/// Where everything is a little farther, and the part of the move that is done there. None unless a loop stands at a dead point or beside it,
+/// and the move leads away from it.
 pub(super) fn depart<T: Real, J: Journey<T>>(
     journey: &J,
     from: &J::Position,
@@ -55,7 +55,7 @@ pub(super) fn is_at_dead_point<T: Real, J: Journey<T>>(
     !any_passed && leave_straight(journey, from, (index, back), |_, _| true).is_some()
 }
 
-/// The nearest position in this sense of the move to which a loop leaves its dead point, and its part of the move, if it passes.
+/// The nearest position in this sense of the move to which a loop leaves its dead point, if it passes. With it stands its part of the move.
 fn leave_straight<T: Real, J: Journey<T>>(
     journey: &J,
     (from, done): (&J::Position, T),

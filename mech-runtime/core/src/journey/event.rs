@@ -10,13 +10,13 @@ use crate::Real;
 const NARROW: u32 = 20;
 /// Each halving gives a digit of a binary fraction: no float has more.
 const HALVINGS: u32 = 64;
-/// Where another loop has its zero, a square has a kink, and parabolas come nearer slowly: each time after so many the longer side of
-/// what is left is halved.
+/// Where another loop has its zero, a square has a kink, and parabolas come nearer slowly. Each time after so many the longer side of what is
+/// left is halved.
 const HALVED_EVERY: u32 = 3;
 /// The square of a sine that is this part of those at both ends of a piece may be zero.
 const DIP: f64 = 0.0625;
 
-/// The least that is found of the square of a sine is zero if it is no more than so many times what rounding hides: rounding is estimated.
+/// The least that is found of the square of a sine is zero if it is no more than so many times what rounding hides. Rounding is estimated.
 const BARELY_SEEN: f64 = 16.0;
 
 /// What happens to a watched loop in a piece.
@@ -42,8 +42,8 @@ impl<T: Copy> Event<T> {
 
 /// The first thing that happens to a watched loop on a piece.
 ///
-/// Behind a change point nothing is as it will be once its loop has gone over: what another loop does before may be hidden by what it
-/// seems to do there. So the piece up to it is examined again, until nothing happens before.
+/// Behind a change point nothing is as it will be once its loop has gone over. What another loop does before may be hidden by what it seems to
+/// do there. So the piece up to it is examined again, until nothing happens before.
 pub(super) fn first_event<T: Real, J: Journey<T>>(
     journey: &J,
     from: &J::Position,
@@ -248,9 +248,9 @@ pub(super) fn position_at<T: Real, J: Journey<T>>(
     }
 }
 
-/// Looks for a place beside the ends of a piece where something does not close, however narrow it is. Where loops are iterated it has
-/// to be this one in closed form, as an iteration that fails tells nothing, and so far away that what iterations leave of an error
-/// does not decide.
+/// Looks for a place beside the ends of a piece where something does not close, however narrow it is. Where loops are iterated it has to be this
+/// one in closed form, as an iteration that fails tells nothing. It has to be so far away that what iterations leave of an error does not
+/// decide.
 fn blocked_at_ends<T: Real, J: Journey<T>>(
     journey: &J,
     from: &J::Position,
@@ -279,8 +279,8 @@ fn blocked_at_ends<T: Real, J: Journey<T>>(
     Event::None
 }
 
-/// Looks for the place where a sine changes its sign. Only two lines that cut each other do so by themselves: at the zero they
-/// lie on each other, or they do not cut each other at all.
+/// Looks for the place where a sine changes its sign. Only two lines that cut each other do so by themselves. At the zero they lie on each
+/// other, or they do not cut each other at all.
 fn change_of_sign<T: Real, J: Journey<T>>(
     journey: &J,
     from: &J::Position,

@@ -1,9 +1,8 @@
 //! A move from where a mechanism is to where its motors are told to go, past the change points and dead points between.
 //!
-//! Where a loop in closed form is near none of them, one step is enough, however long it is. Else the move is divided into pieces.
-//! What is watched is the sine of each such loop's transmission angle: its square is smooth in the motors and zero at a
-//! dead point, beyond which the loop does not close, and at a change point, beyond which it goes on. There velocity is
-//! continuous if the dyad goes over to its other side.
+//! Where a loop in closed form is near none of them, one step is enough, however long it is. Else the move is divided into pieces. What is
+//! watched is the sine of each such loop's transmission angle. Its square is smooth in the motors. It is zero at a dead point, beyond which the
+//! loop does not close, and at a change point, beyond which it goes on. There velocity is continuous if the dyad goes over to its other side.
 
 mod across;
 mod departure;
@@ -58,7 +57,7 @@ pub enum AtZero {
     Stop,
 }
 
-/// Where a watched loop is beside a change point, seen in the sense in which the motors came: rounding may hide it, so it is remembered.
+/// Where a watched loop is beside a change point, seen in the sense in which the motors came. Rounding may hide it, so it is remembered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Standing {
     /// Not beside one that it came to.
@@ -166,8 +165,8 @@ pub struct Halt<P, S, T> {
     pub stop: S,
 }
 
-/// Where loops are solved by iteration, a move that was stopped continues from there, so many times at most, as long as at
-/// least this part of it is gained: what failed from afar may work from near.
+/// Where loops are solved by iteration, a move that was stopped continues from there, as what failed from afar may work from near. That is done
+/// so many times at most, as long as at least this part of the move is gained.
 const MOST_STARTS: u32 = 16;
 const GAIN: f64 = 1e-9;
 /// More pieces than this are not gone at once: they are a mistake, or would take longer than anybody waits.
@@ -177,9 +176,9 @@ const HALVED: u32 = 4;
 /// So often at most is a piece tried that does not end where it should.
 const MOST_TRIES: u32 = 512;
 
-/// The greatest part that is possible of a move whose target cannot be reached, and the least that is not, a rounding beyond it, where nothing
-/// is watched and a position depends on the motors alone: the same journey, but no position has to be stored.
-/// `stops` says whether a part of the move is impossible.
+/// The greatest part that is possible of a move whose target cannot be reached, and the least that is not, a rounding beyond it. Nothing is
+/// watched there and a position depends on the motors alone. It is the same journey, but no position has to be stored. `stops` says whether a
+/// part of the move is impossible.
 pub fn bisect<T: Real>(stops: impl Fn(T) -> bool) -> (T, T) {
     let (mut end, mut blocked) = (T::ZERO, T::ONE);
     for _ in 0..MOST_TRIES {
@@ -229,8 +228,7 @@ pub fn travel<T: Real, J: Journey<T>>(
     travel_on(journey, position, done)
 }
 
-/// Moves on to the target from where a part of the move is done: in pieces that are long where nothing can stop them, and
-/// short where something may be.
+/// Moves on to the target from where a part of the move is done. Its pieces are long where nothing can stop them, and short where something may.
 fn travel_on<T: Real, J: Journey<T>>(
     journey: &J,
     mut position: J::Position,

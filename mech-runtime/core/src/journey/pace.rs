@@ -19,13 +19,14 @@ const TURN_GUESSED: f64 = 0.5;
 /// Near their zeros earlier loops make later ones faster without end: pieces are no smaller than for so many times as fast.
 const MOST_GROWTH: f64 = 16.0;
 
-/// A guess is trusted in the first piece of a move for this much change of a square at most: a degree of a motor that moves coupled loops.
+/// A guess is trusted in the first piece of a move for this much change of a square at most. That is a degree of a motor that moves coupled
+/// loops.
 const FIRST: f64 = 0.07;
-/// Each next piece is so many times as long, at most, where all are bounds, and where some are guesses. A square that falls straight or
-/// as a parabola to its zero is seen to fall on a piece that is two thirds of the next one.
+/// Each next piece is so many times as long, at most, where all are bounds, and where some are guesses. A square may fall straight or as a
+/// parabola to its zero. It is seen to fall on a piece that is two thirds of the next one.
 const LONGER: f64 = 2.0;
 const LONGER_GUESSED: f64 = 1.5;
-/// Where the square of a sine rests on a guess, it is off in the middle of a piece from the mean of the ends by no more than this part of
+/// The square of a sine may rest on a guess. Then it is off in the middle of a piece from the mean of the ends by no more than this part of
 /// their sum.
 const OFF_MEAN: f64 = 0.03125;
 /// Where an angle does, its halves of a piece differ by no more than this.
@@ -37,8 +38,8 @@ const OF_BOUND: f64 = 2.0;
 /// What rests on a guess may be so many times as fast where pieces are short.
 const LEAST_GUESSED: f64 = 4.0;
 
-/// Whether nothing can stop a step between two positions that are this part of the move apart: no watched loop comes to zero, and
-/// no angle loses a turn.
+/// Whether nothing can stop a step between two positions that are this part of the move apart. Then no watched loop comes to zero, and no angle
+/// loses a turn.
 #[inline]
 pub fn is_clear<T: Real, J: Journey<T>>(
     journey: &J,
@@ -51,8 +52,8 @@ pub fn is_clear<T: Real, J: Journey<T>>(
         && is_passable(journey, from, to, part)
 }
 
-/// Whether the middle of a piece is where its ends foretell it: by how far the sines and angles in it change nothing but a guess tells, which
-/// is not believed.
+/// Whether the middle of a piece is where its ends foretell it. Only a guess, which is not believed, tells by how far the sines and angles in it
+/// change.
 pub(super) fn is_foretold<T: Real, J: Journey<T>>(
     journey: &J,
     (from, begun): (&J::Position, T),
@@ -117,8 +118,8 @@ pub(super) fn is_passable<T: Real, J: Journey<T>>(
         })
 }
 
-/// How many times as fast as its rates say something is taken to change in a piece: where these are guesses, the middle of the piece tells
-/// more than what makes them greater.
+/// How many times as fast as its rates say something is taken to change in a piece. Where these are guesses, the middle of the piece tells more
+/// than what makes them greater.
 #[inline]
 fn growing<T: Real>(guessed: bool, speed: impl FnOnce() -> T) -> T {
     if guessed { T::ONE } else { speed() }
@@ -130,8 +131,8 @@ fn most_turn<T: Real>(turn: Turn<T>) -> T {
     T::from_f64(if turn.guessed { TURN_GUESSED } else { TURN })
 }
 
-/// Whether a watched loop stays away from zero, if those before it do: of the squares of its sine at both ends it has at least a
-/// quarter of their sum between them. The middle of a piece is looked at, too, where that rests on a guess.
+/// Whether a watched loop stays away from zero, if those before it do. Between the ends the square of its sine is at least a quarter of the sum
+/// of those at both ends. The middle of a piece is looked at, too, where that rests on a guess.
 #[inline]
 pub(super) fn is_far<T: Real, J: Journey<T>>(
     journey: &J,
@@ -246,7 +247,7 @@ pub(super) fn likely<T: Real, J: Journey<T>>(journey: &J, from: &J::Position, lo
     length
 }
 
-/// So many times as fast at most something is taken to be where pieces are short; where that rests on a guess, at least so many times.
+/// So many times as fast at most something is taken to be where pieces are short. Where that rests on a guess, it is at least so many times.
 fn slow<T: Real>(speed: T, guessed: bool) -> T {
     if guessed {
         T::from_f64(LEAST_GUESSED) * lesser(T::from_f64(LEAST_GUESSED), speed)

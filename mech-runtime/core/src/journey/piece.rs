@@ -173,8 +173,8 @@ pub(super) fn hidden_square<T: Real, J: Journey<T>>(
         + resolution * resolution
 }
 
-/// What rounding does to an earlier loop near its zero is so many times as great as one is greater than its sine: the square of what
-/// of this is passed on to a sine.
+/// What rounding does to an earlier loop near its zero is so many times as great as one is greater than its sine. This is the square of what of
+/// it is passed on to a sine.
 fn passed_on<T: Real, J: Journey<T>>(journey: &J, position: &J::Position, index: usize) -> T {
     let rounding = T::from_f64(ROUNDINGS * T::EPSILON);
     journey.growth(index).fold(T::ZERO, |sum, growth| {
@@ -186,8 +186,8 @@ fn passed_on<T: Real, J: Journey<T>>(journey: &J, position: &J::Position, index:
     })
 }
 
-/// A target a little farther, if a loop would stand at its change point at this one, or come so near that rounding may hide it from the
-/// next piece, and the move continues.
+/// A target a little farther, if the move continues and a loop would stand at its change point at this one. Also if it would come so near that
+/// rounding may hide it from the next piece.
 fn target_beyond<T: Real, J: Journey<T>>(
     journey: &J,
     from: &J::Position,
@@ -216,7 +216,7 @@ enum Leaving {
     Stopped(usize),
 }
 
-/// Notes the sense in which the motors go: loops that stand at change points have passed these, seen in the other sense, if they go back.
+/// Notes the sense in which the motors go. If they go back, loops that stand at change points have passed these, seen in the other sense.
 fn orient<T: Real, J: Journey<T>>(journey: &J, from: &mut J::Position) {
     forget_standing(journey, from);
     for index in 0..journey.watches() {
@@ -255,7 +255,7 @@ pub(super) fn note_arrived<T: Real, J: Journey<T>>(
     }
 }
 
-/// Whether a loop that can change its branch comes so near a change point that rounding may hide on which side of it the loop is.
+/// Whether a loop that can change its branch comes so near a change point that rounding may hide on which side it is.
 fn comes_near<T: Real, J: Journey<T>>(
     journey: &J,
     from: &J::Position,
@@ -369,8 +369,8 @@ fn other_side<T: Real, J: Journey<T>>(
     })
 }
 
-/// Where a change point is arrived at in which pins meet, the directions of the links between them are those of the position
-/// before: let it be very near.
+/// Where a change point is arrived at in which pins meet, the directions of the links between them are those of the position before. So let that
+/// be very near.
 fn settle<T: Real, J: Journey<T>>(
     journey: &J,
     from: &J::Position,
@@ -403,8 +403,8 @@ fn stands_at_change_point<T: Real, J: Journey<T>>(
     watch.at_zero == AtZero::ChangeBranch && !watch.iterated && is_zero(journey, position, index)
 }
 
-/// Passes change points of which rounding hides on which side of them a move ends, where the straight line on which a sine came to its zero leads
-/// beyond it.
+/// Passes change points of which rounding hides on which side of them a move ends. They are passed where the straight line on which a sine came
+/// to its zero leads beyond it.
 fn pass_hidden<T: Real, J: Journey<T>>(
     journey: &J,
     (from, done): (&J::Position, T),
@@ -427,8 +427,8 @@ fn pass_hidden<T: Real, J: Journey<T>>(
     }
 }
 
-/// Whether a straight line through two sines before a zero has another sign there than they have; none if rounding may hide theirs, or they do not
-/// belong to the move.
+/// Whether a straight line through two sines before a zero has another sign there than they have. None if rounding may hide theirs, or they do
+/// not belong to the move.
 fn leads_beyond<T: Real, J: Journey<T>>(
     journey: &J,
     from: &J::Position,

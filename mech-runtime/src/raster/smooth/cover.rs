@@ -31,8 +31,8 @@ impl<G: AsRef<[f32]> + AsMut<[f32]>> Cover<G> {
         width
     }
 
-    /// Adds the part of a side that lies in the row, from one abscissa to another; everything to its right is covered by `gain`, its
-    /// height with the sign of its direction. It is seen where the row is [touched](Self::touch).
+    /// Adds the part of a side that lies in the row, from one abscissa to another. Everything to its right is covered by `gain`, its height with
+    /// the sign of its direction. It is seen where the row is [touched](Self::touch).
     #[inline]
     pub(super) fn add(&mut self, from: f32, to: f32, gain: f32) {
         let (left, right) = if from <= to { (from, to) } else { (to, from) };

@@ -20,7 +20,7 @@ pub(super) fn checked(query: Field<'_>) -> Result<Field<'_>, Message> {
         let right = digest_of(query.text());
         if found.text() != right {
             return Err(found.wrong(format!(
-                "the last letters check all letters of the link: they are `{}`, but would have to be `{right}`; a part of the link may be missing or another",
+                "the last letters check all letters of the link: they are `{}`, but should be `{right}`; a part may be missing or another",
                 found.text()
             )));
         }
@@ -34,7 +34,7 @@ pub(super) fn checked(query: Field<'_>) -> Result<Field<'_>, Message> {
         return Ok(body);
     }
     Err(check.wrong(format!(
-        "the last letter checks the length of the link: it is `{}`, but would have to be `{right}`; a part of the link may be missing",
+        "the last letter checks the length of the link: it is `{}`, but should be `{right}`; a part of the link may be missing",
         check.text()
     )))
 }

@@ -20,26 +20,26 @@ pub(crate) fn article(measurements: &[Measurement], effort: Effort) -> String {
     text += &format!(
         "Each mechanism is compiled from one text with every method, in `f32` and in `f64`. Its motor goes from the start to a \
          limit and back, in steps of {} degrees. **Error** is the greatest distance, in any position on that way, between an axis \
-         of a moving link and where it ought to be; beside it, the same divided by the mechanism's size (the greatest distance \
-         between two axes at the start). **Time** is that of one `move_to` with a new value of the motor, sine and cosine \
-         included, each position needed before the next: the median of {} rounds, in which all methods take turns, each with \
+         of a moving link and where it ought to be. Beside it stands the same divided by the mechanism's size (the greatest \
+         distance between two axes at the start). **Time** is that of one `move_to` with a new value of the motor, sine and cosine \
+         included, each position needed before the next. It is the median of {} rounds, in which all methods take turns, each with \
          at least {} positions.\n\n",
         steps(),
         effort.rounds,
         effort.positions
     );
-    text += "Where it ought to be is computed in numbers of thirty digits by the compiler's own interpreter, for the very same \
-             floats that the motor was given, and is then corrected until the joints, as they are declared, close in all these \
-             digits. So an error in `f32` is also that of lengths rounded to `f32`.\n\n";
-    text += "A position that does not close well enough is refused: where that happens on the way, the method is **blocked** at \
+    text += "The compiler's own interpreter computes in thirty digits where it ought to be, for the same floats that the motor was \
+             given. It is then corrected until the joints, as they are declared, close in all these digits. So an error in `f32` is \
+             also that of lengths rounded to `f32`.\n\n";
+    text += "A position that does not close well enough is refused. Where that happens on the way, the method is **blocked** at \
              that step and has no price there.\n\n";
     text += "## How to read the picture\n\n\
              Left is cheaper, down is more exact. Colour and shape tell the method, full marks are `f64`, hollow ones `f32`; the \
-             larger a mark, the longer the motor's step. The marks of one method hang on a line. The grey steps are the frontier \
-             at each step of the motor, darkest for the longest: what lies right of it or above it is beaten by something that \
-             is named on it. Loops that are coupled have no closed form: there `exact` is `newton`, and their marks are in one \
-             place. How fast they come to a dead point is guessed. So a step of more than a degree is divided into pieces, and one \
-             of 5 degrees costs some five times as much as one of a degree.\n\n";
+             larger a mark, the longer the motor's step. The marks of one method hang on a line. The grey steps are the frontier at \
+             each step of the motor, darkest for the longest. What lies right of it or above it is beaten by something that is \
+             named on it. Loops that are coupled have no closed form: there `exact` is `newton`, and their marks are in one \
+             place. How fast they come to a dead point is guessed. So a step of more than a degree is divided into pieces. One of 5 \
+             degrees costs some five times as much as one of a degree.\n\n";
     text += "## What is worth its price\n\n\
              What is not beaten at a step of the motor: nanoseconds a position, error, and in brackets error by size. All errors and \
              times are in the [table](accuracy.csv).\n\n";
@@ -122,7 +122,7 @@ fn reading(measurements: &[Measurement]) -> String {
     let mut text = String::new();
     if !exact.is_empty() {
         text += &format!(
-            "Nothing but `exact` is worth its price, at any step, in {} of {} mechanisms: {}.\n",
+            "Nothing but `exact` is worth its price, at any step, in {} of {} mechanisms. These are {}.\n",
             exact.len(),
             measurements.len(),
             exact.join(", ")
@@ -164,8 +164,8 @@ fn blocked_list(measurements: &[Measurement]) -> String {
     }
     format!(
         "## What was blocked\n\n\
-         At this angle from the start the loop did not close well enough. A fixed number of rounds is held to what it promises: \
-         the gap after `newton(k)` may be a thousandth of the loop's size, squared k − 1 times, or rounding if that is more. So \
+         At this angle from the start the loop did not close well enough. A fixed number of rounds is held to what it promises. The \
+         gap after `newton(k)` may be a thousandth of the loop's size, squared k − 1 times, or rounding if that is more. So \
          more rounds can be refused where fewer pass, and `f64` where `f32` passes.\n\n\
          | mechanism | method | step | |\n|---|---|---|---|\n{text}\n"
     )

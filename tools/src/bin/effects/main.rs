@@ -18,12 +18,13 @@ use std::{env, fs, io};
 /// The beginning of the page.
 const HEAD: &str = "# What effects cost\n\n\
     Written by `cargo effects`, which measures everything on this page anew; do not edit it by hand.\n\n\
-    Each mechanism is compiled from one text, with its masses and gravity in it, with nothing asked of it and with one effect after \
-    another (`trace` keeps the last 256 places of a point); the last row shows one link only. What was not asked for is not there: the step to a position is the same, token for \
-    token, in all of them (`tests/tests/expand.rs` holds it to that).\n\n\
-    **Operations** are those of a position and, after the plus, what the effect adds (to each of the about ten times that a step of \
-    time looks at its forces). **Time** is that of one such move, sine and cosine included, the next needing the last: the median of \
-    many rounds in which all take turns. **State** is the size of the struct. **Code** is the size of the functions that make such \
+    Each mechanism is compiled from one text, with its masses and gravity in it: with nothing asked of it, and with one effect \
+    after another. `trace` keeps the last 256 places of a point; the last row shows one link only. What was not asked for is not \
+    there. The step to a position is the same, token for token, in all of them (`tests/tests/expand.rs` holds it to that).\n\n\
+    **Operations** are those of a position and, after the plus, what the effect adds. For motion under forces that is added each of \
+    the about ten times that a step of time looks at its forces. **Time** is that of one such move, sine and cosine included, the \
+    next needing the last. It is the median of many rounds in which all take turns. **State** is the size of the struct. **Code** \
+    is the size of the functions that make such \
     moves, without those that are only called when something is in the way.\n\n\
     The last mechanism shows what watching costs. A loop that may come to a dead point is watched: each move compares how near it is. \
     A range that keeps it away is proved at compile time, and nothing is watched then.\n\n";

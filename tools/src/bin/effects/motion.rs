@@ -35,9 +35,10 @@ const TURN: f64 = 0.8;
 pub(crate) fn section(turns: u32) -> Result<String, String> {
     let mut text = format!(
         "## Motion under forces (a four-bar in gravity, with a spring)\n\n\
-         The crank starts with a rate and is left alone for {turns} turns. **Drift** is the greatest difference of its energy from that at the \
-         start, as a part of the kinetic energy; **lag** is how far the crank is then from where order 6 with 800 steps a turn has it, in \
-         radians. The default is order 4.\n\n| method | steps a turn | drift | lag | ns a step | µs a turn |\n|---|---|---|---|---|---|\n"
+         The crank starts with a rate and is left alone for {turns} turns. **Drift** is the greatest difference of its energy from \
+         that at the start, as a part of the kinetic energy. **Lag** is how far the crank is then from where order 6 with 800 steps \
+         a turn has it, in radians. The default is order 4.\n\n| method | steps a turn | drift | lag | ns a step | µs a turn \
+         |\n|---|---|---|---|---|---|\n"
     );
     let end = f64::from(turns) * TURN;
     let exact = follow(GaussLegendre::Order6, 800, end)?;

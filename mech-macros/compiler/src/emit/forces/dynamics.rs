@@ -99,8 +99,8 @@ pub(super) fn dynamics(emitter: &Emitter<'_>) -> Parts {
         /// The same by a method of one's choice: what is more exact takes longer.
         ///
         /// # Errors
-        /// If something given is not finite, a loop cannot be closed on the way, the mechanism is at a dead point,
-        /// no mass resists a motor, or the step is too long to be followed; everything then stays as it was.
+        /// If something given is not finite, a loop cannot be closed on the way, or the mechanism is at a dead point. Also if no
+        /// mass resists a motor, or the step is too long to be followed. Everything then stays as it was.
         #visibility fn simulate_by(&mut self, method: GaussLegendre, time: #scalar, torques: #values) -> Result<(), #blocked> {
             #loads
             let moment = Moment {

@@ -31,12 +31,12 @@ pub(super) fn holding(emitter: &Emitter<'_>) -> Parts {
     let advance = strip_params(emitter, advance);
     let found = forces_here(holding);
     let methods = quote! {
-        /// Moves there as `move_to` does, and gives the torques of the motors (the forces of those that slide) that hold it
-        /// there at rest, in the order of their declaration: against gravity, springs and loads.
+        /// Moves there as `move_to` does, and gives the torques of the motors (the forces of those that slide), in the order of
+        /// their declaration. They hold it there at rest, against gravity, springs and loads.
         ///
         /// # Errors
-        /// If a value is not finite, a loop cannot be closed on the way there, or torques are not determined there, as at a dead point;
-        /// the mechanism then stays where it was.
+        /// If a value is not finite, a loop cannot be closed on the way, or torques are not determined there, as at a dead point.
+        /// The mechanism then stays where it was.
         #[inline]
         #visibility fn hold_at(&mut self, motors: #values) -> Result<#values, #blocked> {
             #loads
@@ -75,8 +75,8 @@ pub(super) fn forces(emitter: &Emitter<'_>) -> Parts {
     let (loads, kind) = (bind_loads(emitter), outcome_type(inverse_dynamics));
     let (found, refusal) = (forces_here(inverse_dynamics), refusal(emitter));
     let mut methods = quote! {
-        /// What it takes to move at these rates and second rates of the motors from where it is: the torques of the motors,
-        /// the reaction in each joint, the transmission angles.
+        /// What it takes to move at these rates and second rates of the motors from where it is. That is the torques of the
+        /// motors, the reaction in each joint, the transmission angles.
         ///
         /// # Errors
         /// If a rate is not finite, or the mechanism is at a dead point, or at a change point where forces have no limit.

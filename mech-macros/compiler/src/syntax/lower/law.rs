@@ -121,7 +121,7 @@ impl Lowering {
             self.report.enter(statement, None);
             if !value.is_finite() {
                 let text = format!(
-                    "motor `{name}` starts where its law has it when the time is 0, but `{written}` has no value there; \
+                    "motor `{name}` starts where its law has it at time 0, but `{written}` has no value there; \
                      change it so that it has one"
                 );
                 self.report.error(place, text);
@@ -132,8 +132,8 @@ impl Lowering {
                 self.check_start_by_law(&name, value, listed);
             } else if self.is_drawn(joint) && value.abs() > ROUNDING {
                 let text = format!(
-                    "joint `{name}` is placed in the drawing, where its coordinate is 0, but its law starts at {}; \
-                     make the law 0 when `t` is 0, or draw its links as they are to start",
+                    "joint `{name}` is placed in the drawing, where its coordinate is 0, but its law starts at {}\n\n\
+                     help: make the law 0 when `t` is 0, or draw its links as they are to start",
                     format_number(value)
                 );
                 self.report.error(place, text);

@@ -161,8 +161,8 @@ impl Lowering {
                 self.outside_as_drawn(ranged)
             } else {
                 format!(
-                    "motor `{name}` starts at 0, outside its range, because `start` does not say otherwise; \
-                     write `{name} = ...;` in `start` with a value within `{written}`, or widen the range"
+                    "motor `{name}` starts at 0, outside its range, as `start` says nothing else; \
+                     write `{name} = ...;` in `start` with a value within `{written}`, or widen it"
                 )
             };
             self.report

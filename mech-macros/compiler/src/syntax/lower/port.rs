@@ -114,7 +114,7 @@ impl Lowering {
                 && others.iter().any(|other| other != first)
             {
                 let text = format!(
-                    "part `{}` has joints in a drawing, such as `{joint}`, so all of its ports are lent at one place; give each the same `at` and `turned`",
+                    "part `{}` has joints in a drawing, like `{joint}`, so all its ports are lent at one place; give each the same `at` and `turned`",
                     part.name
                 );
                 self.report.error(Place::at(used.part.span()), text);

@@ -100,11 +100,11 @@ fn what_is_wrong_with_a_law_is_told_where_it_is() {
         ("min(t, 1, «2»)", "expected `)`, found `2`"),
         (
             "«sqrt(t - 1)»",
-            "motor `a` starts where its law has it when the time is 0, but `sqrt(t - 1)` has no value there; change it so that it has one",
+            "motor `a` starts where its law has it at time 0, but `sqrt(t - 1)` has no value there; change it so that it has one",
         ),
         (
             "«1 / t»",
-            "motor `a` starts where its law has it when the time is 0, but `1 / t` has no value there; change it so that it has one",
+            "motor `a` starts where its law has it at time 0, but `1 / t` has no value there; change it so that it has one",
         ),
     ];
     for (law, message) in cases {
@@ -144,8 +144,8 @@ fn a_start_must_be_that_of_the_law() {
 #[test]
 fn what_is_drawn_starts_at_zero() {
     let text = "link crank; joint a = revolute(ground, crank) at (0, 0); motor a = «cos(t)»;";
-    let message = "joint `a` is placed in the drawing, where its coordinate is 0, but its law starts at 1; \
-        make the law 0 when `t` is 0, or draw its links as they are to start";
+    let message = "joint `a` is placed in the drawing, where its coordinate is 0, but its law starts at 1\n\n\
+        help: make the law 0 when `t` is 0, or draw its links as they are to start";
     assert_messages(text, &[message]);
     let text =
         "struct M; link crank; joint a = revolute(ground, crank) at (0, 0); motor a = sin(t + PI);";

@@ -206,8 +206,8 @@ fn a_motor_starts_in_its_range() {
 
 #[test]
 fn a_motor_that_is_not_listed_starts_at_zero() {
-    let outside = "motor `shaft` starts at 0, outside its range, because `start` does not say otherwise; write \
-                   `shaft = ...;` in `start` with a value within `1 ..= 2`, or widen the range";
+    let outside = "motor `shaft` starts at 0, outside its range, as `start` says nothing else; write \
+                   `shaft = ...;` in `start` with a value within `1 ..= 2`, or widen it";
     with_crank("motor shaft in «1 ..= 2»;", &[outside]);
     with_crank(
         "start { crank near 0; } motor shaft in «1 ..= 2» by 1;",
@@ -249,10 +249,10 @@ fn every_motor_is_held_to_its_own_range() {
     assert_messages(
         &format!("{slide}motor push in «3 ..= 4»; motor turn in «1 ..= 2»;"),
         &[
-            "motor `push` starts at 0, outside its range, because `start` does not say otherwise; write `push = ...;` in \
-             `start` with a value within `3 ..= 4`, or widen the range",
-            "motor `turn` starts at 0, outside its range, because `start` does not say otherwise; write `turn = ...;` in \
-             `start` with a value within `1 ..= 2`, or widen the range",
+            "motor `push` starts at 0, outside its range, as `start` says nothing else; write `push = ...;` in \
+             `start` with a value within `3 ..= 4`, or widen it",
+            "motor `turn` starts at 0, outside its range, as `start` says nothing else; write `turn = ...;` in \
+             `start` with a value within `1 ..= 2`, or widen it",
         ],
     );
     assert_messages(
