@@ -1,7 +1,7 @@
 //! What is declared is seen: at the start every pin, slot, wheel and rack has places at which nothing lies over it.
 
 use crate::looks::{compiled, covers, frame};
-use mech_compiler::model::{JointId, JointKind, LinkId, Model, Shape, ShapeKind};
+use mech_compiler::model::{Axis, JointId, JointKind, LinkId, Model, Shape, ShapeKind};
 use mech_compiler::structure::{Pin, Rolling};
 use mech_compiler::{Compiled, Looks, Measure, Outline, Painted, Place, compile, looks};
 use mech_runtime::Palette;
@@ -147,8 +147,12 @@ impl Picture<'_> {
                 let Some([guide, block]) = self.model.guide_and_block(joint) else {
                     return true;
                 };
-                let [guide, block] = [guide, block].map(|axis| self.model.axis(axis).link);
-                self.model.link(block).die.is_none() || self.shows_slot(guide)
+                let [guide, block] = [guide, block].map(|axis| self.model.axis(axis));
+                if self.model.link(block.link).die.is_none() {
+                    self.hides_rod(guide, block.link)
+                } else {
+                    self.shows_slot(guide.link)
+                }
             }
             JointKind::Gear { .. } | JointKind::Rack { .. } => {
                 let own = |rolling: &&Rolling| rolling.joint == joint;
@@ -162,6 +166,33 @@ impl Picture<'_> {
             }
             _ => true,
         }
+    }
+
+    /// Whether a piston rod is not seen where it is in its barrel: a rectangle with the line of its guide in the middle.
+    fn hides_rod(&self, guide: &Axis, block: LinkId) -> bool {
+        let [u, v] = guide.direction;
+        let aside = |place: &Place| {
+            let [x, y] = place.map(Measure::at_start);
+            (x - guide.at[0]) * v - (y - guide.at[1]) * u
+        };
+        let barrels = self.numbers(|painted| match &painted.outline {
+            Outline::Polygon(corners) if painted.link == guide.link && corners.len() == 4 => {
+                let [a, b, c, d] = [0, 1, 2, 3].map(|corner| aside(&corners[corner]));
+                (a + b).abs().max((c + d).abs()) < 1e-2 * (a - b).abs()
+            }
+            _ => false,
+        });
+        let rods = self.numbers(|painted| {
+            painted.link == block && matches!(painted.outline, Outline::Line { .. })
+        });
+        rods.iter().all(|&rod| {
+            let places = self.places(rod).into_iter();
+            let within = |place: &Point2<f64>| {
+                let mut barrels = barrels.iter();
+                barrels.any(|&barrel| self.is_over(&self.looks.painted[barrel], *place))
+            };
+            !self.is_seen(&rods, &places.filter(within).collect::<Vec<_>>())
+        })
     }
 
     /// Whether all openings of slots of a link are seen, or its rails.
@@ -191,6 +222,12 @@ impl Picture<'_> {
 
     /// Whether an outline is in front of all others somewhere.
     fn shows(&self, number: usize) -> bool {
+        let places = self.places(number);
+        places.is_empty() || self.is_seen(&[number], &places)
+    }
+
+    /// Places of an outline in the scene; none of a ring.
+    fn places(&self, number: usize) -> Vec<Point2<f64>> {
         let painted = &self.looks.painted[number];
         let at_start = |places: &[Place]| {
             places
@@ -209,7 +246,7 @@ impl Picture<'_> {
                     .map(Into::into)
                     .collect()
             }
-            _ => return true,
+            _ => return Vec::new(),
         };
         // Between each corner and one a few farther on is mostly a place that is within.
         let pairs = (1..6).flat_map(|ahead| corners.iter().zip(corners.iter().cycle().skip(ahead)));
@@ -219,13 +256,14 @@ impl Picture<'_> {
                 [0, 1].map(|axis| a[axis] + part * (b[axis] - a[axis]))
             })
         });
-        let places = within.filter_map(|place| self.place(painted.link, place));
-        self.is_seen(&[number], &places.collect::<Vec<_>>())
+        within
+            .filter_map(|place| self.place(painted.link, place))
+            .collect()
     }
 }
 
 /// The kinds of what hid something once.
-const TEXTS: [&str; 7] = [
+const TEXTS: [&str; 9] = [
     // A plate with a ring, over the pinion on the ground.
     "struct Wankel; ground { point o = (0, 0); } link shaft { point o = (0, 0); point e = (1, 0); }
     link rotor { point c = (0, 0); point p = (7, 0); point q = (7, 0) turned 120 deg; point r = (7, 0) turned 240 deg; }
@@ -252,7 +290,87 @@ const TEXTS: [&str; 7] = [
     "struct Boom; link boom { point tip = (0, 4); } link barrel; link rod; joint o = revolute(ground, boom) at (0, 0);
     joint g = revolute(ground, barrel) at (3, 0); joint s = prismatic(barrel, rod) at (1.5, 2) along (-3, 4);
     joint c = revolute(rod, boom) at (0, 4); motor s;",
+    "struct Gear; link leg; link wheel { point tread = (0.2, -6); } link barrel; link rod; joint o = revolute(ground, leg) at (0, 0);
+    joint w = revolute(leg, wheel) at (0.8, -5); joint g = revolute(ground, barrel) at (-4, 2.5); motor w; motor s;
+    joint s = prismatic(barrel, rod) at (-2, 0.8) along (4.3, -3.4); joint c = revolute(rod, leg) at (0.3, -0.9);",
+    "struct Bucket; link barrel; link rod; link bell; link push; link bucket { point teeth = (5.6, -2.6); }
+    joint a = revolute(ground, barrel) at (-7, 0); joint s = prismatic(barrel, rod) at (-4.631, 1.121) along (5.876, 2.781);
+    joint d = revolute(rod, bell) at (-1.124, 2.781); joint g = revolute(ground, bell) at (0, 0);
+    joint h = revolute(bell, push) at (2, 1.2); joint k = revolute(push, bucket) at (4.818, 0.172);
+    joint j = revolute(ground, bucket) at (3.2, -1.6); motor s;",
 ];
+
+/// Several motors, each with its range, and a slide on the ground: its joint, and from where to where all together can move it.
+const RANGES: [(&str, &str, [f64; 2]); 3] = [
+    (
+        "link cart; link tool; link crank; link rod; joint y = prismatic(cart, tool) at (0, 1) along (0, 1);
+        joint a = revolute(cart, crank) at (3, 0); joint b = revolute(crank, rod) at (3.5, 0.5); joint c = revolute(rod, tool) at (0, 2);
+        joint x = prismatic(ground, cart) at (0, 0) along (1, 0); motor x in -1 ..= 1; motor a in -20 deg ..= 20 deg;",
+        "x",
+        [-1.0, 1.0],
+    ),
+    (
+        "link left; link right; link beam; link out; joint x = prismatic(ground, left) at (-2, 0) along (0, 1);
+        joint y = prismatic(ground, right) at (2, 0) along (0, 1); joint a = revolute(left, beam) at (-2, 0);
+        joint b = slot(right, beam) at (2, 0) along (1, 0); joint c = slot(out, beam) at (0, 0) along (1, 0);
+        joint z = prismatic(ground, out) at (0, 0) along (0, 1); motor x in -0.5 ..= 0.25; motor y in -0.5 ..= 0.5;",
+        "z",
+        [-0.5, 0.375],
+    ),
+    (
+        "link lift; link arm; link hand; joint z = prismatic(ground, lift) at (0, 0) along (-3, 4); joint e = revolute(lift, arm) at (0, 0);
+        joint w = revolute(arm, hand) at (5, 0); motor e in 0 deg ..= 90 deg; motor w; motor z in 0 ..= 2;",
+        "z",
+        [0.0, 2.0],
+    ),
+];
+
+/// A rail is as long as what slides on it goes where motors keep to their ranges: all together they do, too.
+#[test]
+fn rails_are_as_long_as_their_slides_go() {
+    for (text, joint, way) in RANGES {
+        let (model, _, looks) = compiled(&format!("struct Ranges; {text}"));
+        let slide = model.joint_ids().find(|id| model.joint(*id).name == joint);
+        let [guide, _] = slide
+            .and_then(|slide| model.guide_and_block(slide))
+            .expect("it slides");
+        let line = model.axis(guide);
+        let along = |place: &Place| {
+            let [x, y] = place.map(Measure::at_start);
+            (x - line.at[0]) * line.direction[0] + (y - line.at[1]) * line.direction[1]
+        };
+        let aside = |place: &Place| {
+            let [x, y] = place.map(Measure::at_start);
+            (x - line.at[0]) * line.direction[1] - (y - line.at[1]) * line.direction[0]
+        };
+        // Of a rail: its upper edge, and its thickness.
+        let rails = looks
+            .painted
+            .iter()
+            .filter_map(|painted| match &painted.outline {
+                Outline::Polygon(corners)
+                    if painted.link == LinkId::GROUND && corners.len() > 7 =>
+                {
+                    let [from, to, below] = [0, 1, 2].map(|corner| &corners[corner]);
+                    let thick = (aside(to) - aside(below)).abs();
+                    let is_along = (aside(from) - aside(to)).abs() < 1e-3 * thick;
+                    let ends = [along(from), along(to)];
+                    is_along.then_some((ends, thick / 0.24, aside(to).abs()))
+                }
+                _ => None,
+            });
+        let (ends, width, _) = rails
+            .min_by(|a, b| a.2.total_cmp(&b.2))
+            .expect("it has a rail");
+        let [low, high] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+        for beyond in [way[0] - low, high - way[1]] {
+            assert!(
+                (beyond / width - 1.7).abs() < 0.1,
+                "{beyond} of {width} in {text}"
+            );
+        }
+    }
+}
 
 #[test]
 fn what_is_declared_is_seen() {

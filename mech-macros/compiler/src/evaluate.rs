@@ -58,17 +58,10 @@ impl<'p, T: Real> Machine<'p, T> {
     /// The mechanism as it was assembled.
     #[must_use]
     pub fn new(program: &'p Program) -> Self {
-        let number = |value: &f64| T::from_f64(*value);
         let start = &program.start;
         let position = Position {
-            motors: start.motors.iter().map(number).collect(),
             turns: vec![0; start.motors.len()],
-            poses: start
-                .poses
-                .iter()
-                .map(|pose| pose.map(T::from_f64))
-                .collect(),
-            state: start.state.iter().map(number).collect(),
+            ..start.map(T::from_f64)
         };
         Self {
             runner: Runner::new(program),

@@ -4,10 +4,9 @@ use super::picture::{Picture, Sitter, kind_of};
 use super::{CODES, Target};
 use crate::console::Console;
 use crate::failure::Failure;
-use crate::motion::{Drive, Paths, Setting, Span, posed};
+use crate::motion::{Drive, Mover, Paths, Setting, Span, posed};
 use crate::output;
 use clap::Args;
-use mech_compiler::evaluate::Machine;
 use mech_runtime::HeapSmooth;
 use mech_runtime::files::{self, Svg};
 
@@ -50,9 +49,10 @@ impl Draw {
             size,
             palette,
         } = &sitter;
-        let machine = posed(model, compiled, &self.picture.at)?;
+        let start = Mover::new(model, compiled);
+        let machine = posed(start, model, compiled, &self.picture.at)?;
         let paths = self.paths(&sitter)?;
-        let poses = &machine.position().poses;
+        let poses = &machine.position().poses[..];
         match kind {
             Kind::Svg => {
                 let mut svg = Svg::new(sheet.clone());
@@ -97,7 +97,7 @@ impl Draw {
         };
         let drive = drive.completed(model, compiled);
         let places = PLACES * drive.turns(model).min(MOST_TURNS);
-        let mut machine = Machine::<f64>::new(&compiled.program);
+        let mut machine = Mover::new(model, compiled);
         for number in 0..=places {
             let part = f64::from(number) / f64::from(places);
             if drive.move_to(model, compiled, &mut machine, part).is_ok() {

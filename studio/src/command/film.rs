@@ -7,7 +7,6 @@ use crate::failure::Failure;
 use crate::motion::{Drive, Paths, Span, Typed};
 use crate::output;
 use clap::Args;
-use mech_compiler::evaluate::Machine;
 use mech_runtime::files::{AnimatedSvg, Apng, Gif};
 use mech_runtime::{HeapFrame, HeapSmooth};
 use std::f64::consts::PI;
@@ -184,15 +183,10 @@ impl Shoot<'_> {
         let parts = (0..frames).map(|number| self.part(f64::from(number) / f64::from(frames)));
         let parts: Vec<f64> = parts.collect();
         let mut poses = vec![Vec::new(); parts.len()];
-        self.drive.visit(
-            model,
-            compiled,
-            &parts,
-            |number, machine: &Machine<'_, f64>| {
-                poses[number].clone_from(&machine.position().poses);
-                Ok(())
-            },
-        )?;
+        self.drive.visit(model, compiled, &parts, |number, at| {
+            poses[number].clone_from(&at.poses);
+            Ok(())
+        })?;
         let mut paths = Paths::new(model, compiled)?;
         if !paths.is_empty() {
             for poses in &poses {

@@ -2,9 +2,8 @@
 
 use super::{Refusal, Scene};
 use crate::document::Reading;
-use crate::motion::{self, Setting};
+use crate::motion::{self, Mover, Setting};
 use mech_compiler::Compiled;
-use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{AxisId, LinkId, Model};
 
 /// A place in the scene, carried back to the frame in which something is declared.
@@ -49,12 +48,12 @@ pub(super) fn judge(
     posed(&reading.model, compiled, motors).map(drop)
 }
 
-/// A mechanism with its motors at these values; others stand as at the start.
+/// A mechanism with its motors at these values; others stand as at the start. What is written into texts is not rounded.
 fn posed<'c>(
     model: &Model,
     compiled: &'c Compiled,
     motors: &[(String, f64)],
-) -> Result<Machine<'c, f64>, Refusal> {
+) -> Result<Mover<'c>, Refusal> {
     if motors.iter().any(|(_, value)| !value.is_finite()) {
         return Err(Refusal::of("the value of a motor is finite"));
     }
@@ -63,7 +62,12 @@ fn posed<'c>(
         value: (*value).into(),
     });
     let settings: Vec<Setting> = settings.collect();
-    Ok(motion::posed(model, compiled, &settings)?)
+    Ok(motion::posed(
+        Mover::exact(compiled),
+        model,
+        compiled,
+        &settings,
+    )?)
 }
 
 /// The link in whose frame something is seen to move.
@@ -82,7 +86,7 @@ fn link_of(model: &Model, path: &str, axis: AxisId) -> Result<LinkId, Refusal> {
     )))
 }
 
-fn pose_of(compiled: &Compiled, machine: &Machine<'_, f64>, link: LinkId) -> Option<[f64; 4]> {
+fn pose_of(compiled: &Compiled, machine: &Mover<'_>, link: LinkId) -> Option<[f64; 4]> {
     if link == LinkId::GROUND {
         return Some([1.0, 0.0, 0.0, 0.0]);
     }
@@ -105,5 +109,5 @@ pub(super) fn poses(
 
 /// Where a link stands at the start.
 pub(super) fn start_of(compiled: &Compiled, link: LinkId) -> Option<[f64; 4]> {
-    pose_of(compiled, &Machine::<f64>::new(&compiled.program), link)
+    pose_of(compiled, &Mover::exact(compiled), link)
 }

@@ -1,8 +1,8 @@
 //! The whole paths of points, over the whole range of the first motor.
 
 use super::range::MotorRange;
+use crate::motion::{Mover, place_of};
 use mech_compiler::Compiled;
-use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{AxisId, Model};
 
 /// How many places a path has.
@@ -27,8 +27,8 @@ pub(crate) fn whole_paths(
         Some((compiled.program.place_of(axis.link)?, axis.at))
     });
     let spots: Vec<Option<(usize, [f64; 2])>> = spots.collect();
-    let mut machine = Machine::<f64>::new(&compiled.program);
-    let mut motors = machine.position().motors[..model.motors.len()].to_vec();
+    let mut machine = Mover::new(model, compiled);
+    let mut motors = compiled.program.start.motors[..model.motors.len()].to_vec();
     let [low, high] = range.ends;
     for place in 0..=PLACES {
         motors[0] = low + (high - low) * f64::from(place) / f64::from(PLACES);
@@ -39,10 +39,10 @@ pub(crate) fn whole_paths(
             }
             continue;
         }
+        let poses = machine.position().poses;
         for (path, spot) in paths.iter_mut().zip(&spots) {
             if let Some((link, at)) = spot {
-                let pose = machine.position().poses[*link];
-                path.push(super::drawing::apply(pose, *at));
+                path.push(place_of(model.precision, poses[*link], *at));
             }
         }
     }

@@ -5,8 +5,7 @@ use super::omission::Omission;
 use super::writing::{self, FileKind};
 use crate::document::{Document, Reading, Source};
 use crate::failure::Failure;
-use crate::motion::{Drive, Span};
-use mech_compiler::evaluate::Machine;
+use crate::motion::{Drive, Mover, Span};
 
 /// In which order allowances are tried: `coupled`, `redundant`.
 const ALLOWANCES: [[bool; 2]; 4] = [[false, false], [true, false], [false, true], [true, true]];
@@ -138,7 +137,7 @@ fn follows(reading: &Reading, times: Times) -> Result<bool, Failure> {
         to: Some(times.tried.into()),
     };
     let drive = Drive::new(model, compiled, None, span, &[])?;
-    let mut machine = Machine::<f64>::new(&compiled.program);
+    let mut machine = Mover::new(model, compiled);
     let mut part = 0.0;
     while part < 1.0 {
         if drive.move_to(model, compiled, &mut machine, part).is_err() {

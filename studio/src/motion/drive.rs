@@ -3,12 +3,11 @@
 use super::obstacle::{motor_name, obstacle};
 use super::reach::{limits, reachable};
 use super::setting::{motor_of, show_value, turns};
-use super::{Setting, Span, Typed};
+use super::{Mover, Setting, Span, Typed};
 use crate::failure::{Failure, FailureKind};
 use mech_compiler::Compiled;
-use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{Model, MotorId};
-use mech_core::Real;
+use mech_compiler::program::Position;
 use std::f64::consts::TAU;
 
 /// A motion of all motors.
@@ -180,11 +179,12 @@ impl Drive {
             return self;
         };
         let [from, to] = self.ends;
-        let mut machine = Machine::<f64>::new(&compiled.program);
+        // Rounding would hide what comes back.
+        let mut machine = Mover::exact(compiled);
         if !self.is_cyclic(model) || self.move_to(model, compiled, &mut machine, 0.0).is_err() {
             return self;
         }
-        let start = machine.position().poses.clone();
+        let start = machine.position().poses;
         for turns in 1..=MOST {
             let part = f64::from(turns);
             if self.move_to(model, compiled, &mut machine, part).is_err() {
@@ -239,15 +239,14 @@ impl Drive {
     }
 
     /// Moves a mechanism to a part of the motion.
-    pub(crate) fn move_to<T: Real>(
+    pub(crate) fn move_to(
         &self,
         model: &Model,
         compiled: &Compiled,
-        machine: &mut Machine<'_, T>,
+        machine: &mut Mover<'_>,
         part: f64,
     ) -> Result<(), Failure> {
         let Moment { by, values, .. } = self.moment(model, compiled, part, 0.0);
-        let values: Vec<T> = values.into_iter().map(T::from_f64).collect();
         machine.move_to(&values).map_err(|stop| {
             let why = obstacle(model, compiled, stop);
             Failure::mechanism(match self.kind {
@@ -267,26 +266,25 @@ impl Drive {
 
     /// Looks at a mechanism in these parts of the motion, each with its number. A motor goes from where it stands first up, then down:
     /// so it comes last to the ends of what is possible, beyond which nothing would go on from there.
-    pub(crate) fn visit<T: Real>(
+    pub(crate) fn visit(
         &self,
         model: &Model,
         compiled: &Compiled,
         parts: &[f64],
-        mut look: impl FnMut(usize, &Machine<'_, T>) -> Result<(), Failure>,
+        mut look: impl FnMut(usize, &Position<f64>) -> Result<(), Failure>,
     ) -> Result<(), Failure> {
-        let mut machine = Machine::<T>::new(&compiled.program);
-        let mut visit = |machine: &mut Machine<'_, T>, numbers: &[usize]| {
+        let mut machine = Mover::new(model, compiled);
+        let mut visit = |machine: &mut Mover<'_>, numbers: &[usize]| {
             numbers.iter().try_for_each(|&number| {
                 self.move_to(model, compiled, machine, parts[number])?;
-                look(number, machine)
+                look(number, &machine.position())
             })
         };
         let all: Vec<usize> = (0..parts.len()).collect();
-        let base: Vec<T> = self.base.iter().copied().map(T::from_f64).collect();
-        let Some(motor) = self.motor().filter(|_| machine.move_to(&base).is_ok()) else {
+        let Some(motor) = self.motor().filter(|_| machine.move_to(&self.base).is_ok()) else {
             return visit(&mut machine, &all);
         };
-        let start = machine.position().clone();
+        let start = machine.position();
         let ahead = |number: usize| {
             let [from, to] = self.ends;
             from + (to - from) * parts[number] - self.base[motor.index()]
@@ -297,7 +295,7 @@ impl Drive {
         up.sort_by(nearer);
         down.sort_by(nearer);
         visit(&mut machine, &up)?;
-        machine.put_back(start);
+        machine.put_back(&start);
         visit(&mut machine, &down)
     }
 }

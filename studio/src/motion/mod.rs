@@ -1,12 +1,14 @@
 //! The motion that a command gives the motors of a mechanism.
 
 mod drive;
+mod mover;
 mod obstacle;
 mod paths;
 mod reach;
 mod setting;
 
 pub(crate) use drive::{Drive, Moment};
+pub(crate) use mover::{Mover, Ready, in_precision, place_of};
 pub(crate) use obstacle::{joints_in_the_way, motor_name, obstacle};
 pub(crate) use paths::Paths;
 pub(crate) use reach::{range_of, reach};

@@ -1,8 +1,9 @@
 //! The paths of traced points.
 
+use super::place_of;
 use crate::failure::Failure;
 use mech_compiler::Compiled;
-use mech_compiler::model::{Model, Trace as Declared};
+use mech_compiler::model::{Model, Precision, Trace as Declared};
 use mech_runtime::{Canvas, Trace};
 use std::collections::VecDeque;
 
@@ -11,7 +12,10 @@ const MOST: usize = 1 << 14;
 
 /// For each trace that is declared the last places of its point.
 #[derive(Clone, Default)]
-pub(crate) struct Paths(Vec<Path>);
+pub(crate) struct Paths {
+    precision: Precision,
+    all: Vec<Path>,
+}
 
 #[derive(Clone)]
 struct Path {
@@ -40,12 +44,15 @@ impl Paths {
             })
         };
         let paths: Result<_, Failure> = model.traces.iter().map(path).collect();
-        Ok(Self(paths?))
+        Ok(Self {
+            precision: model.precision,
+            all: paths?,
+        })
     }
 
     /// The same, of which nothing is forgotten, however short a trace is declared.
     pub(crate) fn whole(mut self) -> Self {
-        for path in &mut self.0 {
+        for path in &mut self.all {
             path.length = MOST;
         }
         self
@@ -53,33 +60,32 @@ impl Paths {
 
     /// Whether nothing is traced.
     pub(crate) fn is_empty(&self) -> bool {
-        self.0.is_empty()
+        self.all.is_empty()
     }
 
     /// Forgets all places.
     pub(crate) fn clear(&mut self) {
-        for path in &mut self.0 {
+        for path in &mut self.all {
             path.places.clear();
         }
     }
 
     /// Records where the points are when the moving links have these poses.
     pub(crate) fn record(&mut self, poses: &[[f64; 4]]) {
-        for path in &mut self.0 {
-            if let Some(&[cos, sin, x, y]) = poses.get(path.link) {
-                let [a, b] = path.at;
+        for path in &mut self.all {
+            if let Some(pose) = poses.get(path.link) {
                 if path.places.len() >= path.length {
                     path.places.pop_front();
                 }
-                path.places
-                    .push_back([x + cos * a - sin * b, y + sin * a + cos * b]);
+                let place = place_of(self.precision, *pose, path.at);
+                path.places.push_back(place);
             }
         }
     }
 
     /// Draws the path of a trace by its number.
     pub(crate) fn draw(&self, trace: usize, canvas: &mut impl Canvas<f64>, color: u8) {
-        let Some(path) = self.0.get(trace) else {
+        let Some(path) = self.all.get(trace) else {
             return;
         };
         let mut drawn = Box::new(Trace::<f64, MOST>::new());

@@ -1,10 +1,9 @@
 //! Values of motors as they are typed and shown: degrees for what turns, scene units for what slides.
 
-use super::{motor_name, obstacle, range_of};
+use super::{Mover, motor_name, obstacle, range_of};
 use crate::failure::Failure;
 use crate::text::quoted;
 use mech_compiler::Compiled;
-use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{JointId, JointKind, Model, MotorId};
 
 /// The value of a motor, as it is typed: `a=30`.
@@ -83,13 +82,13 @@ impl Setting {
     }
 }
 
-/// A mechanism with its motors set; others stand as at the start.
+/// A mechanism at its start with its motors set; others stay where they are.
 pub(crate) fn posed<'c>(
+    mut machine: Mover<'c>,
     model: &Model,
     compiled: &'c Compiled,
     settings: &[Setting],
-) -> Result<Machine<'c, f64>, Failure> {
-    let mut machine = Machine::<f64>::new(&compiled.program);
+) -> Result<Mover<'c>, Failure> {
     let mut motors = machine.position().motors[..model.motors.len()].to_vec();
     for setting in settings {
         let (motor, value) = setting.resolve(model)?;

@@ -5,9 +5,11 @@ use super::landmarks::Landmarks;
 use super::motion::Motion;
 use super::{Layer, Layers, Obstacle, PointRates, Rates, Style};
 use crate::failure::Failure;
-use crate::motion::{Paths, joints_in_the_way, motor_name, obstacle, range_of, turns};
+use crate::motion::{
+    Mover, Paths, Ready, in_precision, joints_in_the_way, motor_name, obstacle, range_of, turns,
+};
 use crate::painting::{Painting, number_of, poses_of};
-use mech_compiler::evaluate::{Machine, Prepared, Stop};
+use mech_compiler::evaluate::Stop;
 use mech_compiler::model::{JointId, Look, Model, MotorId};
 use mech_compiler::program::{Forces, Position};
 use mech_compiler::{Compiled, compile, symbols};
@@ -28,7 +30,7 @@ pub struct Mechanism {
     /// The points whose velocities are drawn.
     points: Vec<Spot<f64>>,
     motion: Motion,
-    prepared: Prepared<f64>,
+    ready: Ready,
     position: Position<f64>,
     paths: Paths,
 }
@@ -54,8 +56,8 @@ impl Mechanism {
             points: points.collect(),
             landmarks: Landmarks::new(&model, &compiled),
             motion: Motion::new(&model, &compiled, size)?,
-            prepared: Prepared::new(&compiled.program),
-            position: Machine::<f64>::new(&compiled.program).into_position(),
+            ready: Ready::new(&model, &compiled.program),
+            position: Mover::new(&model, &compiled).position(),
             paths: Paths::new(&model, &compiled)?,
             painting,
             model,
@@ -120,8 +122,8 @@ impl Mechanism {
     /// Whether its motors stand as at the start.
     #[must_use]
     pub fn is_at_start(&self) -> bool {
-        let start = &self.compiled.program.start.motors;
-        self.motors() == &start[..self.model.motors.len()]
+        let start = Mover::new(&self.model, &self.compiled).position();
+        self.motors() == &start.motors[..self.model.motors.len()]
     }
 
     /// The present value of the motor of this name.
@@ -194,7 +196,7 @@ impl Mechanism {
 
     /// Returns to the start.
     pub fn reset(&mut self) {
-        self.position = Machine::<f64>::new(&self.compiled.program).into_position();
+        self.position = Mover::new(&self.model, &self.compiled).position();
         self.paths.clear();
     }
 
@@ -216,25 +218,19 @@ impl Mechanism {
             *value = *motor;
         }
         let range = self.keep_in_ranges(&mut goal).map(Obstacle::Range);
-        let mut machine = Machine::at(
-            &self.compiled.program,
-            &self.prepared,
-            self.position.clone(),
-        );
-        let stop = match machine.move_toward(&goal) {
-            Ok(stop) => stop,
-            Err(stop) => Some(stop),
-        };
-        (machine.into_position(), stop.map(Obstacle::Stop).or(range))
+        let mut machine = Mover::at(&self.compiled.program, &self.ready, &self.position);
+        let stop = machine.move_toward(&goal);
+        (machine.position(), stop.map(Obstacle::Stop).or(range))
     }
 
     /// Ends a straight move where the first motor comes to an end of its declared range: that motor. Its value is that end, exactly.
     fn keep_in_ranges(&self, goal: &mut [f64]) -> Option<MotorId> {
         let mut first: Option<(MotorId, f64, f64)> = None;
         for motor in self.model.motor_ids() {
-            let Some([low, high]) = range_of(&self.model, motor) else {
+            let Some(ends) = range_of(&self.model, motor) else {
                 continue;
             };
+            let [low, high] = ends.map(|end| in_precision(self.model.precision, end));
             let (from, to) = (self.position.motors[motor.index()], goal[motor.index()]);
             if to.is_finite() && !(low..=high).contains(&to) {
                 let end = to.clamp(low, high);
@@ -392,10 +388,10 @@ impl Mechanism {
         let Some(program) = program else {
             return Vec::new();
         };
-        let mut machine = Machine::new(program);
-        machine.put_back(self.position.clone());
+        let mut machine = Mover::of(&self.model, program);
+        machine.put_back(&self.position);
         let [first, second] = self.all_rates(rates);
-        let Ok(found) = machine.motion(&first, &second) else {
+        let Ok(found) = machine.motion([&first, &second]) else {
             return Vec::new();
         };
         let poses = poses_of(&self.position.poses);
@@ -428,14 +424,14 @@ impl Mechanism {
         let Some(program) = program else {
             return Vec::new();
         };
-        let mut machine = Machine::new(program);
-        machine.put_back(self.position.clone());
+        let mut machine = Mover::of(&self.model, program);
+        machine.put_back(&self.position);
         let declared = self.model.actions.loads.iter();
         let count = declared.map(|load| load.kind.numbers()).sum();
         let mut loads = loads.to_vec();
         loads.resize(count, 0.0);
         let [first, second] = self.all_rates(rates);
-        let Ok(Forces::InverseDynamics(found)) = machine.forces(&first, &second, &loads) else {
+        let Ok(Forces::InverseDynamics(found)) = machine.forces([&first, &second], &loads) else {
             return Vec::new();
         };
         let joints = self.model.declared_joints().zip(&found.reactions);

@@ -3,15 +3,14 @@
 use super::Units;
 use super::kind::{Needs, Order, Part, Quantity, Reaction, Subject};
 use super::load::{self, Load};
-use super::position::{Position, plain_rates, torques};
+use super::position::{Position, torques};
 use super::turning::{Chain, whole_angle};
 use crate::failure::Failure;
-use crate::motion::{Drive, Moment, obstacle, turns};
-use mech_compiler::evaluate::{Machine, Stop};
+use crate::motion::{Drive, Moment, Mover, obstacle, place_of, turns};
+use mech_compiler::evaluate::Stop;
 use mech_compiler::model::{AxisId, JointId, JointKind, LinkId, Model, Precision};
 use mech_compiler::program::{self, Forces};
 use mech_compiler::{Compiled, compile};
-use mech_core::Real;
 use std::ops::Range;
 
 /// What was measured: a row for each position.
@@ -61,10 +60,9 @@ pub(crate) fn measure(of: &Measurement<'_>, quantities: &[Quantity]) -> Result<T
     let quantities: Vec<Quantity> = of.over.iter().chain(quantities).cloned().collect();
     let model = &with_needs(of.model, &quantities);
     let compiled = &compiled_for(model)?;
-    let rows = of.drive.attempt(|drive| match model.precision {
-        Precision::F32 => rows::<f32>(of, drive, model, compiled, &quantities),
-        Precision::F64 => rows::<f64>(of, drive, model, compiled, &quantities),
-    })?;
+    let rows = of
+        .drive
+        .attempt(|drive| rows(of, drive, model, compiled, &quantities))?;
     Ok(Table {
         columns: columns(of, &quantities),
         rows,
@@ -73,21 +71,21 @@ pub(crate) fn measure(of: &Measurement<'_>, quantities: &[Quantity]) -> Result<T
     })
 }
 
-fn rows<T: Real>(
+fn rows(
     of: &Measurement<'_>,
     drive: &Drive,
     model: &Model,
     compiled: &Compiled,
     quantities: &[Quantity],
 ) -> Result<Vec<Vec<Option<f64>>>, Failure> {
-    let mut meter = Meter::<T>::new(of, model, compiled, quantities)?;
+    let mut meter = Meter::new(of, model, compiled, quantities)?;
     let parts = (0..=of.steps).map(|step| f64::from(step) / f64::from(of.steps.max(1)));
     let parts: Vec<f64> = parts.collect();
     let mut rows = vec![Vec::new(); parts.len()];
-    drive.visit(model, compiled, &parts, |number, machine| {
+    drive.visit(model, compiled, &parts, |number, at| {
         let moment = drive.moment(model, compiled, parts[number], of.rate.unwrap_or(1.0));
         let pushed = drive.moment(model, compiled, parts[number], of.rate.unwrap_or(0.0));
-        let values = meter.read(machine.position(), [&moment, &pushed], quantities)?;
+        let values = meter.read(at, [&moment, &pushed], quantities)?;
         let shown = quantities.iter().zip(values).map(|(quantity, value)| {
             value.map(|value| of.units.shown(model, quantity.subject, value))
         });
@@ -181,20 +179,20 @@ fn compiled_for(model: &Model) -> Result<Compiled, Failure> {
 }
 
 /// A mechanism that moves and is measured.
-struct Meter<'a, T: Real> {
+struct Meter<'a> {
     model: &'a Model,
     compiled: &'a Compiled,
-    moving: Option<Machine<'a, T>>,
-    forced: Option<Machine<'a, T>>,
+    moving: Option<Mover<'a>>,
+    forced: Option<Mover<'a>>,
     /// Where equilibrium does not determine the reactions, virtual work still tells the torques of the motors.
-    inertia: Option<Machine<'a, T>>,
+    inertia: Option<Mover<'a>>,
     /// The numbers of all loads.
-    loads: Vec<T>,
+    loads: Vec<f64>,
     /// For each quantity that is the angle of a link the joints up to it.
     chains: Vec<Option<Chain>>,
 }
 
-impl<'a, T: Real> Meter<'a, T> {
+impl<'a> Meter<'a> {
     fn new(
         of: &Measurement<'_>,
         model: &'a Model,
@@ -223,8 +221,7 @@ impl<'a, T: Real> Meter<'a, T> {
             ));
         }
         let inertia = compiled.forced.inertia.as_ref();
-        let machine = Machine::<T>::new(&compiled.program);
-        let start = Position::of(machine.position());
+        let start = Position::of(&Mover::new(model, compiled).position());
         let chains = quantities.iter().map(|quantity| match quantity.subject {
             Subject::Angle(link, Order::Place) => {
                 let heading = start.heading(compiled, link)?;
@@ -232,51 +229,38 @@ impl<'a, T: Real> Meter<'a, T> {
             }
             _ => None,
         });
-        let loads = load::numbers(model, of.loads)?;
+        let mover = |program| Mover::of(model, program);
         Ok(Self {
             model,
             compiled,
             chains: chains.collect(),
-            moving: compiled.moving.as_ref().map(Machine::new),
-            forced: forced.filter(|_| needs.force).map(Machine::new),
+            moving: compiled.moving.as_ref().map(mover),
+            forced: forced.filter(|_| needs.force).map(mover),
             inertia: inertia
                 .filter(|_| needs.force && forced.is_none())
-                .map(Machine::new),
-            loads: loads.into_iter().map(T::from_f64).collect(),
+                .map(mover),
+            loads: load::numbers(model, of.loads)?,
         })
     }
 
     /// The values of all quantities where the mechanism is, in radians and scene units: velocities at one moment, forces as at another that
     /// has other rates.
-    fn read(
+    fn read<'m>(
         &mut self,
-        at: &program::Position<T>,
-        [moment, pushed]: [&Moment; 2],
+        at: &program::Position<f64>,
+        [moment, pushed]: [&'m Moment; 2],
         quantities: &[Quantity],
     ) -> Result<Vec<Option<f64>>, Failure> {
         let mut position = Position::of(at);
-        let in_precision = |moment: &Moment| {
-            let rates = moment.rates.each_ref();
-            rates.map(|rates| {
-                rates
-                    .iter()
-                    .map(|rate| T::from_f64(*rate))
-                    .collect::<Vec<T>>()
-            })
-        };
-        let [first, second] = in_precision(moment);
+        let rates = |moment: &'m Moment| moment.rates.each_ref().map(Vec::as_slice);
         position.rates = self.moving.as_mut().and_then(|machine| {
-            machine.put_back(at.clone());
-            machine
-                .motion(&first, &second)
-                .ok()
-                .map(|rates| plain_rates(&rates))
+            machine.put_back(at);
+            machine.motion(rates(moment)).ok()
         });
-        let [first, second] = in_precision(pushed);
         for machine in self.forced.iter_mut().chain(&mut self.inertia) {
-            machine.put_back(at.clone());
-            match machine.forces(&first, &second, &self.loads) {
-                Ok(found) => match found.map(Real::to_f64) {
+            machine.put_back(at);
+            match machine.forces(rates(pushed), &self.loads) {
+                Ok(found) => match found {
                     Forces::InverseDynamics(found) => {
                         position.torques = Some(found.torques.clone());
                         position.forces = Some(found);
@@ -361,10 +345,7 @@ impl<'a, T: Real> Meter<'a, T> {
         let axis = self.model.axis(point);
         let pose = at.pose(self.compiled, axis.link)?;
         if order == Order::Place {
-            // As generated code does it, to the bit.
-            let ([cos, sin, x, y], [a, b]) = (pose.map(T::from_f64), axis.at.map(T::from_f64));
-            let place = [x + cos * a - sin * b, y + sin * a + cos * b];
-            return Some(place.map(Real::to_f64));
+            return Some(place_of(self.model.precision, pose, axis.at));
         }
         let [cos, sin, ..] = pose;
         let arm = turned([cos, sin], axis.at);

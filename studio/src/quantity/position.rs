@@ -1,10 +1,9 @@
-//! All that is known where a mechanism is, whatever its precision.
+//! All that is known where a mechanism is.
 
 use mech_compiler::Compiled;
 use mech_compiler::evaluate::LinkRates;
 use mech_compiler::model::LinkId;
 use mech_compiler::program::{self, Inertia, InverseDynamics};
-use mech_core::Real;
 use std::f64::consts::TAU;
 
 /// All that is known where a mechanism is.
@@ -22,14 +21,14 @@ pub(super) struct Position {
 
 impl Position {
     /// A position of a machine, without rates and forces.
-    pub(super) fn of<T: Real>(at: &program::Position<T>) -> Self {
+    pub(super) fn of(at: &program::Position<f64>) -> Self {
         let motors = at.motors.iter().zip(&at.turns);
         Self {
             motors: motors
-                .map(|(value, turns)| value.to_f64() + TAU * f64::from(*turns))
+                .map(|(value, turns)| value + TAU * f64::from(*turns))
                 .collect(),
-            poses: at.poses.iter().map(|pose| pose.map(Real::to_f64)).collect(),
-            state: plain(&at.state),
+            poses: at.poses.clone(),
+            state: at.state.clone(),
             ..Self::default()
         }
     }
@@ -58,19 +57,6 @@ impl Position {
         let [cos, sin, ..] = self.pose(compiled, link)?;
         Some(sin.atan2(cos))
     }
-}
-
-/// Rates of links in double precision.
-pub(super) fn plain_rates<T: Real>(rates: &LinkRates<T>) -> LinkRates<f64> {
-    let all = |rates: &Vec<[T; 3]>| rates.iter().map(|one| one.map(Real::to_f64)).collect();
-    LinkRates {
-        velocities: all(&rates.velocities),
-        accelerations: rates.accelerations.as_ref().map(all),
-    }
-}
-
-fn plain<T: Real>(numbers: &[T]) -> Vec<f64> {
-    numbers.iter().copied().map(Real::to_f64).collect()
 }
 
 /// What the motors exert where they have these second rates: what accelerates everything, less what acts already.

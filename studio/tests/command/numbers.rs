@@ -1,5 +1,6 @@
 //! `mech table` and `mech plot`.
 
+use crate::pictures::pixels;
 use crate::run::{FOUR_BAR, Folder};
 
 /// The cells of a table without its head, as numbers.
@@ -610,6 +611,44 @@ fn single_precision_stays_single() {
             .map(|cell| cell.parse().expect("a number"))
             .collect();
         assert_eq!(cells, [tip.x, tip.y], "{step}");
+    }
+}
+
+/// It is drawn and filmed there, too: after 10⁵ turns its motor is 1.7 degrees farther than was asked for.
+#[test]
+fn single_precision_is_seen_where_it_is() {
+    let single = FOUR_BAR.replace("struct FourBar", "struct Single: f32");
+    let folder = Folder::new().with("single.mech", single);
+    let folder = folder.with("double.mech", FOUR_BAR);
+    let asked = 36_000_018.0_f64;
+    let mut generated = Single::new();
+    #[expect(clippy::cast_possible_truncation, reason = "the motor takes that")]
+    generated
+        .move_to([asked.to_radians() as f32])
+        .expect("it turns");
+    let crank = generated.poses()[0];
+    let moved = f64::from(crank.sin.atan2(crank.cos)).to_degrees();
+    assert!((moved - 19.726).abs() < 0.01, "{moved}");
+    let picture = |words: String| {
+        folder
+            .mech(&format!("{words} -o a.png --size 300x200"))
+            .done();
+        pixels(&folder.path("a.png")).1
+    };
+    // Pixels differ by what rounding moves an edge.
+    let worst = |one: &[u8], other: &[u8]| {
+        let pairs = one.iter().zip(other);
+        pairs.map(|(a, b)| a.abs_diff(*b)).max()
+    };
+    let expected = picture(format!("draw double.mech --at a={moved}"));
+    let elsewhere = picture(format!("draw double.mech --at a={asked}"));
+    assert!(worst(&expected, &elsewhere) > Some(50));
+    for words in [
+        format!("draw single.mech --at a={asked}"),
+        format!("film single.mech --from {asked} --to 36000090 --seconds 1 --rate 1"),
+    ] {
+        let found = worst(&expected, &picture(words.clone()));
+        assert!(found < Some(4), "{words}: {found:?}");
     }
 }
 

@@ -11,8 +11,12 @@ pub(crate) fn pixels(path: &Path) -> ([u32; 2], Vec<u8>) {
     let mut reader = decoder.read_info().expect("a PNG");
     let mut pixels = vec![0; reader.output_buffer_size().expect("a size")];
     let info = reader.next_frame(&mut pixels).expect("pixels");
-    assert_eq!(info.color_type, png::ColorType::Rgb);
-    ([info.width, info.height], pixels)
+    // Films are transparent.
+    let samples = info.color_type.samples();
+    assert!(samples >= 3, "{:?}", info.color_type);
+    let colors = pixels.chunks_exact(samples);
+    let colors = colors.flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]);
+    ([info.width, info.height], colors.collect())
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! What is played is what the macro makes of the same text, to the bit.
 
-use crate::gallery::from_rust;
-use mech_gallery::{Exhibited, Visitor, visit_f64};
+use crate::gallery::{from_rust, from_text};
+use mech_gallery::{Exhibited, Visitor, visit_f32, visit_f64};
 use mech_runtime::Real;
 use mech_runtime::overlay::Spot;
 
@@ -10,12 +10,15 @@ const STEPS: u32 = 240;
 
 /// Moves both through the motion of the gallery, and looks at two points of each link.
 struct Judge {
+    /// What the text says after the name of a mechanism.
+    precision: &'static str,
     names: Vec<&'static str>,
 }
 
 impl Visitor for Judge {
     fn visit<M: Exhibited>(&mut self) {
-        let mut played = from_rust(M::SOURCE);
+        let [plain, precise] = ["", self.precision].map(|end| format!("struct {}{end};", M::NAME));
+        let mut played = from_rust(&M::SOURCE.replace(&plain, &precise));
         let mut compiled = M::new();
         assert_eq!(played.title(), M::NAME);
         for step in 0..=STEPS {
@@ -50,7 +53,30 @@ impl Visitor for Judge {
 
 #[test]
 fn all_of_the_gallery_is_played_as_it_is_compiled() {
-    let mut judge = Judge { names: Vec::new() };
-    visit_f64(&mut judge);
-    assert_eq!(judge.names.len(), crate::gallery::FILES.len());
+    let judges = ["", ": f32"].map(|precision| {
+        let mut judge = Judge {
+            precision,
+            names: Vec::new(),
+        };
+        match precision {
+            "" => visit_f64(&mut judge),
+            _ => visit_f32(&mut judge),
+        }
+        judge.names.len()
+    });
+    assert_eq!(judges, [crate::gallery::FILES.len(); 2]);
+}
+
+/// An end of a range is where single precision has it: what stands there is not beyond it, and goes on.
+#[test]
+fn ends_of_ranges_are_rounded() {
+    let mut played = from_text(
+        "struct Table: f32; link cart; link tool; joint x = prismatic(ground, cart) at (0, 0) along (1, 0);
+        joint y = prismatic(cart, tool) at (0, 1) along (0, 1); motor x in 0 ..= 0.1; motor y in 0 ..= 1;",
+    );
+    assert!(played.move_toward(&[0.5, 0.0]).is_some());
+    let end = f64::from(0.1_f32);
+    assert_eq!(played.motors(), [end, 0.0]);
+    assert_eq!(played.move_toward(&[end, 0.5]), None);
+    assert_eq!(played.motors(), [end, 0.5]);
 }

@@ -21,17 +21,17 @@ mechanism! {
     }
     link boom {
         point foot = (0, 0); point tip = (5.6, 0);
-        polygon [(-0.25, -0.2), (0.2, -0.25), (2.4, 0.15), (5.7, -0.2), (5.85, 0.1), (2.4, 1.15), (1.8, 1.05), (-0.2, 0.2)] on plane 8 color yellow;
+        polygon [(-0.25, -0.2), (0.2, -0.25), (2.4, 0.15), (5.7, -0.2), (5.85, 0.1), (2.4, 1.15), (1.8, 1.05), (-0.2, 0.2)] on plane 2 color yellow;
     }
     link stick {
         point elbow = (0, 0); point lever = (2.4, 0.02); point wrist = (2.9, 0);
-        polygon [(-1.05, -0.5), (-0.75, -0.5), (0.1, -0.3), (3.05, -0.12), (3.05, 0.12), (0.4, 0.5), (0.1, 0.45)] on plane 6 color yellow;
+        polygon [(-1.05, -0.5), (-0.75, -0.5), (0.1, -0.3), (3.05, -0.12), (3.05, 0.12), (0.4, 0.5), (0.1, 0.45)] on plane 1 color yellow;
     }
     link lever { point pivot = (0, 0); point end = (0.6, 0); }
     link tie { point end = (0, 0); point ear = (0.62, 0); }
     link bucket {
         point wrist = (0, 0); point ear = (-0.05, 0.4); point teeth = (1.3, -0.15);
-        polygon [(-0.2, -0.15), (-0.2, 0.5), (0.1, 0.62), (0.55, 0.75), (1, 0.5), (1.3, -0.15), (1.05, 0), (0.9, -0.1)] on plane 4 color steel dark;
+        polygon [(-0.2, -0.15), (-0.2, 0.5), (0.1, 0.62), (0.55, 0.75), (1, 0.5), (1.3, -0.15), (1.05, 0), (0.9, -0.1)] on plane 0 color steel dark;
     }
 
     joint shoulder = revolute(ground.boom_foot, boom.foot);

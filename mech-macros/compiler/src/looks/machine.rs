@@ -7,7 +7,7 @@ use super::color::Colors;
 use super::declared::eye;
 use super::ground::{rails, stands};
 use super::outline::{Grid, Measure, Outline, Painted, painted, place_of};
-use super::planes::{Order, order};
+use super::planes::{INSIDE, LAID, Order, Pair, order};
 use super::rolling;
 use super::scene::Scene;
 use super::wheel::Wheels;
@@ -258,13 +258,13 @@ fn anchors(scene: &Scene<'_>, elastic: Option<&Symbols>) -> Vec<(Outline, u8)> {
 
 /// Pairs of links of which the first has to be in front of the second: sleeves in front of their guides, barrels in front of piston rods,
 /// pins in front of slots.
-fn in_front(scene: &Scene<'_>) -> Vec<[LinkId; 2]> {
+fn in_front(scene: &Scene<'_>) -> Vec<Pair<LinkId>> {
     let pairs = scene.slides().map(|slide| {
         let [guide, block] = scene.ends(slide);
         if scene.cylinder(slide).is_some() {
-            [guide, block]
+            ([guide, block], INSIDE)
         } else {
-            [block, guide]
+            ([block, guide], LAID)
         }
     });
     pairs.collect()

@@ -24,6 +24,12 @@ const TOUCHING: usize = 4;
 /// Rounding moves a place by less than this part of its coordinates.
 const SPARE: f64 = 1e-9;
 
+/// Something that has to be in front of something else, and how bad it is if it is not. A rod is inside of its barrel: that is worse than
+/// everything else together.
+pub(super) type Pair<T> = ([T; 2], usize);
+pub(super) const LAID: usize = 1;
+pub(super) const INSIDE: usize = 1 << 24;
+
 /// A link comes to a pin that it does not carry: it has to be in front of both its ends, or behind both.
 #[derive(Clone, Copy)]
 struct Crossing {
@@ -47,8 +53,7 @@ struct Rules {
     crossings: Vec<(Crossing, usize)>,
     /// For each body the crossings that it has a part in.
     crossings_with: Vec<Vec<(Crossing, usize)>>,
-    /// Pairs of which the first has to be in front of the second.
-    before: Vec<[usize; 2]>,
+    before: Vec<Pair<usize>>,
 }
 
 /// Orders the bodies of links.
@@ -56,12 +61,12 @@ pub(super) fn order(
     scene: &Scene<'_>,
     links: &[LinkId],
     bodies: &[Body],
-    before: &[[LinkId; 2]],
+    before: &[Pair<LinkId>],
 ) -> Order {
     let number = |link: &LinkId| links.iter().position(|known| known == link);
     let before = before
         .iter()
-        .filter_map(|[a, b]| Some([number(a)?, number(b)?]));
+        .filter_map(|([a, b], weight)| Some(([number(a)?, number(b)?], *weight)));
     let rules = if links.len() <= MOST_LINKS {
         Rules::new(scene, links, bodies, before.collect())
     } else {
@@ -97,7 +102,7 @@ impl Rules {
         }
     }
 
-    fn new(scene: &Scene<'_>, links: &[LinkId], bodies: &[Body], before: Vec<[usize; 2]>) -> Self {
+    fn new(scene: &Scene<'_>, links: &[LinkId], bodies: &[Body], before: Vec<Pair<usize>>) -> Self {
         let number = |link: LinkId| links.iter().position(|known| *known == link);
         let members = |pin: &Pin| -> Vec<usize> {
             let members = pin.members.iter();
@@ -143,20 +148,13 @@ impl Rules {
 
     /// What is wrong with an order, as far as one link has to do with it: how the others lie to each other does not depend on it.
     fn faults_of(&self, link: usize, ranks: &[usize]) -> usize {
-        let crossed = self.crossed(ranks, &self.crossings_with[link]);
-        let before = self.before.iter().filter(|pair| pair.contains(&link));
-        let before = before.filter(|[front, back]| ranks[*front] < ranks[*back]);
-        crossed + before.count()
+        let pairs = self.before.iter().filter(|pair| pair.0.contains(&link));
+        self.crossed(ranks, &self.crossings_with[link]) + behind(ranks, pairs)
     }
 
     /// What is wrong with an order.
     fn faults(&self, ranks: &[usize]) -> usize {
-        let crossed = self.crossed(ranks, &self.crossings);
-        let before = self
-            .before
-            .iter()
-            .filter(|[front, back]| ranks[*front] < ranks[*back]);
-        crossed + before.count()
+        self.crossed(ranks, &self.crossings) + behind(ranks, self.before.iter())
     }
 
     /// What the crossings weigh that an order leaves, of some.
@@ -230,6 +228,12 @@ impl Rules {
         order.insert(best.1, link);
         best.1 != place
     }
+}
+
+/// What the pairs weigh of which the first is behind the second.
+fn behind<'p>(ranks: &[usize], pairs: impl Iterator<Item = &'p Pair<usize>>) -> usize {
+    let wrong = pairs.filter(|([front, back], _)| ranks[*front] < ranks[*back]);
+    wrong.map(|(_, weight)| weight).sum()
 }
 
 /// Which links come to which pins that they do not carry, at some positions.

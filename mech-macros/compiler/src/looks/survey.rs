@@ -75,6 +75,7 @@ impl Survey {
                 displacements,
                 turns,
             } = sweep;
+            let displacements = &within_ranges(model, &start.motors, displacements);
             let samples = affordable
                 .min(turns * SAMPLES[1])
                 .max((turns * SAMPLES[0]).min(MOST_SAMPLES));
@@ -135,4 +136,15 @@ impl Survey {
         let size = sides[0].max(sides[1]);
         (size > 0.0).then_some(size)
     }
+}
+
+/// The same displacements, as far as no motor leaves its declared range: all together they would.
+fn within_ranges(model: &Model, start: &[f64], displacements: &[f64]) -> Vec<f64> {
+    let mut kept = displacements.to_vec();
+    for (motor, (displacement, start)) in model.motors.iter().zip(kept.iter_mut().zip(start)) {
+        if let Some(range) = &motor.range {
+            *displacement = displacement.clamp(range.low - start, range.high - start);
+        }
+    }
+    kept
 }

@@ -154,6 +154,18 @@ pub struct Position<T> {
 }
 
 impl<T: Copy> Position<T> {
+    /// The same with other numbers.
+    #[must_use]
+    pub fn map<W>(&self, each: impl Fn(T) -> W) -> Position<W> {
+        let all = |numbers: &[T]| numbers.iter().map(|number| each(*number)).collect();
+        Position {
+            motors: all(&self.motors),
+            turns: self.turns.clone(),
+            poses: self.poses.iter().map(|pose| pose.map(&each)).collect(),
+            state: all(&self.state),
+        }
+    }
+
     /// The number in a slot.
     pub(crate) fn at(&self, slot: Slot) -> T {
         match slot {

@@ -12,8 +12,8 @@ use crate::Real;
 /// So many roundings displace a loop, at most.
 const ROUNDINGS: f64 = 64.0;
 
-/// A loop has left a change point for good where its sine is so many times as great as what rounding hides, and comes to one where it is less
-/// than so many times as great: rounding does not lead from the one to the other.
+/// A loop has left a change point for good where its sine is so many times as great as what rounding hides. It comes to one where its sine is
+/// less than so many times as great. Rounding does not lead from the one to the other.
 const WELL_AWAY: f64 = 6.0;
 const NEAR: f64 = 3.0;
 
