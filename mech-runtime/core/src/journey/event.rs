@@ -63,11 +63,7 @@ pub(super) fn first_event<T: Real, J: Journey<T>>(
         else {
             break;
         };
-        let before = Reach {
-            to,
-            end,
-            stop: None,
-        };
+        let before = Reach::there(to, end);
         match soonest(journey, from, done, &before, |index| index != passed) {
             Event::None => break,
             sooner => first = sooner,

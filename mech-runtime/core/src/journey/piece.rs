@@ -27,6 +27,26 @@ pub(super) struct Reach<P, S, T> {
     pub(super) stop: Option<S>,
 }
 
+impl<P, S, T> Reach<P, S, T> {
+    /// One that ends at its target.
+    pub(super) fn there(to: P, end: T) -> Self {
+        Self {
+            to,
+            end,
+            stop: None,
+        }
+    }
+
+    /// One that ends before it.
+    fn stopped(to: P, end: T, stop: S) -> Self {
+        Self {
+            to,
+            end,
+            stop: Some(stop),
+        }
+    }
+}
+
 /// Goes a piece that is short enough for one change point of a loop at most. It ends a little farther where a loop would stand at its
 /// change point, unless the move ends there.
 pub(super) fn travel_piece<T: Real, J: Journey<T>>(
@@ -42,11 +62,7 @@ pub(super) fn travel_piece<T: Real, J: Journey<T>>(
     if let Some(away) = depart(journey, &from, done) {
         (from, done) = away;
         if done >= target {
-            return Reach {
-                to: from,
-                end: done,
-                stop: None,
-            };
+            return Reach::there(from, done);
         }
     }
     // Each round passes a change point, finds a dead point before its aim, or puts its target farther.
@@ -56,11 +72,7 @@ pub(super) fn travel_piece<T: Real, J: Journey<T>>(
         for _ in 0..journey.watches() {
             match leave(journey, (&mut from, done), &reach) {
                 Leaving::Stopped(index) => {
-                    return Reach {
-                        to: from,
-                        end: done,
-                        stop: Some(journey.stopped_at(index)),
-                    };
+                    return Reach::stopped(from, done, journey.stopped_at(index));
                 }
                 Leaving::Other => reach = self::reach(journey, &from, done, aim),
                 Leaving::Same => break,
@@ -79,20 +91,16 @@ pub(super) fn travel_piece<T: Real, J: Journey<T>>(
         if let Some(beyond) = beyond.filter(|beyond| !beyond.stops) {
             (from, done, aim) = (beyond.to, beyond.end, target);
             if done >= target {
-                return Reach {
-                    to: from,
-                    end: done,
-                    stop: None,
-                };
+                return Reach::there(from, done);
             }
             continue;
         }
         if let Some(meeting) = meeting {
-            return Reach {
-                to: meeting.before.0,
-                end: meeting.before.1,
-                stop: Some(journey.stopped_at(meeting.index)),
-            };
+            return Reach::stopped(
+                meeting.before.0,
+                meeting.before.1,
+                journey.stopped_at(meeting.index),
+            );
         }
         match event {
             Event::None if reach.stop.is_none() && reach.end < target => {
@@ -124,11 +132,7 @@ pub(super) fn travel_piece<T: Real, J: Journey<T>>(
                     done = part;
                 }
                 if journey.watch(index).at_zero == AtZero::Stop {
-                    return Reach {
-                        to: from,
-                        end: done,
-                        stop: Some(journey.stopped_at(index)),
-                    };
+                    return Reach::stopped(from, done, journey.stopped_at(index));
                 }
             }
         }
@@ -138,16 +142,8 @@ pub(super) fn travel_piece<T: Real, J: Journey<T>>(
         return reach(journey, &from, done, aim);
     }
     match journey.at(&from, target) {
-        Ok(to) => Reach {
-            to,
-            end: target,
-            stop: None,
-        },
-        Err(stop) => Reach {
-            to: from,
-            end: done,
-            stop: Some(stop),
-        },
+        Ok(to) => Reach::there(to, target),
+        Err(stop) => Reach::stopped(from, done, stop),
     }
 }
 
@@ -456,11 +452,7 @@ pub(super) fn reach<T: Real, J: Journey<T>>(
 ) -> Reach<J::Position, J::Stop, T> {
     let mut stop = match journey.at(from, aim) {
         Ok(to) => {
-            return Reach {
-                to,
-                end: aim,
-                stop: None,
-            };
+            return Reach::there(to, aim);
         }
         Err(stop) => stop,
     };
@@ -492,19 +484,11 @@ pub(super) fn reach<T: Real, J: Journey<T>>(
                     && !bounces(journey, &before, (&to, end), (&position, aim))
                     && (journey.subdivides() || is_passable(journey, &to, &position, aim - end))
                 {
-                    return Reach {
-                        to: position,
-                        end: aim,
-                        stop: None,
-                    };
+                    return Reach::there(position, aim);
                 }
             }
             Err(reason) => (stop, blocked) = (reason, middle),
         }
     }
-    Reach {
-        to,
-        end,
-        stop: Some(stop),
-    }
+    Reach::stopped(to, end, stop)
 }
