@@ -1,5 +1,5 @@
 //! `docs/diagnoses.md` is what the compiler says: the meanings are those of the enum's own documentation, the messages those
-//! of the reporter, and each remedy is made and compiled. Examples stand in `tests/cases/diagnoses`: first in comments the variant, what to do
+//! of the reporter, and each remedy is made and compiled. Examples stand beside this file: first in comments the variant, what to do
 //! about it, and lines that are taken out and put in. Renew with
 //! `UPDATE_CATALOGUE=1 cargo test -p mech-tests --test compiler catalogue`, and read it.
 
@@ -50,9 +50,10 @@ impl Entry {
 
 /// All of them, by the names of their files.
 fn entries() -> Vec<Entry> {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/cases/diagnoses");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/catalogue");
     let files = fs::read_dir(folder).expect("the folder");
     let mut paths: Vec<_> = files.map(|file| file.expect("a file").path()).collect();
+    paths.retain(|path| path.extension().is_some_and(|end| end == "mech"));
     paths.sort_by_key(|path| path.file_stem().map(ToOwned::to_owned));
     let texts = paths
         .iter()
