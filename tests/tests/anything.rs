@@ -2,12 +2,12 @@
 
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{
-    Allowances, Axis, AxisId, AxisKind, Formula, Formulas, Joint, JointId, JointKind, Law, LawId,
-    Link, LinkId, Model, Motor, Origin, Ratio,
+    Allowances, AxisKind, Formula, Formulas, Joint, JointId, JointKind, Law, LawId, Link, LinkId,
+    Model, Motor, Origin, Ratio,
 };
 use mech_compiler::structure::{Factor, RollingEnd};
 use mech_compiler::{Compiled, compile, reporter};
-use mech_test_support::{Dice, dice, for_all, law, reach, text, with_ground, worst_gap};
+use mech_test_support::{Dice, add_axis, dice, for_all, law, reach, text, with_ground, worst_gap};
 use proptest::collection::vec;
 use proptest::prelude::Strategy;
 use std::f64::consts::TAU;
@@ -17,27 +17,6 @@ use std::fmt;
 fn spot(dice: &mut Dice) -> [f64; 2] {
     let n = |dice: &mut Dice| f64::from(u32::try_from(dice.below(4)).unwrap_or(0));
     [n(dice), n(dice)]
-}
-
-fn axis(
-    model: &mut Model,
-    link: LinkId,
-    kind: AxisKind,
-    at: [f64; 2],
-    direction: [f64; 2],
-) -> AxisId {
-    model.axes.push(Axis {
-        link,
-        name: None,
-        port: None,
-        origin: Origin::default(),
-        kind,
-        at,
-        formulas: [None; 2],
-        direction_formulas: [None; 2],
-        direction,
-    });
-    AxisId::new(model.axes.len() - 1)
 }
 
 /// Whatever a hand declares.
@@ -82,7 +61,8 @@ fn anything(dice: &mut Dice, joints: &[Dice]) -> Model {
         let q = if drawn { p } else { q };
         let d = *dice.pick(&[[1.0, 0.0], [0.0, 1.0], [0.6, 0.8]]);
         let points = |model: &mut Model| {
-            [(a, p), (b, q)].map(|(link, at)| axis(model, link, AxisKind::Point, at, [1.0, 0.0]))
+            [(a, p), (b, q)]
+                .map(|(link, at)| add_axis(model, link, AxisKind::Point, at, [1.0, 0.0]))
         };
         let kind = match dice.below(12) {
             0..=5 => {
@@ -90,8 +70,8 @@ fn anything(dice: &mut Dice, joints: &[Dice]) -> Model {
                 JointKind::Revolute(a, b)
             }
             6 | 7 => JointKind::Prismatic(
-                axis(&mut model, a, AxisKind::Line, p, d),
-                axis(&mut model, b, AxisKind::Line, q, d),
+                add_axis(&mut model, a, AxisKind::Line, p, d),
+                add_axis(&mut model, b, AxisKind::Line, q, d),
             ),
             8 => {
                 let [a, b] = points(&mut model);
@@ -111,8 +91,8 @@ fn anything(dice: &mut Dice, joints: &[Dice]) -> Model {
             },
             _ => {
                 slots.push((
-                    axis(&mut model, a, AxisKind::Point, p, [1.0, 0.0]),
-                    axis(&mut model, b, AxisKind::Line, q, d),
+                    add_axis(&mut model, a, AxisKind::Point, p, [1.0, 0.0]),
+                    add_axis(&mut model, b, AxisKind::Line, q, d),
                 ));
                 continue;
             }

@@ -1,12 +1,12 @@
 //! How far motors go.
 
+use super::Mover;
 use super::obstacle::obstacle;
 use super::setting::{from_shown, shown, turns, unit_of};
 use crate::failure::Failure;
 use mech_compiler::Compiled;
 use mech_compiler::evaluate::Machine;
-use mech_compiler::model::{Model, MotorId, Precision};
-use mech_core::Real;
+use mech_compiler::model::{Model, MotorId};
 use std::f64::consts::TAU;
 
 /// A part of a way that is more than rounding.
@@ -150,9 +150,12 @@ pub(super) fn limits(model: &Model, compiled: &Compiled, motor: MotorId, base: &
     let Ok(Stretch { ends, found }) = reachable(model, compiled, motor, base) else {
         return String::new();
     };
-    let comes_to = match model.precision {
-        Precision::F32 => comes_to::<f32>,
-        Precision::F64 => comes_to::<f64>,
+    let comes_to = |value: f64| {
+        let mut mover = Mover::new(model, compiled);
+        let is_there = mover.move_to(base).is_ok();
+        let mut values = base.to_vec();
+        values[motor.index()] = value;
+        is_there && mover.move_to(&values).is_ok()
     };
     let width = shown(model, joint, ends[1] - ends[0]).abs();
     let digits = 10.0_f64.powf((6.0 - width.log10()).round().clamp(0.0, 15.0));
@@ -160,9 +163,7 @@ pub(super) fn limits(model: &Model, compiled: &Compiled, motor: MotorId, base: &
         let end = shown(model, joint, ends[side]);
         let near = (digits * end).round() / digits;
         let is_round = (near - end).abs() <= HAIR * width;
-        let told = if !found[side]
-            || is_round && comes_to(compiled, motor, base, from_shown(model, joint, near))
-        {
+        let told = if !found[side] || is_round && comes_to(from_shown(model, joint, near)) {
             near
         } else {
             // Downwards at the upper end, upwards at the lower.
@@ -171,13 +172,4 @@ pub(super) fn limits(model: &Model, compiled: &Compiled, motor: MotorId, base: &
         format!("{}{}", told + 0.0, unit_of(model, joint))
     });
     format!("; it can go from {low} to {high}")
-}
-
-/// Whether a motor comes to a value, the others as they are.
-fn comes_to<T: Real>(compiled: &Compiled, motor: MotorId, base: &[f64], value: f64) -> bool {
-    let mut machine = Machine::<T>::new(&compiled.program);
-    let mut values: Vec<T> = base.iter().copied().map(T::from_f64).collect();
-    let is_there = machine.move_to(&values).is_ok();
-    values[motor.index()] = T::from_f64(value);
-    is_there && machine.move_to(&values).is_ok()
 }

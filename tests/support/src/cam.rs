@@ -1,8 +1,8 @@
 //! Random cams on random mechanisms.
 
-use crate::{Dice, model};
+use crate::{Dice, add_axis, model};
 use mech_compiler::model::{
-    Axis, AxisId, AxisKind, Joint, JointId, JointKind, Law, LawId, Link, LinkId, Model, Origin,
+    AxisKind, Joint, JointId, JointKind, Law, LawId, Link, LinkId, Model, Origin,
 };
 
 /// A mechanism of one motor, which has this law in `t`.
@@ -54,18 +54,8 @@ pub fn add_cam(model: &mut Model, dice: &mut Dice) -> Option<JointId> {
         AxisKind::Point
     };
     let ends = [carrier, LinkId::new(number)].map(|link| {
-        model.axes.push(Axis {
-            link,
-            name: None,
-            port: None,
-            origin: Origin::default(),
-            kind,
-            at,
-            formulas: [None; 2],
-            direction_formulas: [None; 2],
-            direction: if slides { [x, y] } else { [1.0, 0.0] },
-        });
-        AxisId::new(model.axes.len() - 1)
+        let direction = if slides { [x, y] } else { [1.0, 0.0] };
+        add_axis(model, link, kind, at, direction)
     });
     let mut joint = |name: &str, kind: JointKind| {
         let id = JointId::new(model.joints.len());

@@ -3,7 +3,7 @@
 
 mod coupled;
 
-use crate::{Dice, on_any_ground, shuffled};
+use crate::{Dice, add_axis, on_any_ground, shuffled};
 pub use coupled::{grow_coupled, grow_coupled_from};
 use mech_compiler::model::{
     Axis, AxisId, AxisKind, Joint, JointId, JointKind, Link, LinkId, Model, Motor, Near, Origin,
@@ -113,18 +113,7 @@ impl Grown {
     }
 
     fn axis(&mut self, link: LinkId, kind: AxisKind, at: Point, direction: Point) -> AxisId {
-        self.model.axes.push(Axis {
-            link,
-            name: None,
-            port: None,
-            origin: Origin::default(),
-            kind,
-            at,
-            formulas: [None; 2],
-            direction_formulas: [None; 2],
-            direction,
-        });
-        AxisId::new(self.model.axes.len() - 1)
+        add_axis(&mut self.model, link, kind, at, direction)
     }
 
     fn joint(&mut self, kind: JointKind) -> JointId {

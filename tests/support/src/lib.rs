@@ -1,5 +1,6 @@
 //! What tests and benches of the whole house share.
 
+mod axis;
 mod cam;
 mod cases;
 mod chain;
@@ -21,6 +22,7 @@ pub mod symmetric;
 mod text;
 mod varied;
 
+pub use axis::add_axis;
 pub use cam::{add_cam, law, model_of_law};
 pub use cases::{cases, seeds};
 pub use chain::{chain, chain_text};

@@ -121,8 +121,11 @@ impl<'p, T: Real> Runner<'p, T> {
             accelerations: &zero,
             loads: &[],
         };
-        let values = self.values.take();
-        let values = self.values_of((steps, values), last, (motors, turns), given)?;
+        let mut values = self.values.take();
+        if values.is_empty() {
+            values.clone_from(&self.prepared.constants);
+        }
+        let values = self.values_of(steps, values, last, (motors, turns), given)?;
         let position = match self.open(&values) {
             None => self.position(&values, (motors, turns)),
             Some(block) => Err(Stop::Open(block)),
@@ -257,13 +260,15 @@ impl<'p, T: Real> Runner<'p, T> {
         inputs: (&[T], &[i32]),
         given: MotionInputs<'_, T>,
     ) -> Result<Vec<T>, Stop> {
-        self.values_of((&self.prepared.steps, Vec::new()), last, inputs, given)
+        let constants = self.prepared.constants.clone();
+        self.values_of(&self.prepared.steps, constants, last, inputs, given)
     }
 
-    /// The values of all nodes after these steps: in the place of other values of this program, if there are some.
+    /// The values of all nodes after these steps, in the place of values that hold the constants.
     fn values_of(
         &self,
-        (steps, mut values): (&[Step], Vec<T>),
+        steps: &[Step],
+        mut values: Vec<T>,
         last: &Position<T>,
         (motors, turns): (&[T], &[i32]),
         given: MotionInputs<'_, T>,
@@ -278,9 +283,6 @@ impl<'p, T: Real> Runner<'p, T> {
         };
         let inputs = motors.iter().zip(turns).enumerate().map(reduced);
         let (motors, turns): (Vec<T>, Vec<i32>) = inputs.unzip();
-        if values.is_empty() {
-            values.clone_from(&self.prepared.constants);
-        }
         let mut solved = vec![false; self.program.ssa.blocks.len()];
         for &Step { value, op } in steps {
             if let Op::Solved(block, _) = op

@@ -261,10 +261,15 @@ fn anchors(scene: &Scene<'_>, elastic: Option<&Symbols>) -> Vec<(Outline, u8)> {
 fn in_front(scene: &Scene<'_>) -> Vec<Pair<LinkId>> {
     let pairs = scene.slides().map(|slide| {
         let [guide, block] = scene.ends(slide);
-        if scene.cylinder(slide).is_some() {
-            ([guide, block], INSIDE)
+        let (front, back, weight) = if scene.cylinder(slide).is_some() {
+            (guide, block, INSIDE)
         } else {
-            ([block, guide], LAID)
+            (block, guide, LAID)
+        };
+        Pair {
+            front,
+            back,
+            weight,
         }
     });
     pairs.collect()

@@ -24,10 +24,18 @@ const TOUCHING: usize = 4;
 /// Rounding moves a place by less than this part of its coordinates.
 const SPARE: f64 = 1e-9;
 
-/// Something that has to be in front of something else, and how bad it is if it is not. A rod is inside of its barrel: that is worse than
-/// everything else together.
-pub(super) type Pair<T> = ([T; 2], usize);
+/// Two bodies of which one has to be in front of the other.
+#[derive(Clone, Copy)]
+pub(super) struct Pair<T> {
+    pub(super) front: T,
+    pub(super) back: T,
+    /// The weight of the fault if it is behind.
+    pub(super) weight: usize,
+}
+
+/// The weight where one body lies on another.
 pub(super) const LAID: usize = 1;
+/// The weight where one is inside the other, as a rod in its barrel: more than all other faults together.
 pub(super) const INSIDE: usize = 1 << 24;
 
 /// A link comes to a pin that it does not carry: it has to be in front of both its ends, or behind both.
@@ -53,7 +61,7 @@ struct Rules {
     crossings: Vec<(Crossing, usize)>,
     /// For each body the crossings that it has a part in.
     crossings_with: Vec<Vec<(Crossing, usize)>>,
-    before: Vec<Pair<usize>>,
+    pairs: Vec<Pair<usize>>,
 }
 
 /// Orders the bodies of links.
@@ -61,14 +69,18 @@ pub(super) fn order(
     scene: &Scene<'_>,
     links: &[LinkId],
     bodies: &[Body],
-    before: &[Pair<LinkId>],
+    pairs: &[Pair<LinkId>],
 ) -> Order {
     let number = |link: &LinkId| links.iter().position(|known| known == link);
-    let before = before
-        .iter()
-        .filter_map(|([a, b], weight)| Some(([number(a)?, number(b)?], *weight)));
+    let pairs = pairs.iter().filter_map(|pair| {
+        Some(Pair {
+            front: number(&pair.front)?,
+            back: number(&pair.back)?,
+            weight: pair.weight,
+        })
+    });
     let rules = if links.len() <= MOST_LINKS {
-        Rules::new(scene, links, bodies, before.collect())
+        Rules::new(scene, links, bodies, pairs.collect())
     } else {
         Rules::none(links.len())
     };
@@ -98,11 +110,11 @@ impl Rules {
             pins: Vec::new(),
             crossings: Vec::new(),
             crossings_with: vec![Vec::new(); links],
-            before: Vec::new(),
+            pairs: Vec::new(),
         }
     }
 
-    fn new(scene: &Scene<'_>, links: &[LinkId], bodies: &[Body], before: Vec<Pair<usize>>) -> Self {
+    fn new(scene: &Scene<'_>, links: &[LinkId], bodies: &[Body], pairs: Vec<Pair<usize>>) -> Self {
         let number = |link: LinkId| links.iter().position(|known| *known == link);
         let members = |pin: &Pin| -> Vec<usize> {
             let members = pin.members.iter();
@@ -115,7 +127,7 @@ impl Rules {
             pins: pins.collect(),
             crossings: find_crossings(scene, links, bodies),
             crossings_with: vec![Vec::new(); links.len()],
-            before,
+            pairs,
         };
         for &(crossing, weight) in &rules.crossings {
             let carriers = rules.pins[crossing.pin].0.iter();
@@ -148,13 +160,14 @@ impl Rules {
 
     /// What is wrong with an order, as far as one link has to do with it: how the others lie to each other does not depend on it.
     fn faults_of(&self, link: usize, ranks: &[usize]) -> usize {
-        let pairs = self.before.iter().filter(|pair| pair.0.contains(&link));
+        let pairs = self.pairs.iter();
+        let pairs = pairs.filter(|pair| pair.front == link || pair.back == link);
         self.crossed(ranks, &self.crossings_with[link]) + behind(ranks, pairs)
     }
 
     /// What is wrong with an order.
     fn faults(&self, ranks: &[usize]) -> usize {
-        self.crossed(ranks, &self.crossings) + behind(ranks, self.before.iter())
+        self.crossed(ranks, &self.crossings) + behind(ranks, self.pairs.iter())
     }
 
     /// What the crossings weigh that an order leaves, of some.
@@ -230,10 +243,10 @@ impl Rules {
     }
 }
 
-/// What the pairs weigh of which the first is behind the second.
+/// The weight of the pairs that an order has the wrong way round.
 fn behind<'p>(ranks: &[usize], pairs: impl Iterator<Item = &'p Pair<usize>>) -> usize {
-    let wrong = pairs.filter(|([front, back], _)| ranks[*front] < ranks[*back]);
-    wrong.map(|(_, weight)| weight).sum()
+    let wrong = pairs.filter(|pair| ranks[pair.front] < ranks[pair.back]);
+    wrong.map(|pair| pair.weight).sum()
 }
 
 /// Which links come to which pins that they do not carry, at some positions.

@@ -75,8 +75,8 @@ pub(super) fn forces(emitter: &Emitter<'_>) -> Parts {
     let (loads, kind) = (bind_loads(emitter), outcome_type(inverse_dynamics));
     let (found, refusal) = (forces_here(inverse_dynamics), refusal(emitter));
     let mut methods = quote! {
-        /// What it takes to move at these rates and second rates of the motors from where it is. That is the torques of the
-        /// motors, the reaction in each joint, the transmission angles.
+        /// The torques of the motors, the reaction in each joint and the transmission angles, where it is, if the motors move at these
+        /// rates and second rates.
         ///
         /// # Errors
         /// If a rate is not finite, or the mechanism is at a dead point, or at a change point where forces have no limit.

@@ -12,19 +12,20 @@ use std::rc::Rc;
 const TOGETHER: usize = 12;
 /// Links that are taken outwards on each side: of loops, and of arms, which cost less.
 const CLIMBS: [usize; 2] = [1, 2];
-/// Rounds on the way outwards, and so many of them may lead nowhere; the first step, the longest, and by what one is shortened that leads nowhere: parts of what is tried of motors.
+/// Rounds on the way outwards, and those of them that may lead nowhere.
 const ROUNDS: usize = 6;
 const FRUITLESS: usize = 2;
+/// The first step and the longest, as parts of what is tried of motors; a step that leads nowhere is shortened to this part.
 const FIRST_STEP: f64 = 1.0 / 16.0;
 const FARTHEST_STEP: f64 = 0.5;
 const SHORTER: f64 = 0.25;
 /// A slope is found by so short a step.
 const NUDGE: f64 = 1e-6;
-/// Where a sine is less, a loop is near its end; where it is less than the second, too near to tell a slope.
+/// The sine below which a loop is near its end, and that below which it is too near to tell a slope.
 const NEAR_END: f64 = 0.6;
 const AT_END: f64 = 0.3;
 
-/// How far out a link came on a side, and from where: if a loop is at its end there, from before.
+/// The farthest that a link came out on a side, and the position there; if a loop is at its end there, the one before.
 struct Top {
     side: usize,
     link: usize,
@@ -32,7 +33,7 @@ struct Top {
     from: Rc<Position<f64>>,
 }
 
-/// How far out something is on a side, how much farther with each motor, and how much greater the square of a sine that is small there.
+/// The distance of something out on a side, its rates with the motors, and those of the square of a sine that is small there.
 struct Slope {
     here: f64,
     out: Vec<f64>,
@@ -98,8 +99,8 @@ impl Survey<'_> {
         }
     }
 
-    /// How far out a link may be on a side if what each motor does alone adds up; and the values of the motors there, beside a position on
-    /// the way of that which does most.
+    /// The distance of a link out on a side if what each motor does alone adds up. With it come the values of the motors there, and a
+    /// position on the way of the motor that does most.
     fn expected(&self, side: usize, link: usize) -> (f64, Vec<f64>, Rc<Position<f64>>) {
         let out = |sample: &&Sample| sample.links[link].sides[side];
         let mut from = Rc::new(self.program.start.clone());
