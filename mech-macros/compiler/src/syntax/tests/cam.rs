@@ -1,6 +1,6 @@
 //! Cams.
 
-use super::{assert_messages, good};
+use super::good;
 use crate::model::{JointId, JointKind, LinkId};
 
 const PARTS: &str = "ground { point o = (0, 0); point p = (3, 0); line rail = (0, 0) -> (1, 0); }
@@ -9,10 +9,6 @@ const PARTS: &str = "ground { point o = (0, 0); point p = (3, 0); line rail = (0
     joint s = revolute(ground.o, disk.o); joint f = revolute(ground.p, lever.p);
     joint g = revolute(disk.e, far.e); joint k = slot(far.i, ground.rail);
     joint w = weld(lever, own); joint z = revolute(lever, last) at (0, 0);";
-
-fn wrong(rest: &str, messages: &[&str]) {
-    assert_messages(&format!("{PARTS} {rest}"), messages);
-}
 
 #[test]
 fn a_cam_is_a_law_between_two_joints() {
@@ -63,84 +59,4 @@ fn a_law_goes_on_by_whole_turns_or_not() {
             assert_eq!(steady, winding.is_some(), "{law}");
         }
     }
-}
-
-#[test]
-fn what_is_no_joint_is_reported() {
-    wrong(
-        "joint c = cam(«x», f, q);",
-        &["unknown joint `x`; there are `s`, `f`, `g`, `k`, `w`, `z`, `c`"],
-    );
-    wrong(
-        "joint c = cam(«disk», f, q);",
-        &["`disk` is a link; name one of its joints: `s`, `g`"],
-    );
-    wrong(
-        "joint c = cam(«disk.o», f, q);",
-        &["a `cam` takes joints, that of its shaft and that of its follower; `disk.o` is none"],
-    );
-    for (name, word) in [("k", "slot"), ("w", "weld"), ("d", "cam"), ("c", "cam")] {
-        let message = format!(
-            "`{name}` is a {word}; a `cam` takes joints that are `revolute` or `prismatic`"
-        );
-        wrong(
-            &format!("joint c = cam(s, «{name}», q); joint d = cam(s, f, q);"),
-            &[&message],
-        );
-    }
-}
-
-#[test]
-fn both_joints_have_a_carrier() {
-    wrong(
-        "joint c = cam(«s, s», q);",
-        &["cam `c` is between `s` and itself; name the joints of its shaft and of its follower"],
-    );
-    wrong(
-        "joint c = cam(«g, z», q);",
-        &[
-            "the shaft and the follower of a cam are carried by one link, but `g` joins `disk` to `far` and `z` joins `lever` to `last`; \
-            name two joints with a link in common",
-        ],
-    );
-    wrong(
-        "joint c = cam(s, f, q) «at» (0, 0);",
-        &["a `cam` has no place of its own; its shaft and its follower are where their joints are"],
-    );
-}
-
-#[test]
-fn what_is_wrong_with_a_law_is_told_where_it_is() {
-    wrong(
-        "joint c = cam(s, f, 2 * «t»);",
-        &["unknown constant `t`; there are `PI`, `q`"],
-    );
-    wrong("joint c = cam(s, f, «q / 0»);", &["division by zero"]);
-    wrong(
-        "const q = 1; joint c = cam(s, f, sin(«q»));",
-        &["`q` is the variable of this law, and a constant too; give the constant another name"],
-    );
-    wrong(
-        "joint c = cam(s, f«)»;",
-        &[
-            "expected `,` and the follower's coordinate by the shaft's, `q`, as `0.2 * (1 - cos(q))`",
-        ],
-    );
-}
-
-#[test]
-fn a_cam_has_no_coordinate() {
-    let cam = "joint c = cam(s, f, q);";
-    wrong(
-        &format!("{cam} motor «c»;"),
-        &["`c` is a cam, which carries no motor; put it on `s`, its shaft"],
-    );
-    wrong(
-        &format!("{cam} motor s; start {{ «c» = 1; }}"),
-        &["`c` is a cam, which has no coordinate; give that of its shaft, `s`"],
-    );
-    wrong(
-        &format!("{cam} motor s; show «c»;"),
-        &["`c` is a cam, which has no coordinate; show that of its shaft, `s`"],
-    );
 }

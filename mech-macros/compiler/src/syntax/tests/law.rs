@@ -1,6 +1,6 @@
 //! Laws of motors.
 
-use super::{assert_messages, good, unseen};
+use super::{assert_messages, good};
 use crate::model::Law;
 
 /// A mechanism whose motor follows a law, with something before it.
@@ -86,59 +86,13 @@ fn a_motor_starts_where_its_law_has_it() {
 }
 
 #[test]
-fn what_is_wrong_with_a_law_is_told_where_it_is() {
-    let cases = [
-        ("«2 / 0» * t", "division by zero"),
-        ("t + «t / (1 - 1)»", "division by zero"),
-        ("t * «sqrt(-1)»", "-1 has no square root; it is negative"),
-        (
-            "1 + «1e300 * 1e300» * t",
-            "this number is too large; the largest is about 1.8e308",
-        ),
-        ("t * «si»(t)", "unknown function `si`; did you mean `sin`?"),
-        ("min(t«)»", "expected `,`"),
-        ("min(t, 1, «2»)", "expected `)`, found `2`"),
-        (
-            "«sqrt(t - 1)»",
-            "motor `a` starts where its law has it at time 0, but `sqrt(t - 1)` has no value there; change it so that it has one",
-        ),
-        (
-            "«1 / t»",
-            "motor `a` starts where its law has it at time 0, but `1 / t` has no value there; change it so that it has one",
-        ),
-    ];
-    for (law, message) in cases {
-        assert_messages(&with_law("", law), &[message]);
-    }
-}
-
-#[test]
-fn all_errors_of_a_law_are_reported() {
-    let law = "«u» * t + sin(«v») / t";
-    let unknown = |name| unseen(name, "there are `PI`, `t`");
-    assert_messages(&with_law("", law), &[&unknown("u"), &unknown("v")]);
-}
-
-#[test]
 fn the_time_is_nothing_outside_of_laws() {
-    assert_messages(
-        "const A = «t»;",
-        &["unknown constant `t`; there is only `PI`"],
-    );
     let text = with_law("const t = 3;", "2 * «t»");
     let message =
         "`t` is the variable of this law, and a constant too; give the constant another name";
     assert_messages(&text, &[message]);
     // Who does not ask for the time may call a constant so.
     good(&format!("struct M; {}", with_law("const t = 3;", "2")));
-}
-
-#[test]
-fn a_start_must_be_that_of_the_law() {
-    let text = format!("{} start {{ «a = 0.25»; }}", with_law("", "0.5 + t"));
-    let message =
-        "motor `a` starts at 0.5 by its law, not at 0.25; leave this out, or change one of the two";
-    assert_messages(&text, &[message]);
 }
 
 #[test]
@@ -170,15 +124,6 @@ fn a_law_may_have_a_range_and_a_step() {
         text,
         &["expected `;` (a law stands before `in` and `by`), found `=`"],
     );
-}
-
-#[test]
-fn nothing_else_may_be_called_as_the_method_that_follows_laws() {
-    let text = "ground { point o = (0, 0); } link at { point time = (0, 0); }
-        joint a = revolute(ground.o, at.time); motor «a» = t;";
-    let message = "the method that moves motors by their laws and point `at.time` would both be the method `at_time`; \
-        rename one of them";
-    assert_messages(text, &[message]);
 }
 
 #[test]

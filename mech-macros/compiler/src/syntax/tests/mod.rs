@@ -5,6 +5,7 @@ mod expression;
 mod joint;
 mod law;
 mod link;
+mod messages;
 mod method;
 mod model;
 mod motor;
@@ -20,9 +21,8 @@ mod slot;
 mod statement;
 mod trace;
 mod weld;
-mod written;
 
-use super::{Parsed, parse};
+use super::{Message, Parsed, parse};
 use proc_macro2::TokenStream;
 
 /// Line and column, both from 1.
@@ -45,7 +45,7 @@ fn good(text: &str) -> Parsed {
 }
 
 /// Takes the marks `«` and `»` out of a text: the text, and the places that they enclosed.
-fn unmarked(marked: &str) -> (String, Vec<(Spot, Spot)>) {
+fn places_of(marked: &str) -> (String, Vec<(Spot, Spot)>) {
     let (mut text, mut places, mut start) = (String::new(), Vec::new(), None);
     let (mut line, mut column) = (1, 1);
     for character in marked.chars() {
@@ -65,39 +65,31 @@ fn unmarked(marked: &str) -> (String, Vec<(Spot, Spot)>) {
     (text, places)
 }
 
+/// Where a message stands.
+fn place(message: &Message) -> (Spot, Spot) {
+    let spot = |spot: proc_macro2::LineColumn| (spot.line, spot.column + 1);
+    let place = &message.place;
+    (spot(place.start.start()), spot(place.end.end()))
+}
+
 /// The messages about a whole text are exactly these, each about the place of its mark.
 fn assert_messages_of(marked: &str, messages: &[&str]) -> Parsed {
-    let (text, places) = unmarked(marked);
+    let (text, places) = places_of(marked);
     let parsed = parsed(&text);
-    let spot = |spot: proc_macro2::LineColumn| (spot.line, spot.column + 1);
-    let found = parsed.errors.iter().map(|error| {
-        (
-            spot(error.place.start.start()),
-            spot(error.place.end.end()),
-            error.text.as_str(),
-        )
-    });
+    let found = parsed
+        .errors
+        .iter()
+        .map(|error| (place(error), error.text.as_str()));
     let found: Vec<_> = found.collect();
-    let expected: Vec<_> = places
-        .into_iter()
-        .zip(messages)
-        .map(|((start, end), message)| (start, end, *message))
-        .collect();
+    let expected: Vec<_> = places.into_iter().zip(messages.iter().copied()).collect();
     assert_eq!(found, expected, "{text}");
-    for (.., text) in found {
+    for (_, text) in found {
         assert!(
             !text.ends_with('.') && !text.starts_with(char::is_uppercase),
             "{text}"
         );
     }
     parsed
-}
-
-/// The message about a name of a number that is declared nowhere.
-fn unseen(name: &str, remedy: &str) -> String {
-    format!(
-        "unknown constant `{name}`; {remedy}\n\nhelp: constants of Rust outside of the mechanism are unknown to the macro; declare `const {name} = ...;` inside it"
-    )
 }
 
 /// The messages about a text after its `struct` line.

@@ -1,6 +1,6 @@
 //! Several errors in one text.
 
-use super::{assert_messages, assert_messages_of, unseen};
+use super::assert_messages;
 
 #[test]
 fn every_bad_statement_is_told_in_the_order_of_the_text() {
@@ -67,25 +67,6 @@ fn a_setting_after_a_missing_semicolon_is_read() {
     assert_eq!((model.links.len(), model.accuracy), (3, Some(1e-9)));
     assert_eq!(model.change_points, AtChangePoints::Stop);
     assert_eq!(model.target, Target::CortexM4f);
-    assert_messages(
-        "link a;\njoint d = revolute(ground, a«)»\nat change points stop;",
-        &["expected `;` after `)`"],
-    );
-}
-
-#[test]
-fn a_missing_semicolon_is_missed_where_it_should_stand() {
-    assert_messages(
-        "link l; start { a = 1 «deg»\nl near 20 «deg»\nb = «2» }\neffects { «velocity» }",
-        &[
-            "expected `;` after `deg`",
-            "expected `;` after `deg`",
-            "expected `;` after `2`",
-            "expected `;` after `velocity`",
-        ],
-    );
-    assert_messages_of("struct «M»\nlink a;", &["expected `;` after `M`"]);
-    assert_messages_of("struct M: «f32»\nlink a;", &["expected `;` after `f32`"]);
 }
 
 #[test]
@@ -100,36 +81,6 @@ fn a_drawn_joint_with_an_error_is_one_statement() {
         ],
     );
     assert_eq!(parsed.model.links.len(), 3);
-}
-
-#[test]
-fn a_bad_body_hides_no_names() {
-    assert_messages(
-        "link a «[»] { point p = (0, 0); } link b { point q = (0, 0); «piont» r = (0, 0); }\n\
-         joint d = revolute(a.p, b.r); joint e = revolute(a.x, b.«s»);",
-        &[
-            "expected `{` or `;`, found `[`",
-            "unknown item `piont`; did you mean `point`?",
-            "`b` has no point `s`; there is only `q`",
-        ],
-    );
-}
-
-#[test]
-fn messages_come_in_the_order_of_the_text() {
-    assert_messages(
-        "joint d = revolute(«x».p, «y».p);\nlink «d»;\nmotor «z»;\nconst A = «B»;\njoint e = gear(«v», «w», 1 : «A1»);",
-        &[
-            "unknown link `x`; there is only `ground`",
-            "unknown link `y`; there is only `ground`",
-            "there is a joint `d` already; choose another name for this link",
-            "unknown joint `z`; there are `d`, `e`",
-            &unseen("B", "there is only `PI`"),
-            "unknown link `v`; there is only `ground`",
-            "unknown link `w`; there is only `ground`",
-            "unknown constant `A1`; did you mean `A`?",
-        ],
-    );
 }
 
 #[test]

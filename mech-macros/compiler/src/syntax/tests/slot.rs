@@ -1,6 +1,6 @@
 //! Pins in slots.
 
-use super::joint::{LINKS, joint};
+use super::joint::LINKS;
 use super::model::named;
 use super::{assert_messages, good};
 use crate::model::{Axis, AxisId, AxisKind, JointId, JointKind, LinkId, Model};
@@ -90,111 +90,6 @@ fn dies_come_after_all_links() {
         .map(|motor| motor.joint.index())
         .collect();
     assert_eq!(motors, [4, 3]);
-}
-
-#[test]
-fn a_slot_takes_a_point_and_a_line() {
-    joint(
-        "slot(«rod.way, crank.pin»)",
-        &["a `slot` takes the point first, then the line; write `slot(crank.pin, rod.way)`"],
-    );
-    joint(
-        "slot(crank.pin, rod.«eye»)",
-        &[
-            "`rod.eye` is a point, but `slot` joins a point to a line; name a line, or write `revolute`",
-        ],
-    );
-    joint(
-        "slot(crank.«rail», rod.way)",
-        &[
-            "`crank.rail` is a line, but `slot` joins a point to a line; name a point, or write `prismatic`",
-        ],
-    );
-    joint(
-        "slot(crank.«rail», «rood».way)",
-        &[
-            "`crank.rail` is a line, but `slot` joins a point to a line; name a point",
-            "unknown link `rood`; did you mean `rod`?",
-        ],
-    );
-    joint(
-        "slot(«crank», rod.way)",
-        &[
-            "`slot` joins a point to a line, but `crank` is a link; name one of its points, such as `crank.pin`, or \
-             place a joint of two links with `at (x, y) along (dx, dy)`",
-        ],
-    );
-    joint(
-        "slot(crank.pin, «bare»)",
-        &[
-            "`slot` joins a point to a line, but `bare` is a link; name one of its lines, declared in `bare`, or place a \
-             joint of two links with `at (x, y) along (dx, dy)`",
-        ],
-    );
-    joint(
-        "slot(crank.«pni», rod.«wya»)",
-        &[
-            "`crank` has no point `pni`; did you mean `pin`?",
-            "`rod` has no line `wya`; did you mean `way`?",
-        ],
-    );
-    joint(
-        "slot(crank.pin, «crank.rail»)",
-        &["joint `d` is between `crank` and itself; name two links"],
-    );
-    joint("slot(crank.pin«)»", &["expected `,` and the second link"]);
-}
-
-#[test]
-fn a_drawn_slot_has_a_direction() {
-    joint(
-        "«slot»(crank, rod) at (1, 2)",
-        &["a `slot` needs a direction; write `along (dx, dy)` after `at (x, y)`"],
-    );
-    joint(
-        "slot(crank.pin, rod.way) «along» (1, 0)",
-        &["`along` without `at`; write `at (x, y) along (dx, dy)` after two links"],
-    );
-    joint(
-        "slot(«crank.pin», rod) at (1, 2) along (1, 0)",
-        &["`at` places a joint between links; write `crank` for `crank.pin`, or leave `at` out"],
-    );
-    joint(
-        "slot(crank, rod) at (1, 2) along «(0, 0)»",
-        &["a direction cannot be (0, 0); give it a length"],
-    );
-    joint(
-        "slot(rod, «rod») at (1, 2) along (1, 0)",
-        &["joint `d` is between `rod` and itself; name two links"],
-    );
-}
-
-#[test]
-fn the_start_of_a_slot_is_that_of_its_slide() {
-    let slots = format!(
-        "{LINKS}joint d = slot(crank.pin, rod.way); joint e = slot(crank, bare) at (0, 0) along (1, 0);\n"
-    );
-    assert_messages(
-        &format!("{slots}start {{ d = 1; e = «1»; }}"),
-        &[
-            "joint `e` is placed in the drawing, where its coordinate is 0; leave this out, or draw its links as they are \
-             to start",
-        ],
-    );
-    assert_messages(
-        &format!("{slots}start {{ d = 1; «d» = 2; «e» near 0; }}"),
-        &[
-            "there is a start for joint `d` already; remove one of the two",
-            "`e` is a joint, and `near` takes a link; choose the assembly by the angle of a link, such as `bare near 0 deg`",
-        ],
-    );
-    assert_messages(
-        &format!("{slots}motor d; motor «d»; motor «crank»;"),
-        &[
-            "joint `d` has a motor already; remove one of the two",
-            "`crank` is a link; name one of its joints: `d`, `e`",
-        ],
-    );
 }
 
 #[test]

@@ -30,20 +30,6 @@ fn the_struct_line_says_f32_or_f64() {
     );
     assert!(parsed.header.is_some());
     assert_eq!(parsed.model.links.len(), 2);
-    assert_messages_of("struct M: «5»;", &["expected `f64` or `f32`, found `5`"]);
-    assert_messages_of(
-        "struct M «{»} link a;",
-        &["expected `;`, or `: f64` or `: f32`, found `{`"],
-    );
-    assert_messages_of(
-        "struct «fn»; link a;",
-        &["`fn` is a keyword of Rust; choose another name"],
-    );
-    assert_messages_of(
-        "pub «enum» M; link a;",
-        &["expected `struct`, found `enum`"],
-    );
-    assert_messages_of("struct «M»", &["expected `;` after `M`"]);
 }
 
 #[test]
@@ -62,28 +48,4 @@ fn attributes_belong_to_the_struct_line() {
         &[message, message],
     );
     assert_eq!(parsed.model.links.len(), 3);
-    assert_messages("#«foo» link a;", &["expected square brackets"]);
-}
-
-#[test]
-fn unknown_statements_have_a_remedy() {
-    assert_messages(
-        "«jiont» d = gear(a, b, 1 : 2); motor d;",
-        &["unknown statement `jiont`; did you mean `joint`?"],
-    );
-    assert_messages(
-        "«wind» s;",
-        &[
-            "unknown statement `wind`; a statement begins with one of `const`, `param`, `ground`, `link`, `joint`, `motor`, \
-           `start`, `method`, `accuracy`, `cost`, `at`, `allow`, …",
-        ],
-    );
-    assert_messages("link a { }«;»", &["expected a statement, found `;`"]);
-    assert_messages("«5» = 3; link a;", &["expected a statement, found `5`"]);
-}
-
-#[test]
-fn a_message_about_the_end_points_at_the_end() {
-    assert_messages("link a; motor «a»", &["expected `;` after `a`"]);
-    assert_messages("lin«k»", &["expected the name of a link"]);
 }
