@@ -1,6 +1,6 @@
 //! Errors of moves.
 
-use crate::{Mechanism, Scalar};
+use crate::Scalar;
 use core::fmt;
 
 /// The error of a move that failed. The mechanism is where it was.
@@ -18,31 +18,6 @@ pub struct Blocked<M = [f64; 1]> {
     /// The inputs to which the numbers reached belong, for messages. Empty if unknown.
     pub(crate) inputs: &'static [Input],
 }
-
-/// The error of the mechanism `X`: `Blocked` with the values of all its motors. Stable Rust has no `X::Blocked`.
-///
-/// ```
-/// use mech_runtime::{BlockedOf, mechanism};
-///
-/// mechanism! {
-///     struct Lift;
-///     link arm;
-///     link cart;
-///     joint a = revolute(ground, arm) at (0, 0);
-///     joint x = prismatic(arm, cart) at (1, 0) along (1, 0);
-///     motor a in 0 deg ..= 90 deg;
-///     motor x;
-/// }
-///
-/// fn raise(lift: &mut Lift) -> Result<(), BlockedOf<Lift>> {
-///     lift.move_to([2.0, 0.5])
-/// }
-///
-/// let blocked = raise(&mut Lift::new()).unwrap_err();
-/// assert_eq!(blocked.at(), mech_runtime::Place::Motor("a"));
-/// assert!(blocked.to_string().starts_with("the value for motor `a` is outside its range"));
-/// ```
-pub type BlockedOf<X> = Blocked<<X as Mechanism>::Motors>;
 
 /// The place at which a mechanism was stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

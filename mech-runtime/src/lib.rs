@@ -37,14 +37,14 @@ mod scalar;
 mod shape;
 mod trace;
 
-pub use blocked::{Blocked, BlockedOf, Cause, Place, Reached, Values};
+pub use blocked::{Blocked, Cause, Place, Reached, Values};
 pub use columns::{BlockedAt, Columns};
 pub use cost::Cost;
 pub use force::{Forces, Reaction};
 pub use gauss_legendre::GaussLegendre;
 pub use joint::{Anchor, Coordinate, JointInfo, JointKind};
 pub use mech_core::{Phase, Real};
-pub use mechanism::Mechanism;
+pub use mechanism::{BlockedOf, Mechanism};
 pub use nalgebra::{Isometry2, Point2, Vector2};
 pub use overlay::Overlay;
 pub use pose::Pose;

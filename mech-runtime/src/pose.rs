@@ -67,7 +67,7 @@ impl<T: Scalar> Pose<T> {
     /// The same pose as a nalgebra isometry.
     #[must_use]
     pub fn isometry(self) -> Isometry2<T> {
-        T::isometry(self)
+        T::isometry([self.cos, self.sin], [self.x, self.y])
     }
 }
 

@@ -1,6 +1,5 @@
 //! The two scalar types.
 
-use crate::Pose;
 use core::fmt::Display;
 use core::ops::{AddAssign, DivAssign, MulAssign, SubAssign};
 use mech_core::Real;
@@ -40,9 +39,9 @@ pub trait Scalar:
     #[doc(hidden)]
     fn from_f32(value: f32) -> Self;
 
-    /// nalgebra's isometry of a pose. nalgebra makes isometries of types that it knows only.
+    /// nalgebra's isometry of a cosine, a sine and a translation. nalgebra makes isometries of types that it knows only.
     #[doc(hidden)]
-    fn isometry(pose: Pose<Self>) -> Isometry2<Self>;
+    fn isometry(direction: [Self; 2], origin: [Self; 2]) -> Isometry2<Self>;
 
     /// 2⁴⁰ times the number, rounded towards zero. Too large a number saturates; NaN gives zero.
     #[doc(hidden)]
@@ -73,9 +72,9 @@ macro_rules! scalar {
             }
 
             #[inline]
-            fn isometry(pose: Pose<Self>) -> Isometry2<Self> {
-                let rotation = Unit::new_unchecked(Complex::new(pose.cos, pose.sin));
-                Isometry2::from_parts(Translation2::new(pose.x, pose.y), rotation)
+            fn isometry([cos, sin]: [Self; 2], [x, y]: [Self; 2]) -> Isometry2<Self> {
+                let rotation = Unit::new_unchecked(Complex::new(cos, sin));
+                Isometry2::from_parts(Translation2::new(x, y), rotation)
             }
 
             #[inline]

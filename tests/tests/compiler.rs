@@ -6,6 +6,7 @@ mod anything;
 mod assemblies;
 mod built_once;
 mod catalogue;
+mod circles;
 mod embedded_page;
 mod expand;
 mod force;

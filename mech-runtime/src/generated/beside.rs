@@ -1,7 +1,7 @@
 //! Rates beside a change point.
 
+use super::interpolation::Interpolated;
 use super::journey::Move;
-use super::rates::Interpolated;
 use super::{Motors, MoveLimits, Position, Stop};
 use crate::{Real, Scalar};
 use core::marker::PhantomData;

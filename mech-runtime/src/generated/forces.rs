@@ -1,7 +1,7 @@
 //! Forces of motors and joints.
 
 use super::Stop;
-use super::rates::{Interpolated, Rates, array, row};
+use super::interpolation::{Interpolated, Rates, array, row};
 use crate::blocked::Input;
 use crate::{Cause, Forces, Reaction, Real, Scalar};
 use mech_core::limit::NODES;

@@ -6,6 +6,7 @@ mod beside;
 mod coordinates;
 mod dynamics;
 mod forces;
+mod interpolation;
 mod joints;
 mod journey;
 mod limits;
@@ -35,6 +36,7 @@ pub use coordinates::{
 };
 pub use dynamics::{Moment, Simulated, simulate};
 pub use forces::{Holding, Inertia, not_finite, pull};
+pub use interpolation::Rates;
 pub use joints::pins;
 pub use limits::{Followed, MoveLimits, Stepping, Watched};
 pub use loops::{closed, closes, determined, solve};
@@ -47,7 +49,7 @@ pub use params::{
     blocked_motors, blocked_params, followed, inputs, motors_of, params_of, reached_by_motors,
 };
 pub use position::{Motors, Position, finite};
-pub use rates::{Rates, advance_with, rates_at};
+pub use rates::{advance_with, rates_at};
 pub use shapes::shapes;
 pub use wheel::{ring, rounded_f32, rounded_f64, wheel};
 

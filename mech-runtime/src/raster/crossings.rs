@@ -2,8 +2,16 @@
 
 use super::edge::Edge;
 use super::fixed;
-use super::polygon::Rule;
 use super::spans::{Clip, Spans};
+
+/// The inside of a polygon that crosses itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Rule {
+    /// The region that is surrounded an odd number of times.
+    EvenOdd,
+    /// The region whose winding number is not zero.
+    NonZero,
+}
 
 /// Rows that are looked at together.
 const ROWS: usize = 16;

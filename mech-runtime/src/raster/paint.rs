@@ -1,8 +1,9 @@
 //! Painting of outlines in the scene on surfaces of pixels.
 
 use super::arc::Arc;
+use super::crossings::Rule;
 use super::font;
-use super::polygon::{self, Rule};
+use super::polygon;
 use super::spans::Spans;
 use super::stroke::Stroke;
 use super::turn::Turn;

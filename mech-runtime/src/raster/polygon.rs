@@ -4,21 +4,12 @@
 //! Any other polygon marks where its sides cross some rows, and each row is then filled from mark to mark.
 
 use super::chain::{Chain, Directions};
-use super::crossings::Crossings;
+use super::crossings::{Crossings, Rule};
 use super::edge::{is_far, sides};
 use super::fixed;
 use super::spans::{Clip, Spans};
 use super::tour::Tour;
 use crate::{Real, Scalar};
-
-/// The inside of a polygon that crosses itself.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Rule {
-    /// The region that is surrounded an odd number of times.
-    EvenOdd,
-    /// The region whose winding number is not zero.
-    NonZero,
-}
 
 /// Fills a polygon. `corner` gives the corners in pixels by their number.
 pub(super) fn fill<T: Scalar>(

@@ -1,7 +1,7 @@
 //! Graphs as SVG, in a page that gives them their colours.
 
+use super::escape;
 use super::graph_layout::{Layout, Point, Sketch};
-use super::html::escape;
 use mech_compiler::graphs::{Edge, EdgeKind, Graph, Vertex, VertexKind};
 use std::fmt::{Result, Write};
 

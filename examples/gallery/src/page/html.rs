@@ -1,6 +1,6 @@
 //! The page with all exhibits.
 
-use super::graph_svg;
+use super::{escape, graph_svg};
 use crate::{Exhibit, Graphs};
 use mech_compiler::graphs::{EdgeKind, Graph};
 use std::fmt::Write;
@@ -176,18 +176,4 @@ fn links_caption(links: &Graph) -> String {
         caption += "; dashed: an arm";
     }
     caption
-}
-
-pub(crate) fn escape(text: &str) -> String {
-    let mut escape = String::with_capacity(text.len());
-    for character in text.chars() {
-        match character {
-            '&' => escape += "&amp;",
-            '<' => escape += "&lt;",
-            '>' => escape += "&gt;",
-            '"' => escape += "&quot;",
-            other => escape.push(other),
-        }
-    }
-    escape
 }

@@ -25,3 +25,18 @@ pub use film::{Film, Scene, Stuck};
 pub use graphs::Graphs;
 pub use picture::Picture;
 pub use swatches::Swatches;
+
+/// A text as text of HTML or SVG.
+fn escape(text: &str) -> String {
+    let mut escape = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '&' => escape += "&amp;",
+            '<' => escape += "&lt;",
+            '>' => escape += "&gt;",
+            '"' => escape += "&quot;",
+            other => escape.push(other),
+        }
+    }
+    escape
+}

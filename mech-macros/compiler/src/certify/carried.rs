@@ -1,6 +1,7 @@
 //! Loops that are carried: what turns a loop as a whole has no part in whether it closes.
 
 use super::Interval;
+use super::claim::HeldValues;
 use super::cone::{Cone, Cuts, Cutter, Variable};
 use super::tape::Tape;
 use crate::plan::Solution;
@@ -15,9 +16,6 @@ const TURNS: [f64; 3] = [1.0, 2.3, 4.1];
 const TIGHT: f64 = 1e-9;
 /// Places are spread by multiples of this.
 const SPREAD: f64 = 0.618_033_988_749_894_9;
-
-/// Values that are held where they are at the start.
-pub(super) type HeldValues = Vec<(Value, f64)>;
 
 /// The directions in which a loop is carried, at the start: if they have no part in its slack, it closes in one as in all others. What
 /// has a part must not be made from them.

@@ -1,5 +1,6 @@
 //! What has to hold for a program never to be blocked.
 
+use super::Interval;
 use crate::plan::Dyad;
 use crate::program::{AtZero, BlockId, Op, Program, Value, Watch};
 
@@ -19,6 +20,35 @@ impl Test {
             Self::Discriminant(discriminant, tolerance) => vec![discriminant, tolerance],
             Self::Divisor(divisor) => vec![divisor],
         }
+    }
+}
+
+/// Values that are held where they are at the start.
+pub(super) type HeldValues = Vec<(Value, f64)>;
+
+/// What must hold, and the motors that have a part in it.
+#[derive(Clone, Debug)]
+pub(super) struct Group {
+    /// By their numbers.
+    pub(super) motors: Vec<usize>,
+    /// What carries these loops stands still.
+    pub(super) held: HeldValues,
+    /// In the order in which they are found.
+    pub(super) tests: Vec<(BlockId, Test)>,
+}
+
+impl Group {
+    /// These ranges, but for motors without a part: they stand where they are at the start.
+    pub(super) fn ranges(&self, program: &Program, ranges: &[Interval]) -> Vec<Interval> {
+        let all = ranges.iter().zip(&program.start.motors).enumerate();
+        let range = |(motor, (range, start)): (usize, (&Interval, &f64))| {
+            if self.motors.contains(&motor) {
+                *range
+            } else {
+                Interval::point(*start)
+            }
+        };
+        all.map(range).collect()
     }
 }
 

@@ -1,38 +1,11 @@
 //! Loops that hang on the same motors are proved together, over these motors alone: what is on the boom of a digger does not care how
 //! the boom stands.
 
-use super::Interval;
-use super::carried::{HeldValues, find_held, made_from};
-use super::claim::{Test, tests};
+use super::carried::{find_held, made_from};
+use super::claim::{Group, HeldValues, tests};
 use super::cone::Cutter;
 use crate::program::{BlockId, Op, Program, Value};
 use std::collections::{BTreeMap, BTreeSet};
-
-/// What must hold, and the motors that have a part in it.
-#[derive(Clone, Debug)]
-pub(super) struct Group {
-    /// By their numbers.
-    pub(super) motors: Vec<usize>,
-    /// What carries these loops stands still.
-    pub(super) held: HeldValues,
-    /// In the order in which they are found.
-    pub(super) tests: Vec<(BlockId, Test)>,
-}
-
-impl Group {
-    /// These ranges, but for motors without a part: they stand where they are at the start.
-    pub(super) fn ranges(&self, program: &Program, ranges: &[Interval]) -> Vec<Interval> {
-        let all = ranges.iter().zip(&program.start.motors).enumerate();
-        let range = |(motor, (range, start)): (usize, (&Interval, &f64))| {
-            if self.motors.contains(&motor) {
-                *range
-            } else {
-                Interval::point(*start)
-            }
-        };
-        all.map(range).collect()
-    }
-}
 
 /// The tests of a program by their motors, the groups in the order of their first tests: all but those of loops that are free.
 pub(super) fn groups(program: &Program, free: &[BlockId]) -> Vec<Group> {

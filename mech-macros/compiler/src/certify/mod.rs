@@ -5,6 +5,7 @@
 //! half of a loop's floor that is left to it.
 
 pub(crate) mod always;
+mod boxes;
 pub(crate) mod carried;
 mod claim;
 pub(crate) mod cone;
@@ -25,8 +26,8 @@ pub use interval::Interval;
 
 use crate::bug::bug;
 use crate::program::{BlockId, BlockKind, Program};
-use claim::carried_sides;
-use group::{Group, groups};
+use claim::{Group, carried_sides};
+use group::groups;
 use search::{Search, Share};
 use tape::Tape;
 

@@ -1,12 +1,9 @@
-//! Looks through the ranges of all motors, box by box.
+//! What is seen on a box of the ranges of all motors, and how much may be spent on it.
 
-use super::group::Group;
-use super::line::Line;
+use super::claim::Group;
 use super::tape::{Outcome, Tape};
-use super::{Blocked, Effort, Interval, Verdict};
-use crate::bug::bug;
+use super::{Effort, Interval, Verdict};
 use crate::program::{BlockId, Program};
-use std::collections::VecDeque;
 
 /// How many numbers may be found for one verdict: that takes some hundredths of a second.
 const BUDGET: usize = 800_000;
@@ -22,7 +19,7 @@ const NARROW: f64 = 1e-14;
 
 /// How many numbers may be found.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Share(usize);
+pub(super) struct Share(pub(super) usize);
 
 impl Share {
     /// An equal part of what is left after this effort.
@@ -48,13 +45,13 @@ pub(super) enum Sight {
 pub(super) struct Search<'p> {
     pub(super) tape: Tape<'p>,
     /// The motors that have a part in it, by their numbers.
-    motors: Vec<usize>,
-    ranges: Vec<Interval>,
-    start: Vec<f64>,
-    boxes: usize,
-    touching: Vec<BlockId>,
-    budget: usize,
-    for_clearance: usize,
+    pub(super) motors: Vec<usize>,
+    pub(super) ranges: Vec<Interval>,
+    pub(super) start: Vec<f64>,
+    pub(super) boxes: usize,
+    pub(super) touching: Vec<BlockId>,
+    pub(super) budget: usize,
+    pub(super) for_clearance: usize,
 }
 
 impl<'p> Search<'p> {
@@ -81,126 +78,12 @@ impl<'p> Search<'p> {
         }
     }
 
-    /// What is found with this share of the budget.
-    pub(super) fn verdict(mut self, effort: &mut Effort, share: Share) -> Verdict {
-        let Share(budget) = share;
-        self.budget = budget;
-        self.for_clearance = self.for_clearance.min(self.budget / 2);
-        let hopeless =
-            self.tape.is_too_large() || self.ranges.iter().any(|range| !range.is_bounded());
-        let verdict = match self.tape.block(0) {
-            None => self.conclude(),
-            Some(block) if hopeless => {
-                let place = self.ranges.clone();
-                self.give_up_at(block, place)
-            }
-            Some(_) => match self.motors[..] {
-                [motor] => self.one_motor(motor),
-                _ => self.boxes(),
-            },
-        };
-        effort.boxes += self.boxes;
-        effort.evaluations += self.tape.evaluations();
-        verdict
-    }
-
-    /// Both ways from the start.
-    fn one_motor(&mut self, motor: usize) -> Verdict {
-        let (start, range) = (self.start[motor], self.ranges[motor]);
-        let line = Line::new(motor, self.start.clone(), range.width());
-        let up = line.verdict(self, start, range.high());
-        if let Verdict::Blocked(_) = up {
-            return up;
-        }
-        let down = line.verdict(self, start, range.low());
-        match (up, down) {
-            (Verdict::Proved { .. }, Verdict::Proved { .. }) => self.conclude(),
-            (_, down @ Verdict::Blocked(_)) | (Verdict::Proved { .. }, down) => down,
-            (up, _) => up,
-        }
-    }
-
-    fn boxes(&mut self) -> Verdict {
-        // Wide boxes first: where the border of what is blocked crosses the ranges, its far side is soon found.
-        let mut waiting = VecDeque::from([self.ranges.clone()]);
-        let mut open = None;
-        while let Some(place) = waiting.pop_front() {
-            let test = match self.look(&place) {
-                Sight::Closes { clear } => {
-                    if !clear {
-                        if self.looks_closer(self.part(&place))
-                            && let Some(halves) = self.halves(&place)
-                        {
-                            waiting.extend(halves);
-                        } else {
-                            self.touches();
-                        }
-                    }
-                    continue;
-                }
-                Sight::Blocked(test) | Sight::BlockedInside(test) => return self.blocked(test),
-                Sight::Open(test) => test,
-            };
-            let is_final = self.tape.is_sharp(test) || is_narrow(self.part(&place));
-            match self.halves(&place) {
-                Some(halves) if !is_final && !self.is_spent() => waiting.extend(halves),
-                _ => {
-                    // Another box may tell that it is blocked.
-                    open.get_or_insert((test, place));
-                    if self.is_spent() {
-                        break;
-                    }
-                }
-            }
-        }
-        match open {
-            Some((test, place)) => self.give_up(test, place),
-            None => self.conclude(),
-        }
-    }
-
-    /// Which loop blocks in the middle of the last box, and how far one motor can be moved towards it.
-    fn blocked(&mut self, test: usize) -> Verdict {
-        let at = self.tape.centre().to_vec();
-        for motor in self.motors.clone() {
-            let range = self.ranges[motor];
-            let line = Line::new(motor, at.clone(), range.width());
-            let from = self.start[motor];
-            let to = if at[motor] < from {
-                range.low()
-            } else {
-                range.high()
-            };
-            if let Sight::Closes { .. } = line.look(self, from, from)
-                && let blocked @ Verdict::Blocked(_) = line.verdict(self, from, to)
-            {
-                return blocked;
-            }
-        }
-        match self.tape.block(test) {
-            Some(block) => {
-                let Some(&motor) = self.motors.first() else {
-                    bug!("a loop is blocked in which no motor has a part");
-                };
-                Verdict::Blocked(Blocked {
-                    block,
-                    motors: self.motors.clone(),
-                    motor,
-                    limit: self.start[motor],
-                    interval: Interval::point(at[motor]),
-                    at,
-                })
-            }
-            None => self.conclude(),
-        }
-    }
-
     /// The motors that have a part in what is searched.
     pub(super) fn motors(&self) -> &[usize] {
         &self.motors
     }
 
-    fn give_up_at(&self, block: BlockId, place: Vec<Interval>) -> Verdict {
+    pub(super) fn give_up_at(&self, block: BlockId, place: Vec<Interval>) -> Verdict {
         Verdict::Undecided {
             block,
             motors: self.motors.clone(),
@@ -270,12 +153,12 @@ impl<'p> Search<'p> {
     }
 
     /// The greatest part of a motor's range that a box takes.
-    fn part(&self, place: &[Interval]) -> f64 {
+    pub(super) fn part(&self, place: &[Interval]) -> f64 {
         self.parts(place)
             .fold(0.0, |most, (_, part)| most.max(part))
     }
 
-    fn parts(&self, place: &[Interval]) -> impl Iterator<Item = (usize, f64)> {
+    pub(super) fn parts(&self, place: &[Interval]) -> impl Iterator<Item = (usize, f64)> {
         let part = |(range, place): (&Interval, &Interval)| {
             if range.width() > 0.0 {
                 place.width() / range.width()
@@ -288,7 +171,7 @@ impl<'p> Search<'p> {
     }
 
     /// A box cut across its longest side, if that can be cut.
-    fn halves(&self, place: &[Interval]) -> Option<[Vec<Interval>; 2]> {
+    pub(super) fn halves(&self, place: &[Interval]) -> Option<[Vec<Interval>; 2]> {
         let longest =
             |best: (usize, f64), next: (usize, f64)| if next.1 > best.1 { next } else { best };
         let (motor, _) = self.parts(place).reduce(longest)?;

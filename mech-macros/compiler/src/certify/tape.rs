@@ -1,9 +1,8 @@
 //! A program run on a box: every value as an interval and as an affine form. What both ways of bounding it leave is kept.
 
 use super::Interval;
-use super::claim::{Test, carried_sides, keeps_direction};
+use super::claim::{Group, Test, carried_sides, keeps_direction};
 use super::form::{Forms, Linear, Operand, greater, root, wave};
-use super::group::Group;
 use super::operation::{direction, natural, sign, strict_sign};
 use crate::program::{BlockId, Node, Op, Program, Slot, Value};
 

@@ -132,7 +132,7 @@ impl Builder<'_, '_> {
     /// Its wheels with teeth on this side, unless the link's own shapes are these.
     fn wheels(&mut self, wheels: &Wheels, side: Side) {
         let own = wheels.on(self.link).filter(|wheel| wheel.side == side);
-        for wheel in own.filter(|wheel| !self.scene.is_drawn_wheel(wheel)) {
+        for wheel in own.filter(|wheel| !wheel.is_drawn(self.scene)) {
             let outlines = rolling::wheel(self.scene, wheel, self.color);
             self.body.outlines.extend(outlines);
             if side == Side::Outside {

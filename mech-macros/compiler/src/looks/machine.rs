@@ -228,7 +228,7 @@ fn belts(scene: &Scene<'_>, wheels: &Wheels, arrangement: &Arrangement) -> Vec<P
 fn ground(scene: &Scene<'_>, wheels: &Wheels, elastic: Option<&Symbols>) -> Vec<Painted> {
     let fixed = wheels
         .on(LinkId::GROUND)
-        .filter(|wheel| !scene.is_drawn_wheel(wheel));
+        .filter(|wheel| !wheel.is_drawn(scene));
     let fixed = fixed.flat_map(|wheel| rolling::wheel(scene, wheel, GROUND));
     let racks = wheels.racks_on(LinkId::GROUND);
     let racks = racks.filter_map(|rack| rolling::rack(scene, wheels, rack, GROUND));

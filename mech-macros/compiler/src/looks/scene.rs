@@ -3,20 +3,16 @@
 use super::cover::covers;
 use super::outline::{Place, place_of};
 use super::survey::Survey;
-use super::wheel::Wheel;
 use crate::compiled::Compiled;
 use crate::model::{AxisId, AxisKind, JointId, JointKind, LinkId, Model, ShapeKind};
 use crate::structure::Structure;
-use nalgebra::{Point2, Rotation2, Vector2, distance};
-use std::f64::consts::FRAC_PI_4;
+use nalgebra::{Point2, distance};
 
 /// The width of a bar, as parts of the whole mechanism and of the shortest link.
 const OF_WHOLE: [f64; 2] = [0.02, 0.055];
 const OF_SHORTEST: f64 = 0.4;
 /// Places of a link that are nearer to each other than this part of their distance from its origin are one.
 const NEAR: f64 = 1e-9;
-/// Shapes are a wheel if they cover it as far as this part of its radius.
-const OF_WHEEL: f64 = 0.8;
 
 /// A mechanism, how it moves, and how thick its bars are.
 pub(super) struct Scene<'a> {
@@ -114,14 +110,6 @@ impl<'a> Scene<'a> {
         });
         let shapes = &self.model.link(link).shapes;
         !shapes.is_empty() && pins.chain(blocks).all(|place| covers(shapes, place))
-    }
-
-    /// Whether the shapes of a link are its wheel: they cover most of it.
-    pub(super) fn is_drawn_wheel(&self, wheel: &Wheel) -> bool {
-        let rim = (0..8).map(|eighth| Rotation2::new(f64::from(eighth) * FRAC_PI_4));
-        let rim = rim.map(|turn| wheel.center + turn * Vector2::x() * (OF_WHEEL * wheel.radius));
-        rim.into_iter()
-            .all(|place| self.is_covered(wheel.link, place))
     }
 
     /// Whether a declared bar has an eye at this place of a link.

@@ -4,8 +4,8 @@ use super::scene::Scene;
 use super::tooth::Side;
 use crate::model::{JointKind, LinkId, Ratio};
 use crate::structure::{Rolling, RollingEnd};
-use nalgebra::{Point2, Vector2, distance};
-use std::f64::consts::{PI, TAU};
+use nalgebra::{Point2, Rotation2, Vector2, distance};
+use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
 /// A wheel whose declared numbers of teeth are smaller than this has so many times as many.
 const FEWEST_TEETH: i64 = 9;
@@ -16,6 +16,9 @@ const MOST_TEETH: i64 = 600;
 const MODULE: f64 = 0.4;
 /// Radii that are so near to a ratio of whole numbers have teeth.
 const WHOLE: f64 = 1e-6;
+
+/// Shapes are a wheel if they cover it as far as this part of its radius.
+const OF_WHEEL: f64 = 0.8;
 
 /// A wheel on a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,6 +33,16 @@ pub(super) struct Wheel {
     pub(super) side: Side,
     /// The direction of its first tooth in the frame of the link.
     pub(super) phase: f64,
+}
+
+impl Wheel {
+    /// Whether the shapes of its link are its body: they cover most of it.
+    pub(super) fn is_drawn(&self, scene: &Scene<'_>) -> bool {
+        let rim = (0..8).map(|eighth| Rotation2::new(f64::from(eighth) * FRAC_PI_4));
+        let rim = rim.map(|turn| self.center + turn * Vector2::x() * (OF_WHEEL * self.radius));
+        rim.into_iter()
+            .all(|place| scene.is_covered(self.link, place))
+    }
 }
 
 /// Two wheels that mesh.

@@ -2,10 +2,11 @@
 
 use super::algebra::Numbers;
 use super::closed_form::{LoopSolutions, solve};
-use super::equation::{Equation, Solution};
+use super::equation::Equation;
 use super::placement::Placement;
 use super::search::search;
 use super::step::{Cam, Connection, ConnectionKind, Loop, Source, Step};
+use super::unknown::Solution;
 use crate::bug::bug;
 use crate::model::{JointId, JointKind, LinkId, Model, Near};
 use crate::structure::{Diagnosis, LoopAssembly, OpenLoop};

@@ -1,11 +1,13 @@
 //! Connections between clusters, and the rings they form.
 
-use super::coupled::Block;
 use super::step::{Connection, ConnectionKind};
 use crate::model::LinkId;
 use crate::structure::Pin;
 use petgraph::unionfind::UnionFind;
 use std::collections::BTreeMap;
+
+/// Rings to be closed together, and the connections by which the clusters hang on the first.
+pub(super) type Block = (Vec<Vec<Connection>>, Vec<Connection>);
 
 /// Two clusters, by their bases, the lower first, and an unknown connection that joins them.
 #[derive(Clone, Copy, Debug, PartialEq)]

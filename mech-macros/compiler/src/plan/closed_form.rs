@@ -2,7 +2,8 @@
 
 use super::algebra::Numbers;
 use super::dyad::{CircleAndLine, Dyad, Line, TurningLine, TwoCircles, TwoLines};
-use super::equation::{Equation, Solution};
+use super::equation::Equation;
+use super::unknown::Solution;
 
 /// Below this sine of the transmission angle a loop is taken to be at a dead point.
 const DEAD: f64 = 1e-6;

@@ -1,11 +1,8 @@
 //! Loops that wait for each other, and joints that hold a part more than once.
 
-use super::between::{Between, Sliding};
+use super::between::{Between, Block, Sliding};
 use super::step::{Connection, ConnectionKind};
 use crate::model::LinkId;
-
-/// Rings to be closed together, and the connections by which the clusters hang on the first.
-pub(super) type Block = (Vec<Vec<Connection>>, Vec<Connection>);
 
 /// The rings of a set of clusters that hold each other. Clusters that are in no ring are left to be solved afterwards.
 pub(super) fn block(connections: &[Between], set: &[LinkId]) -> Option<Block> {

@@ -2,10 +2,10 @@
 
 use super::Plan;
 use super::cluster::Clusters;
-use super::equation::Unknown;
 use super::linear_relations::{Rational, fraction};
 use super::step::{Connection, ConnectionKind, Loop, Source, Step, Tie};
 use super::triad::Triad;
+use super::unknown::Unknown;
 use crate::model::{AxisId, JointId, LinkId, Model};
 use std::fmt::{self, Display, Formatter};
 

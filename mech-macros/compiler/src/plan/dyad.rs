@@ -5,7 +5,8 @@
 //! the sign of the loop's determinant. Discriminants stay in factors: expanded they lose half of all digits where lengths differ much.
 
 use super::algebra::Algebra;
-use super::equation::{Equation, Solution, Unknown};
+use super::equation::Equation;
+use super::unknown::{Solution, Unknown};
 
 /// The circles and lines that a dyad intersects. Every vector is given by its two coordinates in the frame of the loop's first cluster.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,17 +7,9 @@
 use super::algebra::Algebra;
 use super::placement::Placement;
 use super::step::{Connection, ConnectionKind, Loop};
+use super::unknown::{Solution, Unknown};
 use crate::bug::bug;
-use crate::model::{JointId, LinkId};
-
-/// An unknown of a loop.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unknown {
-    /// The direction of the base of a cluster, seen from the first.
-    Direction(LinkId),
-    /// The coordinate of a sliding joint.
-    Slide(JointId),
-}
+use crate::model::LinkId;
 
 /// The equations of a loop: the vectors round each of its rings must add to zero.
 #[derive(Clone, Debug, PartialEq)]
@@ -83,31 +75,6 @@ struct Class<S> {
     unknown: Option<usize>,
     /// The constant part of its direction.
     turn: [S; 2],
-}
-
-/// The value of an unknown.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Solution<S> {
-    /// A unit vector.
-    Direction([S; 2]),
-    /// A length.
-    Slide(S),
-}
-
-impl<S: Copy> Solution<S> {
-    /// Whether it is a direction.
-    pub(crate) fn is_direction(&self) -> bool {
-        matches!(self, Self::Direction(_))
-    }
-
-    /// Its numbers: a cosine and a sine, or a length.
-    pub(crate) fn numbers(&self) -> impl Iterator<Item = S> + use<S> {
-        let (first, second) = match *self {
-            Self::Direction([cos, sin]) => (cos, Some(sin)),
-            Self::Slide(displacement) => (displacement, None),
-        };
-        std::iter::once(first).chain(second)
-    }
 }
 
 /// The residuals of all rings.

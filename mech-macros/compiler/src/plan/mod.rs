@@ -21,6 +21,7 @@ mod step;
 mod tight;
 mod tree;
 mod triad;
+mod unknown;
 
 pub(crate) use crate::model::Arithmetic;
 pub(crate) use algebra::{Algebra, Pose, are_equal};
@@ -28,8 +29,7 @@ pub use assembly::{Assembly, CamStart};
 pub use bound::{Bound, Growth, Turning};
 pub use display::PlanText;
 pub(crate) use dyad::{CircleAndLine, Dyad, Line, TurningLine, TwoCircles, TwoLines};
-pub use equation::Unknown;
-pub(crate) use equation::{Equation, Residuals, Solution};
+pub(crate) use equation::{Equation, Residuals};
 pub(crate) use halton::Halton;
 pub use linear_relations::Rational;
 pub(crate) use linear_relations::{float_of, fraction};
@@ -37,6 +37,8 @@ pub use needed::PlanPart;
 pub(crate) use placement::Placement;
 pub use step::{Cam, Connection, ConnectionKind, Drive, Loop, Mesh, Source, Step, Tie, Weld};
 pub(crate) use triad::{Leg, Triad};
+pub(crate) use unknown::Solution;
+pub use unknown::Unknown;
 
 use crate::model::{Axis, Link, Model};
 use crate::structure::{Diagnosis, Structure};

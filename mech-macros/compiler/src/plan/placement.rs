@@ -2,9 +2,9 @@
 
 use super::algebra::{Algebra, Pose, are_equal};
 use super::cluster::Clusters;
-use super::equation::Solution;
 use super::step::{Connection, ConnectionKind};
 use super::tree::{Joining, Leg, Route, Tree};
+use super::unknown::Solution;
 use crate::bug::bug;
 use crate::model::{Axis, AxisId, JointId, JointKind, LinkId, Model};
 

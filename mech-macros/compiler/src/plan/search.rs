@@ -2,8 +2,9 @@
 
 use super::algebra::Numbers;
 use super::closed_form::LoopSolutions;
-use super::equation::{Equation, Solution, Unknown};
+use super::equation::Equation;
 use super::halton::Halton;
+use super::unknown::{Solution, Unknown};
 use nalgebra::{DMatrix, DVector};
 
 /// Starts for each unknown: enough to find, in practice, all of the up to six assemblies of a triad.

@@ -1,7 +1,7 @@
 //! The steps by which every position becomes known.
 
-use super::equation::Unknown;
 use super::linear_relations::Rational;
+use super::unknown::Unknown;
 use crate::bug::bug;
 use crate::model::{AxisId, JointId, LinkId, MotorId};
 

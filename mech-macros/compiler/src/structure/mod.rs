@@ -1,5 +1,6 @@
 //! Structure: what is connected, what moves, what is blocked or left undetermined, what is trunk and what is arm.
 
+mod carrier;
 mod constraints;
 mod diagnosis;
 mod elimination;
@@ -85,7 +86,7 @@ pub(crate) fn pins(model: &Model) -> Vec<Pin> {
 /// The links that could carry a gear, belt or rack.
 pub(crate) fn carriers(model: &Model, joint: JointId) -> Vec<LinkId> {
     let welded = Welded::new(model);
-    rolling::carriers(model, (&pin::pins(model, &welded), &welded), joint)
+    carrier::carriers(model, (&pin::pins(model, &welded), &welded), joint)
 }
 
 /// Finds out what is connected to what, without asking whether it moves.
@@ -94,7 +95,7 @@ pub(crate) fn layout(model: &Model) -> Result<Structure, Vec<Diagnosis>> {
     check_connected(&graph, model)?;
     let welded = Welded::new(model);
     let pins = pin::pins(model, &welded);
-    let rollings = rolling::rollings(model, (&pins, &welded))?;
+    let rollings = carrier::rollings(model, (&pins, &welded))?;
     let arms = graph.arms();
     let trunk = model
         .joint_ids()

@@ -4,16 +4,13 @@
 //! the statement (above all its name) is still known, and messages stay in the order of the text.
 
 use super::{Header, Message, Place};
-use crate::model::{AtChangePoints, BinaryFunction, Function, Precision};
+use crate::model::{AtChangePoints, Precision};
 use proc_macro2::{Ident, Span};
 use std::fmt;
 
+pub(super) use super::expr::{Expr, ExprKind, Pair, Read};
 pub(super) use super::name::{Index, Name, Segment};
-pub(super) use super::part::{Part, Port, PortBinding, Use};
 pub(super) use super::shape::{Color, Outline, Shade, Shape};
-
-/// A part of the text, or what is wrong with it.
-pub(super) type Read<T> = Result<T, Message>;
 
 /// The body of a `mechanism!`.
 #[derive(Default)]
@@ -382,44 +379,61 @@ pub(super) struct Method {
     pub predictor: Option<(Span, Expr)>,
 }
 
-/// `(x, y)`
-pub(super) struct Pair {
-    /// The first number.
-    pub x: Expr,
-    /// The second number.
-    pub y: Expr,
-    /// From bracket to bracket.
-    pub place: Place,
+/// `part Leg(size = 1) { ... }`
+pub(super) struct Part {
+    /// Its name.
+    pub name: Ident,
+    /// Its numbers, each with the value it has where a use gives none.
+    pub parameters: Vec<Constant>,
+    /// What stands in its braces.
+    pub body: Read<Vec<Statement>>,
 }
 
-/// A number to be computed.
-pub(super) struct Expr {
-    /// How it is computed.
-    pub kind: ExprKind,
-    /// From its first token to its last.
-    pub place: Place,
+/// `port frame { ... }`: a link that whoever uses the part lends.
+pub(super) struct Port {
+    /// Its name.
+    pub name: Ident,
+    /// What the part fixes to it.
+    pub items: Read<Vec<Item>>,
 }
 
-/// How a number is computed. Chains are flat, so that a long one cannot exhaust the stack.
-pub(super) enum ExprKind {
-    /// A literal without a decimal point or an exponent: its decimal digits.
-    Integer(String),
-    /// A literal with one of them.
-    Decimal(String),
-    /// `PI`
-    Pi,
-    /// The name of a constant.
-    Constant(Ident),
-    /// `-a`
-    Negative(Box<Expr>),
-    /// `a + b - c`; the flag says that the term is taken away.
-    Sum(Vec<(bool, Expr)>),
-    /// `a * b / c`; the flag says that the factor divides.
-    Product(Vec<(bool, Expr)>),
-    /// `a deg`
-    Degrees(Box<Expr>),
-    /// `sqrt(a)`
-    Call(Function, Box<Expr>),
-    /// `min(a, b)`
-    CallBoth(BinaryFunction, Box<[Expr; 2]>),
+/// `use left[6]: Leg(phase = k * 60 deg) mirrored scaled 2 { frame = ground, crank = axle at (1, 0) turned 30 deg };`
+pub(super) struct Use {
+    /// Its name.
+    pub name: Ident,
+    /// How many instances there are, in brackets; without them there is one.
+    pub count: Option<(Expr, Place)>,
+    /// The part.
+    pub part: Ident,
+    /// The values of its numbers.
+    pub arguments: Vec<Constant>,
+    /// The word `mirrored`, if left and right change sides.
+    pub mirrored: Option<Span>,
+    /// The factor of its lengths after the word `scaled`.
+    pub scaled: Option<Expr>,
+    /// The links that are lent.
+    pub ports: Vec<PortBinding>,
+}
+
+/// `crank = axle at (1, 0) turned 30 deg`
+pub(super) struct PortBinding {
+    /// The port.
+    pub port: Ident,
+    /// The link that is lent.
+    pub link: Name,
+    /// Where the port's frame is in that of the link.
+    pub at: Option<Pair>,
+    /// The angle of the port's frame in that of the link.
+    pub turned: Option<Expr>,
+}
+
+impl Part {
+    /// The ports it has, as far as they could be read.
+    pub(super) fn ports(&self) -> impl Iterator<Item = &Port> {
+        let body = self.body.iter().flatten();
+        body.filter_map(|statement| match statement {
+            Statement::Port(port) => Some(port),
+            _ => None,
+        })
+    }
 }

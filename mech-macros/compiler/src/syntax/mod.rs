@@ -2,11 +2,11 @@
 
 mod ast;
 mod color;
+mod expr;
 mod grammar;
 mod listing;
 mod lower;
 mod name;
-mod part;
 mod place;
 mod shape;
 mod spelling;

@@ -1,7 +1,7 @@
 //! Names of links and joints, and paths to those within uses of parts.
 
 use super::Place;
-use super::ast::Expr;
+use super::expr::Expr;
 use proc_macro2::{Ident, Span};
 use std::fmt;
 

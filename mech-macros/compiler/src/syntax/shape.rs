@@ -1,7 +1,7 @@
 //! What is seen of a link, as it was written.
 
 use super::Place;
-use super::ast::{Expr, Pair};
+use super::expr::{Expr, Pair};
 use proc_macro2::Span;
 
 /// A coloured spot.

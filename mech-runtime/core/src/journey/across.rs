@@ -1,9 +1,10 @@
 //! Past change points without a position between. They are those of loops that are solved by iteration, which fails there. Or they are those of
 //! several loops, so near each other that rounding hides which comes first.
 
-use super::event::{Event, position_at};
+use super::event::Event;
 use super::pace::lesser;
-use super::piece::{Reach, has_passed, is_zero, pass, reach};
+use super::reach::{Reach, position_at, reach};
+use super::sine::{NEAREST, distance, has_passed, is_near, is_stepped_over, is_zero, pass};
 use super::{AtZero, Journey};
 use crate::Real;
 
@@ -14,8 +15,7 @@ const OFFSETS: [f64; 2] = [8.0, 32.0];
 const TOGETHER: [f64; 3] = [0.25, NEAREST, 2.0];
 /// A line to the next begins behind the last one: three such parts of the distance between them before the next.
 const SINCE: f64 = 0.25;
-/// What comes to zero nearer to another than this is passed with it.
-pub(super) const NEAREST: f64 = 0.03125;
+
 /// The first step back from it changes the sine by no more than this part of it, as beside it no iteration reaches far. Each next one is so much
 /// longer, or shorter where it fails.
 const FIRST: f64 = 0.25;
@@ -52,39 +52,6 @@ pub(super) struct Beyond<P, T> {
     pub(super) end: T,
     /// Whether a loop is on its other side that may not go over.
     pub(super) stops: bool,
-}
-
-/// Whether a loop that is passed over its change points is solved by iteration: it does not stand there.
-pub(super) fn is_stepped_over<T: Real, J: Journey<T>>(journey: &J, index: usize) -> bool {
-    let watch = journey.watch(index);
-    watch.iterated && watch.at_zero != AtZero::Stay
-}
-
-/// Whether such a loop is so near a zero of its sine that it may have a change point there.
-pub(super) fn is_near<T: Real, J: Journey<T>>(
-    journey: &J,
-    position: &J::Position,
-    index: usize,
-) -> bool {
-    is_stepped_over(journey, index) && {
-        let sine = journey.sine(position, index);
-        sine * sine <= journey.rounding_square(position, index)
-    }
-}
-
-/// Whether the sine of such a loop would have another sign if it had gone straight on from two positions to a third.
-pub(super) fn bounces<T: Real, J: Journey<T>>(
-    journey: &J,
-    (before, begun): &(J::Position, T),
-    (at, part): (&J::Position, T),
-    (to, end): (&J::Position, T),
-) -> bool {
-    let gone = part - *begun;
-    let bounces = |index| {
-        let [a, b, c] = [before, at, to].map(|position| journey.sine(position, index));
-        gone > T::ZERO && (b + (b - a) * ((end - part) / gone)) * c < T::ZERO
-    };
-    (0..journey.watches()).any(|index| is_stepped_over(journey, index) && bounces(index))
 }
 
 /// What an iterated loop comes to: where nothing went on, or where its sine was found to be zero between.
@@ -129,11 +96,6 @@ pub(super) fn meeting<T: Real, J: Journey<T>>(
         before,
         beyond,
     })
-}
-
-/// A distance from a zero: so many fourth roots of the precision, as a part of the move.
-pub(super) fn distance<T: Real, J: Journey<T>>(journey: &J, index: usize, times: f64) -> T {
-    T::from_f64(times) * T::from_f64(T::EPSILON).sqrt().sqrt() / journey.watch(index).change
 }
 
 /// The position a little farther, from one before a zero of a sine: that which everything goes straight on to.

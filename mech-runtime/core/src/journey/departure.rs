@@ -1,7 +1,7 @@
 //! Dead points that a move begins at or leads to. Beside one, rounding lets a loop close here and there, and hides the sign of its sine.
 
 use super::pace::{is_calm, is_far_at_ends};
-use super::piece::{has_passed, hidden_square};
+use super::sine::{has_passed, hidden_square};
 use super::{Journey, Standing};
 use crate::Real;
 
@@ -26,16 +26,8 @@ pub(super) fn depart<T: Real, J: Journey<T>>(
     done: T,
 ) -> Option<(J::Position, T)> {
     let beside = |index: &usize| is_beside_zero(journey, from, *index);
-    let leaves_all = |positions: [&J::Position; 4], end| {
-        let [_, _, third, last] = positions;
-        let stays = |one| {
-            is_far_at_ends(journey, (from, last), end - done, one)
-                || is_calm(journey, from, third, one) && is_calm(journey, third, last, one)
-        };
-        (0..journey.watches()).all(|one| grows_straight(journey, positions, one) || stays(one))
-    };
     let mut all = (0..journey.watches()).filter(beside);
-    let leave = |index| leave_straight(journey, (from, done), (index, T::ONE), leaves_all);
+    let leave = |index| leave_straight(journey, (from, done), (index, T::ONE), true);
     let (mut to, end) = all.find_map(leave)?;
     for index in (0..journey.watches()).filter(beside) {
         journey.set_standing(&mut to, index, Standing::Away);
@@ -52,15 +44,16 @@ pub(super) fn is_at_dead_point<T: Real, J: Journey<T>>(
     // Behind the start others have change points that they have passed: nothing is there as it was.
     let any_passed = (0..journey.watches()).any(|one| has_passed(journey, from.0, one));
     let back = T::ZERO - T::ONE;
-    !any_passed && leave_straight(journey, from, (index, back), |_, _| true).is_some()
+    !any_passed && leave_straight(journey, from, (index, back), false).is_some()
 }
 
-/// The nearest position in this sense of the move to which a loop leaves its dead point, if it passes. With it stands its part of the move.
+/// The nearest position in this sense of the move to which a loop leaves its dead point. With it stands its part of the move. All loops may
+/// have to leave theirs there, or not to move.
 fn leave_straight<T: Real, J: Journey<T>>(
     journey: &J,
     (from, done): (&J::Position, T),
     (index, sense): (usize, T),
-    passes: impl Fn([&J::Position; 4], T) -> bool,
+    leaves_all: bool,
 ) -> Option<(J::Position, T)> {
     let mut distance = T::from_f64(FIRST * T::EPSILON) / journey.watch(index).change;
     // The last positions that were reached, each twice as far as the one before.
@@ -77,7 +70,7 @@ fn leave_straight<T: Real, J: Journey<T>>(
                 let positions = [first, second, third, to];
                 // At a dead point nothing closes in the other sense.
                 if grows_straight(journey, positions, index)
-                    && passes(positions, end)
+                    && (!leaves_all || all_leave(journey, (from, done), positions, end))
                     && journey.at(from, done - sense * distance).is_err()
                 {
                     return Some((to.clone(), end));
@@ -88,6 +81,21 @@ fn leave_straight<T: Real, J: Journey<T>>(
         distance = distance + distance;
     }
     None
+}
+
+/// Whether each loop leaves a dead point straight in four positions, or is far from any zero of its sine.
+fn all_leave<T: Real, J: Journey<T>>(
+    journey: &J,
+    (from, done): (&J::Position, T),
+    positions: [&J::Position; 4],
+    end: T,
+) -> bool {
+    let [_, _, third, last] = positions;
+    let stays = |one| {
+        is_far_at_ends(journey, (from, last), end - done, one)
+            || is_calm(journey, from, third, one) && is_calm(journey, third, last, one)
+    };
+    (0..journey.watches()).all(|one| grows_straight(journey, positions, one) || stays(one))
 }
 
 /// Whether a loop is so near a zero of its sine that it may be nothing but rounding.

@@ -1,8 +1,10 @@
 //! What happens to watched loops on a piece: where the sine of one is zero, or something does not close.
 
-use super::across::{NEAREST, distance, is_near, is_stepped_over};
 use super::pace::{is_far, is_far_at_ends, lesser};
-use super::piece::{Reach, has_passed, hidden_square, is_zero, reach};
+use super::reach::{Reach, position_at};
+use super::sine::{
+    NEAREST, distance, has_passed, hidden_square, is_near, is_stepped_over, is_zero,
+};
 use super::{AtZero, Journey};
 use crate::Real;
 
@@ -225,23 +227,6 @@ fn least_sine<T: Real, J: Journey<T>>(
 fn straight<T: Real>(a: (T, T), b: (T, T)) -> T {
     let (left, right) = (a.1.sqrt(), b.1.sqrt());
     a.0 + (b.0 - a.0) * (left / (left + right))
-}
-
-/// The position at a part of the move; none if it cannot be reached. An iteration that fails in one step may succeed in many.
-pub(super) fn position_at<T: Real, J: Journey<T>>(
-    journey: &J,
-    from: &J::Position,
-    done: T,
-    part: T,
-) -> Option<J::Position> {
-    match journey.at(from, part) {
-        Ok(position) => Some(position),
-        Err(_) if journey.subdivides() => {
-            let reach = reach(journey, from, done, part);
-            reach.stop.is_none().then_some(reach.to)
-        }
-        Err(_) => None,
-    }
 }
 
 /// Looks for a place beside the ends of a piece where something does not close, however narrow it is. Where loops are iterated it has to be this

@@ -9,6 +9,8 @@ mod departure;
 mod event;
 mod pace;
 mod piece;
+mod reach;
+mod sine;
 
 use crate::Real;
 pub use pace::is_clear;

@@ -1,6 +1,6 @@
 //! How long a piece may be: from the sines where it begins and how fast they change.
 
-use super::piece::is_zero;
+use super::sine::is_zero;
 use super::{Growth, Journey, Standing, Turn};
 use crate::Real;
 

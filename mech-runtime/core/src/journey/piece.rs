@@ -1,51 +1,19 @@
 //! A piece that is short enough for one change point of a loop at most: past it, or as far as it closes.
 
-use super::across::{
-    beyond_cluster, beyond_touch, bounces, distance, is_stepped_over, meeting, touches,
-};
+use super::across::{beyond_cluster, beyond_touch, meeting, touches};
 use super::departure::{depart, is_at_dead_point, is_beside_zero};
 use super::event::{Event, first_event};
-use super::pace::{is_passable, lesser};
-use super::{AtZero, Growth, Journey, MOST_TRIES, Standing};
+use super::pace::lesser;
+use super::reach::{Reach, reach};
+use super::sine::{
+    NEAR, WELL_AWAY, distance, exceeds, has_passed, is_stepped_over, is_well_away, is_zero, pass,
+    stands_at_change_point,
+};
+use super::{AtZero, Journey, Standing};
 use crate::Real;
-
-/// So many roundings displace a loop, at most.
-const ROUNDINGS: f64 = 64.0;
-
-/// A loop has left a change point for good where its sine is so many times as great as what rounding hides. It comes to one where its sine is
-/// less than so many times as great. Rounding does not lead from the one to the other.
-const WELL_AWAY: f64 = 6.0;
-const NEAR: f64 = 3.0;
 
 /// So often is the distance doubled by which a target is put farther: from a part of the precision to the whole move.
 const DOUBLINGS: usize = 32;
-
-/// Where a piece ends: at its target, or before it for a reason.
-pub(super) struct Reach<P, S, T> {
-    pub(super) to: P,
-    pub(super) end: T,
-    pub(super) stop: Option<S>,
-}
-
-impl<P, S, T> Reach<P, S, T> {
-    /// One that ends at its target.
-    pub(super) fn there(to: P, end: T) -> Self {
-        Self {
-            to,
-            end,
-            stop: None,
-        }
-    }
-
-    /// One that ends before it.
-    fn stopped(to: P, end: T, stop: S) -> Self {
-        Self {
-            to,
-            end,
-            stop: Some(stop),
-        }
-    }
-}
 
 /// Goes a piece that is short enough for one change point of a loop at most. It ends a little farther where a loop would stand at its
 /// change point, unless the move ends there.
@@ -74,7 +42,7 @@ pub(super) fn travel_piece<T: Real, J: Journey<T>>(
                 Leaving::Stopped(index) => {
                     return Reach::stopped(from, done, journey.stopped_at(index));
                 }
-                Leaving::Other => reach = self::reach(journey, &from, done, aim),
+                Leaving::Other => reach = super::reach::reach(journey, &from, done, aim),
                 Leaving::Same => break,
             }
         }
@@ -145,41 +113,6 @@ pub(super) fn travel_piece<T: Real, J: Journey<T>>(
         Ok(to) => Reach::there(to, target),
         Err(stop) => Reach::stopped(from, done, stop),
     }
-}
-
-pub(super) fn is_zero<T: Real, J: Journey<T>>(
-    journey: &J,
-    position: &J::Position,
-    index: usize,
-) -> bool {
-    let sine = journey.sine(position, index);
-    !is_stepped_over(journey, index) && sine * sine <= hidden_square(journey, position, index)
-}
-
-/// The square of a sine of a loop below which rounding hides its sign.
-pub(super) fn hidden_square<T: Real, J: Journey<T>>(
-    journey: &J,
-    position: &J::Position,
-    index: usize,
-) -> T {
-    // Between two parts of the move that rounding tells apart a sine changes by so much.
-    let resolution = journey.watch(index).change * T::from_f64(T::EPSILON);
-    journey.rounding_square(position, index)
-        + passed_on(journey, position, index)
-        + resolution * resolution
-}
-
-/// What rounding does to an earlier loop near its zero is so many times as great as one is greater than its sine. This is the square of what of
-/// it is passed on to a sine.
-fn passed_on<T: Real, J: Journey<T>>(journey: &J, position: &J::Position, index: usize) -> T {
-    let rounding = T::from_f64(ROUNDINGS * T::EPSILON);
-    journey.growth(index).fold(T::ZERO, |sum, growth| {
-        let Growth::Near(earlier) = growth else {
-            return sum;
-        };
-        let sine = journey.sine(position, earlier);
-        sum + rounding * rounding / (sine * sine).max(rounding)
-    })
 }
 
 /// A target a little farther, if the move continues and a loop would stand at its change point at this one. Also if it would come so near that
@@ -278,37 +211,6 @@ fn goes_away<T: Real, J: Journey<T>>(
     after > before * T::from_f64(NEAR) && clear * clear > journey.rounding_square(to, index)
 }
 
-/// Whether rounding cannot make the sine of a loop vanish.
-fn is_well_away<T: Real, J: Journey<T>>(journey: &J, position: &J::Position, index: usize) -> bool {
-    exceeds(journey, position, index, WELL_AWAY)
-}
-
-/// Whether the sine of a loop is more than so many times as great as what rounding hides.
-fn exceeds<T: Real, J: Journey<T>>(
-    journey: &J,
-    position: &J::Position,
-    index: usize,
-    times: f64,
-) -> bool {
-    let sine = journey.sine(position, index) * T::from_f64(1.0 / times);
-    sine * sine > hidden_square(journey, position, index)
-}
-
-/// Whether a loop has passed the change point that it stands at.
-pub(super) fn has_passed<T: Real, J: Journey<T>>(
-    journey: &J,
-    position: &J::Position,
-    index: usize,
-) -> bool {
-    journey.standing(position, index) == Standing::Passed
-}
-
-/// Puts a loop on its other side: it has passed its change point.
-pub(super) fn pass<T: Real, J: Journey<T>>(journey: &J, position: &mut J::Position, index: usize) {
-    journey.turn_over(position, index);
-    journey.set_standing(position, index, Standing::Passed);
-}
-
 /// Where a loop stands at its change point and leaves it, it goes over to its other side, unless it has passed it already.
 fn leave<T: Real, J: Journey<T>>(
     journey: &J,
@@ -389,16 +291,6 @@ fn settle<T: Real, J: Journey<T>>(
     }
 }
 
-/// Whether a loop in closed form that can change its branch stands where it does.
-fn stands_at_change_point<T: Real, J: Journey<T>>(
-    journey: &J,
-    position: &J::Position,
-    index: usize,
-) -> bool {
-    let watch = journey.watch(index);
-    watch.at_zero == AtZero::ChangeBranch && !watch.iterated && is_zero(journey, position, index)
-}
-
 /// Passes change points of which rounding hides on which side of them a move ends. They are passed where the straight line on which a sine came
 /// to its zero leads beyond it.
 fn pass_hidden<T: Real, J: Journey<T>>(
@@ -441,54 +333,4 @@ fn leads_beyond<T: Real, J: Journey<T>>(
     let sines = [&before, &last].map(|position| journey.sine(position, index));
     let is_clear = exceeds(journey, &last, index, NEAR) && sines[0] * sines[1] > T::ZERO;
     is_clear.then_some((sines[1] + sines[1] - sines[0]) * sines[1] < T::ZERO)
-}
-
-/// Goes as far as it can in one step; by iteration, in as many as it takes.
-pub(super) fn reach<T: Real, J: Journey<T>>(
-    journey: &J,
-    from: &J::Position,
-    done: T,
-    aim: T,
-) -> Reach<J::Position, J::Stop, T> {
-    let mut stop = match journey.at(from, aim) {
-        Ok(to) => {
-            return Reach::there(to, aim);
-        }
-        Err(stop) => stop,
-    };
-    let (mut to, mut end, mut blocked) = (from.clone(), done, aim);
-    let mut before = (from.clone(), done);
-    for _ in 0..MOST_TRIES {
-        let middle = end + (blocked - end) * T::HALF;
-        if !(middle > end && middle < blocked) {
-            break;
-        }
-        match journey.at(&to, middle) {
-            // It left the branch that it is on, where its sine comes to zero.
-            Ok(position) if bounces(journey, &before, (&to, end), (&position, middle)) => {
-                blocked = middle;
-            }
-            Ok(position) => {
-                // An iteration that failed to come far from a place may come there from a nearer one.
-                if journey.subdivides() {
-                    let far = end + (middle - end) * T::from_f64(4.0);
-                    blocked = if far < aim { far } else { aim };
-                }
-                before = (to, end);
-                (to, end) = (position, middle);
-                // A fixed number of rounds is a promise about time: only a move that goes in pieces anyhow takes one more.
-                let again = journey.subdivides() || done > T::ZERO;
-                if blocked >= aim
-                    && again
-                    && let Ok(position) = journey.at(&to, aim)
-                    && !bounces(journey, &before, (&to, end), (&position, aim))
-                    && (journey.subdivides() || is_passable(journey, &to, &position, aim - end))
-                {
-                    return Reach::there(position, aim);
-                }
-            }
-            Err(reason) => (stop, blocked) = (reason, middle),
-        }
-    }
-    Reach::stopped(to, end, stop)
 }

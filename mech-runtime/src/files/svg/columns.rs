@@ -1,6 +1,6 @@
 //! Matching of figures at different moments.
 
-use super::layers::Seen;
+use super::figure::Seen;
 use std::{vec, vec::Vec};
 
 /// A figure within this distance of the moment before, in pixels, is preferred to farther ones of its kind.

@@ -7,6 +7,7 @@ use super::sheet::hex;
 use super::track::share;
 use crate::{Outline, Palette, Scalar};
 use core::{iter, mem};
+use std::sync::Arc;
 use std::{string::String, vec, vec::Vec};
 
 /// The distance below which two points count as the same, in pixels.
@@ -238,5 +239,24 @@ impl Figure {
             }
             Form::Text(words) => paint.text(text, [x, y], words),
         }
+    }
+}
+
+/// A figure at one moment, and its place.
+#[derive(Clone, Debug)]
+pub(super) struct Seen {
+    pub(super) figure: Arc<Figure>,
+    pub(super) place: Place,
+}
+
+impl Seen {
+    /// The place in the picture of the figure's first point.
+    pub(super) fn first_point(&self) -> (f64, f64) {
+        self.place.apply(self.figure.first_point()).into()
+    }
+
+    /// The figure in the picture.
+    pub(super) fn in_picture(&self) -> Figure {
+        self.figure.map(|point| self.place.apply(point))
     }
 }

@@ -1,31 +1,12 @@
 //! Layers: figures that move together.
 
 use super::columns::columns;
-use super::figure::Figure;
+use super::figure::{Figure, Seen};
 use super::place::Place;
 use super::trace::whole_path;
 use super::track::Track;
 use std::sync::Arc;
 use std::{vec, vec::Vec};
-
-/// A figure at one moment, and its place.
-#[derive(Clone, Debug)]
-pub(super) struct Seen {
-    pub(super) figure: Arc<Figure>,
-    pub(super) place: Place,
-}
-
-impl Seen {
-    /// The place in the picture of the figure's first point.
-    pub(super) fn first_point(&self) -> (f64, f64) {
-        self.place.apply(self.figure.first_point()).into()
-    }
-
-    /// The figure in the picture.
-    fn in_picture(&self) -> Figure {
-        self.figure.map(|point| self.place.apply(point))
-    }
-}
 
 /// All figures of one period, from back to front.
 pub(super) struct Layers {

@@ -3,7 +3,8 @@
 use super::Sheet;
 use super::drawing::write_group;
 use super::figure::Figure;
-use super::layers::{Layer, Layers, Seen};
+use super::figure::Seen;
+use super::layers::{Layer, Layers};
 use super::number::Number;
 use super::place::Place;
 use super::track::{Track, percent, share};

@@ -2,7 +2,7 @@
 
 use super::mixing::{in_255ths, mix, mix_pixel};
 use super::runs::Runs;
-use crate::raster::polygon::Rule;
+use crate::raster::crossings::Rule;
 
 /// The gains that the sides of a shape add in a row. The covered share of a pixel is the sum of all gains up to it.
 #[derive(Clone)]

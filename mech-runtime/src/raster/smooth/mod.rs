@@ -11,6 +11,7 @@ mod runs;
 mod side;
 mod simple;
 
+use super::crossings::Rule;
 use super::memory::{Array, Grid, Memory};
 #[cfg(feature = "std")]
 use super::memory::{Block, Heap, TooLarge, repeat};
@@ -18,7 +19,6 @@ use super::paint::{self, Fill};
 use super::picture::picture;
 #[cfg(feature = "std")]
 use super::picture::picture_of_mechanism;
-use super::polygon::Rule;
 use super::spans::{Clip, Spans};
 use super::{Canvas, Palette, View};
 #[cfg(feature = "std")]

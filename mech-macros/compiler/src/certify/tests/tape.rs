@@ -1,8 +1,8 @@
 //! Whatever a program computes somewhere in a box lies in what it computes on the box.
 
 use super::super::Interval;
+use super::super::claim::Group;
 use super::super::claim::tests;
-use super::super::group::Group;
 use super::super::tape::Tape;
 use super::models::{chain, exhibit, four_bar, slider_crank};
 use proptest::prelude::*;

@@ -1,19 +1,10 @@
 //! Bounds that are too wide cut down to guesses: through several loops they multiply, and become far wider than any motion.
 
+use super::most::{MOST_OF_SINE, MOST_SHARP, tame};
 use super::pace::Paces;
 use crate::plan::{Rational, Tie, Unknown, float_of};
 use crate::program::{Bound, Growth, Op};
 
-/// A bound through many loops is wide: away from all dead points nothing is guessed to turn more than so many times as fast as what
-/// drives it, and no sine to change so fast.
-pub(super) const MOST: f64 = 16.0;
-pub(super) const MOST_OF_SINE: f64 = 4.0;
-/// Gears make faster what they are driven by, whatever that is.
-pub(super) const MOST_OF_ANGLE: f64 = 1024.0;
-/// What motors move directly is bounded well.
-pub(super) const MOST_DIRECT: f64 = 256.0;
-/// By how much small sines of free loops make a bound greater, at most, if it is not one of them alone.
-pub(super) const MOST_SHARP: f64 = 64.0;
 /// The same for the smallest of them by itself, where it is not watched.
 const MOST_SHARP_OF_ONE: f64 = 1024.0;
 /// How fast the square of a sine is guessed to change with a param, over its scale.
@@ -94,16 +85,5 @@ impl Paces<'_> {
             }
         }
         fastest
-    }
-}
-
-/// Makes a bound that is too wide a guess: so many times as fast as what drives it.
-pub(super) fn tame(bound: &mut Bound, times: f64, driven: &[f64]) {
-    for (rate, driven) in bound.rates.iter_mut().zip(driven) {
-        let most = times * driven;
-        if rate.is_nan() || *rate > most {
-            *rate = most;
-            bound.guessed = true;
-        }
     }
 }

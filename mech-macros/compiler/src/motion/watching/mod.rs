@@ -11,6 +11,7 @@ mod free;
 mod guess;
 mod influence;
 mod known;
+mod most;
 mod pace;
 mod touching;
 

@@ -8,7 +8,7 @@
 
 use super::boxes::boxes;
 use super::domain::Domain;
-use super::guess::{MOST, MOST_DIRECT, MOST_OF_ANGLE, MOST_OF_SINE, MOST_SHARP, tame};
+use super::most::{MOST, MOST_DIRECT, MOST_OF_ANGLE, MOST_OF_SINE, MOST_SHARP, tame};
 use crate::certify::Interval;
 use crate::certify::cone::{Cone, Cuts, Variable};
 use crate::certify::slope::Slopes;

@@ -8,9 +8,9 @@ mod open;
 mod rolling;
 mod slides;
 
-use super::between::Between;
+use super::between::{Between, Block};
 use super::cluster::Clusters;
-use super::coupled::{self, Block};
+use super::coupled;
 use super::knowledge::Knowledge;
 use super::linear_relations::{LinearForm, LinearRelations};
 use super::step::{Connection, ConnectionKind, Drive, Loop, Source, Step, Weld};

@@ -1,9 +1,8 @@
 //! The connections whose coordinates are unknown, kept as clusters merge: of a long chain, most stay as they were.
 
 use crate::model::{JointId, JointKind, LinkId, Model};
-use crate::plan::between::{Between, pivot, ring_of_three, ring_of_two};
+use crate::plan::between::{Between, Block, pivot, ring_of_three, ring_of_two};
 use crate::plan::cluster::Clusters;
-use crate::plan::coupled::Block;
 use crate::plan::step::{Connection, ConnectionKind};
 use crate::structure::{Pin, Structure};
 use std::collections::{BTreeMap, BTreeSet};

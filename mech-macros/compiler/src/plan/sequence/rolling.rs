@@ -5,10 +5,10 @@ use super::open::named_on;
 use crate::bug::bug;
 use crate::model::{JointId, JointKind, LinkId};
 use crate::plan::between::Sliding;
-use crate::plan::equation::Unknown;
 use crate::plan::knowledge::Knowledge;
 use crate::plan::linear_relations::{LinearForm, Rational};
 use crate::plan::step::{Connection, ConnectionKind, Mesh, Source, Step, Tie};
+use crate::plan::unknown::Unknown;
 use crate::structure::{Factor, Rolling, RollingEnd};
 use num_rational::BigRational;
 

@@ -2,9 +2,9 @@
 
 use super::Search;
 use crate::model::JointId;
-use crate::plan::equation::Unknown;
 use crate::plan::linear_relations::float_of;
 use crate::plan::step::{Connection, Loop, Tie};
+use crate::plan::unknown::Unknown;
 use nalgebra::{DMatrix, RowDVector};
 
 impl Search<'_> {

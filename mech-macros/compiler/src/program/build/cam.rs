@@ -2,23 +2,12 @@
 
 use super::Positions;
 use super::lowering::Lowering;
-use super::steps::PositionPass;
+use super::pass::{Follower, PositionPass};
 use super::tangent::{Seed, Tangents};
 use crate::bug::bug;
 use crate::model::{JointId, JointKind};
 use crate::plan::{Arithmetic, Cam, ConnectionKind, Rational, Source, float_of};
 use crate::program::node::Value;
-
-/// A follower that was put where its cam has it.
-pub(super) struct Follower {
-    cam: JointId,
-    /// The coordinate of the shaft.
-    shaft: Value,
-    /// The coordinate of the follower.
-    value: Value,
-    /// Whether its law differs from turn to turn: then nobody has looked at all of its motion.
-    pub(super) wanders: bool,
-}
 
 impl Lowering<'_> {
     /// The rate of a cam's follower if its shaft moves at a rate of one.

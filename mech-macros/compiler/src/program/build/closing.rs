@@ -3,31 +3,15 @@
 use super::dyad::DyadLowering;
 use super::iteration::{IteratedLoop, LoopIteration};
 use super::last::last_unknown;
-use super::rates::SolvedLoop;
-use super::steps::PositionPass;
+use super::pass::PositionPass;
+use super::site::{LoopSite, SolvedLoop};
 use super::tied::Tied;
 use super::triad::triad_directions;
 use crate::model::LinkId;
 use crate::plan::{Dyad, Equation, Loop, Solution, Triad, Unknown};
 use crate::program::BlockKind;
 use crate::program::choice::{Choice, Solver};
-use crate::program::node::{BlockId, Value};
-
-/// A loop that is being lowered.
-pub(super) struct LoopSite<'c> {
-    /// Its number in the plan.
-    pub(super) number: usize,
-    pub(super) block: BlockId,
-    pub(super) choice: Choice,
-    /// Whether it is solved by iteration.
-    pub(super) iterated: bool,
-    pub(super) closing: &'c Loop,
-    pub(super) equation: Equation<Value>,
-    /// The base of its first cluster, from which its unknowns are seen.
-    pub(super) base: LinkId,
-    /// The joints whose coordinates are unknown, for messages.
-    pub(super) place: String,
-}
+use crate::program::node::Value;
 
 impl PositionPass<'_> {
     /// Lowers the loop of this number.

@@ -1,12 +1,10 @@
 //! What every pass over a plan adds to: the operations so far, and where they put the links.
 
-use super::watching::Watches;
 use crate::model::{AxisId, LinkId, Model};
 use crate::plan::{Connection, ConnectionKind, Placement, Plan, Solution};
 use crate::program::builder::SsaBuilder;
 use crate::program::node::{Op, Value};
 use crate::program::{Position, StateLayout};
-use mech_core::journey::AtZero;
 
 /// A plan that is being lowered to operations.
 pub(super) struct Lowering<'m> {
@@ -81,19 +79,5 @@ impl<'m> Lowering<'m> {
     /// The point of an axis in the scene.
     pub(super) fn point(&mut self, axis: AxisId) -> [Value; 2] {
         self.placement.spot(&mut self.ssa, axis)
-    }
-
-    /// Carries the signs of the inputs' last motions, if a loop passes change points, and after them for each watched loop the number of
-    /// its `Standing`: they say on which side it leaves one.
-    pub(super) fn carry_motion_signs(&mut self, watches: &Watches) {
-        let mut loops = watches.loops.iter();
-        if loops.all(|watch| watch.at_zero == AtZero::Stay) {
-            return;
-        }
-        let signs = (0..self.model.inputs()).map(|_| self.ssa.carry(1.0).index);
-        self.layout.motion_signs = signs.min();
-        for _ in &watches.loops {
-            self.ssa.carry(1.0);
-        }
     }
 }

@@ -13,16 +13,19 @@ mod linear;
 mod lowering;
 mod max_step;
 mod overflow;
+mod pass;
 mod places;
 mod predictor;
 mod rates;
 mod reaction;
 mod sensitivity;
+mod site;
 mod size;
 mod sources;
 mod steps;
 mod tangent;
 mod tied;
+mod ties;
 mod triad;
 mod turning;
 mod virtual_work;
@@ -39,11 +42,10 @@ use super::{Block, BlockKind, Choice, Motion, Program, Rounds, Sensitivity};
 use crate::model::{LinkId, Model};
 use crate::plan::{Plan, PlanPart, Step};
 use crate::structure::Structure;
-use cam::Follower;
 use lowering::Lowering;
-use rates::SolvedLoop;
+use pass::{Follower, PositionPass};
+use site::SolvedLoop;
 use sources::Angle;
-use steps::PositionPass;
 
 /// Builds the program of a planned mechanism, with every loop solved by the method that the model says.
 #[must_use]

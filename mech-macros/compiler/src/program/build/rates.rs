@@ -5,10 +5,11 @@
 
 use super::Positions;
 use super::lowering::Lowering;
+use super::site::SolvedLoop;
 use super::size::Size;
 use super::tangent::{Seed, Tangents};
-use super::tied::{Tied, all_columns};
-use crate::plan::{Arithmetic, Equation, Solution, Unknown};
+use super::tied::all_columns;
+use crate::plan::{Arithmetic, Solution, Unknown};
 use crate::program::builder::SsaBuilder;
 use crate::program::calibrate::reach;
 use crate::program::node::{Op, Value};
@@ -16,28 +17,6 @@ use crate::program::{BlockId, Motion, RateMargin, System};
 
 /// Links whose rates stand in one block.
 const MOST_LINKS: usize = 48;
-
-/// A loop that is solved.
-pub(super) struct SolvedLoop {
-    /// The number of its loop in the plan.
-    pub(super) number: usize,
-    /// The name of its block.
-    pub(super) name: String,
-    /// The joints of the loop whose coordinates are unknown, for messages.
-    pub(super) place: String,
-    pub(super) equation: Equation<Value>,
-    /// Its directions and displacements, in the order of the equation's unknowns.
-    pub(super) solution: Vec<Solution<Value>>,
-    /// The relations of its directions and displacements to fewer unknowns, if rolling ties them.
-    pub(super) tied: Option<Tied>,
-}
-
-impl SolvedLoop {
-    /// Whether an angle is among its unknowns that is counted over whole turns.
-    pub(super) fn counts_turns(&self) -> bool {
-        self.tied.as_ref().is_some_and(Tied::counts_turns)
-    }
-}
 
 /// The linear system for the rates of a loop, and its solution.
 pub(super) struct LoopRates {

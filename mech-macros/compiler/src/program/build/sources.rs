@@ -1,13 +1,10 @@
 //! What gears, belts, racks and cams are solved from.
 
 use super::lowering::Lowering;
-use super::steps::PositionPass;
 use super::watching::Watches;
-use crate::model::{InputId, JointKind, LinkId};
-use crate::plan::{Arithmetic, Plan, Rational, Source, Turning, float_of};
+use crate::model::{InputId, LinkId};
+use crate::plan::{Plan, Source, Turning};
 use crate::program::node::{Op, Value};
-use num_traits::ToPrimitive;
-use std::f64::consts::TAU;
 
 /// The sources of a plan, as far as they were read.
 pub(super) struct Sources {
@@ -87,45 +84,5 @@ impl Sources {
         self.angles.push(Angle { value, between });
         self.principals[number] = Some(value);
         value
-    }
-}
-
-impl PositionPass<'_> {
-    /// A part of a source. Of a motor's whole turns, an angle needs only what they come to less whole turns.
-    pub(super) fn share(&mut self, number: usize, part: &Rational, is_angle: bool) -> Value {
-        let Self {
-            lowering, watches, ..
-        } = self;
-        let source = self.sources.value(lowering, watches, number);
-        let (model, plan, ssa) = (lowering.model, lowering.plan, &mut lowering.ssa);
-        let factor = ssa.constant(float_of(part));
-        let share = ssa.mul(factor, source);
-        let Source::Motor(motor) = plan.sources[number] else {
-            return share;
-        };
-        let joint = model.joint(model.motor(motor).joint);
-        if !matches!(joint.kind, JointKind::Revolute(..)) {
-            return share;
-        }
-        let name = format!("{}_turns", joint.name);
-        let turns = match (is_angle, part.numer().to_i64(), part.denom().to_i64()) {
-            (true, Some(_), Some(1)) => return share,
-            (true, Some(numerator), Some(denominator)) => {
-                let turns = ssa.make(Op::PartOfTurns(
-                    InputId::of_motor(motor),
-                    numerator,
-                    denominator,
-                ));
-                ssa.name(turns, name)
-            }
-            _ => {
-                let turns = ssa.make(Op::Turns(InputId::of_motor(motor)));
-                let turns = ssa.name(turns, name);
-                let turn = ssa.constant(TAU);
-                let turns = ssa.mul(turn, turns);
-                ssa.mul(factor, turns)
-            }
-        };
-        ssa.add(share, turns)
     }
 }

@@ -1,43 +1,14 @@
 //! The steps of a plan, lowered one after the other.
 
-use super::cam::Follower;
-use super::continuous::ContinuousAngles;
-use super::lowering::Lowering;
-use super::predictor::Predictor;
-use super::rates::SolvedLoop;
-use super::sources::Sources;
-use super::watching::Watches;
-use crate::model::{InputId, Model};
+use super::pass::PositionPass;
+use crate::model::InputId;
 use crate::plan::{
-    Algebra, Arithmetic, ConnectionKind, Drive, Mesh, Plan, Rational, Solution, Source, Step, Weld,
+    Algebra, Arithmetic, ConnectionKind, Drive, Mesh, Rational, Solution, Source, Step, Weld,
     float_of,
 };
 use crate::program::node::Op;
 
-/// The pass that finds the positions of all links.
-pub(super) struct PositionPass<'m> {
-    pub(super) lowering: Lowering<'m>,
-    pub(super) sources: Sources,
-    pub(super) watches: Watches,
-    pub(super) predictor: Predictor,
-    pub(super) continuous: ContinuousAngles,
-    pub(super) followers: Vec<Follower>,
-    pub(super) loops: Vec<SolvedLoop>,
-}
-
-impl<'m> PositionPass<'m> {
-    pub(super) fn new(model: &'m Model, plan: &'m Plan) -> Self {
-        Self {
-            lowering: Lowering::new(model, plan),
-            sources: Sources::new(plan),
-            watches: Watches::default(),
-            predictor: Predictor::new(model),
-            continuous: ContinuousAngles::new(model),
-            followers: Vec::new(),
-            loops: Vec::new(),
-        }
-    }
-
+impl PositionPass<'_> {
     /// What never turns.
     pub(super) fn weld(&mut self, weld: &Weld) {
         let direction = self.lowering.ssa.vector(weld.direction);

@@ -1,7 +1,7 @@
 //! Loops that are watched, and angles whose turns are counted: what a position carries of them.
 
-use super::closing::LoopSite;
 use super::lowering::Lowering;
+use super::site::LoopSite;
 use crate::plan::{Algebra, Arithmetic, Dyad, Equation, Solution, Turning};
 use crate::program::builder::SsaBuilder;
 use crate::program::calibrate::{determinant, reach};
@@ -278,5 +278,21 @@ fn pair(columns: &[Vec<Value>]) -> Option<[[Value; 2]; 2]> {
     match columns {
         [a, b] => Some([a[..].try_into().ok()?, b[..].try_into().ok()?]),
         _ => None,
+    }
+}
+
+impl Lowering<'_> {
+    /// Carries the signs of the inputs' last motions, if a loop passes change points, and after them for each watched loop the number of
+    /// its `Standing`: they say on which side it leaves one.
+    pub(super) fn carry_motion_signs(&mut self, watches: &Watches) {
+        let mut loops = watches.loops.iter();
+        if loops.all(|watch| watch.at_zero == journey::AtZero::Stay) {
+            return;
+        }
+        let signs = (0..self.model.inputs()).map(|_| self.ssa.carry(1.0).index);
+        self.layout.motion_signs = signs.min();
+        for _ in &watches.loops {
+            self.ssa.carry(1.0);
+        }
     }
 }

@@ -1,10 +1,9 @@
 //! What acts on links: `gravity`, `spring`, `damper`, `load`.
 
+use super::beginning::STATEMENTS;
 use super::expression::{expression, one_of, pair};
 use super::path::{end, path};
-use super::recover::to_semicolon;
-use super::setting::read_setting;
-use super::statement::{BEGINNINGS, read_declared};
+use super::recover::{read_declared, read_setting, to_semicolon};
 use super::tokens::{in_parens, symbol, take, take_word, word};
 use crate::syntax::ast::{BetweenEnds, Elastic, ElasticBody, Load, LoadOn, Read, Statement};
 use proc_macro2::Span;
@@ -37,7 +36,7 @@ pub(super) fn gravity(input: ParseStream, keyword: Span) -> Statement {
 /// Reads `name = linear(a.p, b.q) stiffness 4530 rest 0.08;`
 pub(super) fn spring(input: ParseStream) -> Statement {
     read_declared(input, "the name of a spring", |input, name| {
-        let body = to_semicolon(input, &BEGINNINGS, |input| {
+        let body = to_semicolon(input, &STATEMENTS, |input| {
             let (between, strength) = body(input, "stiffness")?;
             let rest = take_word(input, "rest")
                 .map(|_| expression(input))
@@ -55,7 +54,7 @@ pub(super) fn spring(input: ParseStream) -> Statement {
 /// Reads `name = torsional(joint) damping 0.1;`
 pub(super) fn damper(input: ParseStream) -> Statement {
     read_declared(input, "the name of a damper", |input, name| {
-        let body = to_semicolon(input, &BEGINNINGS, |input| {
+        let body = to_semicolon(input, &STATEMENTS, |input| {
             let (between, strength) = body(input, "damping")?;
             Ok(ElasticBody {
                 between,
@@ -87,7 +86,7 @@ fn body(input: ParseStream, strength: &str) -> Read<(BetweenEnds, crate::syntax:
 /// Reads `name = force(link.point);`
 pub(super) fn load(input: ParseStream) -> Statement {
     read_declared(input, "the name of a load", |input, name| {
-        let on = to_semicolon(input, &BEGINNINGS, on);
+        let on = to_semicolon(input, &STATEMENTS, on);
         Statement::Load(Box::new(Load { name, on }))
     })
 }

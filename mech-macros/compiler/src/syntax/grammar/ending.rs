@@ -1,6 +1,6 @@
 //! The end of a statement, and the message where it is missing.
 
-use super::recover::at_beginning;
+use super::beginning::at_beginning;
 use super::tokens::{beginning, comes, expected_message, take};
 use super::unit::is_declared;
 use crate::syntax::ast::Read;

@@ -1,9 +1,8 @@
 //! Shapes that stand for a part of a machine: `gear (0, 0) teeth 20`.
 
 use super::expression::{expression, pair, read_labelled};
-use super::item::corners;
-use super::tokens::{expected_message, in_brackets, take_word};
-use crate::syntax::ast::{Expr, Outline, Read};
+use super::tokens::{expected_message, in_brackets, take, take_word};
+use crate::syntax::ast::{Expr, Outline, Pair, Read};
 use syn::LitStr;
 use syn::parse::ParseStream;
 
@@ -63,4 +62,15 @@ pub(super) fn text(input: ParseStream) -> Read<Outline> {
         height: read_labelled(input, "height")?,
         turned: optional(input, "turned")?,
     })
+}
+
+pub(super) fn corners(input: ParseStream) -> Read<Vec<Pair>> {
+    let mut corners = Vec::new();
+    while !input.is_empty() {
+        corners.push(pair(input)?);
+        if take(input, ",").is_none() {
+            break;
+        }
+    }
+    Ok(corners)
 }

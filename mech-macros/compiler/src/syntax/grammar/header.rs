@@ -1,8 +1,8 @@
 //! The `struct` line.
 
+use super::beginning::STATEMENTS;
 use super::ending::{missing_after, semicolon};
 use super::recover::skip;
-use super::statement::BEGINNINGS;
 use super::tokens::{any_word, expected_message, message_of, name, take};
 use crate::model::Precision;
 use crate::syntax::ast::Read;
@@ -43,7 +43,7 @@ pub(super) fn line(input: ParseStream, mut attributes: Vec<Attribute>) -> Line {
         Err(error) => Some(error),
     });
     if error.is_some() {
-        skip(input, &BEGINNINGS);
+        skip(input, &STATEMENTS);
     }
     Line {
         header,
@@ -89,11 +89,11 @@ fn ending(input: ParseStream, begin: Cursor) -> Read<Precision> {
         None if input.peek(Token![;]) => Precision::default(),
         None => {
             let missing = "`;`, or `: f64` or `: f32`";
-            let forgotten = missing_after(input, begin, &BEGINNINGS, "`;`");
+            let forgotten = missing_after(input, begin, &STATEMENTS, "`;`");
             return Err(forgotten.unwrap_or_else(|| expected_message(input, missing)));
         }
     };
-    semicolon(input, begin, &BEGINNINGS)?;
+    semicolon(input, begin, &STATEMENTS)?;
     Ok(precision)
 }
 

@@ -1,29 +1,25 @@
 //! What is fixed to a link: `{ point pin = (1, 0); circle (0, 0) radius 0.2; }`.
 
+use super::beginning::{ITEMS, STATEMENTS, at_beginning};
 use super::ending::missing_after;
 use super::expression::{direction, expression, pair, read_labelled};
-use super::figure;
+use super::figure::{self, corners};
 use super::misplaced;
-use super::recover::{at_beginning, or_skip, skip, to_semicolon};
+use super::recover::{or_skip, skip, to_semicolon};
 use super::tokens::{
     any_word, comes, expected_message, in_braces, in_brackets, name, symbol, take, take_tree,
     take_word,
 };
 use crate::model::AxisKind;
 use crate::syntax::ast::{
-    Axis, AxisValue, Broken, Color, Expr, Item, Matter, MatterKind, Outline, Pair, Read, Shade,
-    Shape,
+    Axis, AxisValue, Broken, Color, Expr, Item, Matter, MatterKind, Outline, Read, Shade, Shape,
 };
 use crate::syntax::{Message, Place, spelling};
 use proc_macro2::{Ident, Span};
 use syn::LitStr;
+use syn::buffer::Cursor;
 use syn::parse::ParseStream;
-
-/// The words that an item may begin with.
-pub(super) const BEGINNINGS: [&str; 13] = [
-    "point", "line", "circle", "ring", "polygon", "bar", "gear", "stand", "rail", "spring", "text",
-    "mass", "density",
-];
+use syn::token;
 
 /// Reads `{ ... }`.
 pub(super) fn items(input: ParseStream) -> Read<Vec<Item>> {
@@ -35,7 +31,7 @@ fn item(input: ParseStream) -> Item {
         let otherwise = expected_message(input, "`point`, `line`, `circle` or `polygon`");
         if take(input, ";").is_none() {
             take_tree(input);
-            skip(input, &BEGINNINGS);
+            skip(input, &ITEMS);
         }
         return Item::Broken(Broken {
             error: otherwise,
@@ -64,22 +60,22 @@ fn item(input: ParseStream) -> Item {
 
 fn unknown_item(input: ParseStream, keyword: &Ident) -> Item {
     let text = misplaced::as_item(&keyword.to_string()).unwrap_or_else(|| {
-        let remedy = match spelling::nearest(&keyword.to_string(), &BEGINNINGS) {
+        let remedy = match spelling::nearest(&keyword.to_string(), &ITEMS) {
             Some(near) => format!("did you mean `{near}`?"),
             None => format!(
                 "what is fixed to a link begins with one of {}",
-                spelling::list(&BEGINNINGS)
+                spelling::list(&ITEMS)
             ),
         };
         format!("unknown item `{keyword}`; {remedy}")
     });
     let error = Message::new(Place::at(keyword.span()), text);
-    let name = if at_beginning(input, &BEGINNINGS) {
+    let name = if at_beginning(input, &ITEMS) {
         None
     } else {
         name(input, "a name").ok()
     };
-    skip(input, &BEGINNINGS);
+    skip(input, &ITEMS);
     Item::Broken(Broken { error, name })
 }
 
@@ -88,11 +84,11 @@ fn axis(input: ParseStream, kind: AxisKind) -> Item {
         AxisKind::Point => "the name of a point",
         AxisKind::Line => "the name of a line",
     };
-    let name = match or_skip(input, &BEGINNINGS, |input| name(input, what)) {
+    let name = match or_skip(input, &ITEMS, |input| name(input, what)) {
         Ok(name) => name,
         Err(error) => return Item::Broken(Broken { error, name: None }),
     };
-    let value = to_semicolon(input, &BEGINNINGS, |input| axis_value(input, kind));
+    let value = to_semicolon(input, &ITEMS, |input| axis_value(input, kind));
     Item::Axis(Axis { kind, name, value })
 }
 
@@ -103,7 +99,7 @@ fn axis_value(input: ParseStream, kind: AxisKind) -> Read<AxisValue> {
     let direction = take(input, "->").map(|_| direction(input)).transpose()?;
     if direction.is_none() && kind == AxisKind::Line {
         let missing = "`-> (dx, dy)`";
-        let forgotten = missing_after(input, begin, &BEGINNINGS, missing);
+        let forgotten = missing_after(input, begin, &ITEMS, missing);
         let mut error = forgotten.unwrap_or_else(|| expected_message(input, missing));
         error.text.push_str("; a line has a direction");
         return Err(error);
@@ -113,7 +109,7 @@ fn axis_value(input: ParseStream, kind: AxisKind) -> Read<AxisValue> {
         .transpose()?;
     if direction.is_none() && turned.is_none() && !comes(input, ";") {
         let missing = "`;`, or `-> (dx, dy)`";
-        let forgotten = missing_after(input, begin, &BEGINNINGS, "`;`");
+        let forgotten = missing_after(input, begin, &ITEMS, "`;`");
         return Err(forgotten.unwrap_or_else(|| expected_message(input, missing)));
     }
     Ok(AxisValue {
@@ -124,7 +120,7 @@ fn axis_value(input: ParseStream, kind: AxisKind) -> Read<AxisValue> {
 }
 
 fn shape(input: ParseStream, keyword: Span, outline: fn(ParseStream) -> Read<Outline>) -> Item {
-    let shape = to_semicolon(input, &BEGINNINGS, |input| {
+    let shape = to_semicolon(input, &ITEMS, |input| {
         let outline = outline(input)?;
         let (plane, color) = look(input)?;
         Ok(Shape {
@@ -239,19 +235,8 @@ fn polygon(input: ParseStream) -> Read<Outline> {
     Ok(Outline::Polygon { corners, place })
 }
 
-pub(super) fn corners(input: ParseStream) -> Read<Vec<Pair>> {
-    let mut corners = Vec::new();
-    while !input.is_empty() {
-        corners.push(pair(input)?);
-        if take(input, ",").is_none() {
-            break;
-        }
-    }
-    Ok(corners)
-}
-
 fn matter(input: ParseStream, keyword: Span, kind: fn(ParseStream) -> Read<MatterKind>) -> Item {
-    match to_semicolon(input, &BEGINNINGS, kind) {
+    match to_semicolon(input, &ITEMS, kind) {
         Ok(kind) => Item::Matter(Box::new(Matter { keyword, kind })),
         Err(error) => Item::Broken(Broken { error, name: None }),
     }
@@ -269,4 +254,17 @@ fn mass(input: ParseStream) -> Read<MatterKind> {
 
 fn density(input: ParseStream) -> Read<MatterKind> {
     expression(input).map(MatterKind::Density)
+}
+
+/// `{ ... }` or `;`
+pub(super) fn body(input: ParseStream, begin: Cursor) -> Read<Vec<Item>> {
+    if take(input, ";").is_some() {
+        return Ok(Vec::new());
+    }
+    if input.peek(token::Brace) {
+        return items(input);
+    }
+    let missing = "`{` or `;`";
+    let forgotten = missing_after(input, begin, &STATEMENTS, missing);
+    Err(forgotten.unwrap_or_else(|| expected_message(input, missing)))
 }

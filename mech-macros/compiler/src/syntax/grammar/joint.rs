@@ -1,9 +1,9 @@
 //! `joint name = kind(first, second, size) at (x, y) along (dx, dy);`
 
+use super::beginning::{STATEMENTS, at_beginning};
 use super::expression::{direction, expression, one_of, pair, read_labelled};
 use super::path::{end, path};
-use super::recover::{at_beginning, to_semicolon};
-use super::statement::{BEGINNINGS, read_declared};
+use super::recover::{read_declared, to_semicolon};
 use super::tokens::{comes_word, expected_message, in_parens, symbol, take, take_word};
 use crate::syntax::ast::{
     Clause, End, Expr, Joint, JointBody, JointWord, Name, Read, Rolling, Size, Statement,
@@ -25,7 +25,7 @@ const WORDS: [(&str, JointWord); 8] = [
 /// Reads a joint after its keyword.
 pub(super) fn joint(input: ParseStream) -> Statement {
     read_declared(input, "the name of a joint", |input, name| {
-        let body = to_semicolon(input, &BEGINNINGS, body);
+        let body = to_semicolon(input, &STATEMENTS, body);
         Statement::Joint(Box::new(Joint { name, body }))
     })
 }
@@ -173,7 +173,7 @@ fn clause<T>(
     value: fn(ParseStream) -> Read<T>,
 ) -> Read<Option<Clause<T>>> {
     // A joint without its `;` may stand before `at change points`.
-    if at_beginning(input, &BEGINNINGS) {
+    if at_beginning(input, &STATEMENTS) {
         return Ok(None);
     }
     let Some(keyword) = take_word(input, keyword) else {

@@ -1,7 +1,7 @@
 //! How the loops are solved.
 
 use super::expression::expression;
-use super::setting::read_setting;
+use super::recover::read_setting;
 use super::tokens::{any_word, comes_word, expected_message, in_parens, take_word, word};
 use crate::model::AtChangePoints;
 use crate::syntax::Message;

@@ -1,11 +1,11 @@
 //! Words that begin something elsewhere, or in Rust.
 
-use super::{item, statement};
+use super::beginning::{ITEMS, STATEMENTS};
 
 /// Words of Rust that declare a value.
 const VALUES: [&str; 3] = ["let", "var", "static"];
 /// Words of Rust that declare something else.
-const ITEMS: [&str; 8] = [
+const OF_RUST: [&str; 8] = [
     "fn",
     "use",
     "mod",
@@ -22,11 +22,11 @@ pub(super) fn as_statement(word: &str) -> Option<String> {
         Some(format!(
             "numbers are declared by `const`; write `const` for `{word}`"
         ))
-    } else if ITEMS.contains(&word) {
+    } else if OF_RUST.contains(&word) {
         Some(format!(
             "`{word}` belongs to Rust; write it outside of `mechanism!`"
         ))
-    } else if item::BEGINNINGS.contains(&word) {
+    } else if ITEMS.contains(&word) {
         Some(format!(
             "`{word}` is fixed to a link; write it in the braces of `ground` or of a `link`"
         ))
@@ -37,7 +37,7 @@ pub(super) fn as_statement(word: &str) -> Option<String> {
 
 /// What to do about a word that begins no item of a link, but something else.
 pub(super) fn as_item(word: &str) -> Option<String> {
-    statement::BEGINNINGS.contains(&word).then(|| {
+    STATEMENTS.contains(&word).then(|| {
         format!("`{word}` is a statement of its own; write it after the braces of the link")
     })
 }

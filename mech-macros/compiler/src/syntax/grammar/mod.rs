@@ -1,6 +1,7 @@
 //! From tokens to the tree of the text. What cannot be read is reported in the tree, and reading goes on after it.
 
 mod action;
+mod beginning;
 mod ending;
 mod expression;
 mod figure;

@@ -1,9 +1,10 @@
 //! Parts, their ports and their uses.
 
+use super::beginning::STATEMENTS;
 use super::expression::{expression, pair};
+use super::item::body;
 use super::path::path;
-use super::recover::{or_skip, to_semicolon};
-use super::statement::{BEGINNINGS, body, read_declared, statement};
+use super::recover::{or_skip, read_declared, to_semicolon};
 use super::tokens::{
     comes, end, expected_message, in_braces, in_brackets, in_parens, name, open_braces, symbol,
     take, take_word,
@@ -13,11 +14,11 @@ use proc_macro2::{Ident, Spacing};
 use syn::parse::ParseStream;
 use syn::token;
 
-/// Reads `Leg(size = 1) { ... }`.
-pub(super) fn part(input: ParseStream) -> Statement {
+/// Reads `Leg(size = 1) { ... }`, by what reads a statement.
+pub(super) fn part(input: ParseStream, statement: fn(ParseStream) -> Statement) -> Statement {
     read_declared(input, "the name of a part", |input, name| {
         let mut parameters = Vec::new();
-        let body = or_skip(input, &BEGINNINGS, |input| {
+        let body = or_skip(input, &STATEMENTS, |input| {
             parameters = numbers(input)?;
             in_braces(input, "`{`", statement)
         });
@@ -33,7 +34,7 @@ pub(super) fn part(input: ParseStream) -> Statement {
 pub(super) fn port(input: ParseStream) -> Statement {
     let begin = input.cursor();
     read_declared(input, "the name of a port", |input, name| {
-        let items = or_skip(input, &BEGINNINGS, |input| body(input, begin));
+        let items = or_skip(input, &STATEMENTS, |input| body(input, begin));
         Statement::Port(Port { name, items })
     })
 }
@@ -51,7 +52,7 @@ pub(super) fn is_of_rust(input: ParseStream) -> bool {
 pub(super) fn used(input: ParseStream) -> Statement {
     read_declared(input, "the name of what is used", |input, name| {
         let unread = name.clone();
-        match to_semicolon(input, &BEGINNINGS, |input| instances(input, name)) {
+        match to_semicolon(input, &STATEMENTS, |input| instances(input, name)) {
             Ok(used) => Statement::Use(Box::new(used)),
             Err(error) => Statement::Broken(Broken {
                 error,

@@ -1,9 +1,11 @@
 //! Going on after an error.
 
+use super::beginning::{STATEMENTS, at_beginning};
 use super::ending::{at_assignment, semicolon};
-use super::tokens::{take, take_tree};
-use crate::syntax::ast::Read;
-use proc_macro2::{Delimiter, TokenTree};
+use super::tokens::{name, take, take_tree};
+use crate::syntax::Message;
+use crate::syntax::ast::{Broken, Read, Statement};
+use proc_macro2::{Delimiter, Ident, TokenTree};
 use syn::parse::ParseStream;
 
 /// Reads the remainder of a statement up to its `;`. After an error, goes to the next statement of a list in which
@@ -53,17 +55,27 @@ fn ends_with_braces(tree: Option<TokenTree>) -> bool {
     )
 }
 
-/// Whether one of the words comes next, followed by what may follow it: a name, a number or a bracket. The word `at`
-/// also stands within joints, before a bracket: it begins a statement only with `change` after it.
-pub(super) fn at_beginning(input: ParseStream, beginnings: &[&str]) -> bool {
-    let Some((word, rest)) = input.cursor().ident() else {
-        return false;
-    };
-    let name = rest.ident().map(|(name, _)| name);
-    let follows = if word == "at" {
-        name.is_some_and(|name| name == "change")
-    } else {
-        name.is_some() || rest.literal().is_some() || rest.any_group().is_some()
-    };
-    follows && beginnings.iter().any(|beginning| word == *beginning)
+/// A statement without a name that could not be read.
+pub(super) fn broken_statement(error: Message) -> Statement {
+    Statement::Broken(Broken { error, name: None })
+}
+
+/// Reads the name that a statement declares; without one, the statement is lost.
+pub(super) fn read_declared(
+    input: ParseStream,
+    what: &str,
+    rest: impl FnOnce(ParseStream, Ident) -> Statement,
+) -> Statement {
+    match or_skip(input, &STATEMENTS, |input| name(input, what)) {
+        Ok(name) => rest(input, name),
+        Err(error) => broken_statement(error),
+    }
+}
+
+/// Reads the remainder of a statement that declares no name.
+pub(super) fn read_setting(
+    input: ParseStream,
+    read: impl FnOnce(ParseStream) -> Read<Statement>,
+) -> Statement {
+    to_semicolon(input, &STATEMENTS, read).unwrap_or_else(broken_statement)
 }

@@ -1,10 +1,10 @@
 //! Motors, the start and what is wanted: everything that refers to links and joints declared elsewhere.
 
+use super::beginning::STATEMENTS;
 use super::ending::after_last;
 use super::expression::expression;
 use super::path::{end, path};
-use super::recover::{or_skip, to_semicolon};
-use super::statement::BEGINNINGS;
+use super::recover::{or_skip, read_setting, to_semicolon};
 use super::tokens::{any_word, comes, expected_message, in_braces, name, symbol, take, take_word};
 use super::trace::trace;
 use crate::syntax::ast::{Broken, Effect, Expr, Motor, Name, Read, Start, StartClause, Statement};
@@ -12,15 +12,6 @@ use crate::syntax::{Message, Place};
 use proc_macro2::Span;
 use syn::parse::ParseStream;
 use syn::token;
-
-/// Reads the remainder of a statement that declares no name.
-pub(super) fn read_setting(
-    input: ParseStream,
-    read: impl FnOnce(ParseStream) -> Read<Statement>,
-) -> Statement {
-    to_semicolon(input, &BEGINNINGS, read)
-        .unwrap_or_else(|error| Statement::Broken(Broken { error, name: None }))
-}
 
 /// Whether a motor with a law comes next: `motor name =`.
 pub(super) fn law_comes(input: ParseStream) -> bool {
@@ -90,7 +81,7 @@ fn after_step(input: ParseStream) -> Read<()> {
 
 /// Reads `{ joint = value; link near angle; }`.
 pub(super) fn start(input: ParseStream, keyword: Span) -> Statement {
-    match or_skip(input, &BEGINNINGS, |input| in_braces(input, "`{`", clause)) {
+    match or_skip(input, &STATEMENTS, |input| in_braces(input, "`{`", clause)) {
         Ok(clauses) => Statement::Start(Start { keyword, clauses }),
         Err(error) => Statement::Broken(Broken { error, name: None }),
     }
@@ -125,7 +116,7 @@ pub(super) fn effects(input: ParseStream, keyword: Span) -> Statement {
             error
         })
     };
-    match or_skip(input, &BEGINNINGS, in_braces) {
+    match or_skip(input, &STATEMENTS, in_braces) {
         Ok(effects) => Statement::Effects { keyword, effects },
         Err(error) => Statement::Broken(Broken { error, name: None }),
     }

@@ -1,51 +1,18 @@
 //! The list of statements, and what each begins with.
 
-use super::ending::missing_after;
+use super::beginning::{NOT_YET, STATEMENTS, at_beginning};
 use super::expression::expression;
 use super::header::{self, Line};
-use super::recover::{at_beginning, or_skip, skip, to_semicolon};
+use super::recover::{broken_statement, or_skip, read_declared, skip, to_semicolon};
 use super::tokens::{
     any_word, comes_word, expected_message, message_of, name, symbol, take, take_tree,
 };
 use super::{action, item, joint, method, misplaced, part, setting};
-use crate::syntax::ast::{Broken, Constant, Ground, Item, Link, Read, Statement, Text};
+use crate::syntax::ast::{Broken, Constant, Ground, Link, Read, Statement, Text};
 use crate::syntax::{Message, Place, spelling};
 use proc_macro2::{Ident, Span};
-use syn::buffer::Cursor;
+use syn::Attribute;
 use syn::parse::ParseStream;
-use syn::{Attribute, token};
-
-/// The words that a statement may begin with.
-pub(super) const BEGINNINGS: [&str; 25] = [
-    "const",
-    "param",
-    "ground",
-    "link",
-    "joint",
-    "motor",
-    "start",
-    "method",
-    "accuracy",
-    "cost",
-    "at",
-    "allow",
-    "effects",
-    "show",
-    "continuous",
-    "quality",
-    "look",
-    "gravity",
-    "spring",
-    "damper",
-    "load",
-    "part",
-    "port",
-    "use",
-    NOT_YET,
-];
-
-/// That of them which stands for nothing today.
-const NOT_YET: &str = "certify";
 
 /// Reads everything.
 pub(super) fn text(input: ParseStream) -> Text {
@@ -94,10 +61,6 @@ pub(super) fn text(input: ParseStream) -> Text {
     text
 }
 
-fn broken_statement(error: Message) -> Statement {
-    Statement::Broken(Broken { error, name: None })
-}
-
 fn headless(beginning: Span) -> Message {
     let text = "expected `struct Name;` first; it names the type that the mechanism becomes";
     Message::new(Place::at(beginning), text)
@@ -122,7 +85,7 @@ fn out_of_place(name: Option<&Ident>, first: bool, headed: bool) -> Option<Messa
 }
 
 fn attributes(input: ParseStream) -> Read<Vec<Attribute>> {
-    or_skip(input, &BEGINNINGS, |input| {
+    or_skip(input, &STATEMENTS, |input| {
         Attribute::parse_outer(input).map_err(|error| message_of(&error))
     })
 }
@@ -143,7 +106,7 @@ pub(super) fn statement(input: ParseStream) -> Statement {
         // One token at least, or a stray keyword after it would be waited for forever.
         if take(input, ";").is_none() {
             take_tree(input);
-            skip(input, &BEGINNINGS);
+            skip(input, &STATEMENTS);
         }
         return broken_statement(otherwise);
     };
@@ -169,7 +132,7 @@ pub(super) fn statement(input: ParseStream) -> Statement {
         "damper" => action::damper(input),
         "load" => action::load(input),
         "allow" => setting::allow(input),
-        "part" => part::part(input),
+        "part" => part::part(input, statement),
         "port" => part::port(input),
         "use" if part::is_of_rust(input) => left_behind(input, unknown_statement(&keyword)),
         "use" => part::used(input),
@@ -190,10 +153,10 @@ fn unknown_statement(keyword: &Ident) -> Message {
     if let Some(trouble) = misplaced::as_statement(&text) {
         return Message::new(Place::at(keyword.span()), trouble);
     }
-    let remedy = if let Some(near) = spelling::nearest(&text, &BEGINNINGS) {
+    let remedy = if let Some(near) = spelling::nearest(&text, &STATEMENTS) {
         format!("did you mean `{near}`?")
     } else {
-        let supported = BEGINNINGS.into_iter().filter(|&word| word != NOT_YET);
+        let supported = STATEMENTS.into_iter().filter(|&word| word != NOT_YET);
         let supported: Vec<&str> = supported.collect();
         format!(
             "a statement begins with one of {}",
@@ -208,31 +171,19 @@ fn unknown_statement(keyword: &Ident) -> Message {
 
 /// A statement that is not read, but whose name is kept: it is not unknown where it is used.
 fn left_behind(input: ParseStream, error: Message) -> Statement {
-    let name = if at_beginning(input, &BEGINNINGS) {
+    let name = if at_beginning(input, &STATEMENTS) {
         None
     } else {
         name(input, "a name").ok()
     };
-    skip(input, &BEGINNINGS);
+    skip(input, &STATEMENTS);
     Statement::Broken(Broken { error, name })
-}
-
-/// Reads the name that a statement declares; without one, the statement is lost.
-pub(super) fn read_declared(
-    input: ParseStream,
-    what: &str,
-    rest: impl FnOnce(ParseStream, Ident) -> Statement,
-) -> Statement {
-    match or_skip(input, &BEGINNINGS, |input| name(input, what)) {
-        Ok(name) => rest(input, name),
-        Err(error) => broken_statement(error),
-    }
 }
 
 /// Reads `NAME = value;`.
 fn constant(input: ParseStream, what: &str, kind: fn(Constant) -> Statement) -> Statement {
     read_declared(input, what, |input, name| {
-        let value = to_semicolon(input, &BEGINNINGS, |input| {
+        let value = to_semicolon(input, &STATEMENTS, |input| {
             refuse_type(input)?;
             symbol(input, "=")?;
             expression(input)
@@ -258,27 +209,14 @@ fn refuse_type(input: ParseStream) -> Read<()> {
 }
 
 fn ground(input: ParseStream, keyword: Span) -> Statement {
-    let items = or_skip(input, &BEGINNINGS, item::items);
+    let items = or_skip(input, &STATEMENTS, item::items);
     Statement::Ground(Ground { keyword, items })
 }
 
 fn link(input: ParseStream) -> Statement {
     let begin = input.cursor();
     read_declared(input, "the name of a link", |input, name| {
-        let items = or_skip(input, &BEGINNINGS, |input| body(input, begin));
+        let items = or_skip(input, &STATEMENTS, |input| item::body(input, begin));
         Statement::Link(Link { name, items })
     })
-}
-
-/// `{ ... }` or `;`
-pub(super) fn body(input: ParseStream, begin: Cursor) -> Read<Vec<Item>> {
-    if take(input, ";").is_some() {
-        return Ok(Vec::new());
-    }
-    if input.peek(token::Brace) {
-        return item::items(input);
-    }
-    let missing = "`{` or `;`";
-    let forgotten = missing_after(input, begin, &BEGINNINGS, missing);
-    Err(forgotten.unwrap_or_else(|| expected_message(input, missing)))
 }

@@ -4,6 +4,7 @@
 //! `template` writes. `roll` finds those that are computed in a loop.
 
 mod class;
+mod entries;
 mod numbers;
 mod pieces;
 mod roll;

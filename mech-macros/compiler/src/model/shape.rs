@@ -1,0 +1,97 @@
+//! Shapes: what is seen of a link.
+
+use super::{Figure, FormulaId, Origin};
+
+/// A coloured spot that belongs to one plane for ever.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shape {
+    /// Where it was declared.
+    pub origin: Origin,
+    /// Its outline, in the frame of the link.
+    pub kind: ShapeKind,
+    /// The plane it lies in: greater is nearer to the eye.
+    pub plane: i32,
+    /// Its entry in the palette.
+    pub color: u8,
+    /// How each of its [`numbers`](ShapeKind::numbers) is computed that depends on params.
+    pub formulas: Vec<Option<FormulaId>>,
+}
+
+impl Shape {
+    /// Whether it depends on a param.
+    #[must_use]
+    pub fn varies(&self) -> bool {
+        self.formulas.iter().any(Option::is_some)
+    }
+}
+
+/// The outline of a shape.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ShapeKind {
+    /// A filled circle.
+    Circle {
+        /// Its centre.
+        center: [f64; 2],
+        /// Its radius, greater than zero.
+        radius: f64,
+    },
+    /// A circle with a hole of the same centre.
+    Ring {
+        /// Its centre.
+        center: [f64; 2],
+        /// Its radius.
+        radius: f64,
+        /// The radius of its hole, less than that and greater than zero.
+        hole: f64,
+    },
+    /// A bar with round ends and an eye at each of its pins, of which there are at least two.
+    Bar {
+        /// Where it leads through.
+        pins: Vec<[f64; 2]>,
+        /// How wide it is, greater than zero.
+        width: f64,
+    },
+    /// A filled simple polygon of at least three corners.
+    Polygon(Vec<[f64; 2]>),
+    /// What depends on no param, and of which lengths and directions that are not given follow from the mechanism.
+    Figure(Figure),
+}
+
+/// What a picture looks like that a mechanism makes for itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Quality {
+    /// A pixel belongs to a shape or does not: a `Frame`.
+    #[default]
+    Hard,
+    /// Edges are anti-aliased: a `Smooth`.
+    Smooth,
+}
+
+impl ShapeKind {
+    /// Some of its points, and how far it reaches around them.
+    #[must_use]
+    pub fn reach(&self) -> (&[[f64; 2]], f64) {
+        match self {
+            Self::Circle { center, radius } | Self::Ring { center, radius, .. } => {
+                (std::slice::from_ref(center), *radius)
+            }
+            Self::Bar { pins, width } => (pins, width / 2.0),
+            Self::Polygon(corners) => (corners, 0.0),
+            Self::Figure(figure) => figure.reach(),
+        }
+    }
+
+    /// All numbers that it is made of: both coordinates of each point, then its lengths.
+    #[must_use]
+    pub fn numbers(&self) -> Vec<f64> {
+        let (points, _) = self.reach();
+        let lengths = match *self {
+            Self::Circle { radius, .. } => vec![radius],
+            Self::Ring { radius, hole, .. } => vec![radius, hole],
+            Self::Bar { width, .. } => vec![width],
+            Self::Polygon(_) => Vec::new(),
+            Self::Figure(_) => return Vec::new(),
+        };
+        points.iter().flatten().copied().chain(lengths).collect()
+    }
+}
