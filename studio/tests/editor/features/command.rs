@@ -18,6 +18,8 @@ fn mech(words: &str) -> String {
     write("still.mech", STILL);
     write("a.zyx", "zyx\n");
     write("help", "help\n");
+    write("numbers", "numbers\n");
+    write("everything.mech", include_str!("everything.mech"));
     let mut command = Command::new(env!("CARGO_BIN_EXE_mech"));
     command.args(words.split(' ')).stdin(Stdio::null());
     let output = command.current_dir(folder).output();
@@ -44,9 +46,9 @@ pub(super) fn helps() -> Vec<String> {
     found
 }
 
-/// What can be said in the dialogue, the endings of files that are written, what is imported, and the keys of answers in JSON.
+/// What can be said in the dialogue, the numbers that it sets by their roles, the endings of files that are written, what is imported, and the keys of answers in JSON.
 pub(super) fn answers() -> Vec<String> {
-    let all = "run help|draw a.mech -o a.zyx|film a.mech -o a.zyx|plot a.mech -o a.zyx\
+    let all = "run help|run numbers everything.mech|draw a.mech -o a.zyx|film a.mech -o a.zyx|plot a.mech -o a.zyx\
         |play a.mech --picture a.zyx|import a.zyx|check still.mech --json";
     let mut found: Vec<String> = Vec::new();
     for words in all.split('|') {
