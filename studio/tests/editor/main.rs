@@ -5,6 +5,7 @@ mod desk;
 mod dragging;
 mod drawing;
 mod exhibits;
+mod features;
 mod figure_1;
 mod folder;
 mod keyboard;

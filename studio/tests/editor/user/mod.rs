@@ -439,4 +439,21 @@ impl User {
             .collect();
         labels.join("\n")
     }
+
+    /// What has a name, with what it is.
+    pub(crate) fn names(&self) -> Vec<String> {
+        let all = self.harness.query_all_by(|node| node.label().is_some());
+        let name = |node: egui_kittest::Node<'_>| {
+            let node = node.accesskit_node();
+            format!("{:?} {}", node.role(), node.label().unwrap_or_default())
+        };
+        all.map(name).collect()
+    }
+
+    /// Opens the menu of what has this name.
+    #[track_caller]
+    pub(crate) fn open_menu_of(&mut self, label: &str) {
+        self.harness.get_by_label(label).click_secondary();
+        self.harness.run_steps(3);
+    }
 }
