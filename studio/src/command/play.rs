@@ -154,37 +154,37 @@ fn in_terminal(stage: Stage) -> Result<(), Failure> {
 const INSTEAD: &str =
     "play in a terminal with `--terminal`, or write a picture with `--picture FILE`";
 
-/// Plays in a window. Where there is no display, the terminal is offered, if this is one.
-#[cfg(feature = "window")]
+/// Plays in a window. Where none comes up, the terminal is offered, if this is one.
+#[cfg(feature = "editor")]
 fn in_window(stage: Stage) -> Result<(), Failure> {
-    use crate::play::window::{Display, Error};
-    match Display::open() {
-        Ok(display) => display.play(stage).map_err(|error| match error {
-            Error::Picture(failure) => failure,
-            error => Failure::usage(error.to_string()),
-        }),
-        Err(error) if !is_terminal() => Err(Failure::usage(format!("{error}; {INSTEAD}"))),
-        Err(error) => in_terminal_instead(stage, &error),
+    use crate::play::window;
+    match window::play(stage)? {
+        None => Ok(()),
+        Some(unopened) if !is_terminal() => {
+            Err(Failure::usage(format!("{}; {INSTEAD}", unopened.reason)))
+        }
+        Some(unopened) => in_terminal_instead(unopened),
     }
 }
 
-#[cfg(not(feature = "window"))]
+#[cfg(not(feature = "editor"))]
 fn in_window(_: Stage) -> Result<(), Failure> {
     Err(Failure::usage(format!(
-        "this `mech` was built without its feature `window`; {INSTEAD}"
+        "this `mech` was built without its feature `editor`; {INSTEAD}"
     )))
 }
 
 /// Says why there is no window, and asks whether the terminal will do.
-#[cfg(feature = "window")]
-fn in_terminal_instead(stage: Stage, error: &crate::play::window::Error) -> Result<(), Failure> {
+#[cfg(feature = "editor")]
+fn in_terminal_instead(unopened: crate::play::window::Unopened) -> Result<(), Failure> {
     use std::io::BufRead;
-    eprint!("{error}\nplay in this terminal instead (as `--terminal` does)? [Y/n] ");
+    let reason = unopened.reason;
+    eprint!("{reason}\nplay in this terminal instead (as `--terminal` does)? [Y/n] ");
     let mut answer = String::new();
     let read = io::stdin().lock().read_line(&mut answer);
     read.map_err(|error| Failure::file(format!("the terminal cannot be read: {error}")))?;
     match answer.trim() {
-        "" | "y" | "Y" | "yes" => in_terminal(stage),
+        "" | "y" | "Y" | "yes" => in_terminal(unopened.stage),
         _ => Ok(()),
     }
 }

@@ -28,7 +28,7 @@ mod stage;
 mod style;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod terminal;
-#[cfg(all(feature = "window", not(target_arch = "wasm32")))]
+#[cfg(all(feature = "editor", not(target_arch = "wasm32")))]
 pub mod window;
 
 pub use camera::Camera;

@@ -1,298 +1,230 @@
-//! The window: winit's events become commands, pictures go to softbuffer.
+//! The window: egui's events become controls, and pictures a texture.
 
 use super::{Control, Key, SIZE, Stage};
 use crate::failure::Failure;
-use softbuffer::{Context, Surface};
-use std::fmt;
-use std::num::NonZeroU32;
+use eframe::egui::{
+    self, Event, MouseWheelUnit, PointerButton, TextureHandle, TextureOptions, Ui, ViewportCommand,
+};
+use std::cell::RefCell;
 use std::ops::ControlFlow;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
-use winit::application::ApplicationHandler;
-use winit::dpi::{LogicalSize, PhysicalPosition};
-use winit::error::{EventLoopError, OsError};
-use winit::event::{ElementState, KeyEvent, MouseButton, MouseScrollDelta, WindowEvent};
-use winit::event_loop::{self, ActiveEventLoop, EventLoop};
-use winit::keyboard::{Key as Pressed, NamedKey};
-use winit::window::{Window as Native, WindowId};
 
 /// How much larger a notch of the wheel makes everything.
 const NOTCH: f64 = 1.15;
-/// How many pixels of a smooth wheel are a notch.
-const SMOOTH: f64 = 40.0;
+/// How many points of a smooth wheel are a notch.
+const SMOOTH: f32 = 40.0;
 /// The time from one picture to the next.
 const FRAME: Duration = Duration::from_micros(16_667);
 
-/// Why there is no window.
-#[derive(Debug)]
-#[non_exhaustive]
-pub enum Error {
-    /// There is no display, or none that can be reached.
-    NoDisplay(EventLoopError),
-    /// The event loop failed.
-    EventLoop(EventLoopError),
-    /// The window could not be made.
-    Window(OsError),
-    /// There can be no pictures in it.
-    Surface(softbuffer::SoftBufferError),
-    /// There is no memory for a picture.
-    Picture(Failure),
+/// No window came up.
+pub struct Unopened {
+    /// What was to be played.
+    pub stage: Stage,
+    /// Why.
+    pub reason: String,
 }
 
-impl fmt::Display for Error {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NoDisplay(_) => match display() {
-                Some(display) => write!(f, "the display `{display}` cannot be reached"),
-                None => {
-                    f.write_str("there is no display: neither DISPLAY nor WAYLAND_DISPLAY is set")
-                }
-            },
-            Self::EventLoop(error) => write!(f, "the window failed: {error}"),
-            Self::Window(error) => write!(f, "cannot open a window: {error}"),
-            Self::Surface(error) => write!(f, "cannot paint into the window: {error}"),
-            Self::Picture(error) => error.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for Error {
-    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
-        match self {
-            Self::NoDisplay(error) | Self::EventLoop(error) => Some(error),
-            Self::Window(error) => Some(error),
-            Self::Surface(error) => Some(error),
-            Self::Picture(error) => Some(error),
-        }
-    }
-}
-
-/// The display that the environment names.
-fn display() -> Option<String> {
+/// The display that the environment names, where that is the custom.
+fn display() -> Result<Option<String>, String> {
     let named = |name| std::env::var(name).ok().filter(|value| !value.is_empty());
-    ["WAYLAND_DISPLAY", "WAYLAND_SOCKET", "DISPLAY"]
-        .into_iter()
-        .find_map(named)
-}
-
-/// A display that can be reached.
-pub struct Display {
-    events: EventLoop<()>,
-}
-
-impl Display {
-    /// Looks for it.
-    ///
-    /// # Errors
-    /// [`Error::NoDisplay`] if there is none.
-    pub fn open() -> Result<Self, Error> {
-        let events = EventLoop::new().map_err(Error::NoDisplay)?;
-        Ok(Self { events })
-    }
-
-    /// Plays in a window until it is closed.
-    ///
-    /// # Errors
-    /// Whatever keeps the window from being there.
-    pub fn play(self, stage: Stage) -> Result<(), Error> {
-        let mut application = Application {
-            stage,
-            window: None,
-            pointer: [0.0, 0.0],
-            last: Instant::now(),
-            title: String::new(),
-            error: None,
-        };
-        let result = self.events.run_app(&mut application);
-        match application.error {
-            Some(error) => Err(error),
-            None => result.map_err(Error::EventLoop),
+    let mut names = ["WAYLAND_DISPLAY", "WAYLAND_SOCKET", "DISPLAY"].into_iter();
+    match names.find_map(named) {
+        None if cfg!(all(unix, not(target_os = "macos"))) => {
+            Err("there is no display: neither DISPLAY nor WAYLAND_DISPLAY is set".to_owned())
         }
+        display => Ok(display),
     }
 }
 
-/// A window and the surface in it.
+/// Plays in a window until it is closed. If no window comes up, that is the answer.
+///
+/// # Errors
+/// If the window fails, or there is no memory for a picture.
+pub fn play(stage: Stage) -> Result<Option<Unopened>, Failure> {
+    let display = match display() {
+        Ok(display) => display,
+        Err(reason) => return Ok(Some(Unopened { stage, reason })),
+    };
+    #[expect(clippy::cast_precision_loss, reason = "a window is some hundreds of points wide")]
+    let size = SIZE.map(|side| side as f32);
+    let viewport = egui::ViewportBuilder::default()
+        .with_title(stage.player.title())
+        .with_inner_size(size);
+    let options = eframe::NativeOptions {
+        viewport,
+        ..eframe::NativeOptions::default()
+    };
+    let waiting = Rc::new(RefCell::new(Some(stage)));
+    let failure = Rc::new(RefCell::new(None));
+    let (taken, told) = (Rc::clone(&waiting), Rc::clone(&failure));
+    let opened = eframe::run_native(
+        "mech",
+        options,
+        Box::new(move |context| {
+            // Plus and minus are keys of the player.
+            let options = |options: &mut egui::Options| options.zoom_with_keyboard = false;
+            context.egui_ctx.options_mut(options);
+            let stage = taken.borrow_mut().take().ok_or("it comes up twice")?;
+            Ok(Box::new(Window::new(stage, told)))
+        }),
+    );
+    match (opened, waiting.take(), failure.take()) {
+        (Err(error), Some(stage), _) => {
+            let reason = match display {
+                Some(display) => format!("no window on the display `{display}`: {error}"),
+                None => format!("no window can be opened: {error}"),
+            };
+            Ok(Some(Unopened { stage, reason }))
+        }
+        (Err(error), None, _) => Err(Failure::usage(format!("the window failed: {error}"))),
+        (Ok(()), _, Some(failure)) => Err(failure),
+        (Ok(()), ..) => Ok(None),
+    }
+}
+
+/// A stage in a window.
 struct Window {
-    native: Rc<Native>,
-    surface: Surface<Rc<Native>, Rc<Native>>,
-}
-
-impl Window {
-    fn open(event_loop: &ActiveEventLoop, title: &str) -> Result<Self, Error> {
-        let [width, height] = SIZE.map(|side| u32::try_from(side).unwrap_or(u32::MAX));
-        let attributes = Native::default_attributes()
-            .with_title(title)
-            .with_inner_size(LogicalSize::new(width, height));
-        let native = event_loop
-            .create_window(attributes)
-            .map_err(Error::Window)?;
-        let native = Rc::new(native);
-        let context = Context::new(Rc::clone(&native)).map_err(Error::Surface)?;
-        let surface = Surface::new(&context, Rc::clone(&native)).map_err(Error::Surface)?;
-        Ok(Self { native, surface })
-    }
-
-    /// The size of the picture; `None` while the window is folded up.
-    fn size(&self) -> Option<[NonZeroU32; 2]> {
-        let size = self.native.inner_size();
-        Some([NonZeroU32::new(size.width)?, NonZeroU32::new(size.height)?])
-    }
-
-    /// Shows a picture of what is on stage now.
-    fn paint(&mut self, stage: &mut Stage) -> Result<(), Error> {
-        let Some([width, height]) = self.size() else {
-            return Ok(());
-        };
-        let size = [width, height].map(|side| usize::try_from(side.get()).unwrap_or(usize::MAX));
-        if stage.player.camera().size() != size {
-            stage.player.obey(Control::Resize(size));
-        }
-        self.surface.resize(width, height).map_err(Error::Surface)?;
-        let picture = stage.caption().map_err(Error::Picture)?;
-        let mut buffer = self.surface.buffer_mut().map_err(Error::Surface)?;
-        for (pixel, &[red, green, blue, _]) in buffer.iter_mut().zip(picture.pixels()) {
-            *pixel = u32::from_be_bytes([0, red, green, blue]);
-        }
-        self.native.pre_present_notify();
-        buffer.present().map_err(Error::Surface)
-    }
-}
-
-/// What stands between the events and the stage.
-struct Application {
     stage: Stage,
-    window: Option<Window>,
+    texture: Option<TextureHandle>,
     pointer: [f64; 2],
     last: Instant,
     title: String,
-    error: Option<Error>,
+    failure: Rc<RefCell<Option<Failure>>>,
 }
 
-impl Application {
-    /// Obeys a control, if there is one, and shows the result.
-    fn obey(&mut self, event_loop: &ActiveEventLoop, control: Option<Control>) {
-        if let Some(control) = control
-            && let ControlFlow::Break(()) = self.stage.obey(control)
-        {
-            event_loop.exit();
+impl Window {
+    fn new(stage: Stage, failure: Rc<RefCell<Option<Failure>>>) -> Self {
+        Self {
+            stage,
+            texture: None,
+            pointer: [0.0, 0.0],
+            last: Instant::now(),
+            title: String::new(),
+            failure,
         }
-        self.show();
     }
 
-    /// Has the picture and the title renewed.
-    fn show(&mut self) {
-        let Some(window) = &self.window else {
-            return;
-        };
+    /// What an event asks for. A point of the window is so many pixels.
+    fn control(&mut self, event: &Event, scale: f32) -> Option<Control> {
+        let pixel = |place: egui::Pos2| [place.x, place.y].map(|part| f64::from(part * scale));
+        match *event {
+            Event::Text(ref text) => Key::Char(text.chars().next()?).control(),
+            Event::Key {
+                key,
+                pressed: true,
+                modifiers,
+                ..
+            } => named(key, modifiers.shift)?.control(),
+            Event::PointerMoved(place) => {
+                self.pointer = pixel(place);
+                Some(Control::Point(self.pointer))
+            }
+            Event::PointerButton {
+                pos,
+                button: PointerButton::Primary,
+                pressed,
+                ..
+            } => {
+                self.pointer = pixel(pos);
+                Some(if pressed {
+                    Control::Press(self.pointer)
+                } else {
+                    Control::Release
+                })
+            }
+            Event::MouseWheel { unit, delta, .. } => {
+                let notches = match unit {
+                    MouseWheelUnit::Point => delta.y / SMOOTH,
+                    MouseWheelUnit::Line | MouseWheelUnit::Page => delta.y,
+                };
+                Some(Control::Zoom(self.pointer, NOTCH.powf(notches.into())))
+            }
+            _ => None,
+        }
+    }
+
+    /// Obeys everything that happened since the last picture. `Break` if the window is to be closed.
+    fn obey(&mut self, ui: &Ui) -> ControlFlow<()> {
+        let scale = ui.pixels_per_point();
+        let events = ui.input(|input| input.events.clone());
+        for event in &events {
+            if let Some(control) = self.control(event, scale) {
+                self.stage.obey(control)?;
+            }
+        }
+        let now = Instant::now();
+        if self.stage.player.plays() {
+            let passed = now.duration_since(self.last).as_secs_f64();
+            self.stage.player.advance(passed);
+            ui.ctx().request_repaint_after(FRAME);
+        }
+        self.last = now;
+        ControlFlow::Continue(())
+    }
+
+    /// The picture of what is on stage, in the size of the window.
+    fn picture(&mut self, ui: &Ui) -> Result<egui::ColorImage, Failure> {
+        let size = ui.max_rect().size() * ui.pixels_per_point();
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "saturates"
+        )]
+        let size = [size.x, size.y].map(|side| side.round().max(1.0) as usize);
+        if self.stage.player.camera().size() != size {
+            self.stage.player.obey(Control::Resize(size));
+        }
+        let picture = self.stage.caption()?;
+        let pixels = picture.pixels().iter();
+        let pixels = pixels.map(|&[red, green, blue, _]| egui::Color32::from_rgb(red, green, blue));
+        Ok(egui::ColorImage::new(size, pixels.collect()))
+    }
+}
+
+impl eframe::App for Window {
+    fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
+        let context = ui.ctx().clone();
+        if self.obey(ui).is_break() {
+            context.send_viewport_cmd(ViewportCommand::Close);
+        }
         let player = &self.stage.player;
         let title = format!("{} — {}", player.title(), player.status());
         if title != self.title {
-            window.native.set_title(&title);
+            context.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.title = title;
         }
-        window.native.request_redraw();
-    }
-
-    /// Stops, and remembers why.
-    fn fail(&mut self, event_loop: &ActiveEventLoop, error: Error) {
-        self.error = Some(error);
-        event_loop.exit();
+        match self.picture(ui) {
+            Ok(picture) => {
+                let options = TextureOptions::NEAREST;
+                let load = || context.load_texture("stage", egui::ColorImage::default(), options);
+                let texture = self.texture.get_or_insert_with(load);
+                texture.set(picture, options);
+                let whole = egui::Rect::from_min_max([0.0, 0.0].into(), [1.0, 1.0].into());
+                let painter = ui.painter();
+                painter.image(texture.id(), ui.max_rect(), whole, egui::Color32::WHITE);
+            }
+            Err(failure) => {
+                self.failure.replace(Some(failure));
+                context.send_viewport_cmd(ViewportCommand::Close);
+            }
+        }
     }
 }
 
-impl ApplicationHandler for Application {
-    fn resumed(&mut self, event_loop: &ActiveEventLoop) {
-        match Window::open(event_loop, self.stage.player.title()) {
-            Ok(window) => {
-                self.window = Some(window);
-                self.last = Instant::now();
-                self.show();
-            }
-            Err(error) => self.fail(event_loop, error),
-        }
-    }
-
-    fn suspended(&mut self, _: &ActiveEventLoop) {
-        self.window = None;
-    }
-
-    fn window_event(&mut self, event_loop: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
-        let control = match event {
-            WindowEvent::CloseRequested => Some(Control::Quit),
-            WindowEvent::RedrawRequested => {
-                if let Some(window) = &mut self.window
-                    && let Err(error) = window.paint(&mut self.stage)
-                {
-                    self.fail(event_loop, error);
-                }
-                return;
-            }
-            WindowEvent::Resized(_) | WindowEvent::ScaleFactorChanged { .. } => None,
-            WindowEvent::KeyboardInput { event, .. } => match key(&event).and_then(Key::control) {
-                Some(control) => Some(control),
-                None => return,
-            },
-            WindowEvent::CursorMoved { position, .. } => {
-                let PhysicalPosition { x, y } = position;
-                self.pointer = [x, y];
-                Some(Control::Point(self.pointer))
-            }
-            WindowEvent::MouseInput {
-                state: ElementState::Pressed,
-                button: MouseButton::Left,
-                ..
-            } => Some(Control::Press(self.pointer)),
-            WindowEvent::MouseInput {
-                state: ElementState::Released,
-                button: MouseButton::Left,
-                ..
-            } => Some(Control::Release),
-            WindowEvent::MouseWheel { delta, .. } => {
-                let notches = match delta {
-                    MouseScrollDelta::LineDelta(_, lines) => f64::from(lines),
-                    MouseScrollDelta::PixelDelta(pixels) => pixels.y / SMOOTH,
-                };
-                Some(Control::Zoom(self.pointer, NOTCH.powf(notches)))
-            }
-            _ => return,
-        };
-        self.obey(event_loop, control);
-    }
-
-    fn about_to_wait(&mut self, event_loop: &ActiveEventLoop) {
-        let now = Instant::now();
-        if !self.stage.player.plays() {
-            self.last = now;
-            event_loop.set_control_flow(event_loop::ControlFlow::Wait);
-            return;
-        }
-        let passed = now.duration_since(self.last);
-        if passed >= FRAME {
-            self.last = now;
-            self.stage.player.advance(passed.as_secs_f64());
-            self.show();
-        }
-        event_loop.set_control_flow(event_loop::ControlFlow::WaitUntil(self.last + FRAME));
-    }
-}
-
-/// The key that was pressed, if it is one that might do something.
-fn key(event: &KeyEvent) -> Option<Key> {
-    if event.state != ElementState::Pressed {
-        return None;
-    }
-    Some(match &event.logical_key {
-        Pressed::Character(text) => Key::Char(text.chars().next()?),
-        Pressed::Named(NamedKey::Space) => Key::Char(' '),
-        Pressed::Named(NamedKey::ArrowLeft) => Key::Left,
-        Pressed::Named(NamedKey::ArrowRight) => Key::Right,
-        Pressed::Named(NamedKey::ArrowUp) => Key::Up,
-        Pressed::Named(NamedKey::ArrowDown) => Key::Down,
-        Pressed::Named(NamedKey::Tab) => Key::Tab,
-        Pressed::Named(NamedKey::PageDown) => Key::PageDown,
-        Pressed::Named(NamedKey::PageUp) => Key::PageUp,
-        Pressed::Named(NamedKey::Home) => Key::Home,
-        Pressed::Named(NamedKey::Escape) => Key::Escape,
+/// A key that writes nothing, if it is one that might do something.
+fn named(key: egui::Key, has_shift: bool) -> Option<Key> {
+    Some(match key {
+        egui::Key::ArrowLeft => Key::Left,
+        egui::Key::ArrowRight => Key::Right,
+        egui::Key::ArrowUp => Key::Up,
+        egui::Key::ArrowDown => Key::Down,
+        egui::Key::Tab if has_shift => Key::BackTab,
+        egui::Key::Tab => Key::Tab,
+        egui::Key::PageDown => Key::PageDown,
+        egui::Key::PageUp => Key::PageUp,
+        egui::Key::Home => Key::Home,
+        egui::Key::Escape => Key::Escape,
         _ => return None,
     })
 }
