@@ -1,11 +1,12 @@
 //! What is declared is seen: at the start every pin, slot, wheel and rack has places at which nothing lies over it.
 
 use crate::looks::{compiled, covers, frame};
-use mech_compiler::model::{Axis, JointId, JointKind, LinkId, Model, Shape, ShapeKind};
+use mech_compiler::evaluate::Machine;
+use mech_compiler::model::{Axis, AxisId, JointId, JointKind, LinkId, Model, Shape, ShapeKind};
 use mech_compiler::structure::{Pin, Rolling};
 use mech_compiler::{Compiled, Looks, Measure, Outline, Painted, Place, compile, looks};
 use mech_runtime::Palette;
-use mech_test_support::{Sample, for_all, samples};
+use mech_test_support::{Sample, for_all, model, samples};
 use nalgebra::Point2;
 use std::f64::consts::TAU;
 
@@ -300,8 +301,8 @@ const TEXTS: [&str; 9] = [
     joint j = revolute(ground, bucket) at (3.2, -1.6); motor s;",
 ];
 
-/// Several motors, each with its range, and a slide on the ground: its joint, and from where to where all together can move it.
-const RANGES: [(&str, &str, [f64; 2]); 3] = [
+/// A slide on the ground: its joint, and from where to where the motors can move it, all together within their ranges.
+const WAYS: [(&str, &str, [f64; 2]); 7] = [
     (
         "link cart; link tool; link crank; link rod; joint y = prismatic(cart, tool) at (0, 1) along (0, 1);
         joint a = revolute(cart, crank) at (3, 0); joint b = revolute(crank, rod) at (3.5, 0.5); joint c = revolute(rod, tool) at (0, 2);
@@ -323,53 +324,187 @@ const RANGES: [(&str, &str, [f64; 2]); 3] = [
         "z",
         [0.0, 2.0],
     ),
+    // The yoke of a crank on a cart is farthest where both are.
+    (
+        "link cart; link crank; link yoke; joint x = prismatic(ground, cart) at (0, -5) along (1, 0); joint a = revolute(cart, crank) at (0, 0);
+        joint s = slot(crank, yoke) at (2, 0) along (0, 1); joint z = prismatic(ground, yoke) at (2, 0) along (1, 0);
+        motor x in -1 ..= 1; motor a;",
+        "z",
+        [-5.0, 1.0],
+    ),
+    // Everything is in one place: it is drawn as if it were as large as 1, and goes four sizes either way.
+    (
+        "link a; link b; joint x = prismatic(ground, a) at (0, 0) along (0, 1); joint y = prismatic(a, b) at (0, 0) along (0, 1);
+        joint z = prismatic(ground, b) at (0, 0) along (0, 1); motor x; motor y; allow redundant;",
+        "z",
+        [-8.0, 8.0],
+    ),
+    // Two equal sides: the third is at its longest on this side after one turn, and on the other after one more.
+    (
+        "link s; link p; link q; joint j1 = revolute(q, s) at (3, 4); joint j2 = revolute(s, ground) at (6, 0);
+        joint j0 = revolute(p, q) at (0, 0); joint j3 = prismatic(ground, p) at (6, 0) along (1, 0); motor j1;",
+        "j3",
+        [-4.0, 16.0],
+    ),
+    // What rolls on goes a turn either way.
+    (
+        "link pinion; link bar; joint turn = revolute(ground, pinion) at (0, 0); joint slide = prismatic(ground, bar) at (0, 1) along (1, 0);
+        joint mesh = rack(pinion, bar, radius 1); motor turn;",
+        "slide",
+        [-TAU, TAU],
+    ),
 ];
 
-/// A rail is as long as what slides on it goes where motors keep to their ranges: all together they do, too.
+/// The start is a hair beside a dead point: the motor goes far, and only one way.
+const GRIPPER: &str = "struct Gripper; allow coupled; link barrel; link rod; link plate; link gm; link hq; link it; link jv; link upper; link lower;
+    joint a = revolute(ground, barrel) at (-4.684, 0.747); joint stroke = prismatic(barrel, rod) at (-1.701, 0.746) along (4.603, -0.001);
+    joint d = revolute(rod, plate) at (2.902, 0.745); joint g = revolute(plate, gm) at (4.311, 3.004);
+    joint h = revolute(plate, hq) at (8.246, 3.004); joint i = revolute(plate, it) at (4.311, -1.011);
+    joint j = revolute(plate, jv) at (8.246, -1.011); joint m = revolute(gm, upper) at (0.02, 5.903);
+    joint q = revolute(hq, upper) at (6.552, 5.786); joint t = revolute(it, lower) at (0.07, -3.573);
+    joint v = revolute(jv, lower) at (6.63, -3.716); joint rail_m = slot(upper, ground) at (0.02, 5.903) along (0.09, -17.067);
+    joint rail_q = slot(upper, ground) at (6.552, 5.786) along (0.163, -19.967); motor stroke;
+    joint rail_t = slot(lower, ground) at (0.07, -3.573) along (0.09, -17.067);
+    joint rail_v = slot(lower, ground) at (6.63, -3.716) along (0.163, -19.967);";
+
+/// A rail beside a line of the ground: from where to where what slides on it goes, as it is drawn, and the width of bars.
+struct Rail {
+    way: [f64; 2],
+    width: f64,
+}
+
+fn rails(looks: &Looks, line: &Axis) -> Vec<Rail> {
+    let from_line = |place: &Place| {
+        let [x, y] = place.map(Measure::at_start);
+        let ([u, v], [x, y]) = (line.direction, [x - line.at[0], y - line.at[1]]);
+        [x * u + y * v, x * v - y * u]
+    };
+    let rail = |painted: &Painted| match &painted.outline {
+        Outline::Polygon(corners) if painted.link == LinkId::GROUND && corners.len() > 7 => {
+            // Its upper edge, and its thickness.
+            let [from, to, below] = [0, 1, 2].map(|corner| from_line(&corners[corner]));
+            let width = (to[1] - below[1]).abs() / 0.24;
+            let is_along = (from[1] - to[1]).abs() < 1e-4 * width;
+            let way = [
+                from[0].min(to[0]) + 1.7 * width,
+                from[0].max(to[0]) - 1.7 * width,
+            ];
+            let is_beside = to[1].abs() < width;
+            (is_along && is_beside).then_some(Rail { way, width })
+        }
+        _ => None,
+    };
+    looks.painted.iter().filter_map(rail).collect()
+}
+
+/// A rail is as long as what slides on it goes, no more and no less, wherever motors take it within their ranges: all together, too.
 #[test]
 fn rails_are_as_long_as_their_slides_go() {
-    for (text, joint, way) in RANGES {
-        let (model, _, looks) = compiled(&format!("struct Ranges; {text}"));
+    for (text, joint, way) in WAYS {
+        let (model, _, looks) = compiled(&format!("struct Ways; {text}"));
         let slide = model.joint_ids().find(|id| model.joint(*id).name == joint);
         let [guide, _] = slide
             .and_then(|slide| model.guide_and_block(slide))
             .expect("it slides");
-        let line = model.axis(guide);
-        let along = |place: &Place| {
-            let [x, y] = place.map(Measure::at_start);
-            (x - line.at[0]) * line.direction[0] + (y - line.at[1]) * line.direction[1]
+        let rails = rails(&looks, model.axis(guide));
+        let is_right = |rail: &Rail| {
+            let mut pairs = rail.way.iter().zip(&way);
+            pairs.all(|(is, should)| (is - should).abs() < 0.1 * rail.width)
         };
-        let aside = |place: &Place| {
-            let [x, y] = place.map(Measure::at_start);
-            (x - line.at[0]) * line.direction[1] - (y - line.at[1]) * line.direction[0]
+        let found: Vec<_> = rails.iter().map(|rail| rail.way).collect();
+        assert!(rails.iter().any(is_right), "{found:?} in {text}");
+    }
+}
+
+/// From where to where along a line of the ground an axis goes where each motor moves alone, through its range or so many turns.
+fn way(model: &Model, compiled: &Compiled, [line, axis]: [AxisId; 2], turns: f64) -> [f64; 2] {
+    let (line, axis) = (model.axis(line), model.axis(axis));
+    let mut machine = Machine::<f64>::new(&compiled.program);
+    let start = machine.position().clone();
+    let mut way = [f64::INFINITY, f64::NEG_INFINITY];
+    for (number, motor) in model.motors.iter().enumerate() {
+        let at = start.motors[number];
+        let far = match model.joint(motor.joint).kind {
+            JointKind::Revolute(..) => turns * TAU,
+            _ => 4.0 * model.size(),
         };
-        // Of a rail: its upper edge, and its thickness.
-        let rails = looks
-            .painted
-            .iter()
-            .filter_map(|painted| match &painted.outline {
-                Outline::Polygon(corners)
-                    if painted.link == LinkId::GROUND && corners.len() > 7 =>
-                {
-                    let [from, to, below] = [0, 1, 2].map(|corner| &corners[corner]);
-                    let thick = (aside(to) - aside(below)).abs();
-                    let is_along = (aside(from) - aside(to)).abs() < 1e-3 * thick;
-                    let ends = [along(from), along(to)];
-                    is_along.then_some((ends, thick / 0.24, aside(to).abs()))
+        let range = motor.range.as_ref();
+        let ends = range.map_or([at - far, at + far], |range| [range.low, range.high]);
+        for end in ends {
+            machine.put_back(start.clone());
+            for step in 0..=400 {
+                let mut target = start.motors.clone();
+                target[number] += (end - at) * f64::from(step) / 400.0;
+                let came = machine.move_toward(&target);
+                if let Some(frame) = frame(compiled, &machine.position().poses, axis.link) {
+                    let [x, y] = (frame * Point2::from(axis.at)).into();
+                    let ([u, v], [x, y]) = (line.direction, [x - line.at[0], y - line.at[1]]);
+                    let along = x * u + y * v;
+                    way = [way[0].min(along), way[1].max(along)];
                 }
-                _ => None,
-            });
-        let (ends, width, _) = rails
-            .min_by(|a, b| a.2.total_cmp(&b.2))
-            .expect("it has a rail");
-        let [low, high] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
-        for beyond in [way[0] - low, high - way[1]] {
-            assert!(
-                (beyond / width - 1.7).abs() < 0.1,
-                "{beyond} of {width} in {text}"
-            );
+                if came != Ok(None) {
+                    break;
+                }
+            }
         }
     }
+    way
+}
+
+/// The slides on the ground whose rail is not as long as single motors move them, and how many there are. A rail is longer where several
+/// motors may move it, or one in several turns. What flies away where slides become parallel has no rail that is as long.
+fn wrong_rails(model: &Model) -> (Vec<String>, usize) {
+    let Ok(compiled) = compile(model) else {
+        return (Vec::new(), 0);
+    };
+    let looks = looks(model, &compiled);
+    let slides = model.joint_ids().filter_map(|joint| {
+        let [guide, block] = model.guide_and_block(joint)?;
+        let die = model.link(model.axis(block).link).die;
+        let on_ground = model.axis(guide).link == LinkId::GROUND;
+        on_ground.then_some((joint, [guide, die.map_or(block, |die| die.0)]))
+    });
+    let slides: Vec<(JointId, [AxisId; 2])> = slides.collect();
+    let wrong = slides.iter().filter_map(|&(joint, ends)| {
+        let [least, most] = [1.0, 4.0].map(|turns| way(model, &compiled, ends, turns));
+        if most[1] - most[0] > 32.0 * model.size() {
+            return None;
+        }
+        let one = model.motors.len() == 1;
+        let is_right = |rail: &Rail| {
+            // A block is 0.4 widths of a bar shorter than its rail, at either end.
+            let spare = 0.4 * rail.width;
+            let [low, high] = rail.way;
+            let covers = low < least[0] + spare && high > least[1] - spare;
+            covers && (!one || low > most[0] - spare && high < most[1] + spare)
+        };
+        let rails = rails(&looks, model.axis(ends[0]));
+        let found: Vec<_> = rails.iter().map(|rail| rail.way).collect();
+        let name = &model.joint(joint).name;
+        (!rails.iter().any(is_right)).then(|| format!("{name}: {found:?} for {least:?}, {most:?}"))
+    });
+    (wrong.collect(), slides.len())
+}
+
+/// Wherever a caller moves a slide on the ground by one motor, its rail is below; it is no longer than that.
+#[test]
+fn rails_are_as_long_as_single_motors_move() {
+    assert_eq!(wrong_rails(&model(GRIPPER)), (Vec::new(), 4));
+    let (mut all, mut wrong) = (0, 0);
+    for_all(150, &samples(1..6), |Sample { grown, .. }: Sample| {
+        let mut model = grown.model;
+        model.look = None;
+        for link in &mut model.links {
+            link.shapes.clear();
+        }
+        let (found, slides) = wrong_rails(&model);
+        if !found.is_empty() {
+            println!("{found:?}\n{}", mech_test_support::text(&model));
+        }
+        (all, wrong) = (all + slides, wrong + found.len());
+    });
+    println!("{wrong} of {all} rails are wrong");
+    assert!(all > 50 && 50 * wrong <= all, "{wrong} of {all}");
 }
 
 #[test]

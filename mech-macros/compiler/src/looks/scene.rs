@@ -50,12 +50,12 @@ pub(super) struct Slide {
 
 impl<'a> Scene<'a> {
     pub(super) fn new(model: &'a Model, compiled: &'a Compiled) -> Self {
-        let survey = Survey::new(model, &compiled.plan, &compiled.program);
         let structure = &compiled.structure;
         let slides: Vec<Slide> = model
             .joint_ids()
             .filter_map(|id| slide(model, id))
             .collect();
+        let survey = Survey::new(model, &compiled.plan, &compiled.program, &slides);
         let mut scene = Self {
             model,
             structure,
@@ -150,11 +150,7 @@ impl<'a> Scene<'a> {
 
     /// How far along its guide the block of a slide comes, seen from the guide's origin.
     pub(super) fn travel(&self, slide: Slide) -> Option<[f64; 2]> {
-        let block = slide.pin.unwrap_or(slide.block);
-        self.survey.range(|frames| {
-            let place = frames.place(self.model, block)?;
-            frames.along(self.model, slide.guide, place)
-        })
+        self.survey.range(|frames| frames.travel(self.model, slide))
     }
 }
 

@@ -122,7 +122,7 @@ fn sweep_alone(
 }
 
 /// Moves all motors together, in several proportions.
-fn sweep_together(model: &Model, run: &mut impl FnMut(&Sweep) -> bool) {
+pub(crate) fn sweep_together(model: &Model, run: &mut impl FnMut(&Sweep) -> bool) {
     for round in 1_u32..=4 {
         let displacements = (0_u32..).zip(&model.motors).map(|(index, motor)| {
             let part = f64::from((round * (2 * index + 3)) % 7) / 3.0 - 1.0;

@@ -301,6 +301,13 @@ impl Program {
         self.is_closed() && self.state.is_empty()
     }
 
+    /// Whether loops pass change points: then it may take several turns until everything is where it was.
+    #[must_use]
+    pub fn passes_change_points(&self) -> bool {
+        let mut watches = self.watches.iter();
+        watches.any(|watch| watch.at_zero == AtZero::ChangeBranch)
+    }
+
     /// Whether no move can fail whose values are within the declared ranges: every loop was proved to close there and needs no
     /// watching, and no number can grow beyond its type.
     #[must_use]

@@ -14,7 +14,7 @@ use crate::model::{JointKind, LinkId, Model};
 use crate::motion::sweep::{FARTHEST_SLIDE, MostTurns, Sweep, interpolate, sweep_each};
 use crate::motion::walk::{Arrival, Walker, price};
 use crate::plan::Plan;
-use crate::program::{AtZero, Op, Position, Program};
+use crate::program::{Op, Position, Program};
 use bounds::Bounds;
 use line::{Line, Sample};
 pub(crate) use seen::Reach;
@@ -230,11 +230,7 @@ impl<'a> Survey<'a> {
         }
         let links = self.look();
         let mut way = vec![Sample::new(motor, (self.walker.here(), links))];
-        let passes = self
-            .program
-            .watches
-            .iter()
-            .any(|watch| watch.at_zero == AtZero::ChangeBranch);
+        let passes = self.program.passes_change_points();
         let mut goes_on = true;
         let mut ways = 0;
         while goes_on {
@@ -255,7 +251,6 @@ impl<'a> Survey<'a> {
                 }
             }
             ways += 1;
-            // Past change points it may take several turns until everything is where it was.
             let is_endless = self.ranges[motor].1;
             if !(goes_on && is_endless && passes) || self.is_as_at_start() || ways == MOST_WAYS {
                 break;
