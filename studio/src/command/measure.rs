@@ -23,7 +23,9 @@ pub(super) struct Measure {
     /// Where it begins: in degrees, scene units, or, with laws, seconds.
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     from: Option<Typed>,
-    /// Where it ends; without, motors with laws go on until all are back, or for a unit of time if they never are.
+    /// Where it ends.
+    ///
+    /// Without, motors with laws go on until all are back, or for a unit of time if they never are.
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     to: Option<Typed>,
     /// How many steps it takes.
