@@ -192,3 +192,82 @@ fn what_carries_a_loop_may_have_a_part_in_it() {
     machine.move_toward(&[-0.14]).expect("a finite number");
     assert!((machine.position().motors[0] - limit).abs() < 1e-9);
 }
+
+/// A slide pushes a crank as far as this lies straight: at what end of the range that is told, and what range is offered.
+fn offered(size: f64, [crank, rod, beside]: [f64; 3], start: f64, other: f64) -> (f64, String) {
+    let text = |low: &str, high: &str| {
+        let [crank, rod, beside, start] = [crank, rod, beside, start].map(|one| one * size);
+        format!(
+            "struct Push;
+            ground {{ point o = (0, 0); line rail = (0, {beside:?}) -> (1, 0); }}
+            link crank {{ point o = (0, 0); point p = ({crank:?}, 0); }}
+            link rod {{ point p = (0, 0); point q = ({rod:?}, 0); }}
+            link block {{ point q = (0, 0); line axis = (0, 0) -> (1, 0); }}
+            joint a = revolute(ground.o, crank.o);
+            joint b = revolute(crank.p, rod.p);
+            joint c = revolute(rod.q, block.q);
+            joint x = prismatic(ground.rail, block.axis);
+            motor x in {low} ..= {high};
+            start {{ x = {start:?}; crank near 60 deg; rod near -20 deg; }}"
+        )
+    };
+    let start_text = format!("{:?}", start * size);
+    let far = format!("{:?}", other * size);
+    let is_up = other > start;
+    let range = |end: &str| {
+        if is_up {
+            text(&start_text, end)
+        } else {
+            text(end, &start_text)
+        }
+    };
+    let wrong = model(&range(&far));
+    let diagnoses = compile(&wrong).expect_err("it goes past a dead point");
+    let message = reporter::text(&diagnoses[0], &wrong);
+    let word = if is_up { "end" } else { "begin" };
+    let (_, offer) = message
+        .split_once(&format!("let the range {word} at `"))
+        .unwrap_or_else(|| panic!("{message}"));
+    let (offer, _) = offer.split_once('`').expect("a quoted number");
+    let found = compile(&model(&range(offer)));
+    assert!(found.is_ok(), "{offer} of {message}: {:?}", found.err());
+    let told = message.split('`').nth(3).expect("a quoted number");
+    let told: f64 = told.parse().expect("a number");
+    // By Pythagoras.
+    let reach = if is_up { crank + rod } else { rod - crank };
+    let limit = size * (reach * reach - beside * beside).sqrt();
+    assert!(
+        (told - limit).abs() <= 1e-4 * size,
+        "{told}, not {limit}: {message}"
+    );
+    let offered: f64 = offer.parse().expect("a number");
+    let short = if is_up {
+        limit - offered
+    } else {
+        offered - limit
+    } / size;
+    (short, offer.to_owned())
+}
+
+/// What is offered instead of a range past a dead point is a range, however large the mechanism is: short of that by a thousandth at most.
+#[test]
+fn a_range_that_is_offered_is_one_at_any_size() {
+    for size in [1e-6, 1e-3, 1.0, 1e3, 1e6, 1e9] {
+        for lengths in [[1.0, 2.0, 0.0], [0.93, 2.71, 0.17], [1.13, 2.37, -0.29]] {
+            let [crank, rod, _] = lengths;
+            for other in [0.1, 5.0] {
+                let (short, offer) = offered(size, lengths, rod + 0.2 * crank, other);
+                assert!(
+                    (-1e-9..=1e-3).contains(&short),
+                    "{offer} at {size}: {short}"
+                );
+                let digits = offer.trim_matches(['0', '.']).replace('.', "").len();
+                assert!(digits <= 4, "{offer} at {size}");
+            }
+            // The start is very near to it.
+            let near = ((crank + rod).powi(2) - lengths[2].powi(2)).sqrt() - 2e-5;
+            let (short, offer) = offered(size, lengths, near, 5.0);
+            assert!((-1e-9..2e-5).contains(&short), "{offer} at {size}: {short}");
+        }
+    }
+}

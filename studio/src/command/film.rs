@@ -14,7 +14,7 @@ use std::time::Duration;
 
 /// Films a mechanism while one of its motors moves: GIF, animated PNG, or SVG that moves.
 ///
-/// The motor turns round until everything is back where it was, or goes to and fro through its range or as far as the mechanism lets it. Motors with laws follow these.
+/// The motor turns round until everything is back where it was, or goes to and fro through its range or as far as the mechanism lets it. Motors with laws follow these until all are back, or for a unit of time if they never are.
 #[derive(Args, Clone, Debug)]
 #[command(after_help = EXAMPLES, after_long_help = [EXAMPLES, "\n\n", CODES].concat())]
 pub(super) struct Film {
@@ -85,6 +85,11 @@ impl Film {
         } else {
             drive
         };
+        if let Some([from, to]) = drive.open_times().filter(|_| self.to.is_none()) {
+            console.complain(&format!(
+                "note: no time is known after which all is back: the film is from t = {from} to {to}; say others by `--from` and `--to`\n"
+            ));
+        }
         let frames = self.seconds * self.rate;
         let bytes = drive.attempt(|drive| {
             let shoot = Shoot {

@@ -24,6 +24,8 @@ pub(super) struct Measure {
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     from: Option<Typed>,
     /// Where it ends.
+    ///
+    /// Without, motors with laws go on until all are back, or for a unit of time if they never are.
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     to: Option<Typed>,
     /// How many steps it takes.

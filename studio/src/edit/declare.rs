@@ -94,7 +94,7 @@ pub(super) fn declare(scene: &Scene, command: &Command) -> Result<Change, Refusa
                 &[kind.word(), "start", "motor", "joint", "link"],
             )?;
             if let ActionKind::Load = kind {
-                ask_for_forces(&mut rewriter)?;
+                rewriter.ask_for_forces().ok_or_else(unwritten)?;
             }
         }
         Command::Use { body } => {
@@ -196,21 +196,6 @@ fn start(
         return Ok(());
     }
     rewriter.add_to_start(&clause).ok_or_else(unwritten)
-}
-
-/// A load is only declared where something asks what it does.
-fn ask_for_forces(rewriter: &mut Rewriter<'_>) -> Result<(), Refusal> {
-    let effects = rewriter.statements.iter().find(|one| one.is("effects"));
-    let Some(effects) = effects else {
-        return add(rewriter, "effects { force; }", &OTHERS);
-    };
-    let asks = |one: &Statement<'_>| one.is("force") || one.is("dynamics");
-    if effects.clauses().iter().any(asks) {
-        return Ok(());
-    }
-    rewriter
-        .add_clause("effects", "force;")
-        .ok_or_else(unwritten)
 }
 
 fn trace(rewriter: &mut Rewriter<'_>, point: &str, length: &str) -> Result<(), Refusal> {

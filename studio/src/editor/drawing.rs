@@ -2,7 +2,7 @@
 
 use super::Item;
 use super::index::{self, Index};
-use super::placement::{closed, placed};
+use super::placement::{closed, ends, placed};
 use mech_compiler::model::{AxisId, Between, JointId, JointKind, LinkId, Model};
 use mech_compiler::plan::have_same_steps;
 use std::sync::Arc;
@@ -246,6 +246,17 @@ impl Drawing {
             item,
             place: self.place(*axis),
             kind: *kind,
+        })
+    }
+
+    /// Where each joint is seen, and where the end of its other link is: apart, if that does not close as drawn.
+    pub(crate) fn ends_of_joints(&self) -> impl Iterator<Item = [[f64; 2]; 2]> {
+        let joints = self.model.joint_ids();
+        joints.filter_map(|joint| {
+            let seen = self.place(self.axis_of_joint(joint)?);
+            let [one, other] = ends(&self.model, &self.poses, self.model.joint(joint))?;
+            let is_one = distance(seen, one) <= distance(seen, other);
+            Some(if is_one { [one, other] } else { [other, one] })
         })
     }
 

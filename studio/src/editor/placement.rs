@@ -169,6 +169,14 @@ fn jump(model: &Model, poses: &[Pose], joint: &Joint) -> Option<Jump> {
     })
 }
 
+/// Where the ends of a joint are drawn: of its first link, or the nearest on its line, and of its second.
+pub(super) fn ends(model: &Model, poses: &[Pose], joint: &Joint) -> Option<[[f64; 2]; 2]> {
+    let axis = model.axis(joint.kind.axes()?[1]);
+    let second = apply(poses[axis.link.index()], axis.at);
+    let first = apply(jump(model, poses, joint)?.pose, second);
+    Some([first, second])
+}
+
 /// The angle near which a link was said to start, as a direction.
 fn near(model: &Model, link: LinkId) -> [f64; 2] {
     let near = model.start.near.iter().find(|near| near.link == link);

@@ -71,11 +71,17 @@ impl Snapping<'_> {
         }
     }
 
-    /// The handle that is near.
+    /// The handle that is near, or the other end of a joint that is apart.
     fn handle(&self, place: [f64; 2], reach: f64) -> Option<[f64; 2]> {
-        let handles = self.drawing?.handles();
+        let drawing = self.drawing?;
+        let handles = drawing.handles();
         let others = handles.filter(|handle| !self.without.contains(handle.item));
-        let near = others.map(|handle| (distance(handle.place, place), handle.place));
+        let gaps = drawing.ends_of_joints();
+        let gaps = gaps.filter(|[seen, other]| distance(*seen, *other) > reach);
+        let places = others
+            .map(|handle| handle.place)
+            .chain(gaps.map(|[_, other]| other));
+        let near = places.map(|other| (distance(other, place), other));
         let near = near.filter(|(away, _)| *away <= reach);
         near.min_by(|a, b| a.0.total_cmp(&b.0))
             .map(|(_, place)| place)

@@ -400,6 +400,18 @@ impl<'t> Rewriter<'t> {
         Some(())
     }
 
+    /// Asks for forces, where nothing does: a load is only declared there.
+    pub(crate) fn ask_for_forces(&mut self) -> Option<()> {
+        let asks = |one: &Statement<'_>| one.is("force") || one.is("dynamics");
+        let Some(effects) = self.statements.iter().find(|one| one.is("effects")) else {
+            return self.add("effects { force; }", &["start", "motor"]);
+        };
+        if effects.clauses().iter().any(asks) {
+            return Some(());
+        }
+        self.add_clause("effects", "force;")
+    }
+
     /// Names the carrier of what rolls, or leaves it to be found.
     fn carry(&mut self, joint: JointId, on: Option<LinkId>) -> Option<()> {
         let statement = self.declared("joint", self.name(joint))?;

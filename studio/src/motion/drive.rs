@@ -1,9 +1,10 @@
 //! A motion of all motors: one of them alone, or all by their laws.
 
 use super::obstacle::{motor_name, obstacle};
+use super::period::period;
 use super::reach::{limits, reachable};
 use super::setting::{motor_of, show_value, turns};
-use super::{Mover, Setting, Span, Typed};
+use super::{Mover, Setting, Span};
 use crate::failure::{Failure, FailureKind};
 use mech_compiler::Compiled;
 use mech_compiler::model::{Model, MotorId};
@@ -26,8 +27,8 @@ pub(crate) struct Drive {
 enum Kind {
     /// This motor alone.
     Motor(MotorId),
-    /// All motors by their laws of time.
-    Laws,
+    /// All motors by their laws of time, with the time after which they are back, if that is known.
+    Laws(Option<f64>),
 }
 
 /// What the motors do at a moment.
@@ -46,8 +47,9 @@ pub(crate) struct Moment {
 impl Drive {
     /// The motion of one motor, the others as they are set; or that by the laws of the motors, if no motor is named and some have laws.
     ///
-    /// Without a span a motor goes through its declared range, or round once, or as far as the mechanism lets it. Without a name the
-    /// first motor moves that no setting puts at a value.
+    /// Without a span a motor goes through its declared range, or round once, or as far as the mechanism lets it. Laws go on until all
+    /// motors are back, or for a unit of time if they never are or are stopped before. Without a name the first motor moves that no setting
+    /// puts at a value.
     pub(crate) fn new(
         model: &Model,
         compiled: &Compiled,
@@ -61,14 +63,7 @@ impl Drive {
             base[motor.index()] = value;
         }
         if motor.is_none() && model.lawful_motors().next().is_some() {
-            let time = |end: Option<Typed>, usual| end.map_or(usual, |end| end.number);
-            let ends = [time(span.from, 0.0), time(span.to, 1.0)];
-            return Ok(Self {
-                base,
-                kind: Kind::Laws,
-                ends,
-                found: [false; 2],
-            });
+            return Ok(Self::by_laws(model, compiled, &base, span));
         }
         let motor = moving_motor(model, motor, settings)?;
         let [from, to] =
@@ -91,6 +86,34 @@ impl Drive {
             ends,
             found,
         })
+    }
+
+    fn by_laws(model: &Model, compiled: &Compiled, base: &[f64], span: Span) -> Self {
+        /// In so many steps it is seen whether anything stops it.
+        const STEPS: u32 = 360;
+        let from = span.from.map_or(0.0, |end| end.number);
+        let drive = |period: Option<f64>| {
+            let to = span
+                .to
+                .map_or(from + period.unwrap_or(1.0), |end| end.number);
+            Self {
+                base: base.to_vec(),
+                kind: Kind::Laws(period),
+                ends: [from, to],
+                found: [false; 2],
+            }
+        };
+        let round = drive(period(model));
+        let parts = (0..=STEPS).map(|number| f64::from(number) / f64::from(STEPS));
+        let parts: Vec<f64> = parts.collect();
+        let is_free =
+            span.to.is_some() || round.visit(model, compiled, &parts, |_, _| Ok(())).is_ok();
+        if is_free { round } else { drive(None) }
+    }
+
+    /// The times that it takes, if these are not until all motors are back.
+    pub(crate) fn open_times(&self) -> Option<[f64; 2]> {
+        (self.kind == Kind::Laws(None)).then_some(self.ends)
     }
 
     /// Does something with this motion. At an end that was found, rounding decides what is possible: it is a hair farther inside, and
@@ -141,7 +164,7 @@ impl Drive {
     pub(crate) fn motor(&self) -> Option<MotorId> {
         match self.kind {
             Kind::Motor(motor) => Some(motor),
-            Kind::Laws => None,
+            Kind::Laws(_) => None,
         }
     }
 
@@ -156,28 +179,34 @@ impl Drive {
             && (whole - whole.round()).abs() < 1e-9
     }
 
-    /// How many whole turns it takes; one if it comes to no whole turns.
+    /// How many whole turns it takes, or periods of laws; one if it comes to no whole ones.
     pub(crate) fn turns(&self, model: &Model) -> u32 {
-        let turns = ((self.ends[1] - self.ends[0]) / TAU).abs().round();
+        let one = match self.kind {
+            Kind::Motor(_) => TAU,
+            Kind::Laws(period) => period.unwrap_or(f64::INFINITY),
+        };
+        let turns = ((self.ends[1] - self.ends[0]) / one).abs().round();
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "a few turns, else the most"
         )]
         let turns = turns as u32;
-        match self.kind {
-            Kind::Motor(_) if self.is_cyclic(model) => turns.max(1),
-            _ => 1,
+        if self.is_cyclic(model) {
+            turns.max(1)
+        } else {
+            1
         }
     }
 
-    /// The same over so many turns that everything comes back to where it was, behind gears, too; as it is, if nothing like that is found.
+    /// The same over so many turns, or periods of laws, that everything comes back to where it was, behind gears, too; as it is, if nothing
+    /// like that is found.
     pub(crate) fn completed(self, model: &Model, compiled: &Compiled) -> Self {
         /// So many turns are tried.
         const MOST: u32 = 64;
-        let Kind::Motor(_) = self.kind else {
+        if self.kind == Kind::Laws(None) {
             return self;
-        };
+        }
         let [from, to] = self.ends;
         // Rounding would hide what comes back.
         let mut machine = Mover::exact(compiled);
@@ -210,7 +239,7 @@ impl Drive {
         let by = from + (to - from) * part;
         let time = match self.kind {
             Kind::Motor(_) => (by - from) / rate,
-            Kind::Laws => by,
+            Kind::Laws(_) => by,
         };
         let mut values = self.base.clone();
         let mut rates = [vec![0.0; values.len()], vec![0.0; values.len()]];
@@ -219,7 +248,7 @@ impl Drive {
                 values[motor.index()] = by;
                 rates[0][motor.index()] = rate;
             }
-            (Kind::Laws, Some(timing)) => {
+            (Kind::Laws(_), Some(timing)) => {
                 let params: Vec<f64> = model.params.values().collect();
                 for (law, found) in timing.motors.iter().zip(timing.at(by, &params)) {
                     let motor = law.motor.index();
@@ -228,7 +257,7 @@ impl Drive {
                     rates[1][motor] = found[2];
                 }
             }
-            (Kind::Laws, None) => {}
+            (Kind::Laws(_), None) => {}
         }
         Moment {
             by,
@@ -259,7 +288,7 @@ impl Drive {
                         limits(model, compiled, motor, &self.base)
                     )
                 }
-                Kind::Laws => format!("the motors cannot follow their laws at t = {by}: {why}"),
+                Kind::Laws(_) => format!("the motors cannot follow their laws at t = {by}: {why}"),
             })
         })
     }

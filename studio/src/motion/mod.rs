@@ -4,6 +4,7 @@ mod drive;
 mod mover;
 mod obstacle;
 mod paths;
+mod period;
 mod reach;
 mod setting;
 

@@ -41,7 +41,12 @@ impl Motion {
     /// mechanism lets it; one that slides no farther than the mechanism is large.
     pub(super) fn new(model: &Model, compiled: &Compiled, size: f64) -> Result<Self, Failure> {
         if model.lawful_motors().next().is_some() {
-            let drive = Drive::new(model, compiled, None, Span::default(), &[])?;
+            // A part of it is a time.
+            let span = Span {
+                from: Some(0.0.into()),
+                to: Some(1.0.into()),
+            };
+            let drive = Drive::new(model, compiled, None, span, &[])?;
             return Ok(Self::Laws(drive));
         }
         let mut strokes = Vec::new();

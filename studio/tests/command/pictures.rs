@@ -224,3 +224,58 @@ fn motors_follow_their_laws() {
     assert_eq!(rows[0], "t [s],a [deg],velocity:a [rad/s]");
     assert_eq!(rows[2], "0.5,180,6.283185307179586");
 }
+
+#[test]
+fn laws_are_shown_until_all_is_back() {
+    let gears = "struct Gears; link pinion; link wheel { point pin = (1, 0); }
+joint a = revolute(ground, pinion) at (-3, 0);
+joint e = revolute(ground, wheel) at (0, 0);
+joint mesh = gear(pinion, wheel, 20 : 60);
+motor a;";
+    let slow = |text: &str, law: &str| text.replace("motor a;", &format!("motor a = {law};"));
+    for (text, law, table_to, film_to, is_back) in [
+        // A turn takes 4 s. The wheel is back after three.
+        (FOUR_BAR, "PI * t / 2", 4, 4, true),
+        (gears, "PI * t / 2", 4, 12, true),
+        (
+            FOUR_BAR,
+            "0.3 * sin(PI * t / 3) + 0.1 * sin(PI * t)",
+            6,
+            6,
+            true,
+        ),
+        // This never is back.
+        (FOUR_BAR, "0.3 * t * t", 1, 1, false),
+    ] {
+        let folder = Folder::new().with("a.mech", slow(text, law));
+        let table = folder.mech("table a.mech a --steps 2").done();
+        let last = table.lines().last().unwrap_or_default();
+        assert!(last.starts_with(&format!("{table_to},")), "{law}: {last}");
+        let film = "--size 60 --seconds 1 --rate 5";
+        let usual = folder.mech(&format!("film a.mech -o a.gif {film}"));
+        assert_eq!(usual.code, Some(0), "{law}");
+        let told = format!("from t = 0 to {film_to};");
+        assert_eq!(usual.err.contains(&told), !is_back, "{law}: {}", usual.err);
+        assert_eq!(usual.err.is_empty(), is_back, "{law}: {}", usual.err);
+        folder
+            .mech(&format!("film a.mech -o b.gif {film} --to {film_to}"))
+            .done();
+        let read = |name: &str| std::fs::read(folder.path(name)).expect("a film");
+        assert!(read("a.gif") == read("b.gif"), "{law}");
+    }
+}
+
+#[test]
+fn laws_that_something_stops_are_shown_for_a_while() {
+    // The crank is longer than the way to the rocker lets it turn.
+    let text = "struct Stuck; link crank; link rod; link rocker;
+joint a = revolute(ground, crank) at (0, 0);
+joint b = revolute(crank, rod) at (0, 3);
+joint c = revolute(rod, rocker) at (4, 3);
+joint d = revolute(ground, rocker) at (4, 1);
+motor a = 0.2 * t;";
+    let folder = Folder::new().with("a.mech", text);
+    let film = folder.mech("film a.mech -o a.gif --size 60 --seconds 1 --rate 5");
+    assert_eq!(film.code, Some(0), "{}", film.err);
+    assert!(film.err.contains("from t = 0 to 1;"), "{}", film.err);
+}

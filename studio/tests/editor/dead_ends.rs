@@ -133,6 +133,38 @@ fn what_is_pinned_jumps_at_once() {
 }
 
 #[test]
+fn ends_of_a_pin_that_are_apart_are_both_seen() {
+    let [coupler, rocker] = [[0.0, 2.4], [1.03, 2.04]];
+    let mut user = User::new();
+    user.key(Key::B);
+    user.drag([-3.0, 0.0], [-1.0, 1.0]);
+    user.drag([-1.0, 1.0], coupler);
+    user.drag(rocker, [2.0, 0.0]);
+    user.key(Key::G);
+    user.click([-3.0, 0.0]);
+    user.click([2.0, 0.0]);
+    assert!(!user.sees_dashes(coupler, rocker), "{}", user.said());
+    user.key(Key::P);
+    user.click(coupler);
+    user.click(rocker);
+    user.key(Key::Escape);
+    // No bar can jump: the ground holds both. They stay where the text has them.
+    is_drawn(&user, "bar2", [[-1.0, 1.0], coupler]);
+    is_drawn(&user, "bar3", [rocker, [2.0, 0.0]]);
+    assert!(user.sees_dashes(coupler, rocker), "{}", user.said());
+    assert!(user.sees_ring(coupler) && user.sees_ring(rocker));
+    // The pin goes to its other end, not to the grid near that.
+    user.drag(coupler, [1.0, 2.0]);
+    is_drawn(&user, "bar2", [[-1.0, 1.0], rocker]);
+    assert!(!user.sees_dashes(coupler, rocker), "{}", user.said());
+    user.key(Key::M);
+    user.click([-3.0, 0.0]);
+    assert!(user.editor().player().is_some(), "{}", user.said());
+    is_drawn(&user, "bar2", [[-1.0, 1.0], rocker]);
+    is_drawn(&user, "bar3", [rocker, [2.0, 0.0]]);
+}
+
+#[test]
 fn a_bar_wins_over_the_grid() {
     let [from, to] = [[-3.0, 0.0], [3.2, 1.4]];
     for tool in [Key::R, Key::G] {

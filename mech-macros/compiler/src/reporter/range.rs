@@ -1,7 +1,7 @@
 //! Declared ranges that cannot stand.
 
 use super::Words;
-use super::wording::brief;
+use crate::digits::round_to;
 use crate::model::{JointKind, MotorId, Origin};
 use crate::structure::RangeTrouble;
 
@@ -108,36 +108,50 @@ impl Words<'_> {
         places.join(" and ")
     }
 
-    /// A value that is short of a dead point, as one would write it.
+    /// A value that is short of a dead point, as one would write it: a thousandth at most of an angle or of the mechanism's size, and less
+    /// where the start is nearer.
     fn value_before(&self, motor: MotorId, limit: f64, start: f64) -> String {
+        /// No number has more.
+        const MOST: usize = 15;
         let (unit, limit, start) = match self.model.joint(self.model.motor(motor).joint).kind {
             JointKind::Revolute(..) => (" deg", limit.to_degrees(), start.to_degrees()),
             _ => ("", limit, start),
         };
-        let scale = 1e3;
-        let short = if limit < start {
-            (limit * scale).ceil()
-        } else {
-            (limit * scale).floor()
+        let inwards = (start - limit).signum();
+        let usual = self.usual_places(motor, 3);
+        let mut offers = (usual..).take(MOST).map(|places| {
+            let scale = 10_f64.powi(places);
+            let short = inwards * (inwards * limit * scale).ceil() / scale;
+            round_to(short, usize::try_from(places).unwrap_or(0))
+        });
+        let short = offers.find(|short| inwards * (start - short) > 0.0);
+        format!("`{}{unit}`", short.unwrap_or(start))
+    }
+
+    /// So many places of a motor's values, or of lengths where the mechanism's size is 1: more where it is small, fewer where it is large.
+    fn usual_places(&self, motor: MotorId, places: i32) -> i32 {
+        let size = match self.model.joint(self.model.motor(motor).joint).kind {
+            JointKind::Revolute(..) => 1.0,
+            _ => self.model.size(),
         };
-        format!("`{}{unit}`", brief(short / scale))
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "a power of ten that numbers have"
+        )]
+        let power = size.log10().floor().clamp(-250.0, 250.0) as i32;
+        places - power
     }
 
     /// A motor's value as one would write it: zero where only rounding has left something.
     fn motor_value(&self, motor: MotorId, value: f64) -> String {
         const ROUNDING: f64 = 1e-9;
-        let size = match self.model.joint(self.model.motor(motor).joint).kind {
-            JointKind::Revolute(..) => 1.0,
-            _ => self.model.size(),
+        let (unit, value) = match self.model.joint(self.model.motor(motor).joint).kind {
+            JointKind::Revolute(..) if value.abs() < ROUNDING => (" deg", 0.0),
+            JointKind::Revolute(..) => (" deg", value.to_degrees()),
+            _ if value.abs() < ROUNDING * self.model.size() => ("", 0.0),
+            _ => ("", value),
         };
-        let value = if value.abs() < ROUNDING * size {
-            0.0
-        } else {
-            value
-        };
-        match self.model.joint(self.model.motor(motor).joint).kind {
-            JointKind::Revolute(..) => format!("`{} deg`", brief(value.to_degrees())),
-            _ => format!("`{}`", brief(value)),
-        }
+        let places = usize::try_from(self.usual_places(motor, 4)).unwrap_or(0);
+        format!("`{}{unit}`", round_to(value, places.max(4)))
     }
 }

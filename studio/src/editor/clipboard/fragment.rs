@@ -1,155 +1,144 @@
-//! Statements that are copied, and pasted under names that are free: into the same text or another.
+//! Statements that are copied: links, and what is between them.
 
-use crate::document::{Document, Listing, Source};
+use crate::document::Document;
 use crate::editor::index;
-use crate::editor::names::Names;
 use crate::failure::Failure;
-use crate::mend::Rewriter;
-use crate::text::{Lexer, Replacement, Statement, shortest, statements, written};
-use mech_compiler::model::{AxisId, AxisKind, LinkId, Model};
-use std::collections::{BTreeMap, BTreeSet};
+use crate::text::{Statement, shortest, statements};
+use mech_compiler::model::{AxisId, AxisKind, Between, LinkId, LoadKind, Model};
+use std::collections::BTreeSet;
 
-/// What is copied: links, what is between them, and the numbers that they use.
-const WORDS: [&str; 5] = ["const", "param", "link", "joint", "motor"];
-
-/// Whether a text has such statements alone.
-pub(super) fn can_be_pasted(text: &str) -> bool {
-    let all = statements(text, &(0..text.len()));
-    all.iter().any(|one| one.is("link")) && all.iter().all(|one| is_copied(one))
-}
-
-fn is_copied(statement: &Statement<'_>) -> bool {
-    WORDS.iter().any(|word| statement.is(word))
-}
-
-/// The statements of some links, with the joints and motors between them. Joints with the ground come along if there are several links. Where
-/// links were joined to others they get free ends. What was drawn in the scene stands beside itself.
+/// The statements of some links, with what is between them: joints, motors and their starts, springs, dampers and loads. What is between them
+/// and the ground comes along if there are several links. Where links were joined to others they get free ends.
 pub(super) fn copied(
     document: &Document,
     index: usize,
     links: &BTreeSet<String>,
-    beside: [f64; 2],
 ) -> Result<Option<String>, Failure> {
     let Some(declaration) = document.declarations().get(index) else {
         return Ok(None);
     };
-    let (Some(model), Some(listing)) =
-        (document.model(declaration)?, document.listing(declaration)?)
-    else {
-        return Ok(None);
-    };
-    let Some(body) = &declaration.body else {
+    let (Some(model), Some(body)) = (document.model(declaration)?, &declaration.body) else {
         return Ok(None);
     };
     let text = document.source().text();
+    let all = statements(text, body);
     let source = Copy {
         text,
         model: &model,
-        listing: &listing,
         links,
-        beside,
     };
-    let all = statements(text, body);
-    let mut found: Vec<String> = Vec::new();
-    let mut mentioned: Vec<&Statement<'_>> = Vec::new();
-    for statement in &all {
-        let copy = match statement.word(0) {
-            "link" if links.contains(statement.word(1)) => source.link(statement),
-            "joint" if source.has_joint(statement) => source.shifted(statement, true),
-            "motor" if source.has_motor(statement, &all) => source.shifted(statement, false),
-            _ => continue,
-        };
-        found.push(copy);
-        mentioned.push(statement);
-    }
-    if !mentioned.iter().any(|one| one.is("link")) {
+    let mut found: Vec<String> = all.iter().filter_map(|one| source.copy(one)).collect();
+    let has = |words: &[&str]| all_within(&found).any(|one| words.contains(&one.word(0)));
+    if !has(&["link"]) {
         return Ok(None);
+    }
+    if has(&["spring", "damper", "load"]) && model.effects.needs_actions() {
+        found.push("effects { force; }".to_owned());
+    }
+    let grounds = all.iter().filter(|one| one.is("ground"));
+    let items: Vec<&str> = grounds
+        .flat_map(Statement::clauses)
+        .filter(|item| is_mentioned(&found, &format!("ground.{}", item.word(1))))
+        .map(|item| &text[item.range()])
+        .collect();
+    if !items.is_empty() {
+        found.insert(0, format!("ground {{ {} }}", items.join(" ")));
     }
     // Numbers stand before what uses them, which may be another number.
     for statement in all.iter().rev() {
         let is_number = statement.is("const") || statement.is("param");
-        if is_number && mentioned.iter().any(|one| one.mentions(statement.word(1))) {
+        if is_number && is_mentioned(&found, statement.word(1)) {
             found.insert(0, text[statement.range()].to_owned());
-            mentioned.push(statement);
         }
     }
     Ok(Some(found.join("\n")))
+}
+
+fn all_within(texts: &[String]) -> impl Iterator<Item = Statement<'_>> {
+    let texts = texts.iter();
+    texts.flat_map(|text| statements(text, &(0..text.len())))
+}
+
+fn is_mentioned(texts: &[String], name: &str) -> bool {
+    all_within(texts).any(|one| one.mentions(name))
 }
 
 /// What is copied from a text.
 struct Copy<'c> {
     text: &'c str,
     model: &'c Model,
-    listing: &'c Listing,
     links: &'c BTreeSet<String>,
-    beside: [f64; 2],
 }
 
 impl Copy<'_> {
+    /// A statement as it is copied, if it is.
+    fn copy(&self, statement: &Statement<'_>) -> Option<String> {
+        let name = statement.word(1);
+        let whole = || self.text[statement.range()].to_owned();
+        match statement.word(0) {
+            "link" if self.links.contains(name) => Some(self.link(statement)),
+            "joint" | "motor" => self.has_joint(name).then(whole),
+            "spring" | "damper" | "load" => self.has_action(name).then(whole),
+            "start" => {
+                let clauses = statement.clauses();
+                let kept = clauses.iter().filter(|clause| match clause.word(1) {
+                    "near" => self.links.contains(clause.word(0)),
+                    _ => self.has_joint(clause.word(0)),
+                });
+                let kept: Vec<&str> = kept.map(|clause| &self.text[clause.range()]).collect();
+                (!kept.is_empty()).then(|| format!("start {{ {} }}", kept.join(" ")))
+            }
+            _ => None,
+        }
+    }
+
     fn is_copied(&self, link: LinkId) -> bool {
         self.links.contains(&self.model.link(link).name)
     }
 
+    /// Whether what is joined to a link comes along with other links.
+    fn comes(&self, link: LinkId) -> bool {
+        self.is_copied(link) || link == LinkId::GROUND && self.links.len() > 1
+    }
+
     /// Whether a joint is copied: if both links are, or one and the ground.
-    fn has_joint(&self, statement: &Statement<'_>) -> bool {
+    fn has_joint(&self, name: &str) -> bool {
         let mut joints = self.model.declared_joints();
-        let name = statement.word(1);
-        let Some(joint) = joints.find(|joint| self.model.joint(*joint).name == name) else {
-            return false;
-        };
-        // Another text has other points on its ground.
-        let has_point =
-            statement.mentions("ground") && self.text[statement.range()].contains("ground.");
-        let (a, b) = self.model.ends(joint);
-        let comes = |link: LinkId| {
-            self.is_copied(link) || link == LinkId::GROUND && self.links.len() > 1 && !has_point
-        };
-        comes(a) && comes(b)
+        let joint = joints.find(|joint| self.model.joint(*joint).name == name);
+        joint.is_some_and(|joint| {
+            let (a, b) = self.model.ends(joint);
+            self.comes(a) && self.comes(b)
+        })
     }
 
-    fn has_motor(&self, statement: &Statement<'_>, all: &[Statement<'_>]) -> bool {
-        let name = statement.word(1);
-        let mut joints = all.iter().filter(|one| one.declares("joint", name));
-        joints.any(|joint| self.has_joint(joint))
-    }
-
-    /// A statement, with its places in the scene beside where they were.
-    fn shifted(&self, statement: &Statement<'_>, is_in_scene: bool) -> String {
-        let whole = statement.range();
-        let tolerance = 1e-9 * self.model.size();
-        let mut edits = Vec::new();
-        for number in self.listing.numbers.iter().filter(|_| is_in_scene) {
-            let is_within = whole.start <= number.place.start && number.place.end <= whole.end;
-            let way = match number.role.rsplit(' ').next() {
-                Some("x") => self.beside[0],
-                Some("y") => self.beside[1],
-                _ => continue,
-            };
-            if !is_within || number.is_pair {
-                continue;
-            }
-            let known = &self.text[number.place.clone()];
-            let text = match known.trim().parse::<f64>() {
-                Ok(value) => shortest(value + way, tolerance),
-                Err(_) => format!("{known} + ({})", shortest(way, tolerance)),
-            };
-            let range = number.place.start - whole.start..number.place.end - whole.start;
-            edits.push(Replacement { range, text });
+    /// Whether a spring, a damper or a load is copied: if all that it acts on is.
+    fn has_action(&self, name: &str) -> bool {
+        let actions = &self.model.actions;
+        let link = |axis: AxisId| self.model.axis(axis).link;
+        let springs = actions.springs.iter().map(|one| (&one.name, one.between));
+        let dampers = actions.dampers.iter().map(|one| (&one.name, one.between));
+        let mut loads = actions.loads.iter();
+        match springs.chain(dampers).find(|(known, _)| *known == name) {
+            Some((_, Between::Points(a, b))) => self.comes(link(a)) && self.comes(link(b)),
+            Some((_, Between::Joint(joint))) => self.has_joint(&self.model.joint(joint).name),
+            None => loads.any(|load| {
+                load.name == name
+                    && self.is_copied(match load.kind {
+                        LoadKind::Force(point) => link(point),
+                        LoadKind::Torque(link) => link,
+                    })
+            }),
         }
-        edits.sort_by_key(|edit| edit.range.start);
-        written(&self.text[whole], &edits)
     }
 
     /// A link with free ends where it was joined to what is not copied.
     fn link(&self, statement: &Statement<'_>) -> String {
         let name = statement.word(1);
+        let copy = self.text[statement.range()].to_owned();
         let mut links = self.model.declared_links();
         let link = links.find(|link| self.model.link(*link).name == name);
-        let Some(link) = link.filter(|link| self.model.link(*link).drawn) else {
-            return self.shifted(statement, false);
-        };
-        let copy = self.shifted(statement, true);
-        let ends = self.ends(link, name);
+        let ends = link.filter(|link| self.model.link(*link).drawn);
+        let ends = ends.map(|link| self.ends(link, name)).unwrap_or_default();
         if ends.is_empty() {
             return copy;
         }
@@ -166,11 +155,9 @@ impl Copy<'_> {
         let mut left: Vec<AxisId> = Vec::new();
         for joint in self.model.joint_ids() {
             let (a, b) = self.model.ends(joint);
-            let comes =
-                |end: LinkId| self.is_copied(end) || end == LinkId::GROUND && self.links.len() > 1;
             let axes = self.model.joint(joint).kind.axes().into_iter().flatten();
             for axis in axes.filter(|axis| self.model.axis(*axis).link == link) {
-                if comes(a) && comes(b) {
+                if self.comes(a) && self.comes(b) {
                     kept.insert(axis);
                 } else if index::path(self.model, axis).is_none() {
                     left.push(axis);
@@ -189,102 +176,10 @@ impl Copy<'_> {
                 continue;
             }
             places.push(axis.at);
-            let [x, y] = [0, 1].map(|part| shortest(axis.at[part] + self.beside[part], tolerance));
+            let [x, y] = axis.at.map(|part| shortest(part, tolerance));
             let number = numbers.next().unwrap_or_default();
             ends += &format!("point end{number} = ({x}, {y}); ");
         }
         ends
     }
-}
-
-/// A text with statements that were copied, and the links that are new in it.
-pub(super) fn pasted(
-    document: &Document,
-    index: usize,
-    copied: &str,
-) -> Result<(String, Vec<String>), String> {
-    let source = document.source();
-    let path = source.path();
-    let mut text = match source.text() {
-        blank if blank.trim().is_empty() => "struct Mechanism;\n".to_owned(),
-        text => text.to_owned(),
-    };
-    let lost = || "there is no mechanism into which something could be pasted".to_owned();
-    let at = |text: &str| {
-        let document = Document::of(Source::new(path, text));
-        let declaration = document.declarations().get(index).cloned();
-        declaration.map(|declaration| (document, declaration))
-    };
-    let (before, declaration) = at(&text).ok_or_else(lost)?;
-    let model = before
-        .model(&declaration)
-        .map_err(|failure| failure.to_string())?;
-    let model = model.ok_or("the text has mistakes; mend them before something is pasted")?;
-    let body = declaration.body.ok_or_else(lost)?;
-    let known: BTreeSet<&str> = statements(&text, &body)
-        .iter()
-        .map(|one| &text[one.range()])
-        .collect();
-    let all = statements(copied, &(0..copied.len()));
-    let fresh = all.iter().filter(|one| {
-        let is_number = one.is("const") || one.is("param");
-        !(is_number && known.contains(&copied[one.range()]))
-    });
-    let fresh: Vec<&Statement<'_>> = fresh.collect();
-    let mut names = Names::within(&text);
-    let renamed: BTreeMap<&str, String> = fresh
-        .iter()
-        .filter(|one| !one.is("motor"))
-        .map(|one| (one.word(1), names.like(one.word(1), one.is("joint"))))
-        .collect();
-    let links = fresh.iter().filter(|one| one.is("link"));
-    let links = links.filter_map(|one| renamed.get(one.word(1)).cloned());
-    let links: Vec<String> = links.collect();
-    for statement in fresh {
-        let copy = with_names(&copied[statement.range()], &renamed);
-        let siblings: &[&str] = match statement.word(0) {
-            "const" | "param" => &["const", "param"],
-            "link" => &["link", "ground", "param", "const", "look", "use"],
-            "joint" => &["joint", "link", "ground"],
-            _ => &["motor", "joint", "link", "ground"],
-        };
-        let (_, declaration) = at(&text).ok_or_else(lost)?;
-        let body = declaration.body.ok_or_else(lost)?;
-        let mut rewriter = Rewriter::new(&text, &body, &model);
-        rewriter.add_beside(&copy, siblings).ok_or_else(lost)?;
-        let edits = rewriter.draft.edits();
-        text = written(&text, &edits);
-    }
-    let (after, declaration) = at(&text).ok_or_else(lost)?;
-    match after.model(&declaration) {
-        Ok(Some(_)) => Ok((text, links)),
-        Ok(None) => {
-            let reading = after
-                .analyse(&declaration)
-                .map_err(|failure| failure.to_string())?;
-            let faults = reading.result.err();
-            let first = faults.and_then(|faults| faults.messages.into_iter().next());
-            let why = first.map(|message| message.text).unwrap_or_default();
-            Err(format!("it cannot be pasted here: {why}"))
-        }
-        Err(failure) => Err(failure.to_string()),
-    }
-}
-
-/// A statement with other names. Points and lines keep theirs, which are those of their links.
-fn with_names(text: &str, renamed: &BTreeMap<&str, String>) -> String {
-    let mut edits = Vec::new();
-    let mut before = "";
-    for lexeme in Lexer::new(text, 0) {
-        let word = &text[lexeme.start..lexeme.end];
-        let is_own = ["point", "line", ".", "color"].contains(&before);
-        if let Some(name) = renamed.get(word).filter(|_| !is_own) {
-            edits.push(Replacement {
-                range: lexeme.start..lexeme.end,
-                text: name.clone(),
-            });
-        }
-        before = word;
-    }
-    written(text, &edits)
 }

@@ -1,6 +1,7 @@
 //! What is copied and pasted.
 
 mod fragment;
+mod pasting;
 
 use super::names::Names;
 use super::snap::grid;
@@ -13,7 +14,7 @@ use mech_compiler::model::{AxisId, AxisKind};
 use std::collections::BTreeSet;
 
 impl Editor {
-    /// Notes the selected links as statements, with the joints and motors between them.
+    /// Notes the selected links as statements, with what is between them.
     pub(super) fn copy(&mut self) {
         let links = self.selection.iter().filter_map(|item| match item {
             Item::Link(name) => Some(name.clone()),
@@ -35,19 +36,13 @@ impl Editor {
 
     fn fragment_of(&self, links: &BTreeSet<String>) -> Result<Option<String>, Failure> {
         let document = self.workspace().document();
-        let beside = grid(self.camera.view().scale());
-        fragment::copied(
-            &document,
-            self.workspace().index(),
-            links,
-            [beside, -beside],
-        )
+        fragment::copied(&document, self.workspace().index(), links)
     }
 
     /// Declares what was copied, here or elsewhere.
     pub(super) fn paste(&mut self, text: &str) {
         let text = if text.is_empty() { &self.copied } else { text };
-        if !fragment::can_be_pasted(text) {
+        if !pasting::can_be_pasted(text) {
             self.refuse("nothing was copied that can be pasted; select links and copy them");
             return;
         }
@@ -57,7 +52,8 @@ impl Editor {
     /// Declares statements that were copied, as one step. The copies are selected.
     pub(super) fn paste_now(&mut self, copied: &str) {
         let (document, index) = (self.workspace().document(), self.workspace().index());
-        match fragment::pasted(&document, index, copied) {
+        let step = grid(self.camera.view().scale());
+        match pasting::pasted(&document, index, copied, [step, -step]) {
             Ok((text, links)) => {
                 let title = match links.len() {
                     1 => "paste a link".to_owned(),

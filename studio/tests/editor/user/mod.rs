@@ -4,7 +4,7 @@ mod pointer;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    DroppedFile, Event, Key, Modifiers, OutputCommand, Pos2, Rect, Vec2, ViewportCommand,
+    DroppedFile, Event, Key, Modifiers, OutputCommand, Pos2, Rect, Shape, Vec2, ViewportCommand,
     ViewportEvent, ViewportId,
 };
 use egui_kittest::Harness;
@@ -180,6 +180,34 @@ impl User {
             .query_all_by_label_contains(label)
             .next()
             .is_some()
+    }
+
+    /// Whether a line of dashes goes from one place of the scene to another.
+    pub(crate) fn sees_dashes(&self, from: [f64; 2], to: [f64; 2]) -> bool {
+        let [from, to] = [from, to].map(|place| self.pixel(place));
+        let way = to - from;
+        let is_on_it = |point: &Pos2| {
+            let part = (*point - from).dot(way) / way.length_sq();
+            (0.0..=1.0).contains(&part) && point.distance(from + part * way) < 1.0
+        };
+        let shapes = self.harness.output().shapes.iter();
+        let dashes = shapes.filter_map(|clipped| match &clipped.shape {
+            Shape::LineSegment { points, .. } => Some(points),
+            _ => None,
+        });
+        let on_it = dashes.filter(|points| points.iter().all(is_on_it));
+        let lengths = on_it.map(|[one, other]| one.distance(*other));
+        (0.4..0.9).contains(&(lengths.sum::<f32>() / way.length()))
+    }
+
+    /// Whether a ring of the size of a pin is about a place of the scene.
+    pub(crate) fn sees_ring(&self, place: [f64; 2]) -> bool {
+        let center = self.pixel(place);
+        let mut shapes = self.harness.output().shapes.iter();
+        shapes.any(|clipped| match &clipped.shape {
+            Shape::Circle(ring) => ring.center.distance(center) < 1.0 && ring.radius > 5.0,
+            _ => false,
+        })
     }
 
     /// Where something of this name is in the window.

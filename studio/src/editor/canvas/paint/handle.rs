@@ -8,7 +8,8 @@ use eframe::egui::{Color32, Painter, Pos2, Stroke, Vec2};
 use mech_compiler::model::{JointId, JointKind, LinkId};
 use std::collections::HashSet;
 
-const PIN: f32 = 6.0;
+/// The radius of a pin.
+pub(super) const PIN: f32 = 6.0;
 
 impl Paint<'_> {
     /// Whether a handle that is there can be seen.

@@ -1,6 +1,7 @@
 //! The mechanism without its bodies: bars, plates, springs, and the ranges of motors.
 
 use super::Paint;
+use super::handle::PIN;
 use crate::editor::Item;
 use crate::editor::colors::distinct;
 use crate::editor::drawing::{Drawing, apply};
@@ -113,6 +114,19 @@ impl Paint<'_> {
             };
             let ends = ends.map(|end| self.shown.pixel(end));
             painter.add(egui::Shape::line(zigzag(ends), Stroke::new(1.5, color)));
+        }
+    }
+
+    /// A dashed line between the ends of each joint that does not close as drawn.
+    pub(super) fn gaps(&self, painter: &Painter, drawing: &Drawing, visuals: &egui::Visuals) {
+        let stroke = Stroke::new(1.5, visuals.warn_fg_color);
+        let ends = drawing.ends_of_joints();
+        let ends = ends.map(|ends| ends.map(|end| self.shown.pixel(end)));
+        for [from, to] in ends.filter(|[from, to]| from.distance(*to) > PIN) {
+            painter.extend(egui::Shape::dashed_line(&[from, to], stroke, 6.0, 4.0));
+            for end in [from, to] {
+                painter.circle_stroke(end, PIN, stroke);
+            }
         }
     }
 

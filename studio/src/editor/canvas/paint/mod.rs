@@ -37,6 +37,7 @@ impl Paint<'_> {
             }
             self.actions(&painter, drawing, ui.visuals());
             self.ranges(&painter, drawing);
+            self.gaps(&painter, drawing, ui.visuals());
         }
         if let Some(ghost) = &self.editor.ghost {
             self.schematic(&painter, &ghost.drawing, 0.45);

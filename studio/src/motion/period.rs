@@ -1,0 +1,241 @@
+//! After what time laws are back where they began.
+
+use super::setting::turns;
+use mech_compiler::model::{
+    Arithmetic, BinaryFunction, FormulaArithmetic, Function, Model, Now, ParamId,
+};
+use std::f64::consts::TAU;
+
+/// After what time all motors are where they were, with the params as they are at the start; none if nobody knows one. Motors that turn may
+/// have made whole turns.
+pub(super) fn period(model: &Model) -> Option<f64> {
+    let params: Vec<f64> = model.params.values().collect();
+    let mut courses = Courses(Now {
+        variable: 0.0,
+        params: &params,
+    });
+    let mut period = 0.0;
+    for (motor, law) in model.lawful_motors() {
+        let course = law.evaluate(&mut courses)?;
+        period = common(period, course.period)?;
+        if course.rate != 0.0 {
+            let round = turns(model, model.motor(motor).joint).then(|| TAU / course.rate.abs());
+            period = common(period, round?)?;
+        }
+    }
+    (period > 0.0).then_some(period)
+}
+
+/// How a number goes on with the time: after each period it is farther, by the rate times the period.
+#[derive(Clone, Copy)]
+struct Course {
+    /// At the time 0.
+    value: f64,
+    rate: f64,
+    /// Zero, if any time is one.
+    period: f64,
+}
+
+impl Course {
+    fn is_fixed(self) -> bool {
+        self.rate == 0.0 && self.period == 0.0
+    }
+}
+
+/// A time after which things with two periods are back; none if that takes long.
+fn common(a: f64, b: f64) -> Option<f64> {
+    /// So many of the first are tried.
+    const MOST: u32 = 64;
+    if a == 0.0 || b == 0.0 {
+        return Some(a.max(b));
+    }
+    let mut times = (1..=MOST).map(|count| f64::from(count) * a);
+    times.find(|time| {
+        let whole = (time / b).round();
+        whole > 0.0 && (time - whole * b).abs() < 1e-9 * time
+    })
+}
+
+/// The arithmetic of courses; none if nothing is known of a number.
+struct Courses<'p>(Now<'p>);
+
+impl Courses<'_> {
+    /// What comes of two that go on at this rate together.
+    fn join(
+        [a, b]: [Option<Course>; 2],
+        value: impl FnOnce(f64, f64) -> f64,
+        rate: impl FnOnce(Course, Course) -> Option<f64>,
+    ) -> Option<Course> {
+        let (a, b) = a.zip(b)?;
+        Some(Course {
+            value: value(a.value, b.value),
+            rate: rate(a, b)?,
+            period: common(a.period, b.period)?,
+        })
+    }
+
+    /// The rate of what is made of two that do not go on.
+    fn still(a: Course, b: Course) -> Option<f64> {
+        (a.rate == 0.0 && b.rate == 0.0).then_some(0.0)
+    }
+}
+
+impl Arithmetic for Courses<'_> {
+    type Scalar = Option<Course>;
+
+    fn constant(&mut self, value: f64) -> Option<Course> {
+        Some(Course {
+            value,
+            rate: 0.0,
+            period: 0.0,
+        })
+    }
+
+    fn neg(&mut self, a: Option<Course>) -> Option<Course> {
+        let minus = self.constant(-1.0);
+        self.mul(minus, a)
+    }
+
+    fn add(&mut self, a: Option<Course>, b: Option<Course>) -> Option<Course> {
+        Self::join([a, b], |a, b| a + b, |a, b| Some(a.rate + b.rate))
+    }
+
+    fn sub(&mut self, a: Option<Course>, b: Option<Course>) -> Option<Course> {
+        Self::join([a, b], |a, b| a - b, |a, b| Some(a.rate - b.rate))
+    }
+
+    fn mul(&mut self, a: Option<Course>, b: Option<Course>) -> Option<Course> {
+        Self::join(
+            [a, b],
+            |a, b| a * b,
+            |a, b| match (a.is_fixed(), b.is_fixed()) {
+                (true, _) => Some(a.value * b.rate),
+                (_, true) => Some(a.rate * b.value),
+                _ => Self::still(a, b),
+            },
+        )
+    }
+
+    fn div(&mut self, a: Option<Course>, b: Option<Course>) -> Option<Course> {
+        Self::join(
+            [a, b],
+            |a, b| a / b,
+            |a, b| {
+                if b.is_fixed() {
+                    Some(a.rate / b.value)
+                } else {
+                    Self::still(a, b)
+                }
+            },
+        )
+    }
+}
+
+impl FormulaArithmetic for Courses<'_> {
+    fn variable(&mut self) -> Option<Course> {
+        Some(Course {
+            value: 0.0,
+            rate: 1.0,
+            period: 0.0,
+        })
+    }
+
+    fn param(&mut self, param: ParamId) -> Option<Course> {
+        let value = self.0.param(param);
+        self.constant(value)
+    }
+
+    fn of(&mut self, function: Function, a: Option<Course>) -> Option<Course> {
+        let a = a?;
+        let round = match function {
+            _ if a.rate == 0.0 => 0.0,
+            Function::Sin | Function::Cos | Function::Tan => TAU / a.rate.abs(),
+            _ => return None,
+        };
+        Some(Course {
+            value: self.0.of(function, a.value),
+            rate: 0.0,
+            period: common(a.period, round)?,
+        })
+    }
+
+    fn of_both(
+        &mut self,
+        function: BinaryFunction,
+        a: Option<Course>,
+        b: Option<Course>,
+    ) -> Option<Course> {
+        let (first, second) = a.zip(b)?;
+        let (rate, round) = match function {
+            BinaryFunction::Mod if second.is_fixed() && first.rate != 0.0 => {
+                (0.0, (second.value / first.rate).abs())
+            }
+            BinaryFunction::Min | BinaryFunction::Max if first.rate == second.rate => {
+                (first.rate, 0.0)
+            }
+            _ => (Self::still(first, second)?, 0.0),
+        };
+        let value = |a, b| self.0.of_both(function, a, b);
+        let joined = Self::join([a, b], value, |_, _| Some(rate))?;
+        Some(Course {
+            period: common(joined.period, round)?,
+            ..joined
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::period;
+    use crate::document::{Document, Source};
+    use std::f64::consts::{PI, TAU};
+
+    #[test]
+    fn laws_are_back_after_their_common_period() {
+        let text = |laws: [&str; 2]| {
+            let motors = [("a", laws[0]), ("s", laws[1])];
+            let motors = motors.map(|(joint, law)| match law {
+                "" => String::new(),
+                law => format!("motor {joint} = {law};"),
+            });
+            format!(
+                "struct M; const K = 3; param p = 4;
+                ground {{ point o = (0, 0); line x = (1, 0) -> (1, 0); }}
+                link c {{ point o = (0, 0); }} link b {{ line x = (0, 0) -> (1, 0); }}
+                joint a = revolute(ground.o, c.o);
+                joint s = prismatic(ground.x, b.x);
+                {}",
+                motors.concat()
+            )
+        };
+        for (turning, sliding, expected) in [
+            ("2 * PI * t", "", Some(1.0)),
+            ("-90 deg * t", "", Some(4.0)),
+            ("0.5 + K * t / 2", "", Some(2.0 * TAU / 3.0)),
+            ("0.3 * sin(2 * PI * t / K)", "", Some(3.0)),
+            ("p * t", "", Some(PI / 2.0)),
+            ("t + sin(2 * t)", "", Some(TAU)),
+            ("t", "cos(3 * t) * sin(2 * t)", Some(TAU)),
+            ("", "sqrt(2 + sin(t))", Some(TAU)),
+            ("", "mod(3 * t, 6)", Some(2.0)),
+            ("", "max(0, sin(4 * PI * t))", Some(0.5)),
+            ("PI * t", "sin(4 * PI * t / 3)", Some(6.0)),
+            // These never come back, or nobody knows when.
+            ("0.3 * t * t", "", None),
+            ("", "t", None),
+            ("", "exp(-t) * sin(t)", None),
+            ("t", "sin(sqrt(2) * t)", None),
+            ("1", "", None),
+        ] {
+            let document = Document::of(Source::new("m.mech", text([turning, sliding])));
+            let model = document.model(&document.declarations()[0]);
+            let model = model.expect("it is read").expect("it is right");
+            let found = period(&model);
+            let is_it = match (found, expected) {
+                (Some(found), Some(expected)) => (found - expected).abs() < 1e-9,
+                (found, expected) => found.is_none() && expected.is_none(),
+            };
+            assert!(is_it, "{turning}, {sliding}: {found:?}, not {expected:?}");
+        }
+    }
+}
