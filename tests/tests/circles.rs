@@ -12,11 +12,12 @@ use std::path::{Path, PathBuf};
 use syn::{Item, UseTree, Visibility};
 
 /// The crates, by the files in which they begin.
-const CRATES: [&str; 11] = [
+const CRATES: [&str; 12] = [
     "mech-macros/src/lib.rs",
     "mech-macros/compiler/src/lib.rs",
     "mech-runtime/src/lib.rs",
     "mech-runtime/core/src/lib.rs",
+    "studio/src/lib.rs",
     "studio/page/src/lib.rs",
     "tools/src/bin/accuracy/main.rs",
     "tools/src/bin/effects/main.rs",

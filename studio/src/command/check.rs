@@ -1,6 +1,7 @@
 //! `mech check`.
 
-use super::{CODES, Target};
+use super::CODES;
+use super::target::Target;
 use crate::check::{Verdict, render, to_json, verdicts};
 use crate::console::Console;
 use crate::failure::{Failure, FailureKind};

@@ -1,7 +1,8 @@
 //! `mech film`.
 
+use super::CODES;
 use super::picture::{Picture, Sitter, kind_of};
-use super::{CODES, Target};
+use super::target::Target;
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::motion::{Drive, Paths, Span, Typed};

@@ -1,6 +1,7 @@
 //! `mech fix`.
 
-use super::{CODES, Target};
+use super::CODES;
+use super::target::Target;
 use crate::check::{render, verdict_line};
 use crate::console::Console;
 use crate::document::{Document, Reading, Source};

@@ -1,6 +1,7 @@
 //! `mech graph`.
 
-use super::{CODES, Target};
+use super::CODES;
+use super::target::Target;
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::output;

@@ -1,7 +1,7 @@
 //! What tables and plots have in common: what is measured, and in which motion.
 
-use super::Target;
 use super::assignment::Assignment;
+use super::target::Target;
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::motion::{Drive, Setting, Span, Typed, read_value};

@@ -1,7 +1,7 @@
 //! What drawings and films have in common: what is painted, and on what.
 
-use super::Target;
 use super::assignment::Assignment;
+use super::target::Target;
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::motion::Setting;

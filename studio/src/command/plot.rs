@@ -1,8 +1,9 @@
 //! `mech plot`.
 
+use super::CODES;
 use super::measure::{Measure, QUANTITIES};
 use super::picture::kind_of;
-use super::{CODES, Target};
+use super::target::Target;
 use crate::chart;
 use crate::console::Console;
 use crate::failure::Failure;

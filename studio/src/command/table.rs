@@ -1,7 +1,8 @@
 //! `mech table`.
 
+use super::CODES;
 use super::measure::{Measure, QUANTITIES};
-use super::{CODES, Target};
+use super::target::Target;
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::output;

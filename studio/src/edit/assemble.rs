@@ -1,45 +1,10 @@
 //! Assembly: two axes are made to coincide, and the links with them.
 
 use super::declare::{check_expression, check_name, check_path, joint, pair};
-use super::{Assembly, Change, JointForm, Refusal, Scene, place, pose};
+use super::{Assembly, Change, JointForm, Refusal, Rule, Scene, place, pose};
 use crate::document::Reading;
 use mech_compiler::model::{AxisId, JointId, JointKind, LinkId};
 use mech_compiler::structure::Diagnosis;
-use std::fmt::{self, Display, Formatter};
-
-/// The rules of assembly.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rule {
-    /// A joint joins two links.
-    TwoLinks,
-    /// Two axes are joined once.
-    Once,
-    /// Joints leave a freedom.
-    Freedom,
-    /// Nothing is held more than once.
-    HeldOnce,
-    /// The axes can coincide.
-    Coincidence,
-    /// What rolls has a carrier, and its sizes fit.
-    Rolling,
-}
-
-impl Display for Rule {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::TwoLinks => "a rule of assembly forbids it: a joint joins two different links",
-            Self::Once => "a rule of assembly forbids it: two axes are joined only once",
-            Self::Freedom => "a rule of assembly forbids it: something has to be able to move",
-            Self::HeldOnce => "a rule of assembly forbids it: no part is held more than once",
-            Self::Coincidence => {
-                "a rule of assembly forbids it: the axes cannot be made to coincide"
-            }
-            Self::Rolling => {
-                "a rule of assembly forbids it: what rolls has a carrier on which it fits"
-            }
-        })
-    }
-}
 
 /// Declares a joint.
 pub(super) fn join(scene: &Scene, assembly: &Assembly) -> Result<Change, Refusal> {

@@ -20,11 +20,10 @@ mod shape;
 mod solve;
 mod workspace;
 
-pub use assemble::Rule;
 pub use command::{ActionKind, Assembly, Command, Expression, JointForm, Kind, Pair};
 pub use drag::{Drag, Dragged, Follower};
 pub use history::{History, Step};
-pub use refusal::Refusal;
+pub use refusal::{Refusal, Rule};
 pub(crate) use workspace::Saving;
 pub use workspace::Workspace;
 

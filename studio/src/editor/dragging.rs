@@ -2,8 +2,9 @@
 //!
 //! Where it can go is found out beside the window, as everything is; the window shows the last place that is known.
 
-use super::drawing::{Drawing, Pose, SCENE, relative};
+use super::drawing::Drawing;
 use super::path::Path;
+use super::pose::{Pose, SCENE, relative};
 use super::worker::{Hold, Led};
 use super::{Gesture, Item};
 use crate::edit::{Command, Dragged, Follower, Refusal};

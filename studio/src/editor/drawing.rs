@@ -1,17 +1,12 @@
 //! Where everything is seen: a model with the poses of its links.
 
 use super::Item;
-use super::index::{self, Index};
+use super::index::{self, HandleKind, Index};
 use super::placement::{closed, ends, placed};
+use super::pose::{Pose, SCENE, apply, relative};
 use mech_compiler::model::{AxisId, Between, JointId, JointKind, LinkId, Model};
 use mech_compiler::plan::have_same_steps;
 use std::sync::Arc;
-
-/// A pose: cosine, sine, x and y.
-pub(crate) type Pose = [f64; 4];
-
-/// The pose of the scene itself.
-pub(crate) const SCENE: Pose = [1.0, 0.0, 0.0, 0.0];
 
 /// A mechanism as it is drawn, whether or not it moves.
 #[derive(Clone, Debug)]
@@ -33,21 +28,6 @@ pub struct Handle<'d> {
     pub place: [f64; 2],
     /// What it looks like.
     pub kind: HandleKind,
-}
-
-/// What a handle looks like.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum HandleKind {
-    /// A joint that turns.
-    Pin,
-    /// A joint that slides.
-    Slide,
-    /// A joint that welds.
-    Weld,
-    /// A point without a joint.
-    Point,
-    /// A line without a joint.
-    Line,
 }
 
 /// What is at a place.
@@ -401,17 +381,6 @@ impl Drawing {
         let axis = self.index.pivots[link.index()]?;
         Some(self.place(axis))
     }
-}
-
-/// A place in the frame of a pose, in the scene.
-pub(crate) fn apply([cos, sin, left, up]: Pose, [x, y]: [f64; 2]) -> [f64; 2] {
-    [left + cos * x - sin * y, up + sin * x + cos * y]
-}
-
-/// A place of the scene in the frame of a pose.
-pub(crate) fn relative([cos, sin, left, up]: Pose, [x, y]: [f64; 2]) -> [f64; 2] {
-    let [x, y] = [x - left, y - up];
-    [cos * x + sin * y, cos * y - sin * x]
 }
 
 pub(crate) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {

@@ -2,7 +2,7 @@
 
 use super::Editor;
 use super::desk::is_picture;
-use super::opening::Destination;
+use super::question::Destination;
 use eframe::egui;
 use eframe::egui::DroppedFileHandle;
 use std::path::{Path, PathBuf};

@@ -1,6 +1,6 @@
 //! Files to choose from: in a list, or in the system's own dialog.
 
-use super::action::FileUse;
+use super::question::FileUse;
 use eframe::egui;
 use rfd::AsyncFileDialog;
 use std::fs;

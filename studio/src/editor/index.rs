@@ -1,9 +1,23 @@
 //! Where the parts of a model are found: made once, for all poses.
 
 use super::Item;
-use super::drawing::HandleKind;
 use mech_compiler::model::{AxisId, AxisKind, JointId, JointKind, Model};
 use std::collections::HashMap;
+
+/// What a handle looks like.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HandleKind {
+    /// A joint that turns.
+    Pin,
+    /// A joint that slides.
+    Slide,
+    /// A joint that welds.
+    Weld,
+    /// A point without a joint.
+    Point,
+    /// A line without a joint.
+    Line,
+}
 
 /// The parts of a model by their names and by the links that they are on.
 #[derive(Debug)]

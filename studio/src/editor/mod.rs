@@ -5,6 +5,7 @@
 //! the editor by egui; every handle in the drawing is an accessible node, so that tests and screen readers find what the mouse does.
 
 mod action;
+mod arranging;
 mod arrow;
 mod by_hand;
 mod canvas;
@@ -28,10 +29,14 @@ mod item;
 mod journal;
 mod names;
 mod opening;
+mod order;
 mod panel;
 mod path;
 mod placement;
 mod plotted;
+mod plotting;
+mod pose;
+mod question;
 mod range;
 mod settings;
 mod snap;
@@ -43,9 +48,10 @@ mod touch;
 mod worker;
 
 pub use arrow::{Arrow, ArrowKind};
-pub use drawing::{Drawing, Handle, HandleKind};
+pub use drawing::{Drawing, Handle};
 pub use example::first_example;
 pub use gesture::Gesture;
+pub use index::HandleKind;
 pub use item::Item;
 pub use state::{Editor, Notice};
 pub use studio::Studio;

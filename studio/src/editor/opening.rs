@@ -1,54 +1,13 @@
 //! What is opened: files of the language, and what other programs wrote.
 
 use super::Editor;
-use super::action::Dialog;
 use super::example::Example;
+use super::question::{Destination, Dialog, Ending};
 use crate::document::Source;
 use crate::edit::Workspace;
 use crate::failure::Failure;
 use crate::import::{self, FileKind, Written};
 use std::path::{Path, PathBuf};
-
-/// Where the user goes when the present text is left.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Destination {
-    /// An empty text.
-    Empty,
-    /// A file, or what a link of PMKS+ holds.
-    File(String),
-    /// A text that is known already, with the name of its file.
-    #[cfg(target_arch = "wasm32")]
-    Text(PathBuf, String),
-    /// An example.
-    Example(&'static Example),
-    /// Away: the window is closed.
-    Away,
-}
-
-/// Whether the window stays.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Ending {
-    /// It does.
-    Stays,
-    /// A line wants to close it.
-    Wanted,
-    /// It may be closed, whatever is lost.
-    Granted,
-}
-
-impl Destination {
-    /// A file with its text. On a computer it is the file that counts: it is read again, and watched.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub(super) fn text(path: &Path, _: String) -> Self {
-        Self::File(path.to_string_lossy().into_owned())
-    }
-
-    /// A file with its text: a page cannot read it again.
-    #[cfg(target_arch = "wasm32")]
-    pub(super) fn text(path: &Path, text: String) -> Self {
-        Self::Text(path.to_owned(), text)
-    }
-}
 
 /// A text to be edited, and what was lost when it was imported, if it was.
 type Opened = (Workspace, Option<Vec<String>>);
@@ -95,6 +54,17 @@ impl Editor {
     pub(super) fn arrive_if_done(&mut self, saved: Result<(), Failure>, to: Option<Destination>) {
         match saved {
             Ok(()) => to.into_iter().for_each(|to| self.arrive(to)),
+            Err(failure) => self.refuse(failure),
+        }
+    }
+
+    /// Opens an example.
+    fn open_example(&mut self, example: &Example) {
+        match example.text() {
+            Ok(text) => {
+                self.open(Workspace::proposed(example.file, text));
+                self.tell(format!("{}: {}", example.name, example.help));
+            }
             Err(failure) => self.refuse(failure),
         }
     }

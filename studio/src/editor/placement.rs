@@ -1,6 +1,6 @@
 //! Where links are drawn while nothing moves them: as far as it goes, where their joints want them.
 
-use super::drawing::{Pose, SCENE, apply, relative};
+use super::pose::{Pose, SCENE, apply, relative};
 use mech_compiler::model::{AxisId, Joint, JointKind, LinkId, Model};
 
 /// The pose of each link: as known, or as its joints to those that are known want it, or that of the scene.

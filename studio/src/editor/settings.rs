@@ -1,6 +1,5 @@
 //! What the user has chosen of the window.
 
-use super::panel::Panel;
 use std::collections::BTreeSet;
 
 /// Whose the view of the drawing is.
@@ -76,6 +75,51 @@ impl Default for Settings {
             panel: Some(Panel::Text),
             view: View::Ours,
             is_dark: false,
+        }
+    }
+}
+
+/// A panel beside the drawing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Panel {
+    /// The text.
+    Text,
+    /// The numbers of what is selected.
+    Properties,
+    /// What is wrong, and what would mend it.
+    Diagnoses,
+    /// Graphs of what moves.
+    Plots,
+    /// What the compiler tells of the mechanism.
+    Report,
+    /// What can be undone.
+    Steps,
+    /// What can be done.
+    Help,
+}
+
+impl Panel {
+    /// All panels, from left to right.
+    pub(crate) const ALL: [Self; 7] = [
+        Self::Text,
+        Self::Properties,
+        Self::Diagnoses,
+        Self::Plots,
+        Self::Report,
+        Self::Steps,
+        Self::Help,
+    ];
+
+    /// Its name.
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::Text => "Text",
+            Self::Properties => "Properties",
+            Self::Diagnoses => "Diagnoses",
+            Self::Plots => "Plots",
+            Self::Report => "Report",
+            Self::Steps => "Steps",
+            Self::Help => "Help",
         }
     }
 }

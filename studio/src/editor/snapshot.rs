@@ -1,7 +1,8 @@
 //! What the compiler makes of a text.
 
-use super::drawing::{Drawing, Pose};
+use super::drawing::Drawing;
 use super::path::{Path, whole_paths};
+use super::pose::Pose;
 use super::range::{MotorRange, ranges};
 use crate::document::{Declaration, Document, Listing, Message, Reading};
 use crate::edit::Known;

@@ -6,8 +6,8 @@ use super::canvas::Canvas;
 use super::dropped::Dropped;
 #[cfg(not(target_arch = "wasm32"))]
 use super::guard::Guard;
-use super::opening::Ending;
 use super::panel;
+use super::question::Ending;
 use crate::edit::Workspace;
 use eframe::egui;
 #[cfg(not(target_arch = "wasm32"))]

@@ -12,6 +12,7 @@ mod names;
 mod omission;
 mod pmks;
 mod terms;
+mod times;
 mod writing;
 
 pub(crate) use drawing::Imported;

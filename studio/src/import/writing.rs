@@ -2,7 +2,7 @@
 
 use super::drawing::{Direction, Drawing, End, Form, Joint, Link, Motor, Pair, Sizes, Speed};
 use super::names::Names;
-use super::terms::{Terms, Times};
+use super::times::Times;
 use crate::document::in_rust;
 use crate::failure::Failure;
 use crate::text::{shortest, written_like};
@@ -431,4 +431,15 @@ fn on_one_line(text: &str) -> String {
     letters
         .map(|letter| if letter.is_control() { ' ' } else { letter })
         .collect()
+}
+
+/// What of a text is written only if the compiler takes it.
+#[derive(Clone, Debug)]
+pub(super) struct Terms {
+    pub(super) is_coupled: bool,
+    pub(super) is_redundant: bool,
+    /// Whether each motor has its range.
+    pub(super) ranges: Vec<bool>,
+    /// Whether motors follow their speeds by laws.
+    pub(super) has_laws: bool,
 }

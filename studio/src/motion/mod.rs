@@ -12,5 +12,5 @@ pub(crate) use drive::{Drive, Moment};
 pub(crate) use mover::{Mover, Ready, in_precision, place_of};
 pub(crate) use obstacle::{joints_in_the_way, motor_name, obstacle};
 pub(crate) use paths::Paths;
-pub(crate) use reach::{range_of, reach};
-pub(crate) use setting::{Setting, Span, Typed, motor_of, posed, read_value, turns};
+pub(crate) use reach::reach;
+pub(crate) use setting::{Setting, Span, Typed, motor_of, posed, range_of, read_value, turns};

@@ -2,7 +2,7 @@
 
 use super::Mover;
 use super::obstacle::obstacle;
-use super::setting::{from_shown, shown, turns, unit_of};
+use super::setting::{from_shown, range_of, shown, turns, unit_of};
 use crate::failure::Failure;
 use mech_compiler::Compiled;
 use mech_compiler::evaluate::Machine;
@@ -27,13 +27,6 @@ pub(super) struct Stretch {
     pub(super) ends: [f64; 2],
     /// Which of them are those of what is possible, as far as numbers tell.
     pub(super) found: [bool; 2],
-}
-
-/// The ends of a motor's declared range, if it has one.
-pub(crate) fn range_of(model: &Model, motor: MotorId) -> Option<[f64; 2]> {
-    let range = model.motor(motor).range.as_ref()?;
-    let ends = [range.low, range.high];
-    ends.iter().all(|end| end.is_finite()).then_some(ends)
 }
 
 /// The values through which a motor moves if nobody says which: its declared range; or once round; or as far as it can go. A slide that

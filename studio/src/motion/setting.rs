@@ -1,6 +1,6 @@
 //! Values of motors as they are typed and shown: degrees for what turns, scene units for what slides.
 
-use super::{Mover, motor_name, obstacle, range_of};
+use super::{Mover, motor_name, obstacle};
 use crate::failure::Failure;
 use crate::text::quoted;
 use mech_compiler::Compiled;
@@ -185,4 +185,11 @@ pub(crate) fn show_value(model: &Model, joint: JointId, value: f64) -> String {
     let rounded = (shown(model, joint, value) * 1e4).round() / 1e4;
     // Zero has no sign.
     format!("{}{}", rounded + 0.0, unit_of(model, joint))
+}
+
+/// The ends of a motor's declared range, if it has one.
+pub(crate) fn range_of(model: &Model, motor: MotorId) -> Option<[f64; 2]> {
+    let range = model.motor(motor).range.as_ref()?;
+    let ends = [range.low, range.high];
+    ends.iter().all(|end| end.is_finite()).then_some(ends)
 }

@@ -1,17 +1,6 @@
 //! Limits of mechanisms.
 
-use super::Mechanism;
-use mech_compiler::evaluate::Stop;
-use mech_compiler::model::MotorId;
-
-/// What keeps a mechanism from going on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Obstacle {
-    /// The end of the declared range of this motor.
-    Range(MotorId),
-    /// What the interpreter says.
-    Stop(Stop),
-}
+use super::{Mechanism, Obstacle};
 
 /// A limit at which a mechanism is.
 #[derive(Clone, Debug, PartialEq)]

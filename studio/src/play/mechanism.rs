@@ -3,7 +3,7 @@
 use super::distance::{distance_to_shape, nearest};
 use super::landmarks::Landmarks;
 use super::motion::Motion;
-use super::{Layer, Layers, Obstacle, PointRates, Rates, Style};
+use super::{Layer, Layers, PointRates, Rates, Style};
 use crate::failure::Failure;
 use crate::motion::{
     Mover, Paths, Ready, in_precision, joints_in_the_way, motor_name, obstacle, range_of, turns,
@@ -16,6 +16,15 @@ use mech_compiler::{Compiled, compile, symbols};
 use mech_runtime::overlay::{Arrows, Spot};
 use mech_runtime::{Acceleration, Canvas, Overlay, Palette, Pose, Velocity};
 use std::cell::OnceCell;
+
+/// What keeps a mechanism from going on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Obstacle {
+    /// The end of the declared range of this motor.
+    Range(MotorId),
+    /// What the interpreter says.
+    Stop(Stop),
+}
 
 /// A mechanism that is played. The values of its motors are in the order of their declaration, in radians or scene units.
 pub struct Mechanism {

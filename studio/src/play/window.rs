@@ -46,7 +46,10 @@ pub fn play(stage: Stage) -> Result<Option<Unopened>, Failure> {
         Ok(display) => display,
         Err(reason) => return Ok(Some(Unopened { stage, reason })),
     };
-    #[expect(clippy::cast_precision_loss, reason = "a window is some hundreds of points wide")]
+    #[expect(
+        clippy::cast_precision_loss,
+        reason = "a window is some hundreds of points wide"
+    )]
     let size = SIZE.map(|side| side as f32);
     let viewport = egui::ViewportBuilder::default()
         .with_title(stage.player.title())

@@ -1,7 +1,8 @@
 //! What the ground looks like: stands under fixed pivots, and rails under what slides.
 
 use super::outline::{Measure, Outline, Place, fixed, place_of};
-use super::scene::{Scene, Slide};
+use super::scene::Scene;
+use super::slide::Slide;
 use super::wheel::{Wheel, Wheels};
 use crate::model::LinkId;
 use mech_core::colors::{GROUND, darker};

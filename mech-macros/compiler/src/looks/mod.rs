@@ -19,6 +19,7 @@ mod outline;
 mod planes;
 mod rolling;
 mod scene;
+mod slide;
 mod survey;
 mod tooth;
 mod wheel;

@@ -2,9 +2,10 @@
 
 use super::cover::covers;
 use super::outline::{Place, place_of};
+use super::slide::Slide;
 use super::survey::Survey;
 use crate::compiled::Compiled;
-use crate::model::{AxisId, AxisKind, JointId, JointKind, LinkId, Model, ShapeKind};
+use crate::model::{AxisId, AxisKind, JointKind, LinkId, Model, ShapeKind};
 use crate::structure::Structure;
 use nalgebra::{Point2, distance};
 
@@ -37,23 +38,12 @@ pub(super) struct Mount {
     pub(super) is_joint: bool,
 }
 
-/// A prismatic joint: which link has the guide, and which one slides along it.
-#[derive(Clone, Copy)]
-pub(super) struct Slide {
-    /// The line of the guide.
-    pub(super) guide: AxisId,
-    /// The line of what slides; of a slot, of its hidden die.
-    pub(super) block: AxisId,
-    /// The pin that slides in it, if it is a slot.
-    pub(super) pin: Option<AxisId>,
-}
-
 impl<'a> Scene<'a> {
     pub(super) fn new(model: &'a Model, compiled: &'a Compiled) -> Self {
         let structure = &compiled.structure;
         let slides: Vec<Slide> = model
             .joint_ids()
-            .filter_map(|id| slide(model, id))
+            .filter_map(|id| Slide::of(model, id))
             .collect();
         let survey = Survey::new(model, &compiled.plan, &compiled.program, &slides);
         let mut scene = Self {
@@ -186,15 +176,4 @@ fn mounts(model: &Model, structure: &Structure) -> Vec<Vec<Mount>> {
         }
     }
     mounts
-}
-
-/// The slide that a joint is, if it is one.
-fn slide(model: &Model, joint: JointId) -> Option<Slide> {
-    let [guide, block] = model.guide_and_block(joint)?;
-    let die = model.link(model.axis(block).link).die;
-    Some(Slide {
-        guide,
-        block,
-        pin: die.map(|(pin, _)| pin),
-    })
 }

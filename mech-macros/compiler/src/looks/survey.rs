@@ -1,6 +1,6 @@
 //! Where the links of a mechanism come to when its motors move.
 
-use super::scene::Slide;
+use super::slide::Slide;
 use crate::kinematics;
 use crate::model::{AxisId, JointKind, LinkId, Model};
 use crate::motion::sweep::{MostTurns, Sweep, interpolate, sweep_each, sweep_together};

@@ -1,70 +1,12 @@
 //! What is asked in a window of its own.
 
 use super::unsaved::{Answer, ask_to_save};
-use crate::editor::export::Export;
-use crate::editor::opening::Destination;
-use crate::editor::{Editor, desk};
+use crate::editor::Editor;
+use crate::editor::question::{Destination, Dialog, FileUse};
 use eframe::egui;
 use eframe::egui::Key;
 use eframe::egui::text::{CCursor, CCursorRange};
 use std::path::Path;
-
-/// Something that is asked in a window of its own.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Dialog {
-    /// Which file this is done with.
-    File(FileUse, String),
-    /// Whether the text is saved before another one is edited.
-    Leave(Destination),
-}
-
-/// What is done with a file.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum FileUse {
-    /// It is read.
-    Open,
-    /// It is put behind the drawing.
-    Picture,
-    /// The text is written to it. Afterwards another one may be edited.
-    Save(Option<Destination>),
-    /// Something of this kind is written to it.
-    Export(Export),
-}
-
-impl FileUse {
-    /// The title of the question, and what its button says.
-    const fn words(&self) -> (&'static str, &'static str) {
-        match self {
-            Self::Open => ("Open a file", "Open"),
-            Self::Picture => ("Put a picture behind the drawing", "Show"),
-            Self::Save(_) => ("Save to a file", "Save"),
-            Self::Export(kind) => (kind.name(), "Write"),
-        }
-    }
-
-    /// A name that could be typed.
-    const fn hint(&self) -> &'static str {
-        match self {
-            Self::Picture => "photo.jpg",
-            Self::Open | Self::Save(_) | Self::Export(_) => "four_bar.mech",
-        }
-    }
-
-    /// Whether the file is written.
-    pub(crate) const fn writes(&self) -> bool {
-        matches!(self, Self::Save(_) | Self::Export(_))
-    }
-
-    /// How the names of files end that it can be done with, and what these are.
-    pub(crate) const fn endings(&self) -> (&'static str, &'static [&'static str]) {
-        match self {
-            Self::Picture => ("pictures", &desk::ENDINGS),
-            Self::Open => ("mechanisms", &["mech", "rs", "linkage2"]),
-            Self::Save(_) => ("mechanisms", &["mech", "rs"]),
-            Self::Export(kind) => (kind.name(), kind.endings()),
-        }
-    }
-}
 
 /// Asks what has to be asked.
 pub(in crate::editor) fn dialogs(editor: &mut Editor, context: &egui::Context) {

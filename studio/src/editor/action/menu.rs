@@ -1,12 +1,12 @@
 //! The row of menus.
 
 use super::table::ACTIONS;
-use super::{Action, FileUse, Menu};
+use super::{Action, Menu};
 use crate::document::PartOffer;
 use crate::editor::Editor;
 use crate::editor::example::EXAMPLES;
-use crate::editor::export::Export;
-use crate::editor::opening::Destination;
+use crate::editor::order::Export;
+use crate::editor::question::{Destination, FileUse};
 use eframe::egui;
 
 /// The row of menus.

@@ -7,7 +7,7 @@ mod menu;
 mod table;
 mod unsaved;
 
-pub(super) use dialog::{Dialog, FileUse, dialogs};
+pub(super) use dialog::dialogs;
 pub(super) use help::help;
 pub(super) use keys::{key_of_tool, obey_keys};
 pub(super) use menu::menu;

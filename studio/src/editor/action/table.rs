@@ -1,8 +1,8 @@
 //! The table.
 
-use super::{Action, FileUse, Menu};
-use crate::editor::opening::Destination;
-use crate::editor::panel::Panel;
+use super::{Action, Menu};
+use crate::editor::question::{Destination, FileUse};
+use crate::editor::settings::Panel;
 use crate::editor::settings::Visible;
 use crate::editor::{Editor, Tool};
 use crate::play::Control;

@@ -4,7 +4,8 @@ mod keys;
 mod paint;
 mod picture;
 
-use super::drawing::{Drawing, Handle, HandleKind, Hit};
+use super::drawing::{Drawing, Handle, Hit};
+use super::index::HandleKind;
 use super::snap::{REACH, Snapped, Snapping};
 use super::tool::Pick;
 use super::{Editor, Item, Tool};
@@ -423,7 +424,7 @@ fn menu(editor: &mut Editor, handle: Handle, ui: &mut egui::Ui) {
     }
     if ui.button("Properties").clicked() {
         editor.select(Some(handle.item.clone()), false);
-        editor.settings.panel = Some(super::panel::Panel::Properties);
+        editor.settings.panel = Some(super::settings::Panel::Properties);
         ui.close();
     }
     if ui.button("Delete").clicked() {

@@ -1,6 +1,5 @@
 //! Mechanisms to begin with. Each is what `mechanism!` is given in a file of the project, so that it is also built and tested there.
 
-use super::Editor;
 use crate::document::{Document, Source};
 use crate::edit::Workspace;
 use crate::failure::Failure;
@@ -13,7 +12,7 @@ pub(crate) struct Example {
     /// What it is, for a reader.
     pub(super) help: &'static str,
     /// What its file is called.
-    file: &'static str,
+    pub(super) file: &'static str,
     /// The text of a file in which it stands: Rust, or the inside of a mechanism.
     source: &'static str,
 }
@@ -116,19 +115,6 @@ impl Example {
 pub fn first_example() -> Result<Workspace, Failure> {
     let [first, ..] = &EXAMPLES;
     Ok(Workspace::proposed(first.file, first.text()?))
-}
-
-impl Editor {
-    /// Opens an example.
-    pub(super) fn open_example(&mut self, example: &Example) {
-        match example.text() {
-            Ok(text) => {
-                self.open(Workspace::proposed(example.file, text));
-                self.tell(format!("{}: {}", example.name, example.help));
-            }
-            Err(failure) => self.refuse(failure),
-        }
-    }
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ mod left;
 mod watch;
 
 use super::Editor;
-use crate::editor::opening::{Destination, Ending};
+use crate::editor::question::{Destination, Ending};
 use autosave::Autosave;
 use eframe::egui;
 use eframe::egui::ViewportCommand;

@@ -2,6 +2,7 @@
 
 mod behind;
 mod diagnoses;
+mod field;
 mod graph;
 mod help;
 mod line;
@@ -27,52 +28,8 @@ use text::TextPanel;
 pub(super) use tools::tools;
 
 use super::Editor;
+use super::settings::Panel;
 use eframe::egui;
-
-/// A panel beside the drawing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Panel {
-    /// The text.
-    Text,
-    /// The numbers of what is selected.
-    Properties,
-    /// What is wrong, and what would mend it.
-    Diagnoses,
-    /// Graphs of what moves.
-    Plots,
-    /// What the compiler tells of the mechanism.
-    Report,
-    /// What can be undone.
-    Steps,
-    /// What can be done.
-    Help,
-}
-
-impl Panel {
-    /// All panels, from left to right.
-    pub(crate) const ALL: [Self; 7] = [
-        Self::Text,
-        Self::Properties,
-        Self::Diagnoses,
-        Self::Plots,
-        Self::Report,
-        Self::Steps,
-        Self::Help,
-    ];
-
-    /// Its name.
-    pub(crate) const fn name(self) -> &'static str {
-        match self {
-            Self::Text => "Text",
-            Self::Properties => "Properties",
-            Self::Diagnoses => "Diagnoses",
-            Self::Plots => "Plots",
-            Self::Report => "Report",
-            Self::Steps => "Steps",
-            Self::Help => "Help",
-        }
-    }
-}
 
 /// All panels beside the drawing, one of which is seen.
 #[derive(Default)]

@@ -1,6 +1,6 @@
 //! What moves a joint, and where it starts.
 
-use super::properties::field;
+use super::field::field;
 use crate::edit::Command;
 use crate::editor::range::Basis;
 use crate::editor::{Editor, Gesture};

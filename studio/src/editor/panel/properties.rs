@@ -1,15 +1,12 @@
 //! The numbers of what is selected.
 
 use super::behind::behind;
+use super::field::field;
 use super::motor::motor;
 use super::shapes::shapes;
 use crate::edit::{Command, Kind};
 use crate::editor::{Editor, Gesture, Item};
 use eframe::egui;
-use std::collections::BTreeMap;
-
-/// What is typed into a field until it is taken over.
-type Typed = BTreeMap<String, String>;
 
 /// The numbers of what is selected, with what can be done to it.
 pub(in crate::editor) fn properties(editor: &mut Editor, ui: &mut egui::Ui) {
@@ -210,46 +207,5 @@ fn mass(editor: &Editor, link: &str, ui: &mut egui::Ui, gestures: &mut Vec<Gestu
             }
             .into(),
         );
-    });
-}
-
-/// A field whose text is taken over when it is left.
-pub(super) fn field(
-    ui: &mut egui::Ui,
-    label: &str,
-    shown: &str,
-    value: &str,
-    done: impl FnOnce(String),
-) {
-    let id = ui.make_persistent_id(("field", label));
-    ui.horizontal(|ui| {
-        ui.add_sized([110.0, 18.0], egui::Label::new(shown).truncate());
-        let typed = ui
-            .data(|data| data.get_temp::<Typed>(id))
-            .unwrap_or_default();
-        let mut text = typed
-            .get(label)
-            .cloned()
-            .unwrap_or_else(|| value.to_owned());
-        let edit = egui::TextEdit::singleline(&mut text)
-            .id(id)
-            .desired_width(150.0)
-            .font(egui::TextStyle::Monospace);
-        let response = ui.add(edit);
-        response.widget_info(|| {
-            let mut info = egui::WidgetInfo::labeled(egui::Role::TextInput, true, label);
-            info.current_text_value = Some(text.clone());
-            info
-        });
-        if response.lost_focus() {
-            ui.data_mut(|data| data.remove::<Typed>(id));
-            let is_given_up = ui.input(|input| input.key_pressed(egui::Key::Escape));
-            if text != value && !is_given_up && !text.trim().is_empty() {
-                done(text);
-            }
-        } else if response.changed() {
-            let typed = Typed::from([(label.to_owned(), text)]);
-            ui.data_mut(|data| data.insert_temp(id, typed));
-        }
     });
 }

@@ -1,6 +1,6 @@
 //! The shapes of a link: what they are, their colours and planes.
 
-use super::properties::field;
+use super::field::field;
 use crate::edit::Command;
 use crate::editor::{Editor, Gesture};
 use eframe::egui;

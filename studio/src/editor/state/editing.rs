@@ -6,7 +6,7 @@ use crate::dialogue::{Request, Turn, request};
 use crate::edit::{Command, Kind, Saving, Workspace};
 use crate::editor::dragging::Dragging;
 use crate::editor::drawing::distance;
-use crate::editor::opening::Ending;
+use crate::editor::question::Ending;
 use crate::editor::settings::{Settings, View};
 use crate::editor::tool::{Pick, Tool};
 use crate::editor::worker::Worker;

@@ -5,16 +5,15 @@ mod findings;
 mod pending;
 mod playing;
 
-use super::action::Dialog;
 use super::by_hand::ByHand;
 use super::desk::Desk;
 use super::dragging::Dragging;
 use super::drawing::Drawing;
 use super::ghost::Ghost;
 use super::journal::Journal;
-use super::opening::Ending;
 use super::path::Path;
 use super::plotted::Plotted;
+use super::question::{Dialog, Ending};
 use super::range::MotorRange;
 use super::settings::{Settings, View};
 use super::snapshot::Snapshot;

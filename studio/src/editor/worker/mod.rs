@@ -13,7 +13,7 @@ pub(super) use preview::Previewed;
 
 use super::Gesture;
 use super::curves::{Curves, Wanted};
-use super::export::Order;
+use super::order::Order;
 use super::snapshot::{Played, Snapshot};
 use crate::document::Document;
 use crate::edit::{Applied, Refusal};

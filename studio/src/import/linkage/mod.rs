@@ -4,6 +4,7 @@
 
 mod document;
 mod element;
+mod ids;
 mod ratio;
 mod reading;
 mod sliding;

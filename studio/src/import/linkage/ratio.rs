@@ -2,7 +2,7 @@
 
 use super::document::Ratio;
 use super::element::Element;
-use super::reading::{Ids, Losses};
+use super::ids::{Ids, Losses};
 use super::units::Units;
 use crate::document::Message;
 use crate::import::drawing::{LARGEST, Pair, Sizes};

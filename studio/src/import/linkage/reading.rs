@@ -1,7 +1,8 @@
 //! Reads a document.
 
-use super::document::{Connector, Cylinder, Document, Fastening, Link, Slide};
-use super::element::{Element, Id};
+use super::document::{Connector, Cylinder, Document, Link, Slide};
+use super::element::Element;
+use super::ids::{Ids, Losses, numbered};
 use super::ratio;
 use super::units::Units;
 use super::unknown::Unknown;
@@ -9,7 +10,6 @@ use crate::document::Message;
 use crate::import::color::Color;
 use crate::import::drawing::MOST;
 use crate::import::omission::Omission;
-use std::collections::BTreeMap;
 
 /// The bit of the layers of what belongs to the mechanism.
 const MECHANISM_LAYER: u32 = 16;
@@ -23,18 +23,6 @@ struct Elements<'d> {
     ratios: Vec<Element<'d>>,
     unknown: Unknown<'d>,
     omissions: Vec<Omission>,
-}
-
-/// What is lost of something with a name.
-pub(super) struct Losses<'o> {
-    of: String,
-    omissions: &'o mut Vec<Omission>,
-}
-
-/// The numbers of connectors and links by their ids: of several with one id, that of the first.
-pub(super) struct Ids {
-    connectors: BTreeMap<Id, usize>,
-    links: BTreeMap<Id, usize>,
 }
 
 /// Reads a document below its root.
@@ -116,121 +104,6 @@ impl<'d> Elements<'d> {
         }
         Ok(found)
     }
-}
-
-/// Elements by their ids. Of several with one id, the first has it.
-fn numbered(elements: &[Element<'_>]) -> Result<BTreeMap<Id, usize>, Message> {
-    let mut numbers = BTreeMap::new();
-    for (number, element) in elements.iter().enumerate() {
-        numbers.entry(element.id()?).or_insert(number);
-    }
-    Ok(numbers)
-}
-
-impl Losses<'_> {
-    fn note(&mut self, what: impl Into<String>) {
-        self.omissions.push(Omission::new(&*self.of, what));
-    }
-}
-
-impl Ids {
-    /// The connector that an attribute names, if it names one that is there.
-    fn connector(
-        &self,
-        element: &Element<'_>,
-        name: &str,
-        losses: &mut Losses<'_>,
-    ) -> Result<Option<usize>, Message> {
-        named(&self.connectors, element, (name, "connector"), losses)
-    }
-
-    /// The link that an attribute names, if it names one that is there.
-    pub(super) fn link(
-        &self,
-        element: &Element<'_>,
-        name: &str,
-        losses: &mut Losses<'_>,
-    ) -> Result<Option<usize>, Message> {
-        named(&self.links, element, (name, "link"), losses)
-    }
-
-    /// The connector that an element stands for, if it is there.
-    fn connector_of(
-        &self,
-        element: &Element<'_>,
-        losses: &mut Losses<'_>,
-    ) -> Result<Option<usize>, Message> {
-        element.id()?;
-        self.connector(element, "id", losses)
-    }
-
-    /// What an element is fastened to.
-    fn fastening(
-        &self,
-        element: &Element<'_>,
-        losses: &mut Losses<'_>,
-    ) -> Result<Option<Fastening>, Message> {
-        for name in ["fastenlink", "fasten"] {
-            if let Some(link) = self.link(element, name, losses)? {
-                return Ok(Some(Fastening::Link(link)));
-            }
-        }
-        let connector = self.connector(element, "fastenconnector", losses)?;
-        Ok(connector.map(Fastening::Connector))
-    }
-
-    /// Of several connectors with one id, everything that names it means the first, as in Linkage: links, slides and fastenings.
-    fn settle_connectors(&self, all: &mut [Connector], omissions: &mut Vec<Omission>) {
-        for number in 0..all.len() {
-            let id = all[number].id;
-            let Some(first) = self
-                .connectors
-                .get(&id)
-                .copied()
-                .filter(|one| *one != number)
-            else {
-                continue;
-            };
-            let later = &mut all[number];
-            (later.is_of_mechanism, later.is_input, later.is_traced) = (false, false, false);
-            let (slide, fastened) = (later.slide.take(), later.fastened.take());
-            let first = &mut all[first];
-            first.slide = slide.or(first.slide);
-            first.fastened = fastened.or(first.fastened);
-            let what = "an earlier connector has this id, too, and all that names it; this one is left out";
-            omissions.push(Omission::new(format!("connector {id}"), what));
-        }
-    }
-
-    /// Several links with one id are several links; what is fastened by the id is fastened to the first, as in Linkage.
-    fn settle_links(&self, all: &mut [Link], omissions: &mut Vec<Omission>) {
-        for number in 0..all.len() {
-            let id = all[number].id;
-            let Some(first) = self.links.get(&id).copied().filter(|one| *one != number) else {
-                continue;
-            };
-            let fastened = all[number].fastened.take();
-            all[first].fastened = fastened.or(all[first].fastened);
-            let what = "an earlier link has this id, too; both are read, and what names the id means the first";
-            omissions.push(Omission::new(format!("link {id}"), what));
-        }
-    }
-}
-
-fn named(
-    numbers: &BTreeMap<Id, usize>,
-    element: &Element<'_>,
-    (name, what): (&str, &str),
-    losses: &mut Losses<'_>,
-) -> Result<Option<usize>, Message> {
-    let Some(id) = element.reference(name)? else {
-        return Ok(None);
-    };
-    let number = numbers.get(&id).copied();
-    if number.is_none() {
-        losses.note(format!("it names the {what} {id}, which is not there"));
-    }
-    Ok(number)
 }
 
 fn connector(

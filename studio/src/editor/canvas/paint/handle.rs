@@ -2,7 +2,8 @@
 
 use super::Paint;
 use crate::editor::Item;
-use crate::editor::drawing::{Drawing, Handle, HandleKind};
+use crate::editor::drawing::{Drawing, Handle};
+use crate::editor::index::HandleKind;
 use eframe::egui;
 use eframe::egui::{Color32, Painter, Pos2, Stroke, Vec2};
 use mech_compiler::model::{JointId, JointKind, LinkId};
