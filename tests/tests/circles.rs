@@ -53,9 +53,10 @@ struct Modules(BTreeMap<Names, Module>);
 impl Modules {
     /// Reads a file, and those of the modules that it declares.
     fn read(&mut self, file: &Path, folder: &Path, path: &Names) {
-        let text = fs::read_to_string(file).unwrap_or_else(|error| panic!("{file:?}: {error}"));
+        let text =
+            fs::read_to_string(file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
         let items = syn::parse_file(&text)
-            .unwrap_or_else(|error| panic!("{file:?}: {error}"))
+            .unwrap_or_else(|error| panic!("{}: {error}", file.display()))
             .items;
         self.add(items, file, folder, path);
     }
@@ -71,19 +72,15 @@ impl Modules {
                 Item::Mod(inner) => {
                     let name = inner.ident.to_string();
                     let below = folder.join(&name);
-                    let path = [path.as_slice(), &[name.clone()]].concat();
-                    match inner.content {
-                        Some((_, items)) => self.add(items, file, &below, &path),
-                        None => {
-                            let beside = folder.join(format!("{name}.rs"));
-                            let file = if beside.exists() {
-                                beside
-                            } else {
-                                below.join("mod.rs")
-                            };
-                            self.read(&file, &below, &path);
-                        }
+                    let path = [path.as_slice(), std::slice::from_ref(&name)].concat();
+                    if let Some((_, items)) = inner.content {
+                        self.add(items, file, &below, &path);
+                        continue;
                     }
+                    let beside = folder.join(format!("{name}.rs"));
+                    let inside = below.join("mod.rs");
+                    let file = if beside.exists() { beside } else { inside };
+                    self.read(&file, &below, &path);
                 }
                 Item::Use(item) => {
                     let is_own = matches!(item.vis, Visibility::Inherited);
@@ -101,7 +98,7 @@ impl Modules {
     /// The file in which something is declared that a module names; none if it is of another crate, or a local name.
     fn file_of(&self, module: &Names, names: &[String], depth: usize) -> Option<&Path> {
         let (first, rest) = names.split_first()?;
-        let child = [module.as_slice(), &[first.clone()]].concat();
+        let child = [module.as_slice(), std::slice::from_ref(first)].concat();
         let inside = |module: &Names| match rest {
             [] => Some(self.0.get(module)?.file.as_path()),
             _ => self.file_of(module, rest, depth),
@@ -174,7 +171,7 @@ impl Module {
                 .for_each(|tree| self.take(tree, before, is_own)),
             UseTree::Glob(_) => self.globs.push(before.clone()),
             UseTree::Name(name) if name.ident == "self" => {
-                note(before.last().cloned().unwrap_or_default(), before.clone())
+                note(before.last().cloned().unwrap_or_default(), before.clone());
             }
             UseTree::Name(name) => {
                 let name = name.ident.to_string();

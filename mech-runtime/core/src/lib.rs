@@ -12,6 +12,7 @@ extern crate std;
 
 pub mod colors;
 pub mod contraction;
+mod cost;
 pub mod dense;
 pub mod font;
 pub mod journey;
@@ -27,5 +28,6 @@ pub mod trig;
 mod turns;
 pub mod wheel;
 
+pub use cost::Cost;
 pub use phase::Phase;
 pub use real::Real;

@@ -6,6 +6,7 @@ use crate::document::Source;
 use crate::edit::Workspace;
 use crate::editor::{Editor, Studio};
 use crate::failure::Failure;
+use crate::play::window::reason;
 use clap::Args;
 use eframe::egui;
 use std::path::PathBuf;
@@ -56,7 +57,7 @@ impl Edit {
                 Ok(Box::new(Studio::guarded(editor, unnamed(), wake)))
             }),
         );
-        opened.map_err(|error| Failure::usage(format!("no window can be opened: {error}")))
+        opened.map_err(|error| Failure::usage(reason(&error)))
     }
 }
 

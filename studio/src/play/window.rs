@@ -25,15 +25,24 @@ pub struct Unopened {
     pub reason: String,
 }
 
-/// The display that the environment names, where that is the custom.
-fn display() -> Result<Option<String>, String> {
+/// The display that the environment names.
+fn display() -> Option<String> {
     let named = |name| std::env::var(name).ok().filter(|value| !value.is_empty());
     let mut names = ["WAYLAND_DISPLAY", "WAYLAND_SOCKET", "DISPLAY"].into_iter();
-    match names.find_map(named) {
-        None if cfg!(all(unix, not(target_os = "macos"))) => {
-            Err("there is no display: neither DISPLAY nor WAYLAND_DISPLAY is set".to_owned())
+    names.find_map(named)
+}
+
+/// Why no window came up.
+pub(crate) fn reason(error: &eframe::Error) -> String {
+    let has_displays = cfg!(all(unix, not(target_os = "macos")));
+    match (error, display()) {
+        (eframe::Error::WinitEventLoop(_), Some(display)) => {
+            format!("the display `{display}` cannot be reached")
         }
-        display => Ok(display),
+        (eframe::Error::WinitEventLoop(_), None) if has_displays => {
+            "there is no display: neither DISPLAY nor WAYLAND_DISPLAY is set".to_owned()
+        }
+        _ => format!("no window can be opened: {error}"),
     }
 }
 
@@ -42,10 +51,6 @@ fn display() -> Result<Option<String>, String> {
 /// # Errors
 /// If the window fails, or there is no memory for a picture.
 pub fn play(stage: Stage) -> Result<Option<Unopened>, Failure> {
-    let display = match display() {
-        Ok(display) => display,
-        Err(reason) => return Ok(Some(Unopened { stage, reason })),
-    };
     #[expect(
         clippy::cast_precision_loss,
         reason = "a window is some hundreds of points wide"
@@ -74,10 +79,7 @@ pub fn play(stage: Stage) -> Result<Option<Unopened>, Failure> {
     );
     match (opened, waiting.take(), failure.take()) {
         (Err(error), Some(stage), _) => {
-            let reason = match display {
-                Some(display) => format!("no window on the display `{display}`: {error}"),
-                None => format!("no window can be opened: {error}"),
-            };
+            let reason = reason(&error);
             Ok(Some(Unopened { stage, reason }))
         }
         (Err(error), None, _) => Err(Failure::usage(format!("the window failed: {error}"))),

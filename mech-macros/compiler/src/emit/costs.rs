@@ -49,9 +49,24 @@ pub(super) fn extra_cost(
 
 /// A cost as an expression.
 pub(super) fn literal(cost: Cost) -> TokenStream {
-    let fields = cost.named_counts().map(|(name, count)| {
-        let (name, count) = (format_ident!("{name}"), Literal::u32_unsuffixed(count));
-        quote!(#name: #count,)
-    });
-    quote!(Cost { #(#fields)* })
+    let [
+        additions,
+        multiplications,
+        divisions,
+        square_roots,
+        pairs,
+        arctangents,
+        selections,
+    ] = cost.counts().map(Literal::u32_unsuffixed);
+    quote! {
+        Cost {
+            additions: #additions,
+            multiplications: #multiplications,
+            divisions: #divisions,
+            square_roots: #square_roots,
+            sine_cosine_pairs: #pairs,
+            arctangents: #arctangents,
+            selections: #selections,
+        }
+    }
 }

@@ -233,7 +233,11 @@ impl<'m> Judge<'m> {
     /// For each loop the solvers that cost less than the most exact one, the cheapest first.
     fn candidates(&self) -> Vec<Vec<Candidate>> {
         let weigh = |program: &Program| {
-            cost::of_program(program).weight(self.model.target, self.model.precision)
+            cost::weight(
+                cost::of_program(program),
+                self.model.target,
+                self.model.precision,
+            )
         };
         let most = weigh(&self.reference);
         let of_loop = |number: usize| {

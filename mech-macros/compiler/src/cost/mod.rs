@@ -2,32 +2,11 @@
 
 use crate::model::{Precision, Target, in_32_bits};
 use crate::program::{Block, BlockId, BlockKind, Newton, Op, Program, Rounds, Value};
-use std::fmt;
-use std::iter::Sum;
-use std::ops::{Add, Mul};
+pub use mech_core::Cost;
 
 /// The number of rounds that an iteration usually takes until its loop closes: from a step of a degree or so each round doubles the digits,
 /// and the third finds nothing left to do.
 const USUAL_ROUNDS: u32 = 3;
-
-/// Numbers of operations.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Cost {
-    /// Additions, subtractions and changes of sign.
-    pub additions: u32,
-    /// Multiplications.
-    pub multiplications: u32,
-    /// Divisions.
-    pub divisions: u32,
-    /// Square roots.
-    pub square_roots: u32,
-    /// Sines and cosines; both of one angle are one pair.
-    pub sine_cosine_pairs: u32,
-    /// Arctangents, and exponentials, which cost as much.
-    pub arctangents: u32,
-    /// Comparisons and what costs no more: absolute values, maxima, signs copied, choices, roundings.
-    pub selections: u32,
-}
 
 /// Cycles of each kind of operation, in the order in which [`Cost`] counts them: estimates.
 ///
@@ -46,151 +25,66 @@ const fn cycles(target: Target, precision: Precision) -> [f64; 7] {
     }
 }
 
-impl Cost {
-    /// About how many cycles it takes on a machine.
-    #[must_use]
-    pub fn weight(&self, target: Target, precision: Precision) -> f64 {
-        let cycles = cycles(target, precision);
-        let counts = self.counts().map(f64::from);
-        counts
-            .iter()
-            .zip(cycles)
-            .map(|(count, one)| count * one)
-            .sum()
-    }
-
-    /// The number of each kind of operation, after the name of its field.
-    pub(crate) fn named_counts(&self) -> [(&'static str, u32); 7] {
-        [
-            ("additions", self.additions),
-            ("multiplications", self.multiplications),
-            ("divisions", self.divisions),
-            ("square_roots", self.square_roots),
-            ("sine_cosine_pairs", self.sine_cosine_pairs),
-            ("arctangents", self.arctangents),
-            ("selections", self.selections),
-        ]
-    }
-
-    /// The number of each kind of operation.
-    fn counts(&self) -> [u32; 7] {
-        self.named_counts().map(|(_, count)| count)
-    }
-
-    /// The cost with these numbers of operations.
-    fn of_counts(counts: [u32; 7]) -> Self {
-        let [additions, multiplications, divisions, ..] = counts;
-        let [.., square_roots, sine_cosine_pairs, arctangents, selections] = counts;
-        Self {
-            additions,
-            multiplications,
-            divisions,
-            square_roots,
-            sine_cosine_pairs,
-            arctangents,
-            selections,
-        }
-    }
-
-    /// Combines the numbers of two costs, kind by kind.
-    fn combine(self, other: Self, each: impl Fn(u32, u32) -> u32) -> Self {
-        let (own, others) = (self.counts(), other.counts());
-        Self::of_counts(std::array::from_fn(|kind| each(own[kind], others[kind])))
-    }
-
-    /// The difference to another cost, kind by kind, and not less than zero.
-    #[must_use]
-    pub fn without(self, other: Self) -> Self {
-        self.combine(other, u32::saturating_sub)
-    }
-
-    /// The cost of an operation. A cosine is counted with its sine, if that is needed too, which `sine` decides.
-    fn of(op: Op, sine: impl Fn(Value) -> bool) -> Self {
-        let mut cost = Self::default();
-        match op {
-            Op::Constant(_)
-            | Op::Input(_)
-            | Op::Turns(_)
-            | Op::Last(_)
-            | Op::Unknown(..)
-            | Op::Solved(..)
-            | Op::Dense(..)
-            | Op::Time
-            | Op::Rate(_)
-            | Op::Acceleration(_)
-            | Op::Load(_)
-            | Op::Linear(..) => {}
-            // A remainder of whole numbers, and a part of a turn.
-            Op::PartOfTurns(..) => {
-                cost.multiplications = 1;
-                cost.divisions = 1;
-            }
-            Op::Neg(_) | Op::Add(..) | Op::Sub(..) => cost.additions = 1,
-            Op::Mul(..) => cost.multiplications = 1,
-            Op::Div(..) => cost.divisions = 1,
-            Op::Sqrt(_) => cost.square_roots = 1,
-            Op::Sin(_) => cost.sine_cosine_pairs = 1,
-            Op::Cos(angle) => cost.sine_cosine_pairs = u32::from(!sine(angle)),
-            Op::Atan2(..) | Op::Exp(_) => cost.arctangents = 1,
-            Op::Abs(_) | Op::Max(..) | Op::CopySign(..) | Op::Choose(..) | Op::Round(_) => {
-                cost.selections = 1;
-            }
-        }
-        cost
-    }
-
-    /// A dense system of so many unknowns by elimination with pivoting, with its determinant: n³/3 products and sums and a bit.
-    fn dense(unknowns: usize) -> Self {
-        let n = in_32_bits(unknowns.min(1000));
-        // In the column of each pivot the rest below it is compared, divided, and taken off row by row.
-        let below = n * n.saturating_sub(1) / 2;
-        let taken_off = n.saturating_sub(1) * n * (2 * n).saturating_sub(1) / 6;
-        let products = taken_off + below + below;
-        Self {
-            additions: products,
-            multiplications: products + n,
-            divisions: below + n,
-            selections: below,
-            ..Self::default()
-        }
-    }
+/// About how many cycles operations take on a machine.
+#[must_use]
+pub fn weight(cost: Cost, target: Target, precision: Precision) -> f64 {
+    let cycles = cycles(target, precision);
+    let counts = cost.counts().map(f64::from);
+    counts
+        .iter()
+        .zip(cycles)
+        .map(|(count, one)| count * one)
+        .sum()
 }
 
-/// As in a report: `12 + · 14 × · 1 ÷ · 1 √`.
-impl fmt::Display for Cost {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let signs = ["+", "×", "÷", "√", "sin cos", "atan", "≷"];
-        let counts = self.counts().into_iter().zip(signs);
-        let parts: Vec<String> = counts
-            .filter(|(count, _)| *count > 0)
-            .map(|(count, sign)| format!("{count} {sign}"))
-            .collect();
-        match parts[..] {
-            [] => f.write_str("nothing"),
-            _ => f.write_str(&parts.join(" · ")),
+/// The cost of an operation. A cosine is counted with its sine, if that is needed too, which `sine` decides.
+fn of_operation(op: Op, sine: impl Fn(Value) -> bool) -> Cost {
+    let mut cost = Cost::NOTHING;
+    match op {
+        Op::Constant(_)
+        | Op::Input(_)
+        | Op::Turns(_)
+        | Op::Last(_)
+        | Op::Unknown(..)
+        | Op::Solved(..)
+        | Op::Dense(..)
+        | Op::Time
+        | Op::Rate(_)
+        | Op::Acceleration(_)
+        | Op::Load(_)
+        | Op::Linear(..) => {}
+        // A remainder of whole numbers, and a part of a turn.
+        Op::PartOfTurns(..) => {
+            cost.multiplications = 1;
+            cost.divisions = 1;
+        }
+        Op::Neg(_) | Op::Add(..) | Op::Sub(..) => cost.additions = 1,
+        Op::Mul(..) => cost.multiplications = 1,
+        Op::Div(..) => cost.divisions = 1,
+        Op::Sqrt(_) => cost.square_roots = 1,
+        Op::Sin(_) => cost.sine_cosine_pairs = 1,
+        Op::Cos(angle) => cost.sine_cosine_pairs = u32::from(!sine(angle)),
+        Op::Atan2(..) | Op::Exp(_) => cost.arctangents = 1,
+        Op::Abs(_) | Op::Max(..) | Op::CopySign(..) | Op::Choose(..) | Op::Round(_) => {
+            cost.selections = 1;
         }
     }
+    cost
 }
 
-impl Add for Cost {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        self.combine(other, Add::add)
-    }
-}
-
-impl Mul<u32> for Cost {
-    type Output = Self;
-
-    fn mul(self, times: u32) -> Self {
-        Self::of_counts(self.counts().map(|count| count * times))
-    }
-}
-
-impl Sum for Cost {
-    fn sum<I: Iterator<Item = Self>>(costs: I) -> Self {
-        costs.fold(Self::default(), Add::add)
+/// A dense system of so many unknowns by elimination with pivoting, with its determinant: n³/3 products and sums and a bit.
+fn of_dense(unknowns: usize) -> Cost {
+    let n = in_32_bits(unknowns.min(1000));
+    // In the column of each pivot the rest below it is compared, divided, and taken off row by row.
+    let below = n * n.saturating_sub(1) / 2;
+    let taken_off = n.saturating_sub(1) * n * (2 * n).saturating_sub(1) / 6;
+    let products = taken_off + below + below;
+    Cost {
+        additions: products,
+        multiplications: products + n,
+        divisions: below + n,
+        selections: below,
+        ..Cost::NOTHING
     }
 }
 
@@ -205,7 +99,7 @@ pub fn of_program(program: &Program) -> Cost {
 pub fn of_rates(program: &Program, moving: &Program) -> Cost {
     let systems = moving
         .live_systems()
-        .map(|system| Cost::dense(system.columns.len()));
+        .map(|system| of_dense(system.columns.len()));
     let tests = moving.motion.iter().map(|motion| Cost {
         selections: in_32_bits(motion.margins.len()),
         ..Cost::default()
@@ -238,7 +132,7 @@ pub fn of_blocks(program: &Program) -> Vec<Cost> {
         .collect();
     for value in program.live_values() {
         let node = program.node(value);
-        let once = Cost::of(node.op, |angle| sine_of[angle.index()]);
+        let once = of_operation(node.op, |angle| sine_of[angle.index()]);
         let times = match &iterations[node.block.index()] {
             Some(iteration) if node.iterated => iteration.times(value),
             _ => 1,
@@ -290,7 +184,7 @@ fn tests(program: &Program, block: &Block, iteration: Option<&Iteration>) -> Cos
         Rounds::UntilClosed(_) => test * (iteration.rounds + 1),
     };
     let dense = if newton.dense {
-        Cost::dense(newton.columns.len()) * (iteration.rounds + 1)
+        of_dense(newton.columns.len()) * (iteration.rounds + 1)
     } else {
         Cost::default()
     };
