@@ -1,4 +1,4 @@
-//! No file takes a name from another that takes one from it, nor by way of others: whoever reads a file can begin at those that it takes
+//! No file takes a name from another that takes one from it, nor by way of others. So whoever reads a file can begin at those that it takes
 //! names from.
 //!
 //! What a file takes is what it names by a path. A name leads to the file in which it is declared, whatever re-exports it passes. Of the

@@ -2,6 +2,7 @@
 
 use crate::dense::Dense;
 use mech_compiler::evaluate::Machine;
+use mech_compiler::program::Position;
 use mech_runtime::Mechanism;
 use mech_test_support::{chain, median};
 use std::hint::black_box;
@@ -28,7 +29,7 @@ fn timed(mut move_to: impl FnMut(f64)) -> impl FnMut(usize) -> f64 {
     }
 }
 
-pub fn emitted<M: Mechanism<Scalar = f64, Motors = [f64; 1]> + 'static>() -> Mover {
+pub(crate) fn emitted<M: Mechanism<Scalar = f64, Motors = [f64; 1]> + 'static>() -> Mover {
     // Large ones would not fit on the stack of a closure that is moved about.
     let mut mechanism = Box::new(M::new());
     let start = mechanism.motors()[0];
@@ -59,18 +60,17 @@ fn dense(loops: usize) -> Mover {
 fn agree(loops: usize) {
     let compiled = mech_compiler::compile(&chain(loops)).expect("it moves");
     let (mut machine, mut dense) = (Machine::<f64>::new(&compiled.program), Dense::chain(loops));
-    let start = machine.position().motors[0];
-    let start = machine.position().poses.clone();
+    let Position { motors, poses, .. } = machine.position().clone();
     for degree in 0..6 {
         let angle = f64::from(degree).to_radians();
-        machine.move_to(&[start + angle]).expect("it moves");
+        machine.move_to(&[motors[0] + angle]).expect("it moves");
         assert!(dense.move_to(angle), "it moves");
         // By how much each link has turned since the start: frames differ.
         let turned = machine
             .position()
             .poses
             .iter()
-            .zip(&start)
+            .zip(&poses)
             .skip(1)
             .map(|(pose, start)| {
                 [
@@ -86,7 +86,7 @@ fn agree(loops: usize) {
 }
 
 /// Prints the time of each in turn, interleaved.
-pub fn run(emitted: Vec<(usize, Mover)>) {
+pub(crate) fn run(emitted: Vec<(usize, Mover)>) {
     if emitted.is_empty() {
         return;
     }

@@ -12,7 +12,7 @@ struct Loop {
     ground: [f64; 2],
 }
 
-pub struct Dense {
+pub(crate) struct Dense {
     loops: Vec<Loop>,
     /// By how much each link of unknown direction has turned since the start: cosine and sine.
     turned: Vec<[f64; 2]>,
@@ -31,7 +31,7 @@ fn from([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> [f64; 2] {
 impl Dense {
     /// The chain as it is drawn: pins in the order crank's shaft, then for each loop crank or rocker to coupler, coupler to
     /// rocker, rocker to ground. The unknowns are the couplers and rockers in turn.
-    pub fn chain(loops: usize) -> Self {
+    pub(crate) fn chain(loops: usize) -> Self {
         let model = chain(loops);
         let pin = |joint: usize| match model.joints[joint].kind {
             JointKind::Revolute(axis, _) => model.axis(axis).at,
@@ -68,12 +68,12 @@ impl Dense {
         }
     }
 
-    pub fn turned(&self) -> &[[f64; 2]] {
+    pub(crate) fn turned(&self) -> &[[f64; 2]] {
         &self.turned
     }
 
     /// Turns the crank to this angle from the start.
-    pub fn move_to(&mut self, angle: f64) -> bool {
+    pub(crate) fn move_to(&mut self, angle: f64) -> bool {
         let (sin, cos) = angle.sin_cos();
         for _ in 0..20 {
             self.matrix.fill(0.0);

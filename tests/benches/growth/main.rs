@@ -9,6 +9,11 @@
     reason = "small numbers"
 )]
 
+// What runs in the crate that is written here is read here, too: so it is checked with everything else.
+#[allow(dead_code, reason = "it runs there")]
+mod bed;
+#[allow(dead_code, reason = "it runs there")]
+mod dense;
 mod plot;
 
 use mech_test_support::chain_text;
@@ -122,10 +127,10 @@ fn manifest(ours: &Path) -> String {
     let path = |folder: &str| ours.join(folder).display().to_string();
     format!(
         "[package]\nname = \"growth-bed\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[workspace]\n[dependencies]\n\
-         mech-runtime = {{ path = '{}' }}\nmech-compiler = {{ path = '{}' }}\nmech-tests = {{ path = '{}' }}\n\
+         mech-runtime = {{ path = '{}' }}\nmech-compiler = {{ path = '{}' }}\nmech-test-support = {{ path = '{}' }}\n\
          nalgebra = {{ version = \"0.35.0\", default-features = false, features = [\"alloc\"] }}\n",
         path("mech-runtime"),
         path("mech-macros/compiler"),
-        path("tests"),
+        path("tests/support"),
     )
 }

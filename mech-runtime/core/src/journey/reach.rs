@@ -99,7 +99,8 @@ pub(super) fn position_at<T: Real, J: Journey<T>>(
     }
 }
 
-/// Whether the sine of a loop that is passed over its change points would have another sign if it had gone straight on from two positions to a third.
+/// Whether a sine would have another sign if it had gone straight on from two positions to a third. The loop is one that is passed over its
+/// change points.
 fn bounces<T: Real, J: Journey<T>>(
     journey: &J,
     (before, begun): &(J::Position, T),

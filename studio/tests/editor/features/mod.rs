@@ -1,5 +1,5 @@
-//! `docs/features.txt` lists what users can do. The compiler is asked which words it takes, the command for its help, the window for what can be
-//! clicked; the rest is read from sources and pages. Renew it with
+//! `docs/features.txt` lists what users can do. The compiler is asked which words it takes, the command for its help. The window is asked what
+//! can be clicked. The rest is read from sources and pages. Renew it with
 //! `UPDATE_FEATURES=1 cargo test -p mech-studio --test editor features`, and read what changed.
 
 mod api;
