@@ -52,7 +52,7 @@ fn interpreted(loops: usize) -> Mover {
 fn dense(loops: usize) -> Mover {
     let mut dense = Dense::chain(loops);
     Box::new(timed(move |angle| {
-        assert!(black_box(&mut dense).move_to(angle))
+        assert!(black_box(&mut dense).move_to(angle));
     }))
 }
 
