@@ -417,7 +417,7 @@ fn rails_are_as_long_as_their_slides_go() {
 }
 
 /// From where to where along a line of the ground an axis goes where each motor moves alone, through its range or so many turns.
-fn way(model: &Model, compiled: &Compiled, [line, axis]: [AxisId; 2], turns: f64) -> [f64; 2] {
+fn travel(model: &Model, compiled: &Compiled, [line, axis]: [AxisId; 2], turns: f64) -> [f64; 2] {
     let (line, axis) = (model.axis(line), model.axis(axis));
     let mut machine = Machine::<f64>::new(&compiled.program);
     let start = machine.position().clone();
@@ -466,7 +466,7 @@ fn wrong_rails(model: &Model) -> (Vec<String>, usize) {
     });
     let slides: Vec<(JointId, [AxisId; 2])> = slides.collect();
     let wrong = slides.iter().filter_map(|&(joint, ends)| {
-        let [least, most] = [1.0, 4.0].map(|turns| way(model, &compiled, ends, turns));
+        let [least, most] = [1.0, 4.0].map(|turns| travel(model, &compiled, ends, turns));
         if most[1] - most[0] > 32.0 * model.size() {
             return None;
         }

@@ -7,7 +7,7 @@ use crate::bug::bug;
 use std::collections::VecDeque;
 
 impl Search<'_> {
-    /// What is found with this share of the budget.
+    /// The verdict that this share of the budget is enough for.
     pub(super) fn verdict(mut self, effort: &mut Effort, share: Share) -> Verdict {
         let Share(budget) = share;
         self.budget = budget;

@@ -26,12 +26,12 @@ impl Test {
 /// Values that are held where they are at the start.
 pub(super) type HeldValues = Vec<(Value, f64)>;
 
-/// What must hold, and the motors that have a part in it.
+/// Tests that are proved together, and the motors that have a part in them.
 #[derive(Clone, Debug)]
 pub(super) struct Group {
     /// By their numbers.
     pub(super) motors: Vec<usize>,
-    /// What carries these loops stands still.
+    /// Directions that carry these loops: they stand still.
     pub(super) held: HeldValues,
     /// In the order in which they are found.
     pub(super) tests: Vec<(BlockId, Test)>,

@@ -1,4 +1,4 @@
-//! What is seen on a box of the ranges of all motors, and how much may be spent on it.
+//! The search through the ranges of all motors: its budget, and its view of a box.
 
 use super::claim::Group;
 use super::tape::{Outcome, Tape};

@@ -233,23 +233,23 @@ impl<'a> Surveyor<'a> {
             .min(MOST_SAMPLES)
             .min(sweep.turns * SAMPLES[1])
             .max((sweep.turns * SAMPLES[0]).min(MOST_SAMPLES));
-        let (mut came, mut way) = self.go(from, &sweep.displacements, (samples, 1.0));
+        let (mut came, mut way) = self.move_by(from, &sweep.displacements, (samples, 1.0));
         if way.len() == 1 {
-            (came, way) = self.go(from, &sweep.displacements, (samples, FIRST_STEP));
+            (came, way) = self.move_by(from, &sweep.displacements, (samples, FIRST_STEP));
         }
         if !came {
             // A way that ends early is seen as closely as a whole one.
             let end = self.walker.position().motors.iter();
             let displacements = end.zip(&from.motors).map(|(end, from)| end - from);
             let displacements: Vec<f64> = displacements.collect();
-            way.extend(self.go(from, &displacements, (samples, 1.0)).1);
+            way.extend(self.move_by(from, &displacements, (samples, 1.0)).1);
         }
         self.positions.append(&mut way);
         came
     }
 
     /// Moves the motors so far; returns whether they came there, and the positions on the way.
-    fn go(
+    fn move_by(
         &mut self,
         from: &Position<f64>,
         displacements: &[f64],
@@ -338,7 +338,7 @@ impl<'a> Surveyor<'a> {
             let way = end - from.motors[motor];
             let mut displacements = vec![0.0; from.motors.len()];
             displacements[motor] = part * if way.is_finite() { way } else { half_turn };
-            let (_, way) = self.go(from, &displacements, (samples, 1.0));
+            let (_, way) = self.move_by(from, &displacements, (samples, 1.0));
             self.note(all, &way);
         }
     }

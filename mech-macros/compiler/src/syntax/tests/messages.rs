@@ -9,7 +9,7 @@
 //!
 //! A text without a message is right. `UPDATE_CASES=1` renews the words, never the places.
 
-use super::{parsed, places_of};
+use super::{first_offer, parsed, places_of, with_offer};
 use similar::TextDiff;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -82,15 +82,9 @@ impl Case {
 
     /// Whether the text is right with the first offer of a message in the place of its mark.
     fn try_offer(&self, message: &str) -> Result<(), String> {
-        let none = || format!("nothing is offered: {message}");
-        let (_, first) = message.split_once('`').ok_or_else(none)?;
-        let offer = message
-            .split_once("write `")
-            .map_or(first, |(_, offer)| offer);
-        let (offer, _) = offer.split_once('`').ok_or_else(none)?;
-        let (before, rest) = self.text.split_once('«').ok_or_else(none)?;
-        let (_, after) = rest.split_once('»').ok_or_else(none)?;
-        let mended = format!("{before}{offer}{after}");
+        let offer = first_offer(message);
+        let mended = offer.and_then(|offer| with_offer(&self.text, offer));
+        let mended = mended.ok_or_else(|| format!("nothing is offered: {message}"))?;
         let errors = parsed(&mended).errors;
         if errors.is_empty() {
             Ok(())
@@ -149,14 +143,11 @@ fn every_message_stands_at_its_mark() {
         count += texts;
         let name = Path::new(file.file_name().expect("a name")).display();
         wrong.extend(errors.into_iter().map(|error| format!("{name}: {error}")));
-        if now == text {
-        } else if env::var_os("UPDATE_CASES").is_some() {
+        if now != text && env::var_os("UPDATE_CASES").is_some() {
             fs::write(file, now).expect("a file");
-        } else {
-            wrong.push(format!(
-                "{name}:\n{}",
-                TextDiff::from_lines(&text, &now).unified_diff()
-            ));
+        } else if now != text {
+            let changes = TextDiff::from_lines(&text, &now);
+            wrong.push(format!("{name}:\n{}", changes.unified_diff()));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));

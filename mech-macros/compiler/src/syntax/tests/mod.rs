@@ -65,6 +65,21 @@ fn places_of(marked: &str) -> (String, Vec<(Spot, Spot)>) {
     (text, places)
 }
 
+/// What a message offers first: what is to be written, or else what it quotes.
+fn first_offer(message: &str) -> Option<&str> {
+    let (_, first) = message.split_once('`')?;
+    let offer = message.split_once("write `");
+    let (offer, _) = offer.map_or(first, |(_, offer)| offer).split_once('`')?;
+    Some(offer)
+}
+
+/// A text with something else in the place of its first mark.
+fn with_offer(marked: &str, offer: &str) -> Option<String> {
+    let (before, rest) = marked.split_once('«')?;
+    let (_, after) = rest.split_once('»')?;
+    Some(format!("{before}{offer}{after}"))
+}
+
 /// Where a message stands.
 fn place(message: &Message) -> (Spot, Spot) {
     let spot = |spot: proc_macro2::LineColumn| (spot.line, spot.column + 1);

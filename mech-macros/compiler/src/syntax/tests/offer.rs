@@ -1,24 +1,19 @@
 //! What newcomers write, and that what they are offered instead can be read.
 
-use super::{assert_messages_of, parsed};
+use super::{assert_messages_of, first_offer, parsed, with_offer};
 
 /// One message tells about the mark, and what it offers first is right in the mark's place.
 #[track_caller]
 fn offered(marked: &str, message: &str) {
     let marked = format!("struct M;\n{marked}");
     assert_messages_of(&marked, &[message]);
-    let (_, rest) = message.split_once('`').expect("something is quoted");
-    let quoted = message.split_once("write `").map_or(rest, |(_, rest)| rest);
-    let (offer, _) = quoted.split_once('`').expect("the quote ends");
-    assert_mended(&marked, offer);
+    assert_mended(&marked, first_offer(message).expect("an offer"));
 }
 
 /// Whether the text is right with this in the place of its mark.
 #[track_caller]
 fn assert_mended(marked: &str, offer: &str) {
-    let (before, rest) = marked.split_once('«').expect("a mark");
-    let (_, after) = rest.split_once('»').expect("its end");
-    let mended = format!("{before}{offer}{after}");
+    let mended = with_offer(marked, offer).expect("a mark");
     let errors = parsed(&mended).errors;
     assert!(errors.is_empty(), "{mended}: {errors:?}");
 }

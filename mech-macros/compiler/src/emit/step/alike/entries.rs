@@ -91,7 +91,7 @@ impl Writer<'_, '_> {
         }
     }
 
-    /// What a loop takes from outside, and what others need of it.
+    /// The flow of a loop: values that it takes from outside, and values of it that others need.
     fn flow(&self, roll: &Roll) -> Flow {
         let inside: BTreeSet<usize> = roll.rounds.iter().flatten().copied().collect();
         let all = || self.pieces.all.iter().enumerate();

@@ -1,4 +1,4 @@
-//! What is written of pieces: functions of their classes, and names.
+//! The writer of pieces: the functions of their classes, and names.
 
 use super::class::Output;
 use super::numbers::Numbers;
