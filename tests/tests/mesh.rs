@@ -1,10 +1,11 @@
 //! Wheels fit where their axes are, or the error offers sizes that do; what they turn goes on over any number of turns.
 
-use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::structure::{Diagnosis, MeshTrouble};
+use mech_compiler::syntax::Parsed;
+use mech_compiler::{compile, repair, reporter};
 use mech_runtime::mechanism;
-use mech_test_support::model;
+use mech_test_support::{model, parsed};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
@@ -88,9 +89,11 @@ proptest! {
         prop_assume!(((a + b).abs() - distance).abs() > 0.01 && (a + b).abs() > 0.01);
         let wrong = text(offset, &written);
         prop_assert!(trouble(&wrong).is_some());
-        let diagnoses = compile(&model(&wrong)).expect_err("it does not mesh");
-        let message = mech_compiler::reporter::text(&diagnoses[0], &model(&wrong));
-        let offers = offers(&message);
+        let Parsed { model, places, source, .. } = parsed(&wrong);
+        let diagnoses = compile(&model).expect_err("it does not mesh");
+        let found = repair::offers(&model, &source, &diagnoses);
+        let message = &reporter::messages(&diagnoses, &found, &model, &places)[0].text;
+        let offers = offers(message);
         let small_ring = inside && a + b >= 0.0;
         prop_assert!(!offers.is_empty() || small_ring, "{}", message);
         for offer in offers {

@@ -3,21 +3,21 @@
 
 use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
-use mech_compiler::model::{
-    Axis, AxisId, AxisKind, Joint, JointId, JointKind, Link, LinkId, Model, Motor, MotorId, Origin,
-};
-use mech_compiler::repair::{Offers, Repair, Search, apply_all, offers};
+use mech_compiler::model::{JointId, JointKind, Model};
+use mech_compiler::repair::{Offers, Repair, Search, edits, offers};
 use mech_compiler::reporter;
 use mech_compiler::structure::Diagnosis;
-use mech_compiler::syntax::Places;
+use mech_compiler::syntax::{Parsed, Places};
 use mech_test_support::{
-    Dice, Sample, cases, chain, for_all, model, samples, seeds, shuffle, with_ground, worst_gap,
+    Dice, Sample, cases, chain_text, for_all, model, parsed, samples, seeds, shuffle, text,
+    with_ground, worst_gap,
 };
 
-/// Tries a test on random mechanisms, which are coherent.
-fn for_coherent(test: impl Fn(Model, Dice)) {
+/// Tries a test on random mechanisms, which are coherent, and their texts.
+fn for_coherent(test: impl Fn(Model, String, Dice)) {
     for_all(60, &samples(1..=6), |Sample { grown, dice }| {
-        test(grown.model, dice);
+        let text = text(&grown.model);
+        test(grown.model, text, dice);
     });
 }
 
@@ -38,8 +38,9 @@ enum Outcome {
     Other(Vec<Diagnosis>),
 }
 
-fn outcome(repairs: &[Repair], model: &Model) -> Outcome {
-    let Some(mended) = apply_all(repairs, model) else {
+fn outcome(repairs: &[Repair], parsed: &Parsed) -> Outcome {
+    let edits = edits(repairs, &parsed.model, parsed.source.tokens());
+    let Some(mended) = edits.and_then(|edits| parsed.source.model_with(&edits)) else {
         panic!("{repairs:?} cannot be made")
     };
     let Err(wrong) = compile(&mended) else {
@@ -53,35 +54,35 @@ fn outcome(repairs: &[Repair], model: &Model) -> Outcome {
 }
 
 /// Every repair that is offered does what it is offered for.
-fn assert_mended(model: &Model, diagnoses: &[Diagnosis]) -> Vec<Offers> {
-    let found = offers(model, diagnoses);
+fn assert_mended(parsed: &Parsed, diagnoses: &[Diagnosis]) -> Vec<Offers> {
+    let found = offers(&parsed.model, &parsed.source, diagnoses);
     assert_eq!(found.len(), diagnoses.len(), "an offer each");
     for offers in &found {
         for repair in &offers.single {
-            let mended = outcome(std::slice::from_ref(repair), model);
+            let mended = outcome(std::slice::from_ref(repair), parsed);
             assert!(matches!(mended, Outcome::Accepted), "{repair:?}");
         }
         for pair in &offers.pairs {
-            let mended = outcome(pair, model);
+            let mended = outcome(pair, parsed);
             assert!(matches!(mended, Outcome::Accepted), "{pair:?}");
         }
         for repair in &offers.elsewhere {
-            let mended = outcome(std::slice::from_ref(repair), model);
+            let mended = outcome(std::slice::from_ref(repair), parsed);
             assert!(matches!(mended, Outcome::OpenAtStart), "{repair:?}");
         }
         for repair in &offers.coupled {
             let repairs = [repair.clone(), Repair::AllowCoupled];
-            let mended = outcome(&repairs, model);
+            let mended = outcome(&repairs, parsed);
             assert!(!matches!(mended, Outcome::Other(_)), "{repair:?}");
         }
         for repair in &offers.partial {
-            match outcome(std::slice::from_ref(repair), model) {
+            match outcome(std::slice::from_ref(repair), parsed) {
                 Outcome::Other(left) => assert!(left.len() < diagnoses.len(), "{repair:?}"),
                 _ => panic!("{repair:?} is enough"),
             }
         }
     }
-    for message in reporter::messages(diagnoses, &found, model, &Places::default()) {
+    for message in reporter::messages(diagnoses, &found, &parsed.model, &Places::default()) {
         let lines = message.text.lines().count();
         assert!(lines <= 8, "{}", message.text);
         assert!(!repeats_itself(&message.text), "{}", message.text);
@@ -133,83 +134,48 @@ fn ties_wheels(diagnoses: &[Diagnosis]) -> bool {
     diagnoses.iter().all(carriers)
 }
 
-/// Adds a link before the dies of slots, which come last; gives its id, and those that these links have then.
-fn add_link(model: &mut Model, ends: [LinkId; 2]) -> (LinkId, [LinkId; 2]) {
-    let dies = model.links.iter().position(|link| link.die.is_some());
-    let at = LinkId::new(dies.unwrap_or(model.links.len()));
-    let mut brace = Link::new(&format!("brace{}", at.index()), Origin::default());
-    brace.drawn = true;
-    model.links.insert(at.index(), brace);
-    let moved = |link: LinkId| LinkId::new(link.index() + usize::from(link >= at));
-    for axis in &mut model.axes {
-        axis.link = moved(axis.link);
-    }
-    for joint in &mut model.joints {
-        match &mut joint.kind {
-            JointKind::Gear { a, b, on, .. } | JointKind::Belt { a, b, on, .. } => {
-                (*a, *b, *on) = (moved(*a), moved(*b), on.map(moved));
-            }
-            JointKind::Rack {
-                pinion, bar, on, ..
-            } => (*pinion, *bar, *on) = (moved(*pinion), moved(*bar), on.map(moved)),
-            JointKind::Revolute(..)
-            | JointKind::Prismatic(..)
-            | JointKind::Weld(..)
-            | JointKind::Cam { .. } => {}
-        }
-    }
-    (at, ends.map(moved))
-}
-
-/// Ties two links together by another, where they are.
-fn brace(model: &mut Model, dice: &mut Dice, [a, b]: [LinkId; 2]) -> LinkId {
-    let (link, [a, b]) = add_link(model, [a, b]);
-    for (end, name) in [(a, "foot"), (b, "head")] {
-        let at = [dice.between(-5.0, 5.0), dice.between(-5.0, 5.0)];
-        let [from, to] = [end, link].map(|link| {
-            model.axes.push(Axis {
-                link,
-                name: None,
-                port: None,
-                origin: Origin::default(),
-                kind: AxisKind::Point,
-                at,
-                formulas: [None; 2],
-                direction: [1.0, 0.0],
-                direction_formulas: [None; 2],
-            });
-            AxisId::new(model.axes.len() - 1)
-        });
-        model.joints.push(Joint {
-            name: name.to_owned(),
-            origin: Origin::default(),
-            kind: JointKind::Revolute(from, to),
-            hidden: false,
-        });
-    }
-    link
-}
-
-/// Ties any two declared links together.
-fn brace_two(model: &mut Model, dice: &mut Dice) -> LinkId {
-    let mut ends: Vec<LinkId> = model.declared_links().collect();
-    ends.push(LinkId::GROUND);
+/// Ties any two links of a text together by another, where they are; returns its name.
+fn brace(model: &Model, text: &mut String, dice: &mut Dice) -> String {
+    let mut ends: Vec<&str> = model
+        .declared_links()
+        .map(|link| &model.link(link).name[..])
+        .collect();
+    ends.push("ground");
     let first = ends.swap_remove(dice.below(ends.len()));
     let second = *dice.pick(&ends);
-    brace(model, dice, [first, second])
+    let number = text.matches("link brace").count();
+    let mut place = || [(); 2].map(|()| dice.between(-5.0, 5.0));
+    let ([x, y], [u, v]) = (place(), place());
+    *text += &format!(
+        "link brace{number};
+        joint foot{number} = revolute({first}, brace{number}) at ({x:?}, {y:?});
+        joint head{number} = revolute({second}, brace{number}) at ({u:?}, {v:?});\n"
+    );
+    format!("brace{number}")
+}
+
+/// A text without the line that begins so.
+fn without(text: &str, beginning: &str) -> String {
+    let lines = text.lines().filter(|line| !line.starts_with(beginning));
+    lines.collect::<Vec<_>>().join("\n")
 }
 
 #[test]
 fn a_brace_too_many_is_found_and_can_be_removed() {
-    for_coherent(|mut model, mut dice| {
-        let link = brace_two(&mut model, &mut dice);
-        let wrong = diagnose(&model);
+    for_coherent(|whole, mut text, mut dice| {
+        let brace = brace(&whole, &mut text, &mut dice);
+        let parsed = parsed(&text);
+        let model = &parsed.model;
+        let wrong = diagnose(model);
         if ties_wheels(&wrong) {
             return;
         }
         assert!(wrong.iter().all(is_held), "{wrong:?}");
-        let found = assert_mended(&model, &wrong);
-        let removed = Repair::RemoveLink(link);
+        let found = assert_mended(&parsed, &wrong);
+        let link = model
+            .declared_links()
+            .find(|&link| model.link(link).name == brace);
+        let removed = Repair::RemoveLink(link.expect("the brace"));
         let is_offered = found.iter().any(|offers| offers.single.contains(&removed));
         assert!(is_offered, "remove the brace: {wrong:?} {found:?}");
     });
@@ -217,11 +183,11 @@ fn a_brace_too_many_is_found_and_can_be_removed() {
 
 #[test]
 fn a_missing_motor_is_found_and_can_be_put_back() {
-    for_coherent(|whole, mut dice| {
-        let motor = MotorId::new(dice.below(whole.motors.len()));
-        let joint = whole.motor(motor).joint;
-        let model = whole.with_edit(|edit| edit.remove_motor(motor));
-        let wrong = diagnose(&model);
+    for_coherent(|whole, text, mut dice| {
+        let name = &whole.joint(dice.pick(&whole.motors).joint).name;
+        let parsed = parsed(&without(&text, &format!("motor {name};")));
+        let model = &parsed.model;
+        let wrong = diagnose(model);
         match &wrong[..] {
             [Diagnosis::NoMotor { freedom: 1, .. }] => {
                 assert!(model.motors.is_empty());
@@ -231,15 +197,18 @@ fn a_missing_motor_is_found_and_can_be_put_back() {
             }
             _ => panic!("{wrong:?}"),
         }
-        let found = assert_mended(&model, &wrong);
-        let added = Repair::AddMotors(vec![joint]);
+        let found = assert_mended(&parsed, &wrong);
+        let joint = model
+            .declared_joints()
+            .find(|&id| model.joint(id).name == *name);
+        let added = Repair::AddMotors(vec![joint.expect("the joint")]);
         assert!(found[0].single.contains(&added), "{found:?}");
     });
 }
 
 #[test]
 fn a_motor_too_many_is_found_and_can_be_removed() {
-    for_coherent(|whole, mut dice| {
+    for_coherent(|whole, text, mut dice| {
         let free: Vec<JointId> = whole
             .joint_ids()
             .filter(|&id| can_take_a_motor(&whole, id))
@@ -247,12 +216,9 @@ fn a_motor_too_many_is_found_and_can_be_removed() {
         if free.is_empty() {
             return;
         }
-        let mut model = whole.clone();
-        let motor = MotorId::new(model.motors.len());
-        model
-            .motors
-            .push(Motor::new(*dice.pick(&free), Origin::default()));
-        let wrong = diagnose(&model);
+        let name = &whole.joint(*dice.pick(&free)).name;
+        let parsed = parsed(&format!("{text} motor {name};"));
+        let wrong = diagnose(&parsed.model);
         let right = |diagnosis: &Diagnosis| {
             matches!(
                 diagnosis,
@@ -260,7 +226,8 @@ fn a_motor_too_many_is_found_and_can_be_removed() {
             )
         };
         assert!(wrong.len() == 1 && wrong.iter().all(right), "{wrong:?}");
-        let found = assert_mended(&model, &wrong);
+        let found = assert_mended(&parsed, &wrong);
+        let motor = parsed.model.motor_ids().last().expect("it was added");
         let removed = Repair::RemoveMotor(motor);
         assert!(found[0].single.contains(&removed), "{found:?}");
     });
@@ -268,10 +235,16 @@ fn a_motor_too_many_is_found_and_can_be_removed() {
 
 #[test]
 fn a_missing_joint_is_found() {
-    for_coherent(|whole, mut dice| {
-        let joint = JointId::new(dice.below(whole.joints.len()));
-        let model = whole.with_edit(|edit| edit.remove_joint(joint));
-        let wrong = diagnose(&model);
+    for_coherent(|whole, text, mut dice| {
+        let name = &dice.pick(&whole.joints).name;
+        // Cams cannot be without their joints.
+        if text.contains(&format!("cam({name},")) || text.contains(&format!(", {name}, ")) {
+            return;
+        }
+        let text = without(&text, &format!("joint {name} = "));
+        let parsed = parsed(&without(&text, &format!("motor {name};")));
+        let model = &parsed.model;
+        let wrong = diagnose(model);
         let right = |diagnosis: &Diagnosis| {
             matches!(
                 diagnosis,
@@ -283,7 +256,7 @@ fn a_missing_joint_is_found() {
             )
         };
         assert!(wrong.iter().all(right), "{wrong:?}");
-        let found = assert_mended(&model, &wrong);
+        let found = assert_mended(&parsed, &wrong);
         for (diagnosis, offers) in wrong.iter().zip(&found) {
             if let Diagnosis::Undetermined { candidates, .. }
             | Diagnosis::NoMotor { candidates, .. } = diagnosis
@@ -298,23 +271,21 @@ fn a_missing_joint_is_found() {
 
 #[test]
 fn two_braces_too_many_are_found_and_can_be_removed() {
-    for_coherent(|mut model, mut dice| {
+    for_coherent(|whole, mut text, mut dice| {
         // Pairs of repairs take long.
         if !dice.once_in(10) {
             return;
         }
         for _ in 0..2 {
-            brace_two(&mut model, &mut dice);
+            brace(&whole, &mut text, &mut dice);
         }
-        for (index, joint) in model.joints.iter_mut().rev().take(2).enumerate() {
-            joint.name = format!("b{index}");
-        }
-        let wrong = diagnose(&model);
+        let parsed = parsed(&text);
+        let wrong = diagnose(&parsed.model);
         if ties_wheels(&wrong) {
             return;
         }
         assert!(wrong.iter().all(is_held), "{wrong:?}");
-        let found = assert_mended(&model, &wrong);
+        let found = assert_mended(&parsed, &wrong);
         assert!(
             found.iter().any(|offers| !offers.is_empty()),
             "{wrong:?} {found:?}"
@@ -325,20 +296,21 @@ fn two_braces_too_many_are_found_and_can_be_removed() {
 /// The work for one message is bounded, by a count that is the same on every machine; where it ends, the message says so.
 #[test]
 fn of_a_large_mechanism_not_all_repairs_are_tried() {
-    let mut model = chain(150);
-    let joint = model.joint_ids().nth(6).expect("a long chain");
-    model.motors.push(Motor::new(joint, Origin::default()));
-    let wrong = diagnose(&model);
-    let found = assert_mended(&model, &wrong);
+    let text = chain_text(150);
+    let whole = model(&text);
+    let joint = whole.joint_ids().nth(6).expect("a long chain");
+    let parsed = parsed(&format!("{text} motor {};", whole.joint(joint).name));
+    let wrong = diagnose(&parsed.model);
+    let found = assert_mended(&parsed, &wrong);
     assert_eq!(found[0].search, Search::Bounded);
     assert!(!found[0].single.is_empty());
-    let messages = reporter::messages(&wrong, &found, &model, &Places::default());
+    let messages = reporter::messages(&wrong, &found, &parsed.model, &Places::default());
     assert!(
         messages[0]
             .text
             .ends_with("note: not all possible changes were tried")
     );
-    assert_eq!(found, offers(&model, &wrong));
+    assert_eq!(found, offers(&parsed.model, &parsed.source, &wrong));
 }
 
 /// A repair is tried without its proofs, which would take most of the time: this range is too wide whatever is repaired.
@@ -352,12 +324,12 @@ fn repairs_are_tried_without_proofs_of_ranges() {
             joint s = revolute(ground, stay) at (0, 9); joint t = revolute(stay, coupler) at (1, 8);
             motor a {range};"
         );
-        mech_test_support::model(&text)
+        parsed(&text)
     };
     let [free, ranged] = ["", "in -170 deg ..= 170 deg"].map(with_range);
-    let [free, ranged] = [free, ranged].map(|model| {
+    let [free, ranged] = [free, ranged].map(|Parsed { model, source, .. }| {
         let wrong = diagnose(&model);
-        offers(&model, &wrong)
+        offers(&model, &source, &wrong)
     });
     assert_eq!(free, ranged);
 }
@@ -374,9 +346,9 @@ fn one_choice_of_several_motors_is_offered_beside_something_else() {
         joint w = revolute(ground.w, wheel.w); joint s = revolute(wheel.w, spur.w);
         joint mesh = gear(crank, wheel, 30 : 17);
         motor a;";
-    let model = mech_test_support::model(text);
-    let diagnoses = diagnose(&model);
-    let found = assert_mended(&model, &diagnoses);
+    let parsed = parsed(text);
+    let diagnoses = diagnose(&parsed.model);
+    let found = assert_mended(&parsed, &diagnoses);
     let adds = |repair: &&Repair| matches!(repair, Repair::AddMotors(_));
     let added: Vec<usize> = found
         .iter()
@@ -396,9 +368,9 @@ fn wheels_on_one_shaft_may_go() {
             "struct Shaft; link a; link b; joint p = revolute(ground, a) at (0, 0); joint q = revolute(ground, b) at (0, 0);
             joint mesh = gear(a, b, 20 : 40); {beside} motor p;"
         );
-        let model = mech_test_support::model(&text);
-        let diagnoses = diagnose(&model);
-        let found = assert_mended(&model, &diagnoses);
+        let parsed = parsed(&text);
+        let diagnoses = diagnose(&parsed.model);
+        let found = assert_mended(&parsed, &diagnoses);
         assert!(found.iter().all(|offers| !offers.is_empty()), "{text}");
     }
 }
@@ -451,11 +423,15 @@ fn what_moves_by_its_lengths_is_offered_what_it_lacks() {
         // More would only take longer.
         for joint in drivable.filter(moves).take(6) {
             for allowed in 0..4 {
-                let mut model = still.with_edit(|edit| edit.add_motor(joint));
-                (model.allow.redundant, model.allow.coupled) = (allowed & 1 > 0, allowed & 2 > 0);
-                let (name, before) = (&still.joint(joint).name, model.allow);
+                let name = &still.joint(joint).name;
+                let allows = ["allow redundant;", "allow coupled;"].into_iter();
+                let allows = allows.zip([1, 2]).filter(|(_, bit)| allowed & bit > 0);
+                let allows: String = allows.map(|(statement, _)| statement).collect();
+                let parsed = parsed(&format!("{text} motor {name}; {allows}"));
+                let mut model = parsed.model.clone();
+                let before = model.allow;
                 if let Err(wrong) = compile(&model) {
-                    let found = assert_mended(&model, &wrong);
+                    let found = assert_mended(&parsed, &wrong);
                     let lacks = |offered: &[Repair], repair| offered.contains(&repair);
                     if lacks(&found[0].coupled, Repair::AllowRedundant) {
                         (model.allow.redundant, model.allow.coupled) = (true, true);
@@ -539,8 +515,8 @@ fn dixons_mechanism_moves_whichever_joint_is_driven() {
         let text = dixon(dice);
         let still = model(&text);
         for joint in still.joint_ids() {
-            let model = still.with_edit(|edit| edit.add_motor(joint));
             let name = &still.joint(joint).name;
+            let model = model(&format!("{text} motor {name};"));
             let compiled =
                 compile(&model).unwrap_or_else(|found| panic!("{name}: {found:?}: {text}"));
             let mut machine = Machine::<f64>::new(&compiled.program);

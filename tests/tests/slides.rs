@@ -6,7 +6,8 @@ use mech_compiler::evaluate::Machine;
 use mech_compiler::model::Model;
 use mech_compiler::repair::{Repair, offers};
 use mech_compiler::structure::Diagnosis;
-use mech_test_support::{Dice, cases, model, seeds};
+use mech_compiler::syntax::Parsed;
+use mech_test_support::{Dice, cases, model, parsed, seeds};
 use nalgebra::{DMatrix, DVector, RowDVector};
 use std::fmt::Write as _;
 
@@ -199,9 +200,9 @@ fn rank(rows: &[RowDVector<f64>]) -> usize {
 }
 
 fn allowing_redundant(model: &Model) -> Model {
-    Repair::AllowRedundant
-        .apply(model)
-        .expect("it is not allowed yet")
+    let mut model = model.clone();
+    model.allow.redundant = true;
+    model
 }
 
 #[test]
@@ -243,7 +244,7 @@ fn networks_of_slides_move_as_linear_algebra_says() {
         driven.extend(motors.iter().map(|&joint| network.coordinate(joint)));
         let all = rank(&driven);
         let text = network.text(&motors, dice);
-        let model = model(&text);
+        let Parsed { model, source, .. } = parsed(&text);
         let is_redundant = rows.len() > held;
         let compiled = compile(&allowing_redundant(&model));
         if all < unknowns || held + motors.len() > all || motors.is_empty() {
@@ -321,7 +322,7 @@ fn networks_of_slides_move_as_linear_algebra_says() {
                     }]
                 );
                 assert!(is_redundant && is_mobile, "{diagnoses:?}: {text}");
-                let found = offers(&model, &diagnoses);
+                let found = offers(&model, &source, &diagnoses);
                 assert!(found[0].single.contains(&Repair::AllowRedundant), "{text}");
                 redundant += 1;
             }

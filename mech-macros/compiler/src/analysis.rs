@@ -54,7 +54,7 @@ fn faults_of_text(parsed: &Parsed) -> Option<Faults> {
 }
 
 fn faults_of_mechanism(parsed: &Parsed, diagnoses: Vec<Diagnosis>) -> Faults {
-    let offers = repair::offers(&parsed.model, &diagnoses);
+    let offers = repair::offers(&parsed.model, &parsed.source, &diagnoses);
     Faults {
         messages: reporter::messages(&diagnoses, &offers, &parsed.model, &parsed.places),
         diagnoses,

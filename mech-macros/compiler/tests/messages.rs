@@ -12,9 +12,14 @@ fn parsed(text: &str) -> Parsed {
 
 /// The only message about a mechanism, and the place that it tells about, as line and column.
 fn message(text: &str) -> (String, (usize, usize)) {
-    let Parsed { model, places, .. } = parsed(text);
+    let Parsed {
+        model,
+        places,
+        source,
+        ..
+    } = parsed(text);
     let diagnoses = compile(&model).expect_err(text);
-    let offers = repair::offers(&model, &diagnoses);
+    let offers = repair::offers(&model, &source, &diagnoses);
     let mut messages = reporter::messages(&diagnoses, &offers, &model, &places);
     let first = messages.remove(0);
     let spot = first.place.start.start();

@@ -82,7 +82,15 @@ const ROOMS: &[(&str, &[&str])] = &[
     ),
     (
         "repair",
-        &["api", "compile", "digits", "model", "structure"],
+        &[
+            "api",
+            "bug",
+            "compile",
+            "digits",
+            "model",
+            "structure",
+            "syntax",
+        ],
     ),
     (
         "reporter",

@@ -32,7 +32,7 @@ struct Repair<'a> {
     /// What is left to do after it: `nothing`, `other start` or `other faults`.
     remainder: &'static str,
     /// What is to be replaced by what; null if a change of this text alone cannot make it.
-    edits: Option<Vec<Edit>>,
+    edits: Vec<Edit>,
 }
 
 #[derive(Serialize)]
@@ -138,13 +138,10 @@ fn note<'a>(source: &Source, text: &'a str, place: &Range<usize>) -> Message<'a>
 }
 
 fn repair<'a>(source: &Source, mending: &'a Mending) -> Repair<'a> {
-    let edits = mending.text.as_deref().map(|text| {
-        let edits = differences(source.text(), text).into_iter();
-        let edits = edits.map(|Replacement { range, text }| Edit {
-            place: in_file(source, &range),
-            text,
-        });
-        edits.collect()
+    let edits = differences(source.text(), &mending.text).into_iter();
+    let edits = edits.map(|Replacement { range, text }| Edit {
+        place: in_file(source, &range),
+        text,
     });
     Repair {
         text: &mending.words,
@@ -153,7 +150,7 @@ fn repair<'a>(source: &Source, mending: &'a Mending) -> Repair<'a> {
             Remainder::OtherStart => "other start",
             Remainder::OtherFaults => "other faults",
         },
-        edits,
+        edits: edits.collect(),
     }
 }
 

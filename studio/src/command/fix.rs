@@ -66,10 +66,7 @@ fn shown(source: &Source, number: usize, mending: &Mending) -> String {
         Remainder::OtherFaults => " (for one fault alone)",
     };
     let head = format!("{number}: {words}{remainder}\n");
-    match &mending.text {
-        Some(text) => head + &diff(source, text) + "\n",
-        None => head + "   This cannot be made by a change of the text alone.\n\n",
-    }
+    head + &diff(source, &mending.text) + "\n"
 }
 
 /// The difference of two texts, as `diff -u` shows it.
@@ -92,7 +89,7 @@ fn pick(
         0 => Failure::mechanism("no repair is known"),
         count => Failure::usage(format!("there is no repair {number}; the last is {count}")),
     })?;
-    let text = mending.text_of(number)?;
+    let text = &mending.text;
     document.source().replace(text)?;
     console.answer(diff(document.source(), text))?;
     let changed = Document::of(Source::new(document.source().path(), text));

@@ -200,12 +200,7 @@ impl Session {
         }
         let lines = (1..).zip(&found).map(|(number, mending)| {
             let words = &mending.words;
-            let hint = if mending.text.is_some() {
-                ""
-            } else {
-                " (not in the text)"
-            };
-            format!("{number}: {words}{hint}\n")
+            format!("{number}: {words}\n")
         });
         console.answer(lines.collect::<String>())
     }

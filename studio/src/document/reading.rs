@@ -139,7 +139,10 @@ pub(super) fn faults_of_part(
 }
 
 /// The tokens of a mechanism, with all parts that it takes from elsewhere.
-fn text_of(document: &Document, declaration: &Declaration) -> Result<TokenStream, Vec<Message>> {
+pub(super) fn text_of(
+    document: &Document,
+    declaration: &Declaration,
+) -> Result<TokenStream, Vec<Message>> {
     let text = tokens_of(document, declaration).map_err(|message| vec![message])?;
     Import::write_out(text, |import| imported(document, import)).map_err(|unknown| {
         if let Some(fault) = unknown.fault() {

@@ -28,7 +28,7 @@ pub(super) fn join(scene: &Scene, assembly: &Assembly) -> Result<Change, Refusal
     }
     let mut rewriter = scene.rewriter()?;
     joint(&mut rewriter, &statement(assembly)?)?;
-    Ok(Change::of(rewriter))
+    Change::of(scene, &rewriter)
 }
 
 /// The statement of a joint.

@@ -1,6 +1,6 @@
 //! Links and uses that are mirrored, or declared once more.
 
-use super::declare::{check_name, unwritten};
+use super::declare::{check_name, replaced, unwritten};
 use super::remove::used;
 use super::solve::is_literal;
 use super::{Change, Refusal, Scene};
@@ -11,15 +11,13 @@ pub(super) fn mirror(scene: &Scene, name: &str) -> Result<Change, Refusal> {
     let mut rewriter = scene.rewriter()?;
     if let Some(used) = used(&rewriter.statements, name) {
         if let Some(word) = used.find("mirrored") {
-            let known = used.place(word).zip(used.place(word - 1));
-            let (known, before) = known.ok_or_else(unwritten)?;
-            rewriter.draft.replace(before.end..known.end, "");
+            let known = used.token(word - 1)..used.token(word + 1);
+            rewriter.edits.replace(known, used.word(word - 1));
         } else {
-            let open = used.find("{").and_then(|open| used.place(open));
-            let open = open.ok_or_else(unwritten)?;
-            rewriter.draft.insert(open.start, "mirrored ");
+            let open = used.token(used.find("{").ok_or_else(unwritten)?);
+            rewriter.edits.insert_before(open, "mirrored ");
         }
-        return Ok(Change::of(rewriter));
+        return Change::of(scene, &rewriter);
     }
     let model = &scene.model;
     let mut links = model.declared_links();
@@ -31,6 +29,7 @@ pub(super) fn mirror(scene: &Scene, name: &str) -> Result<Change, Refusal> {
             "joints were drawn on `{name}`, which is where they are; only a link with points of its own is mirrored"
         )));
     }
+    let mut edits = Vec::new();
     let prefix = format!("{name}.");
     for number in &scene.listing.numbers {
         let is_fixed = number.owner == name || number.owner.starts_with(&prefix);
@@ -38,16 +37,13 @@ pub(super) fn mirror(scene: &Scene, name: &str) -> Result<Change, Refusal> {
         if is_of_link && changes_sign(&number.role) {
             let text = &scene.text()[number.place.clone()];
             let by = negative(text);
-            if by != text {
-                rewriter.draft.replace(number.place.clone(), by);
-            }
+            edits.extend((by != text).then(|| replaced(number, by)));
         }
     }
-    let change = Change::of(rewriter);
-    if change.edits.is_empty() {
+    if edits.is_empty() {
         return Err(Refusal::of(format!("`{name}` is its own mirror image")));
     }
-    Ok(change)
+    Ok(edits.into())
 }
 
 /// Whether a number changes its sign where left and right do.
@@ -92,16 +88,17 @@ pub(super) fn duplicate(scene: &Scene, name: &str, copy: &str) -> Result<Change,
     let known = rewriter.declared("link", name);
     let known = known.or_else(|| used(&rewriter.statements, name));
     let known = known.ok_or_else(|| unknown(name))?;
-    let (whole, word) = (known.range(), known.place(1).ok_or_else(unwritten)?);
-    let text = scene.text();
+    let (text, tree) = (scene.text(), scene.tree()?);
+    let whole = tree.bytes(&known.range());
+    let word = tree.bytes(&(known.token(1)..known.token(2)));
     let statement = [
         &text[whole.start..word.start],
         copy,
         &text[word.end..whole.end],
     ]
     .concat();
-    rewriter.draft.insert_after(&whole, &statement);
-    Ok(Change::of(rewriter))
+    rewriter.edits.add(known.range(), statement);
+    Change::of(scene, &rewriter)
 }
 
 fn unknown(name: &str) -> Refusal {

@@ -1,8 +1,9 @@
 //! What is declared, as statements of the language.
 
 use super::{ActionKind, Change, Command, Expression, Pair, Refusal, Scene};
-use crate::mend::Rewriter;
-use crate::text::{Kind as Lexical, Lexer, Statement, is_of_word, quoted};
+use crate::document::NumberText;
+use crate::text::{Kind as Lexical, Lexer, Replacement, is_of_word, quoted};
+use mech_compiler::syntax::{Rewriter, StatementText};
 
 /// Where constants stand: before everything that may use them.
 const NUMBERS: [&str; 2] = ["const", "param"];
@@ -69,7 +70,7 @@ pub(super) fn declare(scene: &Scene, command: &Command) -> Result<Change, Refusa
             }
             item += ";";
             match matter(&rewriter, link) {
-                Some(known) => rewriter.draft.replace(known.range(), item),
+                Some(known) => rewriter.edits.replace(known.range(), item),
                 None => add_item(&mut rewriter, link, &item)?,
             }
         }
@@ -114,7 +115,7 @@ pub(super) fn declare(scene: &Scene, command: &Command) -> Result<Change, Refusa
         Command::Setting { statement } => setting(&mut rewriter, statement)?,
         _ => return Err(Refusal::internal("a command that declares nothing")),
     }
-    Ok(Change::of(rewriter))
+    Change::of(scene, &rewriter)
 }
 
 /// Sets a number by its role.
@@ -131,9 +132,15 @@ pub(super) fn set(scene: &Scene, owner: &str, role: &str, value: &str) -> Result
     } else {
         check_expression(value)?;
     }
-    let mut rewriter = scene.rewriter()?;
-    rewriter.draft.replace(number.place.clone(), value.trim());
-    Ok(Change::of(rewriter))
+    Ok(Change::from(replaced(number, value.trim())))
+}
+
+/// Another text in place of a number.
+pub(super) fn replaced(number: &NumberText, by: impl Into<String>) -> Replacement {
+    Replacement {
+        range: number.place.clone(),
+        text: by.into(),
+    }
 }
 
 /// Puts a motor on a joint, or says more of one.
@@ -171,7 +178,7 @@ fn motor(
     }
     statement += ";";
     match known {
-        Some(known) => rewriter.draft.replace(known.range(), statement),
+        Some(known) => rewriter.edits.replace(known.range(), statement),
         None => add(rewriter, &statement, &MOTORS)?,
     }
     Ok(())
@@ -187,12 +194,11 @@ fn start(
     check_expression(value)?;
     let sign = if is_near { "near" } else { "=" };
     let clause = format!("{name} {sign} {value};");
-    let starts = rewriter.statements.iter().filter(|one| one.is("start"));
-    let clauses: Vec<Statement<'_>> = starts.flat_map(Statement::clauses).collect();
+    let clauses = rewriter.clauses("start");
     let is_it =
-        |one: &&Statement<'_>| one.path(0).0 == name && one.find("near").is_some() == is_near;
+        |one: &&StatementText<'_>| one.path(0).0 == name && one.find("near").is_some() == is_near;
     if let Some(known) = clauses.iter().find(is_it) {
-        rewriter.draft.replace(known.range(), clause);
+        rewriter.edits.replace(known.range(), clause);
         return Ok(());
     }
     rewriter.add_to_start(&clause).ok_or_else(unwritten)
@@ -204,7 +210,7 @@ fn trace(rewriter: &mut Rewriter<'_>, point: &str, length: &str) -> Result<(), R
     let Some(effects) = effects else {
         return add(rewriter, &format!("effects {{ {clause} }}"), &OTHERS);
     };
-    let is_it = |one: &Statement<'_>| one.is("trace") && one.path(1).0 == point;
+    let is_it = |one: &StatementText<'_>| one.is("trace") && one.path(1).0 == point;
     if effects.clauses().iter().any(is_it) {
         return Err(Refusal::of(format!("`{point}` is traced already")));
     }
@@ -240,8 +246,8 @@ fn setting(rewriter: &mut Rewriter<'_>, statement: &str) -> Result<(), Refusal> 
         .statements
         .iter()
         .find(|one| one.is(word) && (word != "allow" || statement.ends_with(one.word(1))));
-    if let Some(range) = known.map(Statement::range) {
-        rewriter.draft.replace(range, format!("{statement};"));
+    if let Some(range) = known.map(StatementText::range) {
+        rewriter.edits.replace(range, format!("{statement};"));
         return Ok(());
     }
     let siblings: &[&str] = match word {
@@ -252,7 +258,7 @@ fn setting(rewriter: &mut Rewriter<'_>, statement: &str) -> Result<(), Refusal> 
 }
 
 /// The mass or density of a link.
-pub(super) fn matter<'t>(rewriter: &Rewriter<'t>, link: &str) -> Option<Statement<'t>> {
+pub(super) fn matter<'t>(rewriter: &Rewriter<'t>, link: &str) -> Option<StatementText<'t>> {
     let items = rewriter.declared("link", link)?.clauses();
     let mut items = items.into_iter();
     items.find(|one| one.is("mass") || one.is("density"))

@@ -29,8 +29,9 @@ pub use workspace::Workspace;
 
 use crate::document::{Document, Reading, Source};
 use crate::failure::Failure;
-use crate::mend::{Rewriter, are_alike, mendings};
+use crate::mend::mendings;
 use crate::text::{Replacement, written};
+use mech_compiler::syntax::Rewriter;
 pub use scene::Known;
 use scene::{Scene, declaration_of};
 use similar::{DiffTag, TextDiff};
@@ -60,9 +61,23 @@ struct Change {
 }
 
 impl Change {
-    fn of(rewriter: Rewriter<'_>) -> Self {
+    fn of(scene: &Scene, rewriter: &Rewriter<'_>) -> Result<Self, Refusal> {
+        let edits = scene.tree()?.replacements(scene.text(), &rewriter.edits);
+        Ok(Self::from(edits))
+    }
+}
+
+impl From<Replacement> for Change {
+    fn from(edit: Replacement) -> Self {
+        vec![edit].into()
+    }
+}
+
+impl From<Vec<Replacement>> for Change {
+    fn from(mut edits: Vec<Replacement>) -> Self {
+        edits.sort_by_key(|edit| edit.range.start);
         Self {
-            edits: rewriter.draft.edits(),
+            edits,
             ..Self::default()
         }
     }
@@ -271,16 +286,13 @@ fn repair(document: &Document, index: usize, number: usize) -> Result<Applied, R
         0 => Refusal::of("no repair is known"),
         count => Refusal::of(format!("there is no repair {number}; the last is {count}")),
     })?;
-    let text = mending.text_of(number)?;
+    let text = &*mending.text;
     let source = document.source();
     let after = Document::of(Source::new(source.path(), text));
     let declaration = after.declarations().get(index);
     let declaration =
         declaration.ok_or_else(|| Refusal::internal("a repair has removed its mechanism"))?;
     let reading = after.analyse(declaration)?;
-    if !are_alike(&reading.model, &mending.promised) {
-        return Err(Refusal::internal("a repair is not what it promised"));
-    }
     Ok(Applied {
         title: format!("repair {number}: {}", mending.words),
         edits: differences(source.text(), text),

@@ -2,8 +2,8 @@
 
 use super::declare::{matter, unwritten};
 use super::{Change, Kind, Refusal, Scene};
-use crate::text::Statement;
 use mech_compiler::model::{LinkId, Model};
+use mech_compiler::syntax::StatementText;
 use std::ops::Range;
 
 /// Takes something out, with what cannot be without it.
@@ -16,40 +16,29 @@ pub(super) fn remove(scene: &Scene, kind: Kind, name: &str) -> Result<Change, Re
             let mut links = model.declared_links();
             let link = links.find(|&link| model.link(link).name == name && link != LinkId::GROUND);
             let link = link.ok_or_else(unknown)?;
-            rewriter.remove_link(link).ok_or_else(unknown)?;
+            rewriter.remove_link(model, link).ok_or_else(unknown)?;
         }
         Kind::Joint => {
-            let mut joints = model.joint_ids();
-            match joints.find(|&joint| model.joint(joint).name == name) {
-                Some(joint) => rewriter.remove_joint(joint).ok_or_else(unknown)?,
-                None => rewriter
-                    .remove_statement("joint", name)
-                    .ok_or_else(unknown)?,
-            }
+            rewriter.remove_joint(name).ok_or_else(unknown)?;
         }
         Kind::Motor => {
-            let mut motors = model.motor_ids();
-            let is_it = |&motor: &_| model.joint(model.motor(motor).joint).name == name;
-            match motors.find(is_it) {
-                Some(motor) => rewriter.remove_motor(motor).ok_or_else(unknown)?,
-                None => rewriter
-                    .remove_statement("motor", name)
-                    .ok_or_else(unknown)?,
-            }
+            rewriter.remove_motor(name).ok_or_else(unknown)?;
         }
         Kind::Axis => {
             refuse_used(scene, name)?;
             let (link, axis) = name.rsplit_once('.').ok_or_else(unknown)?;
-            let owner = owner(&rewriter.statements, link).ok_or_else(unknown)?;
+            let owner = rewriter.owner(link).ok_or_else(unknown)?;
             let items = owner.clauses();
-            let is_it =
-                |one: &&Statement<'_>| one.declares("point", axis) || one.declares("line", axis);
+            let is_it = |one: &&StatementText<'_>| {
+                one.declares("point", axis) || one.declares("line", axis)
+            };
             let item = items.iter().find(is_it).ok_or_else(unknown)?;
-            match emptied(scene.text(), &owner) {
+            match emptied(scene, &owner)? {
                 Some(braces) if items.len() == 1 && link != "ground" => {
-                    rewriter.draft.replace(braces, ";");
+                    let before = owner.word(braces.start - owner.token(0));
+                    rewriter.edits.replace(braces, format!("{before};"));
                 }
-                _ => rewriter.draft.remove(&item.range()),
+                _ => rewriter.edits.remove(item.range()),
             }
         }
         Kind::Constant => {
@@ -68,17 +57,17 @@ pub(super) fn remove(scene: &Scene, kind: Kind, name: &str) -> Result<Change, Re
         }
         Kind::Use => {
             let statement = used(&rewriter.statements, name).ok_or_else(unknown)?;
-            rewriter.draft.remove(&statement.range());
+            rewriter.edits.remove(statement.range());
         }
         Kind::Start => {
-            let is_it = |one: &Statement<'_>| one.path(0).0 == name;
+            let is_it = |one: &StatementText<'_>| one.path(0).0 == name;
             if !has_clause(&rewriter.statements, "start", is_it) {
                 return Err(unknown());
             }
             rewriter.remove_clauses("start", is_it);
         }
         Kind::Trace => {
-            let is_it = |one: &Statement<'_>| one.is("trace") && one.path(1).0 == name;
+            let is_it = |one: &StatementText<'_>| one.is("trace") && one.path(1).0 == name;
             if !has_clause(&rewriter.statements, "effects", is_it) {
                 return Err(unknown());
             }
@@ -86,10 +75,10 @@ pub(super) fn remove(scene: &Scene, kind: Kind, name: &str) -> Result<Change, Re
         }
         Kind::Mass => {
             let mass = matter(&rewriter, name).ok_or_else(unknown)?;
-            rewriter.draft.remove(&mass.range());
+            rewriter.edits.remove(mass.range());
         }
     }
-    let change = Change::of(rewriter);
+    let change = Change::of(scene, &rewriter)?;
     if change.edits.is_empty() {
         return Err(unwritten());
     }
@@ -104,40 +93,30 @@ fn is_last_force(model: &Model) -> bool {
     count == 1 && !has_mass && !model.effects.dynamics
 }
 
-/// Where the braces of a link stand, with the space before them, if nothing but statements is within.
-fn emptied(text: &str, owner: &Statement<'_>) -> Option<Range<usize>> {
-    let (open, close) = (owner.find("{")?, owner.rfind("}")?);
-    let before = owner.place(open.checked_sub(1)?)?;
-    let braces = owner.place(open)?.start..owner.place(close)?.end;
-    let has_comment = text[braces.clone()].contains("//") || text[braces.clone()].contains("/*");
-    (!has_comment).then_some(before.end..braces.end)
-}
-
-/// The statement that declares what is fixed to a link, or to the ground.
-pub(super) fn owner<'t>(statements: &[Statement<'t>], link: &str) -> Option<Statement<'t>> {
-    let is_it = |one: &&Statement<'_>| {
-        if link == "ground" {
-            one.is("ground")
-        } else {
-            one.declares("link", link) || one.declares("port", link)
-        }
+/// The braces of a link, with the word before them, if nothing but statements is within.
+fn emptied(scene: &Scene, owner: &StatementText<'_>) -> Result<Option<Range<usize>>, Refusal> {
+    let (Some(open @ 1..), Some(close)) = (owner.find("{"), owner.rfind("}")) else {
+        return Ok(None);
     };
-    statements.iter().find(is_it).cloned()
+    let braces = owner.token(open)..owner.token(close + 1);
+    let text = &scene.text()[scene.tree()?.bytes(&braces)];
+    let has_comment = text.contains("//") || text.contains("/*");
+    Ok((!has_comment).then_some(braces.start - 1..braces.end))
 }
 
 /// The statement of a use.
-pub(super) fn used<'t>(statements: &[Statement<'t>], name: &str) -> Option<Statement<'t>> {
-    let is_it = |one: &&Statement<'_>| one.is("use") && one.word(1) == name;
+pub(super) fn used<'t>(statements: &[StatementText<'t>], name: &str) -> Option<StatementText<'t>> {
+    let is_it = |one: &&StatementText<'_>| one.is("use") && one.word(1) == name;
     statements.iter().find(is_it).cloned()
 }
 
 fn has_clause(
-    statements: &[Statement<'_>],
+    statements: &[StatementText<'_>],
     word: &str,
-    is_it: impl Fn(&Statement<'_>) -> bool,
+    is_it: impl Fn(&StatementText<'_>) -> bool,
 ) -> bool {
     let all = statements.iter().filter(|one| one.is(word));
-    all.flat_map(Statement::clauses)
+    all.flat_map(StatementText::clauses)
         .any(|clause| is_it(&clause))
 }
 

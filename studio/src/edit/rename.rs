@@ -3,6 +3,7 @@
 use super::declare::check_name;
 use super::{Change, Refusal, Scene};
 use crate::document::NameText;
+use crate::text::Replacement;
 use mech_compiler::syntax::Noun;
 
 /// Gives something another name, wherever it is used.
@@ -36,11 +37,11 @@ pub(super) fn rename(scene: &Scene, path: &str, name: &str) -> Result<Change, Re
         found == goal && is_kind(one, found.1, target.noun)
     };
     let uses: Vec<_> = listing.names.iter().filter(is_use).collect();
-    let mut rewriter = scene.rewriter()?;
-    for used in &uses {
-        rewriter.draft.replace(used.place.clone(), name);
-    }
-    let mut change = Change::of(rewriter);
+    let edits = uses.iter().map(|used| Replacement {
+        range: used.place.clone(),
+        text: name.to_owned(),
+    });
+    let mut change = Change::from(edits.collect::<Vec<_>>());
     change.notes.push(match uses.len() {
         1 => "1 place".to_owned(),
         count => format!("{count} places"),

@@ -2,10 +2,10 @@
 
 use super::Refusal;
 use crate::document::{Declaration, Document, Listing, Reading, Source, TextTree};
-use crate::mend::Rewriter;
 use crate::text::{Replacement, written};
 use mech_compiler::model::Model;
-use std::cell::{OnceCell, RefCell};
+use mech_compiler::syntax::Rewriter;
+use std::cell::OnceCell;
 use std::sync::Arc;
 
 /// A mechanism in its file whose text is right, and what the compiler makes of it: what is known is not found out again.
@@ -34,8 +34,8 @@ pub(super) struct Scene {
     pub(super) listing: Listing,
     /// What the compiler makes of it, once somebody asks.
     reading: OnceCell<Arc<Reading>>,
-    /// The text as a tree, once somebody asks what the text says after a change; none if it cannot be read statement by statement.
-    tree: OnceCell<Option<RefCell<TextTree>>>,
+    /// The text as a tree, once somebody changes it; none if it is no text of Rust.
+    tree: OnceCell<Option<TextTree>>,
 }
 
 impl Scene {
@@ -93,19 +93,15 @@ impl Scene {
 
     /// A rewriter of the text.
     pub(super) fn rewriter(&self) -> Result<Rewriter<'_>, Refusal> {
-        let body = self.declaration.body.as_ref();
-        let body =
-            body.ok_or_else(|| Refusal::of("one of the brackets of the mechanism is not closed"))?;
-        Ok(Rewriter::new(self.text(), body, &self.model))
+        Ok(self.tree()?.rewriter())
     }
 
     /// What the text says after changes in the order of their places; none if it cannot be read.
     pub(super) fn model_after(&self, edits: &[Replacement]) -> Result<Option<Model>, Refusal> {
-        if let Some(tree) = self.tree()? {
-            let model = tree.borrow_mut().model_with(self.text(), edits)?;
-            if model.is_some() {
-                return Ok(model);
-            }
+        if let Ok(tree) = self.tree()
+            && let Some(model) = tree.model_after(edits)?
+        {
+            return Ok(Some(model));
         }
         let document = self.document_after(edits);
         match document.declarations().get(self.index) {
@@ -114,12 +110,15 @@ impl Scene {
         }
     }
 
-    fn tree(&self) -> Result<Option<&RefCell<TextTree>>, Refusal> {
+    pub(super) fn tree(&self) -> Result<&TextTree, Refusal> {
         if self.tree.get().is_none() {
-            let tree = self.document.tree(&self.declaration)?.map(RefCell::new);
+            let tree = self.document.tree(&self.declaration)?;
             self.tree.get_or_init(|| tree);
         }
-        Ok(self.tree.get().and_then(Option::as_ref))
+        let tree = self.tree.get().and_then(Option::as_ref);
+        tree.ok_or_else(|| {
+            Refusal::of("a quote or a bracket of the mechanism is without its partner")
+        })
     }
 
     pub(super) fn document_after(&self, edits: &[Replacement]) -> Document {

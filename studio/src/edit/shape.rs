@@ -1,10 +1,8 @@
 //! Shapes of links: their planes, colours and outlines.
 
-use super::declare::{check_expression, check_fragment, unwritten};
-use super::remove::owner;
+use super::declare::{check_expression, check_fragment, replaced};
 use super::{Change, Refusal, Scene};
-use crate::mend::Rewriter;
-use crate::text::Statement;
+use mech_compiler::syntax::{Rewriter, StatementText};
 
 /// What is fixed to a link and is no shape.
 const OTHERS: [&str; 4] = ["point", "line", "mass", "density"];
@@ -13,8 +11,8 @@ const OTHERS: [&str; 4] = ["point", "line", "mass", "density"];
 pub(super) fn remove(scene: &Scene, link: &str, number: usize) -> Result<Change, Refusal> {
     let mut rewriter = scene.rewriter()?;
     let shape = shape(&rewriter, link, number)?;
-    rewriter.draft.remove(&shape.range());
-    Ok(Change::of(rewriter))
+    rewriter.edits.remove(shape.range());
+    Change::of(scene, &rewriter)
 }
 
 /// Puts a shape on a plane.
@@ -54,19 +52,17 @@ fn say(
     scene: &Scene,
     (link, number): (&str, usize),
     (role, value): (&str, &str),
-    addition: impl Fn(&Statement<'_>) -> (usize, String),
+    addition: impl Fn(&StatementText<'_>) -> (usize, String),
 ) -> Result<Change, Refusal> {
     let mut rewriter = scene.rewriter()?;
     let shape = shape(&rewriter, link, number)?;
     let role = format!("shape {number} {role}");
     if let Some(known) = scene.listing.number(link, &role) {
-        rewriter.draft.replace(known.place.clone(), value);
-        return Ok(Change::of(rewriter));
+        return Ok(replaced(known, value).into());
     }
     let (word, text) = addition(&shape);
-    let at = shape.place(word).ok_or_else(unwritten)?.start;
-    rewriter.draft.insert(at, text);
-    Ok(Change::of(rewriter))
+    rewriter.edits.insert_before(shape.token(word), text);
+    Change::of(scene, &rewriter)
 }
 
 /// Gives a shape another outline.
@@ -79,28 +75,24 @@ pub(super) fn reshape(
     check_fragment(outline)?;
     let mut rewriter = scene.rewriter()?;
     let shape = shape(&rewriter, link, number)?;
-    let end = ["on", "color"]
-        .iter()
-        .filter_map(|word| shape.find(word))
-        .min();
-    let first = shape.place(0).ok_or_else(unwritten)?.start;
-    let (end, space) = match end {
-        Some(end) => (shape.place(end), " "),
-        None => (shape.place(shape.len() - 1), ""),
-    };
-    let end = end.ok_or_else(unwritten)?.start;
-    rewriter
-        .draft
-        .replace(first..end, format!("{}{space}", outline.trim()));
-    Ok(Change::of(rewriter))
+    let clauses = ["on", "color"].iter().filter_map(|word| shape.find(word));
+    let end = clauses.min().unwrap_or(shape.len() - 1);
+    let known = shape.token(0)..shape.token(end);
+    rewriter.edits.replace(known, outline.trim());
+    Change::of(scene, &rewriter)
 }
 
 /// A shape of a link by its number, from 1.
-fn shape<'t>(rewriter: &Rewriter<'t>, link: &str, number: usize) -> Result<Statement<'t>, Refusal> {
-    let link_statement = owner(&rewriter.statements, link)
+fn shape<'t>(
+    rewriter: &Rewriter<'t>,
+    link: &str,
+    number: usize,
+) -> Result<StatementText<'t>, Refusal> {
+    let link_statement = rewriter
+        .owner(link)
         .ok_or_else(|| Refusal::of(format!("there is no link `{link}` in this text")))?;
     let items = link_statement.clauses();
-    let shapes: Vec<&Statement<'t>> = items
+    let shapes: Vec<&StatementText<'t>> = items
         .iter()
         .filter(|one| !OTHERS.contains(&one.word(0)))
         .collect();

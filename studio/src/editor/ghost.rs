@@ -15,7 +15,7 @@ pub(crate) struct Ghost {
 }
 
 impl Ghost {
-    /// What a repair would make of the mechanism with this number in a file; none if it has no text.
+    /// What a repair would make of the mechanism with this number in a file; none if nothing can be drawn of it.
     pub(crate) fn of(
         number: usize,
         mending: &Mending,
@@ -23,8 +23,7 @@ impl Ghost {
         index: usize,
         before: Option<&Drawing>,
     ) -> Option<Self> {
-        let text = mending.text.as_deref()?;
-        let snapshot = Snapshot::of(Document::of(Source::new(path, text)), index);
+        let snapshot = Snapshot::of(Document::of(Source::new(path, &*mending.text)), index);
         let drawing = snapshot.drawing(before, false)?;
         Some(Self { number, drawing })
     }

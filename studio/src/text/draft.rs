@@ -14,20 +14,20 @@ pub struct Replacement {
 
 /// A text that is being changed: stretches of it are replaced. Everything else stays, byte for byte.
 #[derive(Clone, Debug)]
-pub(crate) struct Draft<'t> {
+pub(super) struct Draft<'t> {
     text: &'t str,
     /// In any order, and none within another.
     changes: Vec<Replacement>,
 }
 
 impl<'t> Draft<'t> {
-    pub(crate) fn new(text: &'t str) -> Self {
+    pub(super) fn new(text: &'t str) -> Self {
         let changes = Vec::new();
         Self { text, changes }
     }
 
     /// Replaces a stretch. What overlaps with one that was replaced already stays as that has it.
-    pub(crate) fn replace(&mut self, range: Range<usize>, by: impl Into<String>) {
+    pub(super) fn replace(&mut self, range: Range<usize>, by: impl Into<String>) {
         if !self.is_changed(&range) {
             let text = by.into();
             self.changes.push(Replacement { range, text });
@@ -35,7 +35,7 @@ impl<'t> Draft<'t> {
     }
 
     /// Whether a part of a stretch was replaced or taken out.
-    pub(crate) fn is_changed(&self, range: &Range<usize>) -> bool {
+    fn is_changed(&self, range: &Range<usize>) -> bool {
         let mut changes = self.changes.iter();
         changes.any(|known| overlap(&known.range, range))
     }
@@ -71,7 +71,7 @@ impl<'t> Draft<'t> {
     }
 
     /// Adds a text at a place.
-    pub(crate) fn insert(&mut self, at: usize, text: impl Into<String>) {
+    pub(super) fn insert(&mut self, at: usize, text: impl Into<String>) {
         let text = text.into();
         self.changes.push(Replacement {
             range: at..at,
@@ -80,7 +80,7 @@ impl<'t> Draft<'t> {
     }
 
     /// Adds a statement after another, in a line of its own where that has one.
-    pub(crate) fn insert_after(&mut self, sibling: &Range<usize>, statement: &str) {
+    pub(super) fn insert_after(&mut self, sibling: &Range<usize>, statement: &str) {
         let line = self.line_of(sibling.start);
         let before = &self.text[line.start..sibling.start];
         let end = self.line_of(sibling.end).end;
@@ -93,7 +93,7 @@ impl<'t> Draft<'t> {
     }
 
     /// Takes a statement out, with its lines where it fills them, and with the comment that is its own.
-    pub(crate) fn remove(&mut self, statement: &Range<usize>) {
+    pub(super) fn remove(&mut self, statement: &Range<usize>) {
         let first = self.line_of(statement.start);
         let last = self.line_of(statement.end);
         let before = &self.text[first.start..statement.start];
@@ -115,14 +115,8 @@ impl<'t> Draft<'t> {
         self.take_out(range);
     }
 
-    /// The changed text.
-    pub(crate) fn finish(self) -> String {
-        let text = self.text;
-        written(text, &self.edits())
-    }
-
     /// The changes, in the order of their places.
-    pub(crate) fn edits(mut self) -> Vec<Replacement> {
+    pub(super) fn edits(mut self) -> Vec<Replacement> {
         // Stable: what is inserted at one place stays in order.
         self.changes
             .sort_by_key(|edit| (edit.range.start, edit.range.end));
@@ -176,12 +170,12 @@ fn overlap(a: &Range<usize>, b: &Range<usize>) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::Draft;
+    use super::{Draft, written};
 
     fn changed(text: &str, change: impl FnOnce(&mut Draft<'_>)) -> String {
         let mut draft = Draft::new(text);
         change(&mut draft);
-        draft.finish()
+        written(text, &draft.edits())
     }
 
     fn without(text: &str, what: &str) -> String {

@@ -1,15 +1,16 @@
-//! Texts as they stand: words, statements, and changes of them.
+//! Texts as they stand: their words, and changes of them.
 
 mod draft;
 mod lexer;
 mod number;
+mod places;
 mod quoted;
-mod statement;
 
+use draft::Draft;
 pub use draft::Replacement;
-pub(crate) use draft::{Draft, written};
+pub(crate) use draft::written;
 pub(crate) use lexer::{Kind, Lexeme, Lexer, is_of_word};
 pub(crate) use number::rounded;
 pub(crate) use number::{shortest, written_like};
+pub(crate) use places::{Lexed, TokenPlaces};
 pub(crate) use quoted::quoted;
-pub(crate) use statement::{Statement, statements};

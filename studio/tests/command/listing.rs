@@ -1,10 +1,10 @@
 //! The places of names and numbers.
 
 use crate::run::{refused, repository};
-use mech_compiler::syntax::{self, SyntaxTree};
+use mech_compiler::syntax::{self, Edits};
 use mech_studio::{Document, Listing, Source};
 use proc_macro2::{TokenStream, TokenTree};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fs;
 use std::ops::Range;
 use std::path::PathBuf;
@@ -185,34 +185,29 @@ fn a_statement_that_is_read_alone_means_the_same() {
             let parsed = syntax::parse(tokens.clone());
             let is_right = parsed.errors.is_empty() && parsed.header.is_some();
             let model = is_right.then_some(parsed.model);
-            let mut tree = SyntaxTree::read(tokens);
-            let starts = tree.beginnings();
-            let starts: Vec<(usize, usize)> = starts
-                .map(|(number, place)| (number, place.start.byte_range().start))
+            let source = syntax::Source::read(tokens);
+            let places: Vec<Range<usize>> = source
+                .tokens()
+                .places()
+                .map(|place| place.start.byte_range())
                 .collect();
-            let ends = starts.iter().skip(1).map(|(_, start)| *start);
-            for ((number, start), end) in starts.iter().zip(ends.chain([body.end])) {
-                let statement = || masked[*start..end].parse::<TokenStream>().expect("tokens");
-                let with =
-                    |tree: &mut SyntaxTree, by| tree.model_with(BTreeMap::from([(*number, by)]));
-                let again = with(&mut tree, statement());
+            for statement in source.tokens().statements().iter().skip(1) {
+                let range = statement.range();
+                let text = &masked[places[range.start].start..places[range.end - 1].end];
+                let with = |by: String| {
+                    let mut edits = Edits::default();
+                    edits.replace(range.clone(), by);
+                    source.model_with(&edits)
+                };
                 // A statement that is wrong is not one: then the whole text has to be read.
-                assert!(
-                    again == model,
-                    "{}: {}",
-                    path.display(),
-                    &masked[*start..end]
-                );
+                let again = with(text.to_owned());
+                assert!(again == model, "{}: {text}", path.display());
                 // Two statements are not one.
-                let two = [statement(), statement()].into_iter().collect();
-                assert!(with(&mut tree, two).is_none());
+                assert!(with([text, text].concat()).is_none());
                 total += usize::from(model.is_some());
             }
-            assert!(
-                tree.model_with(BTreeMap::new()) == model,
-                "{}",
-                path.display()
-            );
+            let unchanged = source.model_with(&Edits::default());
+            assert!(unchanged == model, "{}", path.display());
         }
     }
     assert!(total > 500, "{total} statements");

@@ -287,7 +287,7 @@ fn examine(before: &Document, command: &Command, applied: &Applied) {
             let declaration = &before.declarations()[0];
             let reading = before.analyse(declaration).expect("the compiler works");
             let all = mendings(before, declaration, &reading).expect("the compiler works");
-            assert_eq!(all[number - 1].text.as_deref(), Some(new), "{said}");
+            assert_eq!(all[number - 1].text, new, "{said}");
         }
         Command::Link { name } => {
             let model = &applied.reading.model;

@@ -38,7 +38,7 @@ pub use shuffled::{
     driven_elsewhere, driven_on_the_ground, on_any_ground, reordered, shuffle, shuffled,
 };
 pub use simulated::Simulated;
-pub use source::{bodies, mechanism_of, mechanisms, model, models};
+pub use source::{bodies, mechanism_of, mechanisms, model, models, parsed};
 pub use text::text;
 pub use varied::{direction, place, scale, vary, with_params};
 

@@ -1,7 +1,7 @@
 //! The mechanisms in a source file, read by the compiler itself.
 
 use mech_compiler::model::Model;
-use mech_compiler::syntax::parse;
+use mech_compiler::syntax::{Parsed, parse};
 use mech_compiler::{Compiled, compile, reporter};
 use mech_runtime::Mechanism;
 use proc_macro2::{TokenStream, TokenTree};
@@ -33,7 +33,8 @@ pub fn mechanism_of<M: Mechanism>(source: &str) -> (Model, Compiled) {
 /// If the file is not Rust, or there is an error in the text of a mechanism.
 #[must_use]
 pub fn models(source: &str) -> Vec<Model> {
-    bodies(source).into_iter().map(read).collect()
+    let bodies = bodies(source).into_iter();
+    bodies.map(|body| read(body).model).collect()
 }
 
 /// The text of every `mechanism!` of a source file, in order.
@@ -70,18 +71,27 @@ fn collect(tokens: TokenStream, found: &mut Vec<TokenStream>) {
 /// If there is an error in the text itself.
 #[must_use]
 pub fn model(text: &str) -> Model {
+    parsed(text).model
+}
+
+/// The same with its text.
+///
+/// # Panics
+/// If there is an error in the text itself.
+#[must_use]
+pub fn parsed(text: &str) -> Parsed {
     read(text.parse().expect("tokens"))
 }
 
-fn read(text: TokenStream) -> Model {
+fn read(text: TokenStream) -> Parsed {
     let parsed = parse(text);
     let errors: Vec<_> = parsed.errors.iter().map(|error| &error.text).collect();
     assert!(errors.is_empty(), "{errors:?} in {:?}", parsed.model.name);
-    parsed.model
+    parsed
 }
 
 fn compiled(text: TokenStream) -> (Model, Compiled) {
-    let model = read(text);
+    let model = read(text).model;
     let compiled = compile(&model).unwrap_or_else(|wrong| {
         let messages: Vec<String> = wrong
             .iter()

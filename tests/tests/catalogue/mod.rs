@@ -3,9 +3,9 @@
 //! about it, and lines that are taken out and put in. Renew with
 //! `UPDATE_CATALOGUE=1 cargo test -p mech-tests --test compiler catalogue`, and read it.
 
-use mech_compiler::model::Model;
-use mech_compiler::syntax::{Places, parse};
+use mech_compiler::syntax::Parsed;
 use mech_compiler::{compile, repair, reporter};
+use mech_test_support::{model, parsed};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::{env, fs};
@@ -89,7 +89,7 @@ fn every_remedy_mends_its_example() {
     for entry in entries() {
         let ([from, to], name) = (&entry.edit, &entry.variant);
         assert_eq!(entry.example.matches(from).count(), 1, "{name}: {from}");
-        let (model, _) = read(&entry.example.replace(from, to));
+        let model = model(&entry.example.replace(from, to));
         if let Err(diagnoses) = compile(&model) {
             panic!("{name} is not mended: {diagnoses:?}");
         }
@@ -131,12 +131,17 @@ fn edit([from, to]: &[String; 2]) -> String {
 
 /// All that the compiler says, as it shows it.
 fn messages(entry: &Entry) -> String {
-    let (model, places) = read(&entry.example);
+    let Parsed {
+        model,
+        places,
+        source,
+        ..
+    } = parsed(&entry.example);
     let diagnoses = compile(&model).expect_err(&entry.variant);
     let first = format!("{:?}", diagnoses[0]);
     let name = first.split([' ', '{', '(']).next();
     assert_eq!(name, Some(&entry.variant[..]), "{diagnoses:?}");
-    let offers = repair::offers(&model, &diagnoses);
+    let offers = repair::offers(&model, &source, &diagnoses);
     let messages = reporter::messages(&diagnoses, &offers, &model, &places);
     let shown = |text: &str| {
         let text = format!("error: {text}").replace('\n', "\n       ");
@@ -148,13 +153,6 @@ fn messages(entry: &Entry) -> String {
         .map(|message| shown(&message.text))
         .collect();
     shown.join("\n\n")
-}
-
-fn read(text: &str) -> (Model, Places) {
-    let parsed = parse(text.parse().expect("tokens"));
-    let errors: Vec<&str> = parsed.errors.iter().map(|error| &error.text[..]).collect();
-    assert!(errors.is_empty(), "{errors:?} in {text}");
-    (parsed.model, parsed.places)
 }
 
 /// The variants of `Diagnosis` with their documentation, as its source has them.

@@ -1,22 +1,11 @@
 //! What messages advise, and doing it.
 
-use mech_compiler::syntax::parse;
-use mech_compiler::{compile, repair, reporter};
-
-/// What the compiler says of a text, from the text itself to the mechanism.
+/// What the compiler says of a text, as the macro does.
 pub(crate) fn messages(text: &str) -> Vec<String> {
-    let parsed = parse(text.parse().expect("tokens"));
-    let mut all: Vec<String> = parsed
-        .errors
-        .iter()
-        .map(|error| error.text.clone())
-        .collect();
-    if let Err(diagnoses) = compile(&parsed.model) {
-        let offers = repair::offers(&parsed.model, &diagnoses);
-        let reported = reporter::messages(&diagnoses, &offers, &parsed.model, &parsed.places);
-        all.extend(reported.into_iter().map(|message| message.text));
-    }
-    all
+    let analysis = mech_compiler::analyse(text.parse().expect("tokens"));
+    let faults = analysis.result.err().into_iter();
+    let messages = faults.flat_map(|faults| faults.messages);
+    messages.map(|message| message.text).collect()
 }
 
 /// The lines of help, without the words that join them.

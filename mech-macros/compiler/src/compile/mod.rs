@@ -15,7 +15,7 @@ use crate::bug::bug;
 use crate::compiled::{Compiled, ForcePrograms};
 use crate::cost::{self, Cost};
 use crate::evaluate::{self, Machine, Stop};
-use crate::model::{JointId, JointKind, Model, MotorId, Number, ScaleTrouble};
+use crate::model::{JointId, JointKind, Model, Motor, MotorId, Number, ScaleTrouble};
 use crate::motion::accuracy::{self, Prediction};
 use crate::motion::near_miss::near_misses;
 use crate::motion::proof;
@@ -312,7 +312,12 @@ fn missing_motor(model: &Model) -> Option<Diagnosis> {
             JointKind::Revolute(..) | JointKind::Prismatic(..)
         ) && !joint.hidden
     };
-    let driven = |joint| model.with_edit(|edit| edit.add_motor(joint));
+    let driven = |joint| {
+        let mut driven = model.clone();
+        let motor = Motor::new(joint, model.joint(joint).origin);
+        driven.motors.push(motor);
+        driven
+    };
     let moves = |joint: JointId| {
         let found = overconstrained::assemble(&driven(joint))?;
         Some((joint, found.waits.is_some()))

@@ -46,16 +46,7 @@ impl DrawnAxis {
 }
 
 impl Model {
-    /// The axis that the drawing puts on a link. Joints on one spot share it.
-    pub(crate) fn drawn_axis(&mut self, link: LinkId, drawn: DrawnAxis, origin: Origin) -> AxisId {
-        let same = |axis: &Axis| axis.link == link && drawn.is(axis);
-        match self.axes.iter().position(same) {
-            Some(index) => AxisId::new(index),
-            None => self.add_drawn_axis(link, drawn, origin),
-        }
-    }
-
-    /// The same for a link of which it is known that it has no such axis.
+    /// Puts an axis of the drawing on a link that has no such axis yet.
     pub(crate) fn add_drawn_axis(
         &mut self,
         link: LinkId,

@@ -4,9 +4,7 @@
 //! maps back to where it was declared.
 
 mod action;
-mod declaration;
 mod drawing;
-mod edit;
 mod effects;
 mod figure;
 mod formula;
@@ -28,9 +26,7 @@ mod start;
 mod trace;
 
 pub use action::{Actions, Between, Damper, Load, LoadKind, Spring};
-pub use declaration::{Ends, NewJoint, NewKind};
 pub(crate) use drawing::{DrawnAxis, FORWARD};
-pub use edit::Edit;
 pub use effects::Effects;
 pub use figure::Figure;
 pub use formula::{Arithmetic, Formula, FormulaArithmetic, Formulas, Now};

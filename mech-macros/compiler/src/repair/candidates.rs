@@ -1,8 +1,8 @@
 //! What could be changed.
 
 use super::sketch::Sketch;
-use super::{Repair, completions, drivable, sizes};
-use crate::model::{JointId, JointKind, LinkId, Model, MotorId, NewKind};
+use super::{NewKind, Repair, completions, drivable, sizes};
+use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
 use crate::structure::{self, Diagnosis, MeshTrouble};
 
 /// All single changes that might cure this, the likely ones first.

@@ -1,10 +1,12 @@
 //! What could be added: joints and links that a drawing suggests, and joints of other kinds.
 
 use super::Repair;
-use super::declaration::{Declaration, NewNames, Purpose, drawn_joint, turns_freely};
+use super::declaration::{
+    Declaration, Ends, NewJoint, NewKind, NewNames, Purpose, drawn_joint, turns_freely,
+};
 use super::sketch::{DrawnPin, LooseEnd, Sketch, distance, is_in_scene, unjoined_points};
 use crate::digits::round_to;
-use crate::model::{AxisId, Ends, JointId, JointKind, LinkId, Model, NewJoint, NewKind};
+use crate::model::{AxisId, JointId, JointKind, LinkId, Model};
 
 /// Ends that are no farther apart than this part of the size may be meant to be one.
 const NEAR: f64 = 0.15;

@@ -3,7 +3,8 @@
 use super::is_in_cam;
 use super::sketch::is_drawn;
 use crate::api::is_reserved;
-use crate::model::{Edit, JointId, JointKind, LinkId, Model, NewJoint};
+use crate::bug::bug;
+use crate::model::{AxisId, JointId, JointKind, LinkId, Model};
 
 /// Links and joints that are to be declared, some in place of others.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,6 +47,55 @@ pub enum Purpose {
     Fix,
 }
 
+/// A joint as it is to be written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NewJoint {
+    /// Its name.
+    pub name: String,
+    /// What it allows.
+    pub kind: NewKind,
+    /// What it joins.
+    pub ends: Ends,
+}
+
+/// What a joint allows that is to be declared. Directions are of length one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum NewKind {
+    /// To turn.
+    Revolute,
+    /// Nothing.
+    Weld,
+    /// To slide in this direction of the scene.
+    Prismatic([f64; 2]),
+    /// To turn, and to slide in this direction of the scene: the first end has the pin.
+    Slot([f64; 2]),
+}
+
+/// What a joint joins that is to be declared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Ends {
+    /// Two links, at a place in the scene, as the drawing has them.
+    Drawn {
+        /// The links.
+        links: [LinkId; 2],
+        /// The place.
+        at: [f64; 2],
+    },
+    /// Two points that links have in frames of their own: for a revolute joint.
+    Points([AxisId; 2]),
+}
+
+impl Ends {
+    /// The two links.
+    #[must_use]
+    pub fn links(&self, model: &Model) -> [LinkId; 2] {
+        match *self {
+            Self::Drawn { links, .. } => links,
+            Self::Points(points) => points.map(|point| model.axis(point).link),
+        }
+    }
+}
+
 impl Declaration {
     /// One joint besides all others.
     pub(super) fn joint(purpose: Purpose, joint: NewJoint) -> Self {
@@ -65,23 +115,56 @@ impl Declaration {
         }
     }
 
-    /// Makes the change; returns whether it can be made.
-    pub(super) fn make(&self, model: &Model, edit: &mut Edit) -> bool {
-        for &joint in &self.replaced {
-            edit.remove_joint(joint);
-        }
-        if let Some(link) = &self.link {
-            edit.add_link(link);
-        }
-        for joint in &self.joints {
-            edit.declare(joint);
-        }
+    /// Whether the joints that it stands for can give way: they lie between axes, and neither a motor nor a cam needs them.
+    pub(super) fn can_replace(&self, model: &Model) -> bool {
         let gives_way = |joint: &JointId| {
             let declared = model.joint(*joint);
             let between_axes = declared.kind.axes().is_some() && !declared.hidden;
             between_axes && model.motor_of(*joint).is_none() && !is_in_cam(model, *joint)
         };
         self.replaced.iter().all(gives_way)
+    }
+
+    /// The statements that are added, as they are written: the link, then the joints.
+    pub(crate) fn statements(&self, model: &Model) -> Vec<String> {
+        let link = self.link.iter().map(|name| format!("link {name};"));
+        let joints = self.joints.iter();
+        let joints = joints.map(|joint| self.joint_text(joint, model));
+        link.chain(joints).collect()
+    }
+
+    /// One of its joints as it is written, with its semicolon.
+    pub(super) fn joint_text(&self, joint: &NewJoint, model: &Model) -> String {
+        let link = |id: LinkId| match (model.links.get(id.index()), &self.link) {
+            (Some(link), _) => &link.name,
+            (None, Some(new)) => new,
+            (None, None) => bug!("a joint joins a link that is not declared"),
+        };
+        let (word, along) = match joint.kind {
+            NewKind::Revolute => ("revolute", None),
+            NewKind::Weld => ("weld", None),
+            NewKind::Prismatic(along) => ("prismatic", Some(along)),
+            NewKind::Slot(along) => ("slot", Some(along)),
+        };
+        let name = &joint.name;
+        match joint.ends {
+            Ends::Drawn { links, at: [x, y] } => {
+                let [a, b] = links.map(link);
+                let along = along.map(|along| {
+                    let [x, y] = in_small_numbers(along);
+                    format!(" along ({x}, {y})")
+                });
+                let along = along.unwrap_or_default();
+                format!("joint {name} = {word}({a}, {b}) at ({x}, {y}){along};")
+            }
+            Ends::Points(points) => {
+                let [a, b] = points.map(|id| {
+                    let axis = model.axis(id);
+                    format!("{}.{}", link(axis.link), axis.own_name())
+                });
+                format!("joint {name} = {word}({a}, {b});")
+            }
+        }
     }
 
     /// The names of the joints that it stands for and that have no heir of that name.
@@ -151,4 +234,18 @@ pub(super) fn turns_freely(model: &Model, joint: JointId) -> bool {
     let declared = model.joint(joint);
     let turns = matches!(declared.kind, JointKind::Revolute(..)) && !declared.hidden;
     turns && model.motor_of(joint).is_none() && !is_in_cam(model, joint)
+}
+
+/// The same direction in whole numbers, if small ones give it.
+fn in_small_numbers(direction: [f64; 2]) -> [f64; 2] {
+    const LARGEST: u8 = 20;
+    const EXACT: f64 = 1e-12;
+    let most = direction[0].abs().max(direction[1].abs());
+    let scaled = |largest: u8| direction.map(|part| part / most * f64::from(largest));
+    let is_whole = |numbers: &[f64; 2]| {
+        let off = |number: &f64| (number - number.round()).abs();
+        numbers.iter().all(|number| off(number) < EXACT)
+    };
+    let found = (1..=LARGEST).map(scaled).find(is_whole);
+    found.map_or(direction, |whole| whole.map(|part| part.round() + 0.0))
 }

@@ -1,4 +1,4 @@
-//! What would mend a mechanism: each change is made and the whole mechanism compiled again before it is offered.
+//! What would mend a mechanism: each repair is written as a change of the text, and the changed text compiled, before it is offered.
 
 mod candidates;
 mod completions;
@@ -9,15 +9,16 @@ mod sizes;
 mod sketch;
 mod translation;
 mod trial;
+mod writing;
 
-pub use declaration::{Declaration, Purpose};
+pub use declaration::{Declaration, Ends, NewJoint, NewKind, Purpose};
 pub use offers::{Offers, Search, offers};
+pub use writing::edits;
 
-use crate::model::{Edit, JointId, JointKind, LinkId, Model, MotorId, NewKind, Ratio, StartValue};
+use crate::model::{JointId, JointKind, LinkId, Model, MotorId, Ratio};
 
 /// A change that a user can make. The ids are those of the mechanism that is to be mended.
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum Repair {
     /// Declare joints and links.
     Declare(Declaration),
@@ -70,78 +71,6 @@ pub enum Repair {
     },
 }
 
-impl Repair {
-    /// The mechanism with this change; none if the change cannot be made to it.
-    #[must_use]
-    pub fn apply(&self, model: &Model) -> Option<Model> {
-        apply_all(std::slice::from_ref(self), model)
-    }
-
-    /// Makes the change; returns whether it can be made.
-    fn make(&self, model: &Model, edit: &mut Edit) -> bool {
-        match *self {
-            Self::Declare(ref declaration) => declaration.make(model, edit),
-            Self::RemoveJoint(joint) => {
-                edit.remove_joint(joint);
-                !model.joint(joint).hidden && !is_in_cam(model, joint)
-            }
-            Self::RemoveLink(link) => {
-                edit.remove_link(link);
-                link != LinkId::GROUND && model.link(link).die.is_none() && !carries(model, link)
-            }
-            Self::Replace { joint, by } => {
-                edit.replace(joint, by);
-                match by {
-                    NewKind::Revolute => matches!(model.joint(joint).kind, JointKind::Weld(..)),
-                    _ => declaration::turns_freely(model, joint),
-                }
-            }
-            Self::RemoveMotor(motor) => {
-                edit.remove_motor(motor);
-                true
-            }
-            Self::MoveMotor { motor, to } => {
-                edit.move_motor(motor, to);
-                drivable(model, to)
-            }
-            Self::AddMotors(ref joints) => {
-                for &joint in joints {
-                    edit.add_motor(joint);
-                }
-                !joints.is_empty() && joints.iter().all(|&joint| drivable(model, joint))
-            }
-            Self::AllowRedundant => {
-                let allow = &mut edit.settings().allow;
-                !std::mem::replace(&mut allow.redundant, true)
-            }
-            Self::AllowCoupled => {
-                let allow = &mut edit.settings().allow;
-                !std::mem::replace(&mut allow.coupled, true)
-            }
-            Self::StartAt { motor, value } => {
-                start_at(edit.settings(), motor, value);
-                true
-            }
-            Self::Carry { joint, on } => {
-                edit.carry(joint, on);
-                model.joint(joint).kind.rolls()
-            }
-            Self::Resize { joint, sizes } => {
-                edit.resize(joint, sizes);
-                matches!(model.joint(joint).kind, JointKind::Gear { .. })
-            }
-        }
-    }
-}
-
-/// The mechanism with all these changes; none if they cannot be made to it.
-#[must_use]
-pub fn apply_all(repairs: &[Repair], model: &Model) -> Option<Model> {
-    let mut edit = Edit::new(model);
-    let made = repairs.iter().all(|repair| repair.make(model, &mut edit));
-    made.then(|| edit.finish())
-}
-
 /// Whether a motor could sit on this joint, and none does.
 fn drivable(model: &Model, joint: JointId) -> bool {
     let moves = matches!(
@@ -151,35 +80,8 @@ fn drivable(model: &Model, joint: JointId) -> bool {
     moves && !model.joint(joint).hidden && model.motor_of(joint).is_none()
 }
 
-/// Whether a gear, belt or rack names this link as its carrier, or a cam has it for one.
-fn carries(model: &Model, link: LinkId) -> bool {
-    model.joints.iter().any(|joint| match joint.kind {
-        JointKind::Gear { on, .. } | JointKind::Belt { on, .. } | JointKind::Rack { on, .. } => {
-            on == Some(link)
-        }
-        JointKind::Cam {
-            shaft, follower, ..
-        } => model.carrier_of_cam(shaft, follower) == Some(link),
-        _ => false,
-    })
-}
-
 /// Whether a cam names this joint.
 fn is_in_cam(model: &Model, joint: JointId) -> bool {
     let mut cams = model.cams();
     cams.any(|(_, shaft, follower, _)| shaft == joint || follower == joint)
-}
-
-fn start_at(model: &mut Model, motor: MotorId, value: f64) {
-    let motor = *model.motor(motor);
-    for link in &mut model.links {
-        link.drawn = false;
-    }
-    let values = &mut model.start.values;
-    values.retain(|value| value.joint != motor.joint);
-    values.push(StartValue {
-        joint: motor.joint,
-        value,
-        origin: motor.origin,
-    });
 }

@@ -7,6 +7,7 @@ use super::trial::{Trial, Trials};
 use super::{Declaration, Purpose, Repair};
 use crate::model::Model;
 use crate::structure::{Diagnosis, MeshTrouble};
+use crate::syntax::Source;
 
 /// What would mend a mechanism, as far as it was searched for. Everything in it was applied, and compiled.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -40,10 +41,10 @@ pub enum Search {
 /// The most pairs that are found.
 const PAIRS: usize = 6;
 
-/// What would mend a mechanism, for each of the things that are wrong with it.
+/// What would mend the mechanism of a text, for each of the things that are wrong with it.
 #[must_use]
-pub fn offers(model: &Model, diagnoses: &[Diagnosis]) -> Vec<Offers> {
-    let mut trials = Trials::new(model);
+pub fn offers(model: &Model, source: &Source, diagnoses: &[Diagnosis]) -> Vec<Offers> {
+    let mut trials = Trials::new(model, source);
     (0..diagnoses.len())
         .map(|index| for_one(&mut trials, diagnoses, index))
         .collect()
@@ -227,7 +228,6 @@ fn is_better(found: &[Diagnosis], all: &[Diagnosis], index: usize) -> bool {
 /// Searches for two changes that are enough together: after the first, whatever would mend what is then wrong.
 fn pairs(trials: &mut Trials<'_>, tried: &[Repair], ranking: &Ranking<'_>, offers: &mut Offers) {
     offers.search = Search::Pairs;
-    let model = trials.model;
     let tried = tried.iter().filter(|repair| is_half(repair));
     let mut halves: Vec<(usize, &Repair, Vec<Diagnosis>)> = tried
         .filter_map(|repair| {
@@ -244,7 +244,7 @@ fn pairs(trials: &mut Trials<'_>, tried: &[Repair], ranking: &Ranking<'_>, offer
         if trials.exhausted || offers.pairs.len() >= PAIRS {
             break;
         }
-        for second in seconds(model, first, found) {
+        for second in seconds(trials, first, found) {
             attempt(trials, offers, [(*first).clone(), second]);
         }
     }
@@ -289,12 +289,14 @@ fn freedom(diagnoses: &[Diagnosis]) -> Option<usize> {
 }
 
 /// What might mend what is still wrong after a first change.
-fn seconds(model: &Model, first: &Repair, found: &[Diagnosis]) -> Vec<Repair> {
+fn seconds(trials: &mut Trials<'_>, first: &Repair, found: &[Diagnosis]) -> Vec<Repair> {
     /// Of the joints on which a motor would do, so many are enough.
     const MOTORS: usize = 3;
-    let (Some(changed), Some(rest)) = (first.apply(model), found.first()) else {
+    let changed = trials.model_with(std::slice::from_ref(first));
+    let (Some(changed), Some(rest)) = (changed, found.first()) else {
         return Vec::new();
     };
+    let model = trials.model;
     let mut seconds: Vec<Repair> = Vec::new();
     for second in candidates(&changed, found, rest) {
         let fits = is_half(&second) || matches!(second, Repair::AddMotors(_));

@@ -1,7 +1,7 @@
 //! The order in which changes are offered.
 
-use super::{Declaration, Purpose, Repair};
-use crate::model::{JointId, LinkId, Model, NewKind};
+use super::{Declaration, NewKind, Purpose, Repair};
+use crate::model::{JointId, LinkId, Model};
 use crate::structure::{self, Diagnosis, Pin};
 
 /// Ranks the changes that mend the same: the least comes first.

@@ -1,7 +1,7 @@
 //! Changes to a changed mechanism.
 
-use super::{Declaration, Repair};
-use crate::model::{AxisId, Ends, JointId, LinkId, Model, NewJoint};
+use super::{Declaration, Ends, NewJoint, Repair};
+use crate::model::{AxisId, JointId, LinkId, Model};
 
 /// A change to a changed mechanism, as one to the original: what has the same name is the same.
 pub(super) fn translate(repair: &Repair, changed: &Model, original: &Model) -> Option<Repair> {

@@ -1,9 +1,10 @@
 //! Changes that are tried out.
 
-use super::{Repair, apply_all};
+use super::{Repair, edits};
 use crate::compile::check;
-use crate::model::Model;
+use crate::model::{Model, MotorId, StartValue};
 use crate::structure::{self, Diagnosis};
+use crate::syntax::Source;
 
 /// What becomes of a mechanism that was changed to see whether that would mend it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,6 +26,7 @@ pub(super) enum Trial {
 /// The work is counted and not timed, so that a build says the same on every machine.
 pub(super) struct Trials<'m> {
     pub(super) model: &'m Model,
+    source: &'m Source,
     left: usize,
     /// Links and joints.
     size: usize,
@@ -47,9 +49,10 @@ const LARGE: usize = 500;
 const COUPLED: usize = 50_000;
 
 impl<'m> Trials<'m> {
-    pub(super) fn new(model: &'m Model) -> Self {
+    pub(super) fn new(model: &'m Model, source: &'m Source) -> Self {
         Self {
             model,
+            source,
             left: WORK,
             size: model.joints.len() + model.links.len(),
             known: Vec::new(),
@@ -65,7 +68,8 @@ impl<'m> Trials<'m> {
         if !self.has_work() {
             return Trial::Untried;
         }
-        let trial = apply_all(repairs, self.model).map_or(Trial::Untried, |model| self.run(&model));
+        let changed = self.model_with(repairs);
+        let trial = changed.map_or(Trial::Untried, |model| self.run(&model));
         self.known.push((repairs.to_vec(), trial));
         trial
     }
@@ -77,10 +81,21 @@ impl<'m> Trials<'m> {
         }
         self.spend(EXPLAINING);
         // A change that cannot be made breaks nothing.
-        let changed = repair.apply(self.model);
+        let changed = self.model_with(std::slice::from_ref(repair));
         changed
             .and_then(|model| structure::analyse(&model).err())
             .unwrap_or_default()
+    }
+
+    /// The mechanism with these changes; none if they cannot be made to its text.
+    pub(super) fn model_with(&mut self, repairs: &[Repair]) -> Option<Model> {
+        if let [Repair::StartAt { motor, value }] = *repairs
+            && self.model.links.iter().any(|link| link.drawn)
+        {
+            return Some(redrawn(self.model, motor, value));
+        }
+        let edits = edits(repairs, self.model, self.source.tokens())?;
+        self.source.model_with(&edits)
     }
 
     fn has_work(&mut self) -> bool {
@@ -106,6 +121,23 @@ impl<'m> Trials<'m> {
         }
         outcome(check(model))
     }
+}
+
+/// A mechanism as it would be drawn with a motor at another value: the assembly is found from there. No change of the text says so.
+fn redrawn(model: &Model, motor: MotorId, value: f64) -> Model {
+    let mut model = model.clone();
+    for link in &mut model.links {
+        link.drawn = false;
+    }
+    let motor = *model.motor(motor);
+    let values = &mut model.start.values;
+    values.retain(|value| value.joint != motor.joint);
+    values.push(StartValue {
+        joint: motor.joint,
+        value,
+        origin: motor.origin,
+    });
+    model
 }
 
 fn outcome(compiled: Result<(), Vec<Diagnosis>>) -> Trial {

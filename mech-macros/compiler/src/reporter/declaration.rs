@@ -3,13 +3,13 @@
 use super::Words;
 use super::wording::{and, brief};
 use crate::bug::bug;
-use crate::model::{Ends, LinkId, NewJoint, NewKind};
+use crate::model::LinkId;
 use crate::repair::{Declaration, Purpose};
 
 impl Words<'_> {
     /// What a declaration is for, and its text.
     pub(super) fn declaration(&self, declared: &Declaration) -> String {
-        let text = self.statements(declared);
+        let text = declared.statements(self.model);
         let verb = if declared.replaced.is_empty() {
             "add"
         } else {
@@ -24,14 +24,6 @@ impl Words<'_> {
         };
         let purpose = self.purpose(declared);
         format!("{purpose}: {verb} `{}`{without}", text.join(" "))
-    }
-
-    /// The statements that are added, as they are written.
-    pub(super) fn statements(&self, declared: &Declaration) -> Vec<String> {
-        let new = declared.link.iter().map(|name| format!("link {name};"));
-        let joints = declared.joints.iter();
-        let joints = joints.map(|joint| self.new_joint(joint, declared.link.as_deref()));
-        new.chain(joints).collect()
     }
 
     fn purpose(&self, declared: &Declaration) -> String {
@@ -68,56 +60,4 @@ impl Words<'_> {
             Purpose::Fix => format!("make {moving} a part of the ground"),
         }
     }
-
-    /// A joint as it is written, with its semicolon.
-    fn new_joint(&self, joint: &NewJoint, new: Option<&str>) -> String {
-        let link = |id: LinkId| match self.model.links.get(id.index()) {
-            Some(link) => link.name.as_str(),
-            None => new.unwrap_or_else(|| bug!("a joint joins a link that is not declared")),
-        };
-        let (word, along) = match joint.kind {
-            NewKind::Revolute => ("revolute", None),
-            NewKind::Weld => ("weld", None),
-            NewKind::Prismatic(along) => ("prismatic", Some(along)),
-            NewKind::Slot(along) => ("slot", Some(along)),
-        };
-        let name = &joint.name;
-        match joint.ends {
-            Ends::Drawn { links: [a, b], at } => {
-                let along = along.map(|along| {
-                    let [x, y] = in_small_numbers(along);
-                    format!(" along ({x}, {y})")
-                });
-                format!(
-                    "joint {name} = {word}({}, {}) at ({}, {}){};",
-                    link(a),
-                    link(b),
-                    at[0],
-                    at[1],
-                    along.unwrap_or_default()
-                )
-            }
-            Ends::Points(points) => {
-                let [a, b] = points.map(|id| {
-                    let axis = self.model.axis(id);
-                    format!("{}.{}", link(axis.link), axis.own_name())
-                });
-                format!("joint {name} = {word}({a}, {b});")
-            }
-        }
-    }
-}
-
-/// The same direction in whole numbers, if small ones give it.
-fn in_small_numbers(direction: [f64; 2]) -> [f64; 2] {
-    const LARGEST: u8 = 20;
-    const EXACT: f64 = 1e-12;
-    let most = direction[0].abs().max(direction[1].abs());
-    let scaled = |largest: u8| direction.map(|part| part / most * f64::from(largest));
-    let is_whole = |numbers: &[f64; 2]| {
-        let off = |number: &f64| (number - number.round()).abs();
-        numbers.iter().all(|number| off(number) < EXACT)
-    };
-    let found = (1..=LARGEST).map(scaled).find(is_whole);
-    found.map_or(direction, |whole| whole.map(|part| part.round() + 0.0))
 }

@@ -17,9 +17,8 @@ mod repairs;
 mod start;
 mod wording;
 
-use crate::bug::bug;
 use crate::model::{JointId, LinkId, Model, MotorId, Origin};
-use crate::repair::{self, Declaration, Offers, Repair};
+use crate::repair::{Offers, Repair};
 use crate::structure::Diagnosis;
 use crate::syntax::{Message, Places};
 use instances::Reported;
@@ -51,14 +50,10 @@ pub fn messages(
     messages
 }
 
-/// A diagnosis in words, without its place: for the studio, and for tests.
+/// A diagnosis in words, without its place and without what would mend it.
 #[must_use]
 pub fn text(diagnosis: &Diagnosis, model: &Model) -> String {
-    let found = repair::offers(model, std::slice::from_ref(diagnosis));
-    let [offers] = &found[..] else {
-        bug!("one diagnosis has one list of offers");
-    };
-    let messages = Words { model }.of(diagnosis, offers);
+    let messages = Words { model }.of(diagnosis, &Offers::default());
     let texts: Vec<String> = messages.iter().map(|(_, text)| space_notes(text)).collect();
     texts.join("\n\n")
 }
@@ -67,12 +62,6 @@ pub fn text(diagnosis: &Diagnosis, model: &Model) -> String {
 #[must_use]
 pub fn repair_text(repairs: &[Repair], model: &Model) -> String {
     Words { model }.all_together(repairs)
-}
-
-/// The statements that a declaration adds, as they are written: its link, then its joints.
-#[must_use]
-pub fn statements(declaration: &Declaration, model: &Model) -> Vec<String> {
-    Words { model }.statements(declaration)
 }
 
 /// For each assembly among which a start has to choose, the clauses of `start` that choose it, and what is to be done in words; none for

@@ -3,8 +3,8 @@
 use super::Words;
 use super::wording::{brief, one_of};
 use crate::bug::bug;
-use crate::model::{JointId, JointKind, MotorId, NewKind};
-use crate::repair::{Offers, Repair, Search};
+use crate::model::{JointId, JointKind, MotorId};
+use crate::repair::{NewKind, Offers, Repair, Search};
 
 /// A line is not made longer than this by putting several phrases on it.
 const WIDTH: usize = 100;

@@ -9,15 +9,15 @@ mod lower;
 mod name;
 mod place;
 mod shape;
+mod source;
 mod spelling;
 #[cfg(test)]
 mod tests;
-mod tree;
 mod written;
 
 pub use listing::{ListedName, ListedNumber, Listing, Noun};
 pub use place::{Message, Place, Places};
-pub use tree::SyntaxTree;
+pub use source::{Edit, Edits, Rewriter, Source, StatementText, Tokens};
 
 use crate::model::Model;
 use proc_macro2::{Ident, TokenStream};
@@ -37,9 +37,12 @@ pub struct Parsed {
     pub places: Places,
     /// Everything that is wrong with the text, in the order of the text.
     pub errors: Vec<Message>,
+    /// The text itself.
+    pub source: Source,
 }
 
 /// The `struct` line.
+#[derive(Clone)]
 pub struct Header {
     /// Its attributes, documentation among them.
     pub attributes: Vec<syn::Attribute>,
@@ -52,15 +55,20 @@ pub struct Header {
 /// Reads the body of a `mechanism!`.
 #[must_use]
 pub fn parse(input: TokenStream) -> Parsed {
-    let mut text = grammar::read(input);
-    let lowered = lower::lower(&mut text);
+    let source = Source::read(input);
+    let lowered = source.lower();
+    let text = source.tree();
+    let (motors, has_laws) = (text.motors, text.has_laws);
+    let header = text.header.as_ref().map(|(header, _)| header.clone());
+    drop(text);
     Parsed {
-        motors: text.motors,
-        has_laws: text.has_laws,
-        header: text.header.map(|(header, _)| header),
+        motors,
+        has_laws,
+        header,
         model: lowered.model,
         places: lowered.places,
         errors: lowered.errors,
+        source,
     }
 }
 

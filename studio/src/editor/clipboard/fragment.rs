@@ -3,8 +3,9 @@
 use crate::document::Document;
 use crate::editor::index;
 use crate::failure::Failure;
-use crate::text::{Statement, shortest, statements};
+use crate::text::{Lexed, shortest};
 use mech_compiler::model::{AxisId, AxisKind, Between, LinkId, LoadKind, Model};
+use mech_compiler::syntax::StatementText;
 use std::collections::BTreeSet;
 
 /// The statements of some links, with what is between them: joints, motors and their starts, springs, dampers and loads. What is between them
@@ -17,29 +18,32 @@ pub(super) fn copied(
     let Some(declaration) = document.declarations().get(index) else {
         return Ok(None);
     };
-    let (Some(model), Some(body)) = (document.model(declaration)?, &declaration.body) else {
+    let (Some(model), Some(tree)) = (document.model(declaration)?, document.tree(declaration)?)
+    else {
         return Ok(None);
     };
     let text = document.source().text();
-    let all = statements(text, body);
+    let text_of = |one: &StatementText<'_>| &text[tree.bytes(&one.range())];
+    let rewriter = tree.rewriter();
+    let all = &rewriter.statements;
     let source = Copy {
-        text,
+        text_of: &text_of,
         model: &model,
         links,
     };
     let mut found: Vec<String> = all.iter().filter_map(|one| source.copy(one)).collect();
-    let has = |words: &[&str]| all_within(&found).any(|one| words.contains(&one.word(0)));
+    let has = |words: &[&str]| any_within(&found, |one| words.contains(&one.word(0)));
     if !has(&["link"]) {
         return Ok(None);
     }
     if has(&["spring", "damper", "load"]) && model.effects.needs_actions() {
         found.push("effects { force; }".to_owned());
     }
-    let grounds = all.iter().filter(|one| one.is("ground"));
-    let items: Vec<&str> = grounds
-        .flat_map(Statement::clauses)
+    let grounds = rewriter.clauses("ground");
+    let items = grounds.iter();
+    let items: Vec<&str> = items
         .filter(|item| is_mentioned(&found, &format!("ground.{}", item.word(1))))
-        .map(|item| &text[item.range()])
+        .map(text_of)
         .collect();
     if !items.is_empty() {
         found.insert(0, format!("ground {{ {} }}", items.join(" ")));
@@ -48,33 +52,33 @@ pub(super) fn copied(
     for statement in all.iter().rev() {
         let is_number = statement.is("const") || statement.is("param");
         if is_number && is_mentioned(&found, statement.word(1)) {
-            found.insert(0, text[statement.range()].to_owned());
+            found.insert(0, text_of(statement).to_owned());
         }
     }
     Ok(Some(found.join("\n")))
 }
 
-fn all_within(texts: &[String]) -> impl Iterator<Item = Statement<'_>> {
-    let texts = texts.iter();
-    texts.flat_map(|text| statements(text, &(0..text.len())))
+fn any_within(texts: &[String], is_it: impl Fn(&StatementText<'_>) -> bool) -> bool {
+    let mut texts = texts.iter().filter_map(|text| Lexed::read(text));
+    texts.any(|text| text.statements().iter().any(&is_it))
 }
 
 fn is_mentioned(texts: &[String], name: &str) -> bool {
-    all_within(texts).any(|one| one.mentions(name))
+    any_within(texts, |one| one.mentions(name))
 }
 
 /// What is copied from a text.
 struct Copy<'c> {
-    text: &'c str,
+    text_of: &'c dyn Fn(&StatementText<'_>) -> &'c str,
     model: &'c Model,
     links: &'c BTreeSet<String>,
 }
 
 impl Copy<'_> {
     /// A statement as it is copied, if it is.
-    fn copy(&self, statement: &Statement<'_>) -> Option<String> {
+    fn copy(&self, statement: &StatementText<'_>) -> Option<String> {
         let name = statement.word(1);
-        let whole = || self.text[statement.range()].to_owned();
+        let whole = || (self.text_of)(statement).to_owned();
         match statement.word(0) {
             "link" if self.links.contains(name) => Some(self.link(statement)),
             "joint" | "motor" => self.has_joint(name).then(whole),
@@ -85,7 +89,7 @@ impl Copy<'_> {
                     "near" => self.links.contains(clause.word(0)),
                     _ => self.has_joint(clause.word(0)),
                 });
-                let kept: Vec<&str> = kept.map(|clause| &self.text[clause.range()]).collect();
+                let kept: Vec<&str> = kept.map(|clause| (self.text_of)(clause)).collect();
                 (!kept.is_empty()).then(|| format!("start {{ {} }}", kept.join(" ")))
             }
             _ => None,
@@ -132,9 +136,9 @@ impl Copy<'_> {
     }
 
     /// A link with free ends where it was joined to what is not copied.
-    fn link(&self, statement: &Statement<'_>) -> String {
+    fn link(&self, statement: &StatementText<'_>) -> String {
         let name = statement.word(1);
-        let copy = self.text[statement.range()].to_owned();
+        let copy = (self.text_of)(statement).to_owned();
         let mut links = self.model.declared_links();
         let link = links.find(|link| self.model.link(*link).name == name);
         let ends = link.filter(|link| self.model.link(*link).drawn);

@@ -2,9 +2,9 @@
 
 use crate::document::{Document, Listing, NumberText, Source};
 use crate::editor::names::Names;
-use crate::mend::Rewriter;
-use crate::text::{Lexer, Replacement, Statement, shortest, statements, written};
+use crate::text::{Lexed, Replacement, shortest, written};
 use mech_compiler::model::{LinkId, Model};
+use mech_compiler::syntax::{Rewriter, StatementText};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What can be pasted: links, what is between them, and the numbers that they use.
@@ -20,7 +20,10 @@ const STEPS: u32 = 1000;
 
 /// Whether a text has statements alone that can be pasted, and a link among them.
 pub(super) fn can_be_pasted(text: &str) -> bool {
-    let all = statements(text, &(0..text.len()));
+    let Some(lexed) = Lexed::read(text) else {
+        return false;
+    };
+    let all = lexed.statements();
     all.iter().any(|one| one.is("link"))
         && all.iter().all(|one| match one.word(0) {
             "start" => true,
@@ -39,7 +42,7 @@ pub(super) fn pasted(
 ) -> Result<(String, Vec<String>), String> {
     let source = document.source();
     let path = source.path();
-    let mut text = match source.text() {
+    let text = match source.text() {
         blank if blank.trim().is_empty() => "struct Mechanism;\n".to_owned(),
         text => text.to_owned(),
     };
@@ -50,38 +53,35 @@ pub(super) fn pasted(
         declaration.map(|declaration| (document, declaration))
     };
     let (before, declaration) = at(&text).ok_or_else(lost)?;
-    let model = before
-        .model(&declaration)
-        .map_err(|failure| failure.to_string())?;
-    let model = model.ok_or("the text has mistakes; mend them before something is pasted")?;
+    let model = before.model(&declaration);
+    if model.map_err(|failure| failure.to_string())?.is_none() {
+        return Err("the text has mistakes; mend them before something is pasted".to_owned());
+    }
     let listing = before.listing(&declaration).ok().flatten();
     let taken = listing.iter().flat_map(places);
     let taken = taken.map(|place| place.map(|number| text[number.place.clone()].to_owned()));
     let copied = &beside(copied, &taken.collect(), step).unwrap_or_else(|| copied.to_owned());
-    let body = declaration.body.ok_or_else(lost)?;
-    let known: BTreeSet<&str> = statements(&text, &body)
-        .iter()
-        .map(|one| &text[one.range()])
-        .collect();
-    let all = statements(copied, &(0..copied.len()));
+    let tree = before.tree(&declaration);
+    let tree = tree.map_err(|failure| failure.to_string())?;
+    let tree = tree.ok_or_else(lost)?;
+    let mut rewriter = tree.rewriter();
+    let known = rewriter.statements.iter();
+    let known: BTreeSet<&str> = known.map(|one| &text[tree.bytes(&one.range())]).collect();
+    let copied = Lexed::read(copied).ok_or("what was copied is no text of a mechanism")?;
+    let all = copied.statements();
     let fresh = all.iter().filter(|one| {
         let is_number = one.is("const") || one.is("param");
-        !(is_number && known.contains(&copied[one.range()]))
+        !(is_number && known.contains(copied.text_of(one)))
     });
-    let fresh: Vec<&Statement<'_>> = fresh.collect();
+    let fresh: Vec<&StatementText<'_>> = fresh.collect();
     let renamed = renamed(&fresh, Names::within(&text));
     let links = fresh.iter().filter(|one| one.is("link"));
     let links = links.filter_map(|one| renamed.get(one.word(1)).cloned());
     let links: Vec<String> = links.collect();
     for statement in fresh {
-        let copy = with_names(copied, statement, &renamed);
-        let (_, declaration) = at(&text).ok_or_else(lost)?;
-        let body = declaration.body.ok_or_else(lost)?;
-        let mut rewriter = Rewriter::new(&text, &body, &model);
-        add(&mut rewriter, &copy).ok_or_else(lost)?;
-        let edits = rewriter.draft.edits();
-        text = written(&text, &edits);
+        add(&mut rewriter, &with_names(&copied, statement, &renamed)).ok_or_else(lost)?;
     }
+    let text = written(&text, &tree.replacements(&text, &rewriter.edits));
     let (after, declaration) = at(&text).ok_or_else(lost)?;
     match after.model(&declaration) {
         Ok(Some(_)) => Ok((text, links)),
@@ -100,11 +100,12 @@ pub(super) fn pasted(
 
 /// Adds a statement, or the clauses of one that stands once.
 fn add(rewriter: &mut Rewriter<'_>, statement: &str) -> Option<()> {
-    let all = statements(statement, &(0..statement.len()));
+    let lexed = Lexed::read(statement)?;
+    let all = lexed.statements();
     let one = all.first()?;
     let clauses = || {
         let clauses = one.clauses();
-        let clauses = clauses.iter().map(|clause| &statement[clause.range()]);
+        let clauses = clauses.iter().map(|clause| lexed.text_of(clause));
         clauses.collect::<Vec<_>>().join(" ")
     };
     let siblings: &[&str] = match one.word(0) {
@@ -190,7 +191,7 @@ fn held(model: &Model) -> BTreeSet<&str> {
 }
 
 /// The new names of what is declared. What is fixed to the ground has a path: others keep their names on their links.
-fn renamed(fresh: &[&Statement<'_>], mut names: Names) -> BTreeMap<String, String> {
+fn renamed(fresh: &[&StatementText<'_>], mut names: Names) -> BTreeMap<String, String> {
     let mut renamed = BTreeMap::new();
     for statement in fresh {
         match statement.word(0) {
@@ -211,8 +212,12 @@ fn renamed(fresh: &[&Statement<'_>], mut names: Names) -> BTreeMap<String, Strin
 }
 
 /// A statement with other names.
-fn with_names(text: &str, statement: &Statement<'_>, renamed: &BTreeMap<String, String>) -> String {
-    let whole = statement.range();
+fn with_names(
+    copied: &Lexed<'_>,
+    statement: &StatementText<'_>,
+    renamed: &BTreeMap<String, String>,
+) -> String {
+    let start = copied.bytes(&statement.range()).start;
     let owner = if statement.is("ground") {
         "ground"
     } else {
@@ -220,9 +225,8 @@ fn with_names(text: &str, statement: &Statement<'_>, renamed: &BTreeMap<String, 
     };
     let mut edits = Vec::new();
     let [mut link, mut before] = ["", ""];
-    for lexeme in Lexer::new(&text[whole.clone()], 0) {
-        let range = lexeme.start..lexeme.end;
-        let word = &text[whole.start + range.start..whole.start + range.end];
+    for index in 0..statement.len() {
+        let word = statement.word(index);
         let name = match before {
             "." => renamed.get(&format!("{link}.{word}")),
             "point" | "line" => renamed.get(&format!("{owner}.{word}")),
@@ -230,10 +234,14 @@ fn with_names(text: &str, statement: &Statement<'_>, renamed: &BTreeMap<String, 
             _ => renamed.get(word),
         };
         if let Some(name) = name {
-            let text = name.clone();
-            edits.push(Replacement { range, text });
+            let token = statement.token(index);
+            let range = copied.bytes(&(token..token + 1));
+            edits.push(Replacement {
+                range: range.start - start..range.end - start,
+                text: name.clone(),
+            });
         }
         [link, before] = [before, word];
     }
-    written(&text[whole], &edits)
+    written(copied.text_of(statement), &edits)
 }

@@ -41,9 +41,7 @@ pub(in crate::editor) fn diagnoses(editor: &mut Editor, ui: &mut egui::Ui) {
                 };
                 let button =
                     egui::Button::new(format!("Repair {number}: {}{note}", mending.words)).wrap();
-                let response = ui.add_enabled(mending.text.is_some(), button);
-                let response =
-                    response.on_disabled_hover_text("cannot be made by a change of the text alone");
+                let response = ui.add(button);
                 if response.hovered() || response.has_focus() {
                     hovered = Some(number);
                 }
