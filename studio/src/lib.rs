@@ -13,7 +13,6 @@
 
 #[cfg(target_arch = "wasm32")]
 mod browser;
-#[cfg(not(target_arch = "wasm32"))]
 mod chart;
 mod check;
 #[cfg(not(target_arch = "wasm32"))]
@@ -26,6 +25,7 @@ mod edit;
 pub mod editor;
 mod failure;
 mod import;
+mod job;
 mod mend;
 mod motion;
 mod output;

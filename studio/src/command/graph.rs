@@ -4,9 +4,9 @@ use super::CODES;
 use super::target::Target;
 use crate::console::Console;
 use crate::failure::Failure;
+use crate::job::{GraphKind, Job};
 use crate::output;
 use clap::{Args, ValueEnum};
-use mech_compiler::graphs;
 use std::path::PathBuf;
 
 /// Writes a graph of a mechanism in the language DOT of Graphviz.
@@ -41,15 +41,16 @@ Examples:
 
 impl Graph {
     pub(super) fn run(&self, console: &mut Console) -> Result<(), Failure> {
-        let (model, compiled) = self.target.coherent(console)?;
-        let graph = match self.of {
-            Kind::Links => graphs::kinematic(&model, &compiled.structure),
-            Kind::Loops => graphs::loops(&model, &compiled.plan),
-            Kind::CommonJoints => graphs::common_joints(&model, &compiled.plan),
+        let analysed = self.target.coherent(console)?;
+        let kind = match self.of {
+            Kind::Links => GraphKind::Links,
+            Kind::Loops => GraphKind::Loops,
+            Kind::CommonJoints => GraphKind::CommonJoints,
         };
+        let dot = Job::Graph(kind).run(analysed, console)?;
         match &self.output {
-            Some(path) => output::replace(path, graph.to_dot().as_bytes()),
-            None => console.answer(graph.to_dot()),
+            Some(path) => output::replace(path, &dot),
+            None => console.answer(dot),
         }
     }
 }

@@ -1,11 +1,9 @@
 //! What tables and plots have in common: what is measured, and in which motion.
 
 use super::assignment::Assignment;
-use super::target::Target;
-use crate::console::Console;
-use crate::failure::Failure;
-use crate::motion::{Drive, Setting, Span, Typed, read_value};
-use crate::quantity::{self, Load, Measurement, Table, Units};
+use crate::job;
+use crate::motion::{Setting, Span, Typed, read_value};
+use crate::quantity::{Load, Units};
 use clap::Args;
 
 /// What is measured, and in which motion.
@@ -29,7 +27,7 @@ pub(super) struct Measure {
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     to: Option<Typed>,
     /// How many steps it takes.
-    #[arg(long, value_name = "COUNT", default_value_t = 360, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    #[arg(long, value_name = "COUNT", default_value_t = job::Measure::STEPS, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     steps: u32,
     /// How fast the motor moves, in radians or scene units per second: without, 1, and forces are those at rest. By laws, motors have
     /// their own rates.
@@ -40,7 +38,7 @@ pub(super) struct Measure {
     at: Vec<Setting>,
     /// Gives a constant or a param another value than in the file: `--set size=2`.
     #[arg(long, value_name = "NAME=VALUE")]
-    set: Vec<Assignment>,
+    pub(super) set: Vec<Assignment>,
     /// Puts a load on it: the parts of a force, as `--load push=-100,0`, or a torque, as `--load brake=5`.
     #[arg(long, value_name = "NAME=VALUE", allow_negative_numbers = true)]
     load: Vec<Load>,
@@ -70,41 +68,24 @@ those at rest, unless `--rate` says another. Loads are zero unless `--load` give
 where a value is not determined, as a velocity at a dead point.";
 
 impl Measure {
-    /// Moves the mechanism, and measures.
-    pub(super) fn table(
-        &self,
-        target: &Target,
-        console: &mut Console,
-    ) -> Result<(String, Table), Failure> {
-        let (model, compiled) = target.coherent_with(&self.set, console)?;
-        let dyads = quantity::dyads(&model, &compiled.plan);
-        let mut wanted = Vec::new();
-        for name in &self.quantities {
-            wanted.extend(quantity::quantities(&model, &dyads, name)?);
-        }
-        if wanted.is_empty() {
-            wanted = quantity::usual(&model);
-        }
-        let over = self.over.as_deref();
-        let over = over.map(|name| quantity::only_quantity(&model, &dyads, name));
-        let span = Span {
-            from: self.from,
-            to: self.to,
-        };
-        let drive = Drive::new(&model, &compiled, self.motor.as_deref(), span, &self.at)?;
-        let measurement = Measurement {
-            model: &model,
-            drive: &drive,
-            over: over.transpose()?,
-            rate: self.rate,
+    /// The same as a job has it.
+    pub(super) fn job(&self) -> job::Measure {
+        job::Measure {
+            quantities: self.quantities.clone(),
+            over: self.over.clone(),
+            motor: self.motor.clone(),
+            span: Span {
+                from: self.from,
+                to: self.to,
+            },
             steps: self.steps,
-            loads: &self.load,
-            units: &Units {
+            rate: self.rate,
+            at: self.at.clone(),
+            loads: self.load.clone(),
+            units: Units {
                 length: self.length.clone(),
                 force: self.force.clone(),
             },
-        };
-        let table = quantity::measure(&measurement, &wanted)?;
-        Ok((model.name, table))
+        }
     }
 }

@@ -1,16 +1,11 @@
 //! What drawings and films have in common: what is painted, and on what.
 
 use super::assignment::Assignment;
-use super::target::Target;
-use crate::console::Console;
 use crate::failure::Failure;
+use crate::job::{self, Size};
 use crate::motion::Setting;
-use crate::painting::Painting;
 use clap::{Args, ValueEnum};
-use mech_compiler::Compiled;
-use mech_compiler::model::{Look, Model};
-use mech_runtime::Palette;
-use mech_runtime::files::Sheet;
+use mech_compiler::model::Look;
 use std::path::{Path, PathBuf};
 
 /// What is painted, and on what.
@@ -33,10 +28,10 @@ pub(super) struct Picture {
     night: bool,
     /// Puts a motor at a value, in degrees if it turns: `--at a=30`.
     #[arg(long, value_name = "MOTOR=VALUE")]
-    pub(super) at: Vec<Setting>,
+    at: Vec<Setting>,
     /// Gives a constant or a param another value than in the file: `--set size=2`.
     #[arg(long, value_name = "NAME=VALUE")]
-    set: Vec<Assignment>,
+    pub(super) set: Vec<Assignment>,
 }
 
 /// How a mechanism looks.
@@ -48,12 +43,6 @@ enum Looks {
     Diagram,
     /// Nothing but the declared shapes.
     Shapes,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Size {
-    width: usize,
-    height: Option<usize>,
 }
 
 /// The most pixels of a picture in one direction.
@@ -78,50 +67,20 @@ fn read_size(text: &str) -> Result<Size, String> {
     })
 }
 
-/// A mechanism that is ready to be painted.
-pub(super) struct Sitter {
-    pub(super) model: Model,
-    pub(super) compiled: Compiled,
-    pub(super) painting: Painting,
-    pub(super) sheet: Sheet,
-    pub(super) size: [usize; 2],
-    pub(super) palette: Palette,
-}
-
 impl Picture {
-    /// The mechanism, with its look and its sheet.
-    pub(super) fn sitter(&self, target: &Target, console: &mut Console) -> Result<Sitter, Failure> {
-        let (mut model, compiled) = target.coherent_with(&self.set, console)?;
-        if let Some(look) = self.look {
-            model.look = Some(match look {
+    /// The same without its file.
+    pub(super) fn job(&self) -> job::Picture {
+        job::Picture {
+            size: self.size,
+            look: self.look.map(|look| match look {
                 Looks::Machine => Look::Machine,
                 Looks::Diagram => Look::Diagram,
                 Looks::Shapes => Look::Shapes,
-            });
+            }),
+            overlay: self.overlay,
+            night: self.night,
+            at: self.at.clone(),
         }
-        let mut painting = Painting::new(&model, &compiled, self.overlay);
-        if let Some(Looks::Diagram) = self.look {
-            painting = painting.with_room_for_bodies(&model, &compiled);
-        }
-        let Size { width, height } = self.size;
-        let size = [width, height.unwrap_or_else(|| painting.height(width))];
-        let palette = if self.night {
-            Palette::NIGHT
-        } else {
-            Palette::TEXTBOOK
-        };
-        let sheet = Sheet::new(size[0], size[1])
-            .look_at(painting.view(size))
-            .palette(palette.clone())
-            .title(&model.name);
-        Ok(Sitter {
-            model,
-            compiled,
-            painting,
-            sheet,
-            size,
-            palette,
-        })
     }
 }
 

@@ -6,6 +6,7 @@ use super::target::coherent;
 use crate::console::Console;
 use crate::document::{Declaration, Document, Source};
 use crate::failure::{Failure, FailureKind};
+use crate::job::Analysed;
 use crate::play::{Control, Mechanism, Player, SIZE, Stage, keys, terminal};
 use clap::Args;
 use std::io::{self, IsTerminal};
@@ -95,7 +96,9 @@ impl Play {
         for document in self.documents()? {
             for declaration in self.wanted(&document) {
                 match coherent(&document, declaration, console) {
-                    Ok((model, compiled)) => found.push(Mechanism::new(model, compiled)?),
+                    Ok(Analysed { model, compiled }) => {
+                        found.push(Mechanism::new(model, compiled)?)
+                    }
                     Err(failure) if failure.is_reported() => is_wrong = true,
                     Err(failure) => return Err(failure),
                 }

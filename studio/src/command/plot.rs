@@ -4,9 +4,9 @@ use super::CODES;
 use super::measure::{Measure, QUANTITIES};
 use super::picture::kind_of;
 use super::target::Target;
-use crate::chart;
 use crate::console::Console;
 use crate::failure::Failure;
+use crate::job::{self, Job, StillKind};
 use crate::output;
 use clap::Args;
 use std::path::PathBuf;
@@ -36,21 +36,16 @@ Examples:
   mech plot four_bar.mech coupler.tip.y --over coupler.tip.x -o path.svg
   mech plot four_bar.mech coupler.tip.y --over t --rate 6.28 -o time.svg";
 
-#[derive(Clone, Copy)]
-enum Kind {
-    Svg,
-    Png,
-}
-
 impl Plot {
     pub(super) fn run(&self, console: &mut Console) -> Result<(), Failure> {
-        let kind = kind_of(&self.output, &[("svg", Kind::Svg), ("png", Kind::Png)])?;
-        let (name, table) = self.measure.table(&self.target, console)?;
-        let chart = chart::Chart::new(self.title.as_deref().unwrap_or(&name), &table);
-        let bytes = match kind {
-            Kind::Svg => chart.svg()?.into_bytes(),
-            Kind::Png => chart.png()?,
-        };
-        output::replace(&self.output, &bytes)
+        let kinds = [("svg", StillKind::Svg), ("png", StillKind::Png)];
+        let kind = kind_of(&self.output, &kinds)?;
+        let analysed = self.target.coherent_with(&self.measure.set, console)?;
+        let job = Job::Plot(job::Plot {
+            measure: self.measure.job(),
+            kind,
+            title: self.title.clone(),
+        });
+        output::replace(&self.output, &job.run(analysed, console)?)
     }
 }

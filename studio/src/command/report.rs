@@ -4,6 +4,7 @@ use super::CODES;
 use super::target::Target;
 use crate::console::Console;
 use crate::failure::Failure;
+use crate::job::Job;
 use clap::Args;
 
 /// Tells how a mechanism moves: mobility, loops in the order in which they are solved, methods, errors and operations.
@@ -21,8 +22,8 @@ Examples:
 
 impl Report {
     pub(super) fn run(&self, console: &mut Console) -> Result<(), Failure> {
-        let (_, compiled) = self.target.coherent(console)?;
-        let text = compiled.report.trim_end();
-        console.answer(format!("{text}\n"))
+        let analysed = self.target.coherent(console)?;
+        let text = Job::Report.run(analysed, console)?;
+        console.answer(text)
     }
 }

@@ -5,9 +5,8 @@ use crate::check::render;
 use crate::console::Console;
 use crate::document::{Declaration, Document};
 use crate::failure::{Failure, FailureKind};
+use crate::job::Analysed;
 use clap::Args;
-use mech_compiler::Compiled;
-use mech_compiler::model::Model;
 use std::path::PathBuf;
 
 /// Which mechanism of which file.
@@ -40,7 +39,7 @@ impl Target {
     }
 
     /// The mechanism, which has to be coherent. What is wrong with it is told.
-    pub(super) fn coherent(&self, console: &mut Console) -> Result<(Model, Compiled), Failure> {
+    pub(super) fn coherent(&self, console: &mut Console) -> Result<Analysed, Failure> {
         self.coherent_with(&[], console)
     }
 
@@ -49,7 +48,7 @@ impl Target {
         &self,
         assignments: &[Assignment],
         console: &mut Console,
-    ) -> Result<(Model, Compiled), Failure> {
+    ) -> Result<Analysed, Failure> {
         let mut document = self.document()?;
         let index = document.index_of(document.choose(self.mechanism.as_deref())?)?;
         for assignment in assignments {
@@ -67,10 +66,13 @@ pub(super) fn coherent(
     document: &Document,
     declaration: &Declaration,
     console: &mut Console,
-) -> Result<(Model, Compiled), Failure> {
+) -> Result<Analysed, Failure> {
     let reading = document.analyse(declaration)?;
     match reading.result {
-        Ok(compiled) => Ok((reading.model, *compiled)),
+        Ok(compiled) => Ok(Analysed {
+            model: reading.model,
+            compiled: *compiled,
+        }),
         Err(faults) => {
             console.complain(&render(
                 document.source(),

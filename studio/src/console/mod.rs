@@ -12,6 +12,9 @@ pub struct Console {
     complaints: Box<dyn Write>,
     /// Whether complaints are read by somebody who sees colours.
     has_colors: bool,
+    /// How far the present job is.
+    #[cfg(not(target_arch = "wasm32"))]
+    progress: Option<indicatif::ProgressBar>,
 }
 
 impl Console {
@@ -23,6 +26,8 @@ impl Console {
             answers: Box::new(io::stdout()),
             complaints: Box::new(io::stderr()),
             has_colors: is_wanted && io::stderr().is_terminal(),
+            #[cfg(not(target_arch = "wasm32"))]
+            progress: None,
         }
     }
 
@@ -33,6 +38,8 @@ impl Console {
             answers: Box::new(answers),
             complaints: Box::new(complaints),
             has_colors: false,
+            #[cfg(not(target_arch = "wasm32"))]
+            progress: None,
         }
     }
 

@@ -2,12 +2,10 @@
 
 use super::snapshot::Snapshot;
 use crate::failure::Failure;
+use crate::job::Measure;
 use crate::motion::{Drive, Setting, Span};
 use crate::quantity::{self, Load, Measurement, Table, Units};
 use std::sync::Arc;
-
-/// How many steps a curve has, as that of `mech table`.
-const STEPS: u32 = 360;
 
 /// What is to be measured, and in which motion.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -87,12 +85,9 @@ fn measured(
         drive: &drive,
         over,
         rate: None,
-        steps: STEPS,
+        steps: Measure::STEPS,
         loads: &wanted.loads,
-        units: &Units {
-            length: "unit".to_owned(),
-            force: "force".to_owned(),
-        },
+        units: &Units::default(),
     };
     quantity::measure(&measurement, &quantities)
 }

@@ -1,9 +1,11 @@
-//! What `mech` writes to files, from the window.
+//! Files that are written from the window.
 
 use super::Editor;
 use super::order::{Export, Order};
 use super::worker::Task;
 use crate::failure::Failure;
+use crate::job::{Draw, Film, FilmKind, GraphKind, Job, Measure, Picture, Plot, StillKind};
+use crate::motion::Setting;
 use std::path::Path;
 
 impl Editor {
@@ -38,37 +40,69 @@ impl Editor {
             self.refuse(format!("`{path}` is the file of the text; save it instead"));
             return;
         }
-        let mut words: Vec<String> = kind.words().iter().map(|word| (*word).to_owned()).collect();
-        match kind {
-            Export::Picture | Export::Drawing => {
-                words.extend(at(self.seen_at().unwrap_or_default()));
-            }
-            Export::Table | Export::GraphDrawing | Export::GraphPicture
-                if !self.plotted.names.is_empty() =>
-            {
-                words.extend(self.plotted.names.iter().cloned());
-                if let Some(wanted) = self.wanted_curves() {
-                    words.extend(wanted.over.map(|over| format!("--over={over}")));
-                    words.extend(wanted.motor.map(|motor| format!("--motor={motor}")));
-                    words.extend(at(wanted.others));
-                    let loads = wanted.loads.iter();
-                    words.extend(loads.map(|load| format!("--load={load}")));
-                }
-            }
-            _ => {}
-        }
-        if !kind.is_answer() {
-            words.push(format!("--output={path}"));
-        }
         self.tell(format!("writing `{path}`"));
         let order = Order {
-            kind,
-            words,
+            job: self.job(kind),
             document: self.workspace().document(),
             index: self.workspace().index(),
             path: path.to_owned(),
         };
         self.give(Task::Export(Box::new(order)));
+    }
+
+    /// What makes a file of this kind; none for the text itself.
+    fn job(&self, kind: Export) -> Option<Job> {
+        let draw = |kind| {
+            let at = settings(self.seen_at().unwrap_or_default());
+            let picture = Picture {
+                at,
+                ..Picture::default()
+            };
+            Job::Draw(Draw { picture, kind })
+        };
+        let film = |kind| Job::Film(Film::of_kind(kind));
+        let plot = |kind| {
+            Job::Plot(Plot {
+                measure: self.measure(),
+                kind,
+                title: None,
+            })
+        };
+        Some(match kind {
+            Export::Picture => draw(StillKind::Png),
+            Export::Drawing => draw(StillKind::Svg),
+            Export::Gif => film(FilmKind::Gif),
+            Export::Apng => film(FilmKind::Apng),
+            Export::MovingDrawing => film(FilmKind::Svg),
+            Export::Table => Job::Table(self.measure()),
+            Export::GraphDrawing => plot(StillKind::Svg),
+            Export::GraphPicture => plot(StillKind::Png),
+            Export::Rust => return None,
+            Export::Report => Job::Report,
+            Export::LinkGraph => Job::Graph(GraphKind::Links),
+            Export::LoopGraph => Job::Graph(GraphKind::Loops),
+        })
+    }
+
+    /// What is plotted.
+    fn measure(&self) -> Measure {
+        let wanted = self
+            .wanted_curves()
+            .filter(|_| !self.plotted.names.is_empty());
+        let measure = Measure {
+            quantities: self.plotted.names.clone(),
+            ..Measure::default()
+        };
+        match wanted {
+            Some(wanted) => Measure {
+                over: wanted.over,
+                motor: wanted.motor,
+                at: settings(wanted.others),
+                loads: wanted.loads,
+                ..measure
+            },
+            None => measure,
+        }
     }
 
     /// Tells that a file was written, or why not.
@@ -88,9 +122,11 @@ fn is_same(one: &Path, other: &Path) -> bool {
     }
 }
 
-/// The values of motors, as commands take them.
-fn at(motors: Vec<(String, f64)>) -> impl Iterator<Item = String> {
-    motors
-        .into_iter()
-        .map(|(name, value)| format!("--at={name}={value}"))
+/// Where motors stand, as jobs have it.
+fn settings(motors: Vec<(String, f64)>) -> Vec<Setting> {
+    let setting = |(motor, value): (String, f64)| Setting {
+        motor,
+        value: value.into(),
+    };
+    motors.into_iter().map(setting).collect()
 }

@@ -1,13 +1,9 @@
 //! Files that `mech` writes from the window: their kinds, and how they are written beside it.
 
-#[cfg(not(target_arch = "wasm32"))]
-use super::journal::Heard;
-#[cfg(not(target_arch = "wasm32"))]
-use crate::command::obey_within;
-#[cfg(not(target_arch = "wasm32"))]
-use crate::console::Console;
-use crate::document::{Document, in_rust};
+use crate::check::render;
+use crate::document::{Document, Reading, in_rust};
 use crate::failure::Failure;
+use crate::job::{Analysed, Job, Listener};
 use crate::output;
 use std::path::Path;
 
@@ -86,78 +82,66 @@ impl Export {
             _ => "",
         }
     }
-
-    /// The words of the command that writes it; none if there is none.
-    pub(super) const fn words(self) -> &'static [&'static str] {
-        match self {
-            Self::Picture | Self::Drawing => &["draw"],
-            Self::Gif | Self::Apng | Self::MovingDrawing => &["film"],
-            Self::Table => &["table"],
-            Self::GraphDrawing | Self::GraphPicture => &["plot"],
-            Self::Rust => &[],
-            Self::Report => &["report"],
-            Self::LinkGraph => &["graph"],
-            Self::LoopGraph => &["graph", "--of", "loops"],
-        }
-    }
-
-    /// Whether its command has no file of its own, but answers.
-    pub(super) const fn is_answer(self) -> bool {
-        matches!(self, Self::Report | Self::LinkGraph | Self::LoopGraph)
-    }
 }
 
 /// What is to be written where.
 pub(super) struct Order {
-    pub(super) kind: Export,
-    pub(super) words: Vec<String>,
+    /// What is made; none for the text itself as Rust.
+    pub(super) job: Option<Job>,
     pub(super) document: Document,
     pub(super) index: usize,
     pub(super) path: String,
 }
 
+/// The notes of a job.
+#[derive(Default)]
+struct Notes(String);
+
+impl Listener for Notes {
+    fn note(&mut self, text: &str) {
+        self.0 += &format!("; {text}");
+    }
+
+    fn progress(&mut self, _: u32, _: u32) {}
+}
+
 impl Order {
     /// Writes it, and tells so.
     pub(super) fn fulfil(self) -> Result<String, Failure> {
-        if self.kind == Export::Rust {
-            let source = self.document.source();
-            let ending = source.path().extension();
-            let is_inside = ending.is_some_and(|ending| ending == "mech");
-            let text = if is_inside {
-                in_rust(source.text().lines())
-            } else {
-                source.text().to_owned()
-            };
-            output::replace(Path::new(&self.path), text.as_bytes())?;
-            return Ok(format!("wrote `{}`", self.path));
-        }
-        self.obey()
+        let mut notes = Notes::default();
+        let bytes = match &self.job {
+            Some(job) => job.run(self.analysed()?, &mut notes)?,
+            None => self.in_rust().into_bytes(),
+        };
+        output::replace(Path::new(&self.path), &bytes)?;
+        Ok(format!("wrote `{}`{}", self.path, notes.0))
     }
 
-    /// Writes what a command of `mech` writes.
-    #[cfg(not(target_arch = "wasm32"))]
-    fn obey(self) -> Result<String, Failure> {
-        let (answer, complaint) = (Heard::default(), Heard::default());
-        let mut console = Console::to(answer.clone(), complaint.clone());
-        let done = obey_within(&self.words, self.document, self.index, &mut console);
-        done.map_err(|failure| {
-            if failure.is_reported() {
-                Failure::new(failure.kind(), complaint.text())
-            } else {
-                failure
+    fn in_rust(&self) -> String {
+        let source = self.document.source();
+        let ending = source.path().extension();
+        if ending.is_some_and(|ending| ending == "mech") {
+            in_rust(source.text().lines())
+        } else {
+            source.text().to_owned()
+        }
+    }
+
+    /// The mechanism, which has to be coherent.
+    fn analysed(&self) -> Result<Analysed, Failure> {
+        let declaration = self.document.declarations().get(self.index);
+        let declaration =
+            declaration.ok_or_else(|| Failure::mechanism("there is no mechanism yet"))?;
+        let Reading { model, result, .. } = self.document.analyse(declaration)?;
+        match result {
+            Ok(compiled) => Ok(Analysed {
+                model,
+                compiled: *compiled,
+            }),
+            Err(faults) => {
+                let text = render(self.document.source(), &faults.messages, false);
+                Err(Failure::mechanism(text))
             }
-        })?;
-        if self.kind.is_answer() {
-            output::replace(Path::new(&self.path), answer.text().as_bytes())?;
         }
-        Ok(format!("wrote `{}`", self.path))
-    }
-
-    /// The commands of `mech` are not in a page.
-    #[cfg(target_arch = "wasm32")]
-    fn obey(self) -> Result<String, Failure> {
-        Err(Failure::file(
-            "a page in a browser exports Rust alone; use `mech edit` on a computer",
-        ))
     }
 }

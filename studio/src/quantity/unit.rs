@@ -11,6 +11,15 @@ pub(crate) struct Units {
     pub(crate) force: String,
 }
 
+impl Default for Units {
+    fn default() -> Self {
+        Self {
+            length: "unit".to_owned(),
+            force: "force".to_owned(),
+        }
+    }
+}
+
 impl Units {
     /// The unit of a quantity: angles are in degrees, their rates in radians.
     pub(crate) fn of(&self, model: &Model, subject: Subject) -> String {

@@ -1,0 +1,85 @@
+//! Still pictures.
+
+use super::picture::{Picture, Sitter};
+use super::{Analysed, StillKind};
+use crate::failure::Failure;
+use crate::motion::{Drive, Mover, Paths, Setting, Span, posed};
+use mech_runtime::HeapSmooth;
+use mech_runtime::files::{self, Svg};
+
+/// A picture of a mechanism as it is assembled, or where its motors are put.
+#[derive(Clone, Debug)]
+pub(crate) struct Draw {
+    pub(crate) picture: Picture,
+    pub(crate) kind: StillKind,
+}
+
+/// How many places of a path are recorded in one turn, and the most turns.
+const PLACES: u32 = 720;
+const MOST_TURNS: u32 = 22;
+
+impl Draw {
+    pub(super) fn run(&self, analysed: Analysed) -> Result<Vec<u8>, Failure> {
+        let sitter = self.picture.sitter(analysed);
+        let Sitter {
+            analysed: Analysed { model, compiled },
+            painting,
+            sheet,
+            size,
+            palette,
+        } = &sitter;
+        let start = Mover::new(model, compiled);
+        let machine = posed(start, model, compiled, &self.picture.at)?;
+        let paths = self.paths(&sitter.analysed)?;
+        let poses = &machine.position().poses[..];
+        match self.kind {
+            StillKind::Svg => {
+                let mut svg = Svg::new(sheet.clone());
+                painting.paint(poses, &paths, &mut svg);
+                Ok(svg.finish().into_bytes())
+            }
+            StillKind::Png => {
+                let [width, height] = *size;
+                let mut picture = HeapSmooth::new(width, height)?;
+                picture.set_palette(palette.clone());
+                picture.clear();
+                picture.look_at(painting.view(*size));
+                painting.paint(poses, &paths, &mut picture);
+                Ok(files::Picture::from(&picture).png()?)
+            }
+        }
+    }
+
+    /// The whole paths of traced points in the motion that the mechanism makes if nobody says which.
+    fn paths(&self, Analysed { model, compiled }: &Analysed) -> Result<Paths, Failure> {
+        let mut paths = Paths::new(model, compiled)?.whole();
+        if paths.is_empty() {
+            return Ok(paths);
+        }
+        // The first motor moves, wherever the picture has it.
+        let first = model
+            .motors
+            .first()
+            .map(|motor| &model.joint(motor.joint).name);
+        let others = self
+            .picture
+            .at
+            .iter()
+            .filter(|one| Some(&one.motor) != first);
+        let others: Vec<Setting> = others.cloned().collect();
+        let drive = Drive::new(model, compiled, None, Span::default(), &others);
+        let Ok(drive) = drive else {
+            return Ok(paths);
+        };
+        let drive = drive.completed(model, compiled);
+        let places = PLACES * drive.turns(model).min(MOST_TURNS);
+        let mut machine = Mover::new(model, compiled);
+        for number in 0..=places {
+            let part = f64::from(number) / f64::from(places);
+            if drive.move_to(model, compiled, &mut machine, part).is_ok() {
+                paths.record(&machine.position().poses);
+            }
+        }
+        Ok(paths)
+    }
+}

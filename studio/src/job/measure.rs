@@ -1,0 +1,73 @@
+//! What tables and charts have in common: what is measured, and in which motion.
+
+use super::Analysed;
+use crate::failure::Failure;
+use crate::motion::{Drive, Setting, Span};
+use crate::quantity::{self, Load, Measurement, Table, Units};
+
+/// What is measured, and in which motion.
+#[derive(Clone, Debug)]
+pub(crate) struct Measure {
+    /// What is measured; if there is nothing, the coordinates of all joints.
+    pub(crate) quantities: Vec<String>,
+    /// Over what it is shown, if not over what the mechanism is driven by.
+    pub(crate) over: Option<String>,
+    /// The motor that moves; without, the first, or all by their laws.
+    pub(crate) motor: Option<String>,
+    /// Where it begins and ends.
+    pub(crate) span: Span,
+    /// How many steps it takes.
+    pub(crate) steps: u32,
+    /// How fast the motor moves, in radians or scene units per second: without, 1, and forces are those at rest.
+    pub(crate) rate: Option<f64>,
+    /// Where other motors stand.
+    pub(crate) at: Vec<Setting>,
+    pub(crate) loads: Vec<Load>,
+    pub(crate) units: Units,
+}
+
+impl Measure {
+    /// The steps, if nobody says otherwise.
+    pub(crate) const STEPS: u32 = 360;
+
+    /// Moves the mechanism, and measures.
+    pub(super) fn table(&self, Analysed { model, compiled }: &Analysed) -> Result<Table, Failure> {
+        let dyads = quantity::dyads(model, &compiled.plan);
+        let mut wanted = Vec::new();
+        for name in &self.quantities {
+            wanted.extend(quantity::quantities(model, &dyads, name)?);
+        }
+        if wanted.is_empty() {
+            wanted = quantity::usual(model);
+        }
+        let over = self.over.as_deref();
+        let over = over.map(|name| quantity::only_quantity(model, &dyads, name));
+        let drive = Drive::new(model, compiled, self.motor.as_deref(), self.span, &self.at)?;
+        let measurement = Measurement {
+            model,
+            drive: &drive,
+            over: over.transpose()?,
+            rate: self.rate,
+            steps: self.steps,
+            loads: &self.loads,
+            units: &self.units,
+        };
+        quantity::measure(&measurement, &wanted)
+    }
+}
+
+impl Default for Measure {
+    fn default() -> Self {
+        Self {
+            quantities: Vec::new(),
+            over: None,
+            motor: None,
+            span: Span::default(),
+            steps: Self::STEPS,
+            rate: None,
+            at: Vec::new(),
+            loads: Vec::new(),
+            units: Units::default(),
+        }
+    }
+}

@@ -1,0 +1,81 @@
+//! What is made of a mechanism as bytes: pictures, films, tables, charts, reports and graphs. The command line, the window and the page
+//! each fill a job in.
+
+mod draw;
+mod film;
+mod graph;
+mod measure;
+mod picture;
+mod plot;
+mod table;
+
+pub(crate) use draw::Draw;
+pub(crate) use film::{Film, FilmKind};
+pub(crate) use graph::GraphKind;
+pub(crate) use measure::Measure;
+pub(crate) use picture::{Picture, Size};
+pub(crate) use plot::Plot;
+
+use crate::failure::Failure;
+use mech_compiler::Compiled;
+use mech_compiler::model::Model;
+
+/// Something that can be made of a mechanism.
+#[derive(Clone, Debug)]
+pub(crate) enum Job {
+    /// A picture as it is assembled, or where its motors are put.
+    Draw(Draw),
+    /// A film of its motion.
+    Film(Film),
+    /// What is measured in its motion, as CSV.
+    Table(Measure),
+    /// The same as charts.
+    Plot(Plot),
+    /// What the analysis tells.
+    Report,
+    /// A graph in the language DOT.
+    Graph(GraphKind),
+}
+
+/// A mechanism that is coherent.
+pub(crate) struct Analysed {
+    pub(crate) model: Model,
+    pub(crate) compiled: Compiled,
+}
+
+/// Two kinds of still pictures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum StillKind {
+    Png,
+    Svg,
+}
+
+/// Whoever hears how a job goes.
+pub(crate) trait Listener {
+    /// Takes a note for whoever gave the job.
+    fn note(&mut self, text: &str);
+
+    /// Learns how many of so many parts are done.
+    fn progress(&mut self, done: u32, of: u32);
+}
+
+impl Job {
+    /// Does the job.
+    pub(crate) fn run(
+        &self,
+        analysed: Analysed,
+        listener: &mut dyn Listener,
+    ) -> Result<Vec<u8>, Failure> {
+        match self {
+            Self::Draw(draw) => draw.run(analysed),
+            Self::Film(film) => film.run(analysed, listener),
+            Self::Table(measure) => Ok(table::csv(&measure.table(&analysed)?).into_bytes()),
+            Self::Plot(plot) => plot.run(&analysed),
+            Self::Report => {
+                let report = analysed.compiled.report.trim_end();
+                Ok(format!("{report}\n").into_bytes())
+            }
+            Self::Graph(kind) => Ok(kind.dot(&analysed).into_bytes()),
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! What drawings and films have in common: what is painted, and on what.
+
+use super::Analysed;
+use crate::motion::Setting;
+use crate::painting::Painting;
+use mech_compiler::model::Look;
+use mech_runtime::Palette;
+use mech_runtime::files::Sheet;
+
+/// What is painted, and on what.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Picture {
+    pub(crate) size: Size,
+    /// How the mechanism looks, whatever it declares.
+    pub(crate) look: Option<Look>,
+    /// Whether the symbols of joints, motors and axes are painted over it.
+    pub(crate) overlay: bool,
+    /// Whether the ground is dark.
+    pub(crate) night: bool,
+    /// Where motors stand.
+    pub(crate) at: Vec<Setting>,
+}
+
+/// A size in pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Size {
+    pub(crate) width: usize,
+    /// Without, the height that fits.
+    pub(crate) height: Option<usize>,
+}
+
+impl Default for Size {
+    fn default() -> Self {
+        Self {
+            width: 800,
+            height: None,
+        }
+    }
+}
+
+/// A mechanism that is ready to be painted.
+pub(super) struct Sitter {
+    pub(super) analysed: Analysed,
+    pub(super) painting: Painting,
+    pub(super) sheet: Sheet,
+    pub(super) size: [usize; 2],
+    pub(super) palette: Palette,
+}
+
+impl Picture {
+    /// The mechanism, with its look and its sheet.
+    pub(super) fn sitter(&self, mut analysed: Analysed) -> Sitter {
+        let Analysed { model, compiled } = &mut analysed;
+        model.look = self.look.or(model.look);
+        let mut painting = Painting::new(model, compiled, self.overlay);
+        if self.look == Some(Look::Diagram) {
+            painting = painting.with_room_for_bodies(model, compiled);
+        }
+        let Size { width, height } = self.size;
+        let size = [width, height.unwrap_or_else(|| painting.height(width))];
+        let palette = if self.night {
+            Palette::NIGHT
+        } else {
+            Palette::TEXTBOOK
+        };
+        let sheet = Sheet::new(size[0], size[1])
+            .look_at(painting.view(size))
+            .palette(palette.clone())
+            .title(&model.name);
+        Sitter {
+            analysed,
+            painting,
+            sheet,
+            size,
+            palette,
+        }
+    }
+}
