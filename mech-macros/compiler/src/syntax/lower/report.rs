@@ -53,11 +53,6 @@ impl Report {
         inner.unwrap_or(outer)
     }
 
-    /// The statement that messages are about.
-    pub(super) fn place(&self) -> StatementPlace {
-        self.position.0
-    }
-
     /// How many messages there are.
     pub(super) fn len(&self) -> usize {
         self.entries.len()
@@ -66,6 +61,18 @@ impl Report {
     /// Tells something about a place.
     pub(super) fn error(&mut self, place: Place, text: impl Into<String>) {
         self.pass_on(Message::new(place, text));
+    }
+
+    /// A number, unless it is too large; told if so.
+    pub(super) fn finite(&mut self, value: f64, place: Place) -> Option<f64> {
+        if value.is_finite() {
+            return Some(value);
+        }
+        self.error(
+            place,
+            "this number is too large; the largest is about 1.8e308",
+        );
+        None
     }
 
     /// Passes on a message of the grammar's.
