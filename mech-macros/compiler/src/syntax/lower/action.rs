@@ -2,29 +2,20 @@
 
 use super::draft::Draft;
 use super::find;
-use super::reader::Reader;
+use super::reader::{Located, Reader};
 use super::report::Report;
 use crate::api::Owner;
 use crate::model::{
-    AxisId, AxisKind, Between, Damper, JointId, JointKind, LinkId, Load, LoadKind, Mass, Model,
-    Spring,
+    AxisId, AxisKind, Between, Damper, JointId, JointKind, LinkId, Load, LoadKind, Model, Spring,
 };
 use crate::syntax::Place;
-use crate::syntax::ast::{self, BetweenEnds, Elastic, ElasticBody, End, LoadOn, Name, Pair};
-use proc_macro2::Span;
+use crate::syntax::ast::{
+    self, BetweenEnds, Effect, Elastic, ElasticBody, End, LoadOn, Name, Pair, Statement,
+};
 
-pub(super) fn gravity(
-    reader: &mut Reader,
-    draft: &mut Draft,
-    acting: &mut ActionPlaces,
-    keyword: Span,
-    value: &Pair,
-) {
-    let value = reader.pair(value);
-    if let Some(value) = value.filter(|_| draft.model.actions.gravity.is_none()) {
-        draft.model.actions.gravity = Some(value);
-        acting.gravity = Some(Place::at(keyword));
-    }
+pub(super) fn gravity(reader: &mut Reader, draft: &mut Draft, value: &Pair) {
+    let gravity = &mut draft.model.actions.gravity;
+    *gravity = gravity.or(reader.pair(value));
 }
 
 pub(super) fn spring(reader: &mut Reader, draft: &mut Draft, spring: &Elastic) {
@@ -104,13 +95,7 @@ fn elastic<'e>(
     strength: &str,
 ) -> Option<(Between, f64, &'e ElasticBody)> {
     let kept = draft.claims.take_name(reader, &elastic.name, what);
-    let body = match &elastic.body {
-        Ok(body) => body,
-        Err(error) => {
-            reader.report.pass_on(error.clone());
-            return None;
-        }
-    };
+    let body = reader.report.read(&elastic.body)?;
     let between = resolve_between(reader, draft, &body.between, what);
     let strength = reader.not_negative(&body.strength, strength);
     let both = between.zip(strength).filter(|_| kept);
@@ -135,15 +120,13 @@ fn resolve_between(
                 let text = format!(
                     "both ends of this {what} are on `{link}`, where it does nothing; fix one of them to another link"
                 );
-                reader.report.error(first.place().to(second.place()), text);
-                return None;
+                return reader.report.refuse(first.place().to(second.place()), text);
             }
             if let Some(joint) = pinned_together(&draft.model, a, b) {
                 let text = format!(
                     "joint `{joint}` holds both ends of this {what} together; fix one of them elsewhere"
                 );
-                reader.report.error(first.place().to(second.place()), text);
-                return None;
+                return reader.report.refuse(first.place().to(second.place()), text);
             }
             Some(Between::Points(a, b))
         }
@@ -172,8 +155,7 @@ fn find_turning(reader: &mut Reader, draft: &Draft, name: &Name, what: &str) -> 
     let text = format!(
         "joint `{name}` is not a revolute; a {what} at a joint turns its links, one between points is `linear(a.p, b.q)`"
     );
-    reader.report.error(name.place(), text);
-    None
+    reader.report.refuse(name.place(), text)
 }
 
 /// The point at which something is fixed.
@@ -190,23 +172,20 @@ fn end_point(reader: &mut Reader, draft: &Draft, end: &End, what: &str) -> Optio
                 end.link
             ),
         };
-        reader.report.error(end.place(), text);
-        return None;
+        return reader.report.refuse(end.place(), text);
     };
     let axis = find::axis(reader, draft, link, name, Some(AxisKind::Point))?;
     if draft.model.axis(axis).kind == AxisKind::Line {
         let text = format!("`{end}` is a line; a {what} is fixed to a point");
-        reader.report.error(Place::at(name.span()), text);
-        return None;
+        return reader.report.refuse(Place::at(name.span()), text);
     }
     Some(axis)
 }
 
 pub(super) fn load(reader: &mut Reader, draft: &mut Draft, load: &ast::Load) {
     let kept = draft.claims.take_name(reader, &load.name, "load");
-    let on = match &load.on {
-        Ok(on) => on,
-        Err(error) => return reader.report.pass_on(error.clone()),
+    let Some(on) = reader.report.read(&load.on) else {
+        return;
     };
     let kind = match on {
         LoadOn::Force(end) => end_point(reader, draft, end, "load").map(LoadKind::Force),
@@ -251,90 +230,70 @@ pub(super) fn load(reader: &mut Reader, draft: &mut Draft, load: &ast::Load) {
     }
 }
 
-/// Effects that contradict what motors do.
-pub(super) fn check_effects(draft: &Draft, acting: &ActionPlaces, report: &mut Report) {
-    // What stands beside them may only be wrong.
-    if !report.is_empty() {
-        return;
-    }
-    if acting.dynamics.is_some()
-        && let Some((motor, _)) = draft.model.lawful_motors().next()
-    {
-        let motor = draft.model.motor(motor);
-        let text = format!(
-            "motor `{}` follows a law, so forces cannot move it; leave out its law, or the effect `dynamics`",
-            draft.model.joint(motor.joint).name
-        );
-        let place = draft.places.get(motor.origin);
-        report.error(place, text);
-    }
-}
-
 /// What acts must have something to act on, and something must ask for it.
-pub(super) fn check_actions(draft: &Draft, acting: &ActionPlaces, report: &mut Report) {
+pub(super) fn check(draft: &Draft, statements: &[Located], report: &mut Report) {
     // What is missing may only be wrong.
     if !report.is_empty() {
         return;
     }
-    let actions = &draft.model.actions;
-    let has_mass = |axis: fn(&Mass) -> f64| {
-        draft
-            .model
-            .links
-            .iter()
-            .filter_map(|link| link.mass.as_ref())
-            .any(|mass| axis(mass) > 0.0)
-    };
-    if let (Some(place), false) = (acting.gravity, has_mass(|mass| mass.mass)) {
+    let model = &draft.model;
+    let (actions, effects) = (&model.actions, model.effects);
+    let masses = || model.links.iter().filter_map(|link| link.mass.as_ref());
+    let has_mass = masses().any(|mass| mass.mass + mass.inertia > 0.0);
+    let acts = has_mass
+        || !(actions.springs.is_empty() && actions.dampers.is_empty() && actions.loads.is_empty());
+    let (place, text) = if actions.gravity.is_some() && !masses().any(|mass| mass.mass > 0.0) {
         let text = "no link has a mass on which gravity could act; give a link `mass` or `density`";
-        return report.error(place, text);
-    }
-    if let Some(place) = acting.dynamics
-        && !has_mass(|mass| mass.mass + mass.inertia)
-    {
+        (gravity_of(statements), text.to_owned())
+    } else if effects.dynamics && !has_mass {
         let text = "nothing has a mass that would keep it moving; give links `mass` or `density`";
-        return report.error(place, text);
-    }
-    let nothing =
-        actions.springs.is_empty() && actions.dampers.is_empty() && actions.loads.is_empty();
-    if let Some(place) = acting.force
-        && nothing
-        && !has_mass(|mass| mass.mass + mass.inertia)
-    {
+        (asked(statements, "dynamics"), text.to_owned())
+    } else if effects.force && !acts {
         let text = "there are no forces: declare a `load`, a `spring`, or the `mass` of a link";
-        return report.error(place, text);
-    }
-    if let (Some(load), false) = (actions.loads.first(), draft.model.effects.needs_actions()) {
+        (asked(statements, "force"), text.to_owned())
+    } else if let (Some(load), false) = (actions.loads.first(), effects.needs_actions()) {
         let text = format!(
             "nothing asks what load `{}` does; add `effects {{ force; }}` or `dynamics`, or leave it out",
             load.name
         );
-        let place = draft.places.get(load.origin);
+        (Some(draft.places.get(load.origin)), text)
+    } else {
+        return;
+    };
+    if let Some(place) = place {
         report.error(place, text);
     }
 }
 
+/// Where gravity is given, if it is.
+fn gravity_of(statements: &[Located]) -> Option<Place> {
+    let mut all = statements.iter();
+    all.find_map(|located| match located.statement {
+        Statement::Gravity { keyword, .. } => Some(Place::at(*keyword)),
+        _ => None,
+    })
+}
+
+/// Where an effect is asked for, if it is.
+fn asked(statements: &[Located], effect: &str) -> Option<Place> {
+    let mut last_first = statements.iter().rev();
+    last_first.find_map(|located| match located.statement {
+        Statement::Effects { effects, .. } => effects.iter().find_map(|one| match one {
+            Ok(Effect::Plain(word)) if word == effect => Some(Place::at(word.span())),
+            _ => None,
+        }),
+        _ => None,
+    })
+}
+
 /// The methods that forces add must not be called as others are.
-pub(super) fn take_methods(draft: &mut Draft, acting: &ActionPlaces, report: &mut Report) {
-    let ActionPlaces {
-        force, dynamics, ..
-    } = *acting;
+pub(super) fn take_methods(draft: &mut Draft, statements: &[Located], report: &mut Report) {
+    let (force, dynamics) = (asked(statements, "force"), asked(statements, "dynamics"));
     let picture = force.filter(|_| draft.model.effects.overlay);
-    for (place, owner) in [
-        (force, Owner::Force),
-        (dynamics, Owner::Dynamics),
-        (picture, Owner::Overlay),
-    ] {
+    let owners = [Owner::Force, Owner::Dynamics, Owner::Overlay];
+    for (owner, place) in owners.into_iter().zip([force, dynamics, picture]) {
         if let Some(place) = place {
             draft.claims.take_all(owner, place, report);
         }
     }
-}
-
-/// Where gravity and effects stand, for messages.
-#[derive(Clone, Copy, Default)]
-pub(super) struct ActionPlaces {
-    pub(super) gravity: Option<Place>,
-    pub(super) force: Option<Place>,
-    pub(super) dynamics: Option<Place>,
 }

@@ -2,39 +2,32 @@
 
 use super::constant::COORDINATE;
 use super::draft::Draft;
-
+use super::ends::Joining;
 use super::path::key;
 use super::quantity::Quantity;
 use super::reader::Reader;
 use super::{find, law, rolling};
 use crate::model::{JointId, JointKind, LinkId, Model};
 use crate::syntax::Place;
-use crate::syntax::ast::{End, Joint, JointBody};
+use crate::syntax::ast::End;
 
 /// A cam, if it can be understood.
-pub(super) fn cam(
-    reader: &mut Reader,
-    draft: &mut Draft,
-    joint: &Joint,
-    body: &JointBody,
-) -> Option<JointKind> {
+pub(super) fn cam(reader: &mut Reader, draft: &mut Draft, joining: &Joining) -> Option<JointKind> {
+    let body = joining.body;
     let ends = body.ends.each_ref().map(|end| cam_end(reader, draft, end));
     let factors = ends.map(|joint| factor_of(reader, draft, joint));
     let law = body.law.as_ref();
     let law = law.and_then(|expr| law::read(reader, draft, expr, COORDINATE, factors));
-    for keyword in body.clauses() {
-        let text = "a `cam` has no place of its own; its shaft and its follower are where their joints are";
-        reader.report.error(Place::at(keyword), text);
-    }
+    let why = "shaft and its follower are where their joints are";
+    joining.refuse_place(reader, why);
     let [shaft, follower] = [ends[0]?, ends[1]?];
     let place = body.ends[0].place().to(body.ends[1].place());
     if shaft == follower {
         let text = format!(
             "cam `{}` is between `{}` and itself; name the joints of its shaft and of its follower",
-            joint.name, body.ends[1]
+            joining.name, body.ends[1]
         );
-        reader.report.error(place, text);
-        return None;
+        return reader.report.refuse(place, text);
     }
     if draft.model.carrier_of_cam(shaft, follower).is_none() {
         apart(reader, draft, place, shaft, follower);
@@ -54,8 +47,7 @@ fn cam_end(reader: &mut Reader, draft: &Draft, end: &End) -> Option<JointId> {
         let text = format!(
             "a `cam` takes joints, that of its shaft and that of its follower; `{end}` is none"
         );
-        reader.report.error(end.place(), text);
-        return None;
+        return reader.report.refuse(end.place(), text);
     }
     let name = key(reader, &end.link)?;
     let (joint, word) = if reader.names.cams.contains(&name) {
@@ -67,8 +59,7 @@ fn cam_end(reader: &mut Reader, draft: &Draft, end: &End) -> Option<JointId> {
     if let Some(word) = word {
         let text =
             format!("`{end}` is a {word}; a `cam` takes joints that are `revolute` or `prismatic`");
-        reader.report.error(end.place(), text);
-        return None;
+        return reader.report.refuse(end.place(), text);
     }
     joint
 }

@@ -200,8 +200,7 @@ impl Constants {
             }
             None => self.unknown_name(&text, passing, here),
         };
-        report.error(Place::at(name.span()), trouble);
-        None
+        report.refuse(Place::at(name.span()), trouble)
     }
 
     /// What to say about a name that nothing has; one of Rust's may be meant, which a macro cannot see.

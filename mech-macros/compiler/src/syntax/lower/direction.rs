@@ -60,9 +60,9 @@ impl Reader<'_> {
         // Scaled first: the squares of very long or short ones would overflow or vanish.
         let scale = x.abs().max(y.abs());
         if scale == 0.0 {
-            self.report
-                .error(pair.place, "a direction cannot be (0, 0); give it a length");
-            return None;
+            return self
+                .report
+                .refuse(pair.place, "a direction cannot be (0, 0); give it a length");
         }
         let (x, y) = (x / scale, y / scale);
         let length = libm::hypot(x, y);

@@ -20,8 +20,18 @@ pub(super) struct Draft {
     pub(super) has_params: bool,
     /// The axes that the drawing has put on links.
     drawn: BTreeMap<LinkId, Vec<AxisId>>,
+    /// What the text says of each motor of the model.
+    pub(super) motors: Vec<WrittenMotor>,
     /// Names of points and lines that are left out of the model because of an error; of all, if there is no name.
     lost: Vec<(Body, Option<String>)>,
+}
+
+/// What the text says of a motor of the model, for messages.
+pub(super) struct WrittenMotor {
+    /// The number of its statement.
+    pub(super) statement: usize,
+    /// Its range, if it has one.
+    pub(super) range: String,
 }
 
 impl Draft {
@@ -33,6 +43,7 @@ impl Draft {
             claims: Claims::default(),
             has_params: false,
             drawn: BTreeMap::new(),
+            motors: Vec::new(),
             lost: Vec::new(),
         };
         if let Some((header, precision)) = &text.header {

@@ -1,33 +1,29 @@
 //! Joints placed in the drawing, and the unnamed axes that they make.
 
 use super::draft::Draft;
-use super::ends::check_apart;
-use super::find;
+use super::ends::{Joining, whole_link};
 use super::name::Body;
 use super::quantity::Spot;
 use super::reader::Reader;
-use crate::model::{AxisId, AxisKind, DrawnAxis, FORWARD, LinkId, Origin};
+use crate::model::{AxisId, AxisKind, DrawnAxis, FORWARD, LinkId};
 use crate::syntax::Place;
-use crate::syntax::ast::{Clause, End, Joint, JointBody, JointWord, Pair};
+use crate::syntax::ast::{Clause, JointBody, JointWord, Pair};
 
 /// The axes of these kinds that the drawing puts here on the two links of a joint.
 pub(super) fn axes(
     reader: &mut Reader,
     draft: &mut Draft,
-    joint: &Joint,
-    body: &JointBody,
+    joining: &Joining,
     at: &Clause<Pair>,
     kinds: [AxisKind; 2],
-    origin: Origin,
 ) -> Option<[AxisId; 2]> {
-    let links = body
-        .ends
-        .each_ref()
-        .map(|end| drawn_link(reader, draft, end));
+    let why = "`at` places a joint between links";
+    let mut whole = |end| whole_link(reader, draft, end, why, ", or leave `at` out");
+    let links = joining.body.ends.each_ref().map(&mut whole);
     let (place, at) = (at.value.place, reader.spot(&at.value));
-    let direction = drawn_direction(reader, body, kinds);
+    let direction = drawn_direction(reader, joining.body, kinds);
     let [a, b] = [links[0]?, links[1]?];
-    check_apart(reader, joint, body, [a.id, b.id])?;
+    joining.check_apart(reader, [a.id, b.id])?;
     let (at, direction) = (at?, direction?);
     let mut axis = |body: Body, kind| {
         let link = body.id;
@@ -35,7 +31,7 @@ pub(super) fn axes(
         let frame = body
             .port
             .map_or(reader.frame, |_| reader.names.frame_of(body));
-        let (at, formulas) = reader.transform(at, &frame, place)?;
+        let (at, formulas) = reader.transform(at, frame, place)?;
         let (direction, direction_formulas) = frame.direction(direction, reader.formulas());
         draft.model.links[link.index()].drawn |= link != LinkId::GROUND;
         let drawn = match kind {
@@ -46,22 +42,9 @@ pub(super) fn axes(
             },
         };
         let drawn = DrawnAxis { formulas, ..drawn };
-        Some(draft.drawn_axis(link, drawn, origin))
+        Some(draft.drawn_axis(link, drawn, joining.origin))
     };
     Some([axis(a, kinds[0])?, axis(b, kinds[1])?])
-}
-
-fn drawn_link(reader: &mut Reader, draft: &Draft, end: &End) -> Option<Body> {
-    let link = find::body(reader, draft, &end.link)?;
-    let Some(axis) = &end.axis else {
-        return Some(link);
-    };
-    let name = &end.link;
-    let text = format!(
-        "`at` places a joint between links; write `{name}` for `{name}.{axis}`, or leave `at` out"
-    );
-    reader.report.error(end.place(), text);
-    None
 }
 
 /// The direction of the line, if there is one.
@@ -76,14 +59,12 @@ fn drawn_direction(reader: &mut Reader, body: &JointBody, kinds: [AxisKind; 2]) 
                 _ => "",
             };
             let text = format!("a `{word}` has no direction; leave `along` out{other}");
-            reader.report.error(Place::at(along.keyword), text);
-            None
+            reader.report.refuse(Place::at(along.keyword), text)
         }
         (None, true) => {
             let text =
                 format!("a `{word}` needs a direction; write `along (dx, dy)` after `at (x, y)`");
-            reader.report.error(Place::at(word.span()), text);
-            None
+            reader.report.refuse(Place::at(word.span()), text)
         }
     }
 }

@@ -1,6 +1,5 @@
 //! What is computed beyond positions, and the methods that return it.
 
-use super::action::ActionPlaces;
 use super::draft::Draft;
 use super::path::choices;
 use super::reader::Reader;
@@ -8,8 +7,8 @@ use super::report::Report;
 use super::trace;
 use crate::api::Owner;
 use crate::model::{AxisKind, Effects, JointKind, LinkId, Model, Origin};
+use crate::syntax::Place;
 use crate::syntax::ast::{Effect, Read};
-use crate::syntax::{Place, spelling};
 use proc_macro2::Ident;
 
 const EFFECTS: [&str; 7] = [
@@ -22,12 +21,7 @@ const EFFECTS: [&str; 7] = [
     "sensitivity",
 ];
 
-pub(super) fn lower(
-    reader: &mut Reader,
-    draft: &mut Draft,
-    acting: &mut ActionPlaces,
-    effects: &[Read<Effect>],
-) {
+pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, effects: &[Read<Effect>]) {
     let mut listed: Vec<&Ident> = Vec::new();
     for effect in effects {
         reader.report.next_item();
@@ -47,55 +41,48 @@ pub(super) fn lower(
             }
             Ok(Effect::Plain(effect)) => {
                 listed.push(effect);
-                lower_plain(reader, draft, acting, effect);
+                lower_plain(reader, draft, effect);
             }
             Err(error) => reader.report.pass_on(error.clone()),
         }
     }
 }
 
-fn lower_plain(reader: &mut Reader, draft: &mut Draft, acting: &mut ActionPlaces, effect: &Ident) {
+fn lower_plain(reader: &mut Reader, draft: &mut Draft, effect: &Ident) {
     let text = effect.to_string();
     let effects = &mut draft.model.effects;
-    let message = match text.as_str() {
-        "velocity" => {
-            effects.velocity = true;
-            return;
-        }
+    match text.as_str() {
+        "velocity" => effects.velocity = true,
         // Accelerations are made from velocities.
-        "acceleration" => {
-            (effects.velocity, effects.acceleration) = (true, true);
-            return;
-        }
-        "force" => {
-            effects.force = true;
-            acting.force = Some(Place::at(effect.span()));
-            return;
-        }
-        "dynamics" => {
-            effects.dynamics = true;
-            acting.dynamics = Some(Place::at(effect.span()));
-            return;
-        }
-        "overlay" => {
-            effects.overlay = true;
-            return;
-        }
-        "sensitivity" if draft.has_params => {
-            effects.sensitivity = true;
-            return;
-        }
+        "acceleration" => (effects.velocity, effects.acceleration) = (true, true),
+        "force" => effects.force = true,
+        "dynamics" => effects.dynamics = true,
+        "overlay" => effects.overlay = true,
+        "sensitivity" if draft.has_params => effects.sensitivity = true,
         "sensitivity" => {
-            "`sensitivity` tells how everything follows the params, and there is none; write \
-                 `param name = ...;` for a number that points depend on, or leave this out"
-                .to_owned()
+            let text = "`sensitivity` tells how everything follows the params, and there is none; write \
+                 `param name = ...;` for a number that points depend on, or leave this out";
+            reader.report.error(Place::at(effect.span()), text);
         }
-        _ => format!(
-            "unknown effect `{text}`{}",
-            spelling::remedy(&text, &EFFECTS)
-        ),
-    };
-    reader.report.error(Place::at(effect.span()), message);
+        _ => reader.report.unknown(effect, "effect", &EFFECTS),
+    }
+}
+
+/// Effects that contradict what motors do.
+pub(super) fn check(draft: &Draft, report: &mut Report) {
+    let model = &draft.model;
+    // What stands beside them may only be wrong.
+    if let Some((motor, _)) = model.lawful_motors().next()
+        && model.effects.dynamics
+        && report.is_empty()
+    {
+        let motor = model.motor(motor);
+        let text = format!(
+            "motor `{}` follows a law, so forces cannot move it; leave out its law, or the effect `dynamics`",
+            model.joint(motor.joint).name
+        );
+        report.error(draft.places.get(motor.origin), text);
+    }
 }
 
 /// Claims the names of the methods that return rates.
@@ -107,19 +94,15 @@ pub(super) fn take_rate_methods(draft: &mut Draft, report: &mut Report) {
         ..
     } = draft.model.effects;
     for (name, owner, origin, rate) in accessors(&draft.model) {
+        let place = draft.places.get(origin);
         let rates = [
             (velocity, rate),
             (acceleration, "acceleration"),
             (sensitivity, "sensitivity"),
         ];
         for (_, what) in rates.into_iter().filter(|(wanted, _)| *wanted) {
-            let place = draft.places.get(origin);
-            draft.claims.take(
-                format!("{name}_{what}"),
-                format!("the {what} of {owner}"),
-                place,
-                report,
-            );
+            let (method, owner) = (format!("{name}_{what}"), format!("the {what} of {owner}"));
+            draft.claims.take(method, owner, place, report);
         }
     }
 }

@@ -82,8 +82,7 @@ pub(super) fn figure(reader: &mut Reader, outline: &Outline) -> Option<ShapeKind
             let letters = text.value();
             if letters.chars().count() > MOST_LETTERS {
                 let message = format!("a text has at most {MOST_LETTERS} letters");
-                reader.report.error(Place::at(text.span()), message);
-                return None;
+                return reader.report.refuse(Place::at(text.span()), message);
             }
             Figure::Text {
                 at: at?,
@@ -110,14 +109,12 @@ fn two_ends(
         .collect();
     let [from, to] = ends[..] else {
         let text = format!("a {what} has two ends, not {}", pairs.len());
-        reader.report.error(place, text);
-        return None;
+        return reader.report.refuse(place, text);
     };
     let ends = [from?, to?];
     if ends[0] == ends[1] {
         let text = format!("both ends of this {what} are in one place");
-        reader.report.error(place, text);
-        return None;
+        return reader.report.refuse(place, text);
     }
     Some(ends)
 }
@@ -125,8 +122,7 @@ fn two_ends(
 /// A place in a link that no param moves.
 fn steady_place(reader: &mut Reader, pair: &Pair) -> Option<[f64; 2]> {
     let spot: Spot = (reader.pair(pair)?, [None; 2]);
-    let similarity = reader.frame;
-    let (place, formulas) = reader.transform(spot, &similarity, pair.place)?;
+    let (place, formulas) = reader.transform(spot, reader.frame, pair.place)?;
     is_steady(reader, &formulas, pair.place).then_some(place)
 }
 

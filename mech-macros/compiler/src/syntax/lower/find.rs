@@ -52,8 +52,7 @@ pub(super) fn body(reader: &mut Reader, draft: &Draft, name: &Name) -> Option<Bo
             spelling::remedy(divide(&key).1, &reader.names.links(&key))
         ),
     };
-    reader.report.error(name.place(), trouble);
-    None
+    reader.report.refuse(name.place(), trouble)
 }
 
 /// The joint of this name.
@@ -77,8 +76,7 @@ pub(super) fn joint(reader: &mut Reader, draft: &Draft, name: &Name) -> Option<J
             ),
         },
     };
-    reader.report.error(name.place(), trouble);
-    None
+    reader.report.refuse(name.place(), trouble)
 }
 
 /// The first link that has a point of this name.
@@ -146,8 +144,7 @@ pub(super) fn axis(
         spelling::remedy(&text, &candidates)
     };
     let message = format!("`{link_name}` has no {what} `{text}`{remedy}");
-    reader.report.error(Place::at(name.span()), message);
-    None
+    reader.report.refuse(Place::at(name.span()), message)
 }
 
 /// What to say about a use of a part where one of its links or joints should be.

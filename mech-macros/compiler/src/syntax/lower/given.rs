@@ -1,13 +1,13 @@
 //! Joints between the axes that links have.
 
 use super::draft::Draft;
-use super::ends::check_apart;
+use super::ends::Joining;
 use super::name::{Body, Referent, word_for};
 use super::reader::Reader;
 use super::{drawn, find};
-use crate::model::{AxisId, AxisKind, Origin};
+use crate::model::{AxisId, AxisKind};
 use crate::syntax::Place;
-use crate::syntax::ast::{End, Joint, JointBody, JointWord};
+use crate::syntax::ast::{End, JointBody, JointWord};
 
 const POINT: Option<AxisKind> = Some(AxisKind::Point);
 const LINE: Option<AxisKind> = Some(AxisKind::Line);
@@ -16,24 +16,22 @@ const LINE: Option<AxisKind> = Some(AxisKind::Line);
 pub(super) fn axes(
     reader: &mut Reader,
     draft: &mut Draft,
-    joint: &Joint,
-    body: &JointBody,
+    joining: &Joining,
     kinds: [AxisKind; 2],
-    origin: Origin,
 ) -> Option<[AxisId; 2]> {
-    match &body.at {
-        Some(at) => drawn::axes(reader, draft, joint, body, at, kinds, origin),
-        None => given_axes(reader, draft, joint, body, kinds),
+    match &joining.body.at {
+        Some(at) => drawn::axes(reader, draft, joining, at, kinds),
+        None => given_axes(reader, draft, joining, kinds),
     }
 }
 
 fn given_axes(
     reader: &mut Reader,
     draft: &Draft,
-    joint: &Joint,
-    body: &JointBody,
+    joining: &Joining,
     kinds: [AxisKind; 2],
 ) -> Option<[AxisId; 2]> {
+    let body = joining.body;
     let found = body.ends.each_ref().map(|end| kind_of(reader, draft, end));
     let axes = if body.kind == JointWord::Slot && found == [LINE, POINT] {
         refuse_swapped(reader, body);
@@ -53,12 +51,7 @@ fn given_axes(
         reader.report.error(Place::at(along.keyword), text);
     }
     let [a, b] = [axes[0]?, axes[1]?];
-    check_apart(
-        reader,
-        joint,
-        body,
-        [draft.model.axis(a).link, draft.model.axis(b).link],
-    )?;
+    joining.check_apart(reader, [a, b].map(|axis| draft.model.axis(axis).link))?;
     Some([a, b])
 }
 
@@ -107,8 +100,7 @@ fn given_axis(
         operands_of(body.kind),
         other_joint(body, found)
     );
-    reader.report.error(Place::at(name.span()), text);
-    None
+    reader.report.refuse(Place::at(name.span()), text)
 }
 
 /// Complains about a link where one of its axes should be.

@@ -1,6 +1,7 @@
 //! Joints.
 
 use super::draft::Draft;
+use super::ends::Joining;
 use super::name::Referent;
 use super::reader::Reader;
 use super::{cam, given, rolling, weld};
@@ -10,9 +11,7 @@ use crate::syntax::ast::{Joint, JointWord};
 /// What the name of a joint stands for; its axes follow when all links are known.
 pub(super) fn declare(reader: &mut Reader, draft: &mut Draft, joint: &Joint) -> Referent {
     let is_taken = draft.claims.take_name(reader, &joint.name, "joint");
-    if let Err(error) = &joint.body {
-        reader.report.pass_on(error.clone());
-    }
+    reader.report.read(&joint.body);
     if is_taken {
         Referent::Joint(None)
     } else {
@@ -38,28 +37,33 @@ pub(super) fn lower(
     let body = joint.body.as_ref().ok()?;
     let origin = draft.note(&joint.name);
     let name = reader.key_of(&joint.name);
+    let joining = Joining {
+        name: &joint.name,
+        body,
+        origin,
+    };
     let kind = match body.kind {
         JointWord::Revolute => {
-            let [a, b] = given::axes(reader, draft, joint, body, [AxisKind::Point; 2], origin)?;
+            let [a, b] = given::axes(reader, draft, &joining, [AxisKind::Point; 2])?;
             JointKind::Revolute(a, b)
         }
         JointWord::Prismatic => {
-            let [a, b] = given::axes(reader, draft, joint, body, [AxisKind::Line; 2], origin)?;
+            let [a, b] = given::axes(reader, draft, &joining, [AxisKind::Line; 2])?;
             JointKind::Prismatic(a, b)
         }
         JointWord::Weld => {
-            let [a, b] = weld::axes(reader, draft, joint, body, origin)?;
+            let [a, b] = weld::axes(reader, draft, &joining)?;
             JointKind::Weld(a, b)
         }
         JointWord::Slot => {
             let kinds = [AxisKind::Point, AxisKind::Line];
-            let [point, line] = given::axes(reader, draft, joint, body, kinds, origin)?;
+            let [point, line] = given::axes(reader, draft, &joining, kinds)?;
             return is_named.then(|| draft.model.add_slot(&name, origin, point, line));
         }
         JointWord::Gear | JointWord::Belt | JointWord::Rack => {
-            rolling::rolling(reader, draft, joint, body)?
+            rolling::rolling(reader, draft, &joining)?
         }
-        JointWord::Cam => cam::cam(reader, draft, joint, body)?,
+        JointWord::Cam => cam::cam(reader, draft, &joining)?,
     };
     is_named.then(|| {
         let id = JointId::new(draft.model.joints.len());

@@ -44,8 +44,7 @@ pub(super) fn read(
     if formulas.all().len() > MOST_FORMULAS {
         let text =
             format!("a law has {MOST_FORMULAS} numbers and operations at most; this one has more");
-        reader.report.error(expr.place, text);
-        return None;
+        return reader.report.refuse(expr.place, text);
     }
     let law = Law::new(formulas, value, expr.to_string(), origin);
     draft.model.laws.push(law);

@@ -61,12 +61,8 @@ fn pass_on_items(reader: &mut Reader, items: &Read<Vec<Item>>) {
 
 /// Enters what is fixed to a link.
 pub(super) fn fix(reader: &mut Reader, draft: &mut Draft, link: Body, items: &Read<Vec<Item>>) {
-    let items = match items {
-        Ok(items) => items,
-        Err(error) => {
-            reader.report.pass_on(error.clone());
-            return draft.lose_axis(link, None);
-        }
+    let Some(items) = reader.report.read(items) else {
+        return draft.lose_axis(link, None);
     };
     let mut massive = None;
     for item in items {
@@ -90,13 +86,8 @@ pub(super) fn fix(reader: &mut Reader, draft: &mut Draft, link: Body, items: &Re
 /// Enters an axis, also one whose numbers are wrong: its name is known, and it is not to be missed elsewhere.
 fn lower_axis(reader: &mut Reader, draft: &mut Draft, link: Body, axis: &Axis) {
     let kept = take_axis(reader, draft, link, axis);
-    let (at, direction) = match &axis.value {
-        Ok(value) => axis_value(reader, axis.kind, value),
-        Err(error) => {
-            reader.report.pass_on(error.clone());
-            (None, None)
-        }
-    };
+    let value = reader.report.read(&axis.value);
+    let (at, direction) = value.map_or((None, None), |value| axis_value(reader, axis.kind, value));
     if !kept {
         return;
     }
@@ -127,8 +118,7 @@ fn axis_value(
     value: &AxisValue,
 ) -> (Option<Spot>, Option<Spot>) {
     let (at, direction) = untransformed(reader, kind, value);
-    let similarity = reader.frame;
-    let at = at.and_then(|at| reader.transform(at, &similarity, value.at.place));
+    let at = at.and_then(|at| reader.transform(at, reader.frame, value.at.place));
     (at, direction)
 }
 
@@ -231,17 +221,13 @@ pub(super) fn read_color(reader: &mut Reader, color: &Color) -> Option<u8> {
         let entry = color::named(&name.to_string(), shade.map(|(shade, _)| shade));
         return match entry {
             Ok(entry) => Some(entry),
-            Err(text) => {
-                reader.report.error(value.place, text);
-                None
-            }
+            Err(text) => reader.report.refuse(value.place, text),
         };
     }
     let number = reader.whole(value, "the number of a color", [0, 255])?;
     if let Some((_, word)) = *shade {
         let text = "only a color with a name has a shade; leave this word out, or give the color by its name";
-        reader.report.error(Place::at(word), text);
-        return None;
+        return reader.report.refuse(Place::at(word), text);
     }
     u8::try_from(number).ok()
 }
@@ -260,8 +246,7 @@ fn ring(reader: &mut Reader, center: &Pair, radius: &Expr, hole: &Expr) -> Optio
     let ((radius, reach), (inner, within)) = (radius?, inner?);
     if inner >= radius {
         let text = format!("the hole of a ring is smaller than the ring, whose radius is {radius}");
-        reader.report.error(hole.place, text);
-        return None;
+        return reader.report.refuse(hole.place, text);
     }
     let (center, [x, y]) = center?;
     let kind = ShapeKind::Ring {
@@ -277,8 +262,7 @@ fn bar(reader: &mut Reader, pins: &[Pair], place: Place, width: &Expr) -> Option
     let width = fixed_length(reader, width, "a width");
     if pins.len() < 2 {
         let text = format!("a bar has at least two pins, not {}", pins.len());
-        reader.report.error(place, text);
-        return None;
+        return reader.report.refuse(place, text);
     }
     let ((pins, mut formulas), (width, breadth)) = (found?, width?);
     formulas.push(breadth);
@@ -292,8 +276,7 @@ fn polygon(reader: &mut Reader, corners: &[Pair], place: Place) -> Option<Drawin
             "a polygon has at least three corners, not {}",
             corners.len()
         );
-        reader.report.error(place, text);
-        return None;
+        return reader.report.refuse(place, text);
     }
     let (corners, formulas) = found?;
     Some((ShapeKind::Polygon(corners), formulas))
@@ -301,8 +284,8 @@ fn polygon(reader: &mut Reader, corners: &[Pair], place: Place) -> Option<Drawin
 
 /// A place in a link.
 fn fixed_spot(reader: &mut Reader, pair: &Pair) -> Option<Spot> {
-    let (spot, similarity) = (reader.spot(pair)?, reader.frame);
-    reader.transform(spot, &similarity, pair.place)
+    let spot = reader.spot(pair)?;
+    reader.transform(spot, reader.frame, pair.place)
 }
 
 /// A length on a link, greater than zero.

@@ -49,11 +49,10 @@ fn given(
     inertia: Option<&Expr>,
 ) -> Option<Mass> {
     let weight = reader.not_negative(mass, "a mass");
-    let similarity = reader.frame;
     let center = at.map_or(Some([0.0, 0.0]), |at| reader.pair(at));
     let center = center.and_then(|center| {
         let place = at.map_or(mass.place, |at| at.place);
-        reader.transform((center, [None; 2]), &similarity, place)
+        reader.transform((center, [None; 2]), reader.frame, place)
     });
     let center = center.map(|(center, _)| center);
     let inertia = inertia.map_or(Some(0.0), |inertia| {

@@ -2,13 +2,16 @@
 
 use super::draft::Draft;
 use super::reader::Reader;
-use crate::model::{Method, Target};
+use super::setting::choose;
+use crate::model::Method;
+use crate::syntax::Place;
 use crate::syntax::ast::{self, Expr};
-use crate::syntax::{Place, spelling};
-use proc_macro2::Ident;
 
-const METHODS: [&str; 3] = ["exact", "newton", "linear"];
-const MACHINES: [&str; 2] = ["x86_64", "cortex_m4f"];
+const METHODS: [(&str, Method); 3] = [
+    ("exact", Method::Exact),
+    ("newton", Method::Newton),
+    ("linear", Method::Linear),
+];
 
 /// More Newton steps than this are a mistake: the error is squared by each.
 const MOST_STEPS: i32 = 64;
@@ -17,22 +20,17 @@ const MOST_STEPS: i32 = 64;
 const MOST_ORDER: i32 = 3;
 
 pub(super) fn method(reader: &mut Reader, draft: &mut Draft, method: &ast::Method) {
-    let text = method.word.to_string();
-    let chosen = match text.as_str() {
-        "newton" => newton(reader, method.steps.as_ref()),
-        "linear" => without_steps(reader, method, Method::Linear),
-        "exact" => without_steps(reader, method, Method::Exact),
-        _ => {
-            let remedy = spelling::remedy(&text, &METHODS);
-            let text = format!("unknown method `{text}`{remedy}");
-            reader.report.error(Place::at(method.word.span()), text);
-            None
-        }
+    let chosen = choose(&method.word, "method", &METHODS, reader.report);
+    let is_newton = chosen == Some(Method::Newton);
+    let chosen = match chosen {
+        Some(Method::Newton) => newton(reader, method.steps.as_ref()),
+        other => other.and_then(|other| without_steps(reader, method, other)),
     };
     draft.model.method = chosen.or(draft.model.method);
     if let Some((span, order)) = &method.predictor {
-        if !text.eq("newton") {
-            let text = format!("method `{text}` starts from no prediction; leave `predictor` out");
+        if !is_newton {
+            let word = &method.word;
+            let text = format!("method `{word}` starts from no prediction; leave `predictor` out");
             return reader.report.error(Place::at(*span), text);
         }
         let order = reader.whole(order, "the order of a predictor", [1, MOST_ORDER]);
@@ -50,8 +48,7 @@ fn newton(reader: &mut Reader, steps: Option<&(Option<Expr>, Place)>) -> Option<
     let Some(steps) = steps else {
         let text =
             "the number of newton steps is missing; write `newton(2)`, or leave the brackets out";
-        reader.report.error(*brackets, text);
-        return None;
+        return reader.report.refuse(*brackets, text);
     };
     let steps = reader.whole(steps, "the number of newton steps", [1, MOST_STEPS])?;
     u32::try_from(steps).ok().map(Method::NewtonSteps)
@@ -66,24 +63,10 @@ fn without_steps(reader: &mut Reader, method: &ast::Method, chosen: Method) -> O
         "method `{}` takes no number of steps; leave the brackets out",
         method.word
     );
-    reader.report.error(*brackets, text);
-    None
+    reader.report.refuse(*brackets, text)
 }
 
 pub(super) fn accuracy(reader: &mut Reader, draft: &mut Draft, value: &Expr) {
     let accuracy = reader.positive(value, "an accuracy");
     draft.model.accuracy = accuracy.or(draft.model.accuracy);
-}
-
-pub(super) fn cost(reader: &mut Reader, draft: &mut Draft, word: &Ident) {
-    let text = word.to_string();
-    draft.model.target = match text.as_str() {
-        "x86_64" => Target::X86_64,
-        "cortex_m4f" => Target::CortexM4f,
-        _ => {
-            let remedy = spelling::remedy(&text, &MACHINES);
-            let text = format!("unknown machine `{text}`{remedy}");
-            return reader.report.error(Place::at(word.span()), text);
-        }
-    };
 }

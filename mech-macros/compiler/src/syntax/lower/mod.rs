@@ -12,6 +12,7 @@ mod draft;
 mod drawn;
 mod effect;
 mod ends;
+mod expansion;
 mod figure;
 mod find;
 mod given;
@@ -26,7 +27,6 @@ mod param;
 mod part;
 mod path;
 mod port;
-mod quality;
 mod quantity;
 mod reader;
 mod report;
@@ -41,17 +41,12 @@ mod trace;
 mod value;
 mod weld;
 
-use self::action::ActionPlaces;
-use self::constant::Constants;
 use self::draft::Draft;
-use self::motor::WrittenMotor;
-use self::name::Names;
-use self::reader::{Located, Reader};
-use self::report::Report;
-use self::scope::Scopes;
+use self::expansion::Expansion;
+use self::reader::Reader;
 use super::ast::{Statement, Text};
 use super::{Message, Places};
-use crate::model::{Model, Params};
+use crate::model::Model;
 
 /// What a text means, as far as it could be understood.
 pub(super) struct Lowered {
@@ -65,48 +60,37 @@ pub(super) struct Lowered {
 /// Makes the model of a text. Each pass goes once through the text, and through each part as often as there are instances.
 pub(super) fn lower(text: &mut Text) -> Lowered {
     path::find_uses(text);
-    let mut report = Report::default();
-    let mut draft = Draft::of(text);
-    let mut names = Names::new(Scopes::new(Constants::of(&text.statements)));
-    let mut params = Params::default();
-    let statements = part::expand(text, &mut names, &mut draft, &mut params, &mut report);
+    let mut expansion = Expansion::of(text);
+    let statements = expansion.declare_all();
     for located in &statements {
-        port::lend(
-            text,
-            located,
-            &mut names,
-            &mut draft,
-            &mut params,
-            &mut report,
-        );
+        expansion.lend(located);
     }
+    let Expansion {
+        mut names,
+        mut draft,
+        mut params,
+        mut report,
+        ..
+    } = expansion;
     // Cams join joints that may be declared after them.
     for is_cam in [false, true] {
         for located in &statements {
-            join(
-                located,
-                is_cam,
-                &mut names,
-                &mut draft,
-                &mut params,
-                &mut report,
-            );
+            let mut reader = Reader::of(located, &names, &mut params, &mut report);
+            if let Statement::Joint(joint) = located.statement
+                && joint::is_cam(joint) == is_cam
+                && let Some(id) = joint::lower(&mut reader, &mut draft, joint, located.is_named)
+            {
+                names.joint_is(&draft.model.joint(id).name, id);
+            }
         }
     }
-    let (mut motors, mut acting) = (Vec::new(), ActionPlaces::default());
     for located in &statements {
         let mut reader = Reader::of(located, &names, &mut params, &mut report);
-        set(
-            &mut reader,
-            &mut draft,
-            &mut motors,
-            &mut acting,
-            located.statement,
-        );
+        set(&mut reader, &mut draft, located.statement);
     }
     for located in &statements {
         let mut reader = Reader::of(located, &names, &mut params, &mut report);
-        begin(&mut reader, &mut draft, &motors, located.statement);
+        begin(&mut reader, &mut draft, located.statement);
     }
     for located in &statements {
         let mut reader = Reader::of(located, &names, &mut params, &mut report);
@@ -115,13 +99,13 @@ pub(super) fn lower(text: &mut Text) -> Lowered {
         }
     }
     draft.model.params = params;
-    start::start_by_laws(&mut draft, &motors, &mut report);
-    motor::check_unlisted(&draft, &motors, &mut report);
-    action::check_effects(&draft, &acting, &mut report);
+    start::start_by_laws(&mut draft, &mut report);
+    motor::check_unlisted(&draft, &mut report);
+    effect::check(&draft, &mut report);
     figure::check_gears(&draft, &mut report);
-    action::check_actions(&draft, &acting, &mut report);
+    action::check(&draft, &statements, &mut report);
     effect::take_rate_methods(&mut draft, &mut report);
-    action::take_methods(&mut draft, &acting, &mut report);
+    action::take_methods(&mut draft, &statements, &mut report);
     effect::take_time_method(&mut draft, &mut report);
     trace::take_methods(&mut draft, &mut report);
     Lowered {
@@ -131,46 +115,19 @@ pub(super) fn lower(text: &mut Text) -> Lowered {
     }
 }
 
-/// Enters a joint, which may refer to links declared after it.
-fn join(
-    located: &Located,
-    is_cam: bool,
-    names: &mut Names,
-    draft: &mut Draft,
-    params: &mut Params,
-    report: &mut Report,
-) {
-    let mut reader = Reader::of(located, names, params, report);
-    if let Statement::Joint(joint) = located.statement
-        && joint::is_cam(joint) == is_cam
-        && let Some(id) = joint::lower(&mut reader, draft, joint, located.is_named)
-    {
-        let key = reader.key_of(&joint.name);
-        names.joint_is(&key, id);
-    }
-}
-
 /// What refers to joints.
-fn set(
-    reader: &mut Reader,
-    draft: &mut Draft,
-    motors: &mut Vec<WrittenMotor>,
-    acting: &mut ActionPlaces,
-    statement: &Statement,
-) {
+fn set(reader: &mut Reader, draft: &mut Draft, statement: &Statement) {
     match statement {
-        Statement::Motor(motor) => motor::lower(reader, draft, motors, motor),
+        Statement::Motor(motor) => motor::lower(reader, draft, motor),
         Statement::Method(method) => method::method(reader, draft, method),
         Statement::Accuracy { value, .. } => method::accuracy(reader, draft, value),
-        Statement::Cost { word, .. } => method::cost(reader, draft, word),
-        Statement::Quality { word, .. } => quality::quality(reader, draft, word),
-        Statement::Look { word, .. } => quality::look(reader, draft, word),
+        Statement::Cost { word, .. } => setting::cost(word, &mut draft.model, reader.report),
+        Statement::Quality { word, .. } => setting::quality(word, &mut draft.model, reader.report),
+        Statement::Look { word, .. } => setting::look(word, &mut draft.model, reader.report),
         Statement::ChangePoints { what, .. } => draft.model.change_points = *what,
-        Statement::Effects { effects, .. } => effect::lower(reader, draft, acting, effects),
-        Statement::Allow(word) => setting::allow(reader, draft, word),
-        Statement::Gravity { keyword, value } => {
-            action::gravity(reader, draft, acting, *keyword, value);
-        }
+        Statement::Effects { effects, .. } => effect::lower(reader, draft, effects),
+        Statement::Allow(word) => setting::allow(word, &mut draft.model, reader.report),
+        Statement::Gravity { value, .. } => action::gravity(reader, draft, value),
         Statement::Spring(spring) => action::spring(reader, draft, spring),
         Statement::Damper(damper) => action::damper(reader, draft, damper),
         Statement::Load(load) => action::load(reader, draft, load),
@@ -179,9 +136,9 @@ fn set(
 }
 
 /// Where it starts, which must be within the ranges of the motors; and what is shown, which they may give.
-fn begin(reader: &mut Reader, draft: &mut Draft, motors: &[WrittenMotor], statement: &Statement) {
+fn begin(reader: &mut Reader, draft: &mut Draft, statement: &Statement) {
     match statement {
-        Statement::Start(start) => start::lower(reader, draft, motors, start),
+        Statement::Start(start) => start::lower(reader, draft, start),
         Statement::Show { keyword, what } => show::lower(reader, draft, *keyword, what),
         _ => {}
     }

@@ -3,7 +3,7 @@
 use super::angle::ask_about_degrees;
 use super::constant::TIME;
 use super::coordinate::is_drawn;
-use super::draft::Draft;
+use super::draft::{Draft, WrittenMotor};
 use super::quantity::Quantity;
 use super::reader::Reader;
 use super::report::{Report, StatementPlace};
@@ -15,20 +15,7 @@ use crate::syntax::ast::{Motor, Name, StartClause};
 /// The greatest relative difference between two numbers that are equal but were computed differently.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// What the text says of a motor of the model, for messages.
-pub(super) struct WrittenMotor {
-    /// The number of its statement.
-    pub(super) statement: usize,
-    /// Its range, if it has one.
-    range: String,
-}
-
-pub(super) fn lower(
-    reader: &mut Reader,
-    draft: &mut Draft,
-    motors: &mut Vec<WrittenMotor>,
-    motor: &Motor,
-) {
+pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, motor: &Motor) {
     let joint = find_driven(reader, draft, &motor.joint);
     let range = range(reader, draft, motor);
     let step = step(reader, motor);
@@ -51,7 +38,7 @@ pub(super) fn lower(
         law,
     });
     let ends = motor.range.iter();
-    motors.push(WrittenMotor {
+    draft.motors.push(WrittenMotor {
         statement: reader.report.statement(),
         range: ends
             .map(|[low, high]| format!("{low} ..= {high}"))
@@ -77,8 +64,7 @@ fn find_driven(reader: &mut Reader, draft: &Draft, name: &Name) -> Option<JointI
     } else {
         return Some(joint);
     };
-    reader.report.error(name.place(), text);
-    None
+    reader.report.refuse(name.place(), text)
 }
 
 fn range(reader: &mut Reader, draft: &mut Draft, motor: &Motor) -> Option<Range> {
@@ -98,8 +84,7 @@ fn range(reader: &mut Reader, draft: &mut Draft, motor: &Motor) -> Option<Range>
             "motor `{name}` cannot move in a range of one value; give the range another end, or leave it out"
         )
     };
-    reader.report.error(place, text);
-    None
+    reader.report.refuse(place, text)
 }
 
 fn step(reader: &mut Reader, motor: &Motor) -> Option<f64> {
@@ -112,8 +97,7 @@ fn step(reader: &mut Reader, motor: &Motor) -> Option<f64> {
         "the step of motor `{}` must be greater than zero, not `{step}`",
         motor.joint
     );
-    reader.report.error(step.place, text);
-    None
+    reader.report.refuse(step.place, text)
 }
 
 /// Complains about a value at which a joint starts, if its motor does not go there.
@@ -122,10 +106,9 @@ pub(super) fn check_start(
     joint: JointId,
     value: f64,
     draft: &Draft,
-    motors: &[WrittenMotor],
     report: &mut Report,
 ) {
-    let Some((_, written)) = left(joint, value, &draft.model, motors) else {
+    let Some((_, written)) = left(joint, value, draft) else {
         return;
     };
     let text = if is_drawn(&draft.model, joint) {
@@ -140,14 +123,8 @@ pub(super) fn check_start(
 }
 
 /// Complains about a law that starts where its motor does not go.
-pub(super) fn check_law(
-    joint: JointId,
-    value: f64,
-    draft: &Draft,
-    motors: &[WrittenMotor],
-    report: &mut Report,
-) {
-    let Some((range, written)) = left(joint, value, &draft.model, motors) else {
+pub(super) fn check_law(joint: JointId, value: f64, draft: &Draft, report: &mut Report) {
+    let Some((range, written)) = left(joint, value, draft) else {
         return;
     };
     let text = format!(
@@ -159,14 +136,19 @@ pub(super) fn check_law(
 }
 
 /// Complains about motors that start at zero because nothing else was said, and do not go there.
-pub(super) fn check_unlisted(draft: &Draft, motors: &[WrittenMotor], report: &mut Report) {
+pub(super) fn check_unlisted(draft: &Draft, report: &mut Report) {
     // A start may also be missing because of an error in it.
     if !report.is_empty() {
         return;
     }
     let model = &draft.model;
-    for (joint, motor) in model.motors.iter().map(|motor| motor.joint).zip(motors) {
-        let Some((range, written)) = left(joint, 0.0, model, motors) else {
+    for (joint, motor) in model
+        .motors
+        .iter()
+        .map(|motor| motor.joint)
+        .zip(&draft.motors)
+    {
+        let Some((range, written)) = left(joint, 0.0, draft) else {
             continue;
         };
         if model.start.values.iter().any(|start| start.joint == joint) {
@@ -194,15 +176,11 @@ fn outside_as_drawn(model: &Model, joint: JointId, written: &str) -> String {
 }
 
 /// The range of a joint's motor that a value is outside of, and how it is written.
-fn left<'m>(
-    joint: JointId,
-    value: f64,
-    model: &Model,
-    motors: &'m [WrittenMotor],
-) -> Option<(Range, &'m str)> {
-    let number = model.motors.iter().position(|motor| motor.joint == joint)?;
-    let range = model.motors[number].range?;
-    (!within(value, range)).then_some((range, &motors[number].range))
+fn left(joint: JointId, value: f64, draft: &Draft) -> Option<(Range, &str)> {
+    let mut motors = draft.model.motors.iter();
+    let number = motors.position(|motor| motor.joint == joint)?;
+    let range = draft.model.motors[number].range?;
+    (!within(value, range)).then_some((range, &draft.motors[number].range))
 }
 
 /// Whether a value is in a range, ends included: `90 deg` is also where `PI / 2` is.

@@ -2,50 +2,40 @@
 
 use super::constant::Value;
 use super::draft::Draft;
-use super::name::Names;
+use super::expansion::Expansion;
 use super::quantity::Quantity;
 use super::reader::Reader;
-use super::report::Report;
 use crate::api::{self, Owner};
-use crate::model::{Formula, Param, Params};
+use crate::model::{Formula, Param};
 use crate::syntax::Place;
 use crate::syntax::ast::Constant;
 use proc_macro2::Ident;
 
-/// Declares a param in a scope.
-pub(super) fn declare(
-    param: &Constant,
-    scope: usize,
-    names: &mut Names,
-    draft: &mut Draft,
-    params: &mut Params,
-    report: &mut Report,
-) {
-    let name = &param.name;
-    let constants = &mut names.scopes.get_mut(scope).constants;
-    let is_new = constants.declare(name, Value::default(), "param", report);
-    let mut reader = Reader::new(names, scope, params, report);
-    let is_taken = is_new
-        && draft.claims.take_name(&mut reader, name, "param")
-        && take_setters(&mut reader, draft, name);
-    let value = match &param.value {
-        Ok(expr) => reader.value(expr),
-        Err(error) => {
-            reader.report.pass_on(error.clone());
-            None
+impl Expansion<'_> {
+    /// Declares a param in a scope.
+    pub(super) fn declare_param(&mut self, param: &Constant, scope: usize) {
+        let name = &param.name;
+        let constants = &mut self.names.scopes.get_mut(scope).constants;
+        let is_new = constants.declare(name, Value::default(), "param", &mut self.report);
+        let (mut reader, draft) = self.read(scope);
+        let is_taken = is_new
+            && draft.claims.take_name(&mut reader, name, "param")
+            && take_setters(&mut reader, draft, name);
+        let value = reader.report.read(&param.value);
+        let value = value.and_then(|expr| reader.value(expr));
+        if let Some(value) = value.filter(|_| is_taken) {
+            let id = self.params.add(Param {
+                name: self.names.scope(scope).key_of(name),
+                origin: self.draft.note(name),
+                value,
+            });
+            let quantity = Quantity {
+                value: Some(value),
+                formula: Some(self.params.formula(Formula::Param(id))),
+            };
+            let constants = &mut self.names.scopes.get_mut(scope).constants;
+            constants.assign(name, quantity);
         }
-    };
-    if let Some(value) = value.filter(|_| is_taken) {
-        let id = params.add(Param {
-            name: names.scope(scope).key_of(name),
-            origin: draft.note(name),
-            value,
-        });
-        let quantity = Quantity {
-            value: Some(value),
-            formula: Some(params.formula(Formula::Param(id))),
-        };
-        names.scopes.get_mut(scope).constants.assign(name, quantity);
     }
 }
 

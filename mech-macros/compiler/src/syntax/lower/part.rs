@@ -2,68 +2,169 @@
 
 use super::constant::{Constants, INSTANCE, Value};
 use super::draft::Draft;
+use super::expansion::{Expansion, locate, parts};
 use super::link::error_of;
-use super::name::{Names, Referent};
+use super::name::Referent;
 use super::quantity::Quantity;
 use super::reader::{Located, Reader};
 use super::report::{Report, StatementPlace};
 use super::scope::{Scope, UsedPart};
 use super::similarity::Similarity;
-use super::{joint, link, param, single};
-use crate::model::{Instance, Params};
-use crate::syntax::ast::{self, Effect, Link, Part, Port, Statement, Text, Use};
+use super::single::Single;
+use super::{joint, link};
+use crate::model::Instance;
+use crate::syntax::ast::{Constant, Effect, Link, Part, Port, Statement, Text, Use};
 use crate::syntax::{Message, Place, spelling};
 use proc_macro2::Ident;
 
 /// No mechanism has more instances of parts than this.
 const MOST_SCOPES: usize = 4096;
 
-/// The parts of a mechanism, each with the number of its statement.
-pub(super) fn parts(text: &Text) -> impl Iterator<Item = (usize, &Part)> {
-    let statements = (1..).zip(&text.statements);
-    statements.filter_map(|(number, statement)| match statement {
-        Statement::Part(part) => Some((number, &**part)),
-        _ => None,
-    })
-}
-
-/// Enters everything that has a name, and gives the statements of each instance of a part.
-pub(super) fn expand<'t>(
-    text: &'t Text,
-    names: &mut Names,
-    draft: &mut Draft,
-    params: &mut Params,
-    report: &mut Report,
-) -> Vec<Located<'t>> {
-    check_parts(text, report);
-    let whole = (1..).zip(&text.statements);
-    let whole = whole.map(|(number, statement)| Located {
-        scope: 0,
-        place: StatementPlace::of_mechanism(number),
-        statement,
-        is_named: false,
-    });
-    // The next is the last.
-    let mut waiting: Vec<Located> = whole.collect();
-    waiting.reverse();
-    let mut statements = Vec::new();
-    while let Some(mut located) = waiting.pop() {
-        let scope = names.scope(located.scope);
-        report.enter(located.place, scope.instance());
-        if let Some((place, text)) = misplacement(scope, located.statement) {
-            report.error(place, text);
-            continue;
+impl<'t> Expansion<'t> {
+    /// Enters everything that has a name, and gives the statements of the mechanism and of all instances.
+    pub(super) fn declare_all(&mut self) -> Vec<Located<'t>> {
+        check_parts(self.text, &mut self.report);
+        // The next is the last.
+        let mut waiting: Vec<_> = locate(&self.text.statements, 0, None).rev().collect();
+        let mut statements = Vec::new();
+        while let Some(mut located) = waiting.pop() {
+            self.enter(&located);
+            let scope = self.names.scopes.get_mut(located.scope);
+            if let Some((place, text)) = misplacement(scope, located.statement) {
+                self.report.error(place, text);
+                continue;
+            }
+            if let Some(single) = Single::of(located.statement) {
+                single.check(scope, &mut self.report);
+            }
+            located.is_named = self.declare(&located);
+            if let Statement::Use(used) = located.statement {
+                let inner = self.instantiate(&located, used);
+                waiting.extend(inner.into_iter().flatten().rev());
+            }
+            statements.push(located);
         }
-        single::check(&located, names, report);
-        located.is_named = declare(&located, names, draft, params, report);
-        if let Statement::Use(used) = located.statement {
-            let inner = instantiate(text, &located, used, names, draft, params, report);
-            waiting.extend(inner.into_iter().flatten().rev());
-        }
-        statements.push(located);
+        check_unused(self.text, &statements, &mut self.report);
+        statements
     }
-    check_unused(text, &statements, report);
-    statements
+
+    /// Enters what has a name: whether it can have it.
+    fn declare(&mut self, located: &Located) -> bool {
+        let scope = located.scope;
+        let (mut reader, draft) = self.read(scope);
+        let (name, referent) = match located.statement {
+            Statement::Link(link) => (&link.name, link::declare(&mut reader, draft, link)),
+            Statement::Joint(joint) => (&joint.name, joint::declare(&mut reader, draft, joint)),
+            Statement::Use(used) => (&used.name, declare_use(&mut reader, draft, used)),
+            Statement::Broken(broken) => {
+                reader.report.pass_on(broken.error.clone());
+                let Some(name) = &broken.name else {
+                    return false;
+                };
+                (name, Referent::Broken)
+            }
+            Statement::Ground(ground) => {
+                link::declare_ground(&mut reader, draft, ground);
+                return true;
+            }
+            Statement::Constant(constant) => {
+                self.declare_constant(constant, scope);
+                return true;
+            }
+            Statement::Param(param) => {
+                self.declare_param(param, scope);
+                return true;
+            }
+            _ => return true,
+        };
+        let key = reader.key_of(name);
+        if let Statement::Joint(joint) = located.statement
+            && joint::is_cam(joint)
+        {
+            self.names.cams.push(key.clone());
+        }
+        if let Referent::Link(_) = referent {
+            self.names.link_scopes.push(scope);
+        }
+        self.names.enter(key, referent);
+        !matches!(referent, Referent::Broken)
+    }
+
+    fn declare_constant(&mut self, constant: &Constant, scope: usize) {
+        let value = self.report.read(&constant.value);
+        let value = value.map_or(Value::default(), |expr| self.read(scope).0.both(expr));
+        let constants = &mut self.names.scopes.get_mut(scope).constants;
+        constants.declare(&constant.name, value, "constant", &mut self.report);
+    }
+
+    /// Makes the instances of a use, and gives the statements of its part in each.
+    fn instantiate(&mut self, located: &Located, used: &Use) -> Option<Vec<Located<'t>>> {
+        let (text, scope) = (self.text, located.scope);
+        let (mut reader, _) = self.read(scope);
+        let count = count(&mut reader, used);
+        let (outer, part) = find_part(&mut reader, text, &used.part)?;
+        let count = count.filter(|_| located.is_named)?;
+        let own = own_similarity(&mut reader, used)?;
+        let frame = reader.frame;
+        let similarity = reader.compose(&frame, &own, Place::at(used.name.span()))?;
+        let mut known = UsedPart {
+            name: used.name.to_string(),
+            is_array: used.count.is_some(),
+            own,
+            instances: Vec::new(),
+        };
+        let said = self.report.len();
+        let body = part.body.as_deref().unwrap_or_default();
+        for instance in 0..count {
+            let index = known.is_array.then_some(instance);
+            // What is wrong with the numbers of the first instance is so with all.
+            let numbers = if self.report.len() == said {
+                let (mut reader, _) = self.read(scope);
+                reader.passing.instance = index;
+                arguments(&mut reader, used, part)
+            } else {
+                vec![Some(Value::default()); part.parameters.len()]
+            };
+            let mut path = used.name.to_string();
+            path.extend(index.map(|index| format!("[{index}]")));
+            let scopes = &mut self.names.scopes;
+            let instance = scopes.add(scope, &path, &part.name, Constants::of(body));
+            known.instances.push(instance);
+            let own = scopes.get_mut(instance);
+            own.similarity = similarity;
+            self.draft.model.instances.push(Instance {
+                name: used.name.to_string(),
+                index,
+                part: part.name.to_string(),
+                path: own.instance().unwrap_or_default(),
+                parent: scope.checked_sub(1),
+            });
+            self.give_numbers(part, numbers, instance);
+        }
+        let instances = known.instances.iter();
+        let statements = instances.flat_map(|&scope| locate(body, scope, Some(outer)));
+        let statements = statements.collect();
+        self.names.scopes.get_mut(scope).uses.push(known);
+        Some(statements)
+    }
+
+    /// Gives the numbers of an instance their values: those of its use, or else those of the part.
+    fn give_numbers(&mut self, part: &Part, values: Vec<Option<Value>>, instance: usize) {
+        for (parameter, value) in part.parameters.iter().zip(values) {
+            let value = value.unwrap_or_else(|| match &parameter.value {
+                Ok(expr) => self.read(instance).0.both(expr),
+                Err(_) => Value::default(),
+            });
+            let name = &parameter.name;
+            let constants = &mut self.names.scopes.get_mut(instance).constants;
+            if !constants.give(name, value) {
+                let text = format!("there is a number `{name}` already; choose another name");
+                if !self.report.has(&text) {
+                    self.report.error(Place::at(name.span()), text);
+                }
+            }
+        }
+    }
 }
 
 /// Complains about parts of which no use is to be made.
@@ -75,9 +176,7 @@ fn check_parts(text: &Text, report: &mut Report) {
             let text = format!("there is a part `{name}` already; choose another name");
             report.error(Place::at(name.span()), text);
         }
-        if let Err(error) = &part.body {
-            report.pass_on(error.clone());
-        }
+        report.read(&part.body);
     }
 }
 
@@ -96,72 +195,6 @@ fn check_unused(text: &Text, statements: &[Located], report: &mut Report) {
             }
         }
     }
-}
-
-/// Enters what has a name: whether it can have it.
-fn declare(
-    located: &Located,
-    names: &mut Names,
-    draft: &mut Draft,
-    params: &mut Params,
-    report: &mut Report,
-) -> bool {
-    let scope = located.scope;
-    let mut reader = Reader::new(names, scope, params, report);
-    let (name, referent) = match located.statement {
-        Statement::Link(link) => (&link.name, link::declare(&mut reader, draft, link)),
-        Statement::Joint(joint) => (&joint.name, joint::declare(&mut reader, draft, joint)),
-        Statement::Use(used) => (&used.name, declare_use(&mut reader, draft, used)),
-        Statement::Broken(broken) => {
-            report.pass_on(broken.error.clone());
-            let Some(name) = &broken.name else {
-                return false;
-            };
-            (name, Referent::Broken)
-        }
-        Statement::Ground(ground) => {
-            link::declare_ground(&mut reader, draft, ground);
-            return true;
-        }
-        Statement::Constant(constant) => {
-            declare_constant(constant, scope, names, params, report);
-            return true;
-        }
-        Statement::Param(param) => {
-            param::declare(param, scope, names, draft, params, report);
-            return true;
-        }
-        _ => return true,
-    };
-    let key = names.scope(scope).key_of(name);
-    if let Statement::Joint(joint) = located.statement
-        && joint::is_cam(joint)
-    {
-        names.cams.push(key.clone());
-    }
-    if let Referent::Link(_) = referent {
-        names.link_scopes.push(scope);
-    }
-    names.enter(key, referent);
-    !matches!(referent, Referent::Broken)
-}
-
-fn declare_constant(
-    constant: &ast::Constant,
-    scope: usize,
-    names: &mut Names,
-    params: &mut Params,
-    report: &mut Report,
-) {
-    let value = match &constant.value {
-        Ok(expr) => Reader::new(names, scope, params, report).both(expr),
-        Err(error) => {
-            report.pass_on(error.clone());
-            Value::default()
-        }
-    };
-    let constants = &mut names.scopes.get_mut(scope).constants;
-    constants.declare(&constant.name, value, "constant", report);
 }
 
 /// What the name of a use stands for.
@@ -212,94 +245,16 @@ fn misplacement(scope: &Scope, statement: &Statement) -> Option<(Place, String)>
             );
             Some((Place::at(inner.name.span()), text))
         }
-        Statement::Method(method) => whole(method.keyword, "method"),
-        Statement::Accuracy { keyword, .. } => whole(*keyword, "accuracy"),
-        Statement::Cost { keyword, .. } => whole(*keyword, "cost"),
-        Statement::Quality { keyword, .. } => whole(*keyword, "quality"),
-        Statement::Look { keyword, .. } => whole(*keyword, "look"),
-        Statement::ChangePoints { keyword, .. } => whole(*keyword, "at change points"),
-        Statement::Gravity { keyword, .. } => whole(*keyword, "gravity"),
-        Statement::Show { keyword, .. } => whole(*keyword, "show"),
         Statement::Allow(word) => whole(word.span(), "allow"),
         Statement::Effects { effects, .. } => effects.iter().find_map(|effect| match effect {
             Ok(Effect::Plain(effect)) => whole(effect.span(), &effect.to_string()),
             _ => None,
         }),
-        _ => None,
+        _ => {
+            let single = Single::of(statement).filter(|single| single.is_whole)?;
+            whole(single.keyword, single.word)
+        }
     }
-}
-
-/// Makes the instances of a use, and gives the statements of its part in each.
-fn instantiate<'t>(
-    text: &'t Text,
-    located: &Located,
-    used: &Use,
-    names: &mut Names,
-    draft: &mut Draft,
-    params: &mut Params,
-    report: &mut Report,
-) -> Option<Vec<Located<'t>>> {
-    let scope = located.scope;
-    let mut reader = Reader::new(names, scope, params, report);
-    let count = count(&mut reader, used);
-    let (outer, part) = find_part(&mut reader, text, &used.part)?;
-    let count = count.filter(|_| located.is_named)?;
-    let own = own_similarity(&mut reader, used)?;
-    let frame = reader.frame;
-    let similarity = reader.compose(&frame, &own, Place::at(used.name.span()))?;
-    let mut known = UsedPart {
-        name: used.name.to_string(),
-        is_array: used.count.is_some(),
-        own,
-        instances: Vec::new(),
-    };
-    let said = report.len();
-    let body = part.body.as_deref().unwrap_or_default();
-    for instance in 0..count {
-        let index = known.is_array.then_some(instance);
-        // What is wrong with the numbers of the first instance is so with all.
-        let numbers = if report.len() == said {
-            let mut reader = Reader::new(names, scope, params, report);
-            reader.passing.instance = index;
-            arguments(&mut reader, used, part)
-        } else {
-            vec![Some(Value::default()); part.parameters.len()]
-        };
-        let own = match index {
-            Some(index) => format!("{}[{index}]", used.name),
-            None => used.name.to_string(),
-        };
-        let part_name = part.name.to_string();
-        let instance = names
-            .scopes
-            .add(scope, &own, &part_name, Constants::of(body));
-        known.instances.push(instance);
-        let own = names.scopes.get_mut(instance);
-        own.similarity = similarity;
-        draft.model.instances.push(Instance {
-            name: used.name.to_string(),
-            index,
-            part: part_name,
-            path: own.instance().unwrap_or_default(),
-            parent: scope.checked_sub(1),
-        });
-        give_numbers(part, numbers, instance, names, params, report);
-    }
-    let statements = known.instances.iter().flat_map(|&scope| {
-        let body = (1..).zip(body);
-        body.map(move |(inner, statement)| Located {
-            scope,
-            place: StatementPlace {
-                outer,
-                inner: Some(inner),
-            },
-            statement,
-            is_named: false,
-        })
-    });
-    let statements = statements.collect();
-    names.scopes.get_mut(scope).uses.push(known);
-    Some(statements)
 }
 
 /// How many instances a use has.
@@ -319,8 +274,7 @@ fn count(reader: &mut Reader, used: &Use) -> Option<usize> {
     if reader.names.scopes.len() + count > MOST_SCOPES {
         let text =
             format!("a mechanism has {MOST_SCOPES} instances of parts at most; this makes more");
-        reader.report.error(*place, text);
-        return None;
+        return reader.report.refuse(*place, text);
     }
     Some(count)
 }
@@ -342,8 +296,7 @@ fn find_part<'t>(reader: &mut Reader, text: &'t Text, name: &Ident) -> Option<(u
             format!("unknown part `{word}`{remedy}")
         }
     };
-    reader.report.error(Place::at(name.span()), trouble);
-    None
+    reader.report.refuse(Place::at(name.span()), trouble)
 }
 
 /// How an instance is mirrored and scaled by its use.
@@ -395,31 +348,6 @@ fn arguments(reader: &mut Reader, used: &Use, part: &Part) -> Vec<Option<Value>>
         reader.report.error(Place::at(name.span()), trouble);
     }
     values
-}
-
-/// Gives the numbers of an instance their values: those of its use, or else those of the part.
-fn give_numbers(
-    part: &Part,
-    values: Vec<Option<Value>>,
-    instance: usize,
-    names: &mut Names,
-    params: &mut Params,
-    report: &mut Report,
-) {
-    for (parameter, value) in part.parameters.iter().zip(values) {
-        let mut reader = Reader::new(names, instance, params, report);
-        let value = value.unwrap_or_else(|| match &parameter.value {
-            Ok(expr) => reader.both(expr),
-            Err(_) => Value::default(),
-        });
-        let name = &parameter.name;
-        if !names.scopes.get_mut(instance).constants.give(name, value) {
-            let text = format!("there is a number `{name}` already; choose another name");
-            if !report.has(&text) {
-                report.error(Place::at(name.span()), text);
-            }
-        }
-    }
 }
 
 /// What could not be read of a statement.

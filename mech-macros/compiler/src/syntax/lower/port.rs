@@ -1,107 +1,95 @@
 //! Ports: the links that are lent to the instances of parts, and where what a part fixes to them comes to lie.
 
 use super::draft::Draft;
-use super::name::{Body, LentLink, Names, Referent};
-use super::part::parts;
+use super::expansion::{Expansion, parts};
+use super::name::{Body, LentLink, Referent};
 use super::reader::{Located, Reader};
 use super::report::Report;
 use super::similarity::Similarity;
 use super::{find, link};
-use crate::model::{LinkId, Params};
-use crate::syntax::ast::{Part, PortBinding, Statement, Text, Use};
+use crate::model::LinkId;
+use crate::syntax::ast::{Part, PortBinding, Statement, Use};
 use crate::syntax::{Place, spelling};
 use proc_macro2::Ident;
 
-/// Lends a link to a port, or brings to its place what a part fixes to a link.
-pub(super) fn lend(
-    text: &Text,
-    located: &Located,
-    names: &mut Names,
-    draft: &mut Draft,
-    params: &mut Params,
-    report: &mut Report,
-) {
-    let scope = located.scope;
-    let mut reader = Reader::of(located, names, params, report);
-    let (name, items) = match located.statement {
-        Statement::Use(used) => {
-            return lend_links(text, used, scope, names, draft, params, report);
-        }
-        Statement::Port(port) => (&port.name, &port.items),
-        Statement::Link(link) if reader.here().part.is_some() => (&link.name, &link.items),
-        _ => return,
-    };
-    let Some(Referent::Link(body)) = names.get(&reader.key_of(name)) else {
-        return;
-    };
-    let is_port = matches!(located.statement, Statement::Port(_));
-    if is_port != body.port.is_some() {
-        return;
-    }
-    if let Some(port) = body.port {
-        reader.frame = names.ports[port].similarity;
-    }
-    link::fix(&mut reader, draft, body, items);
-}
-
-/// Lends links to the ports of all instances of a use.
-fn lend_links(
-    text: &Text,
-    used: &Use,
-    scope: usize,
-    names: &mut Names,
-    draft: &Draft,
-    params: &mut Params,
-    report: &mut Report,
-) {
-    let Some(known) = names.scope(scope).used(&used.name).cloned() else {
-        return;
-    };
-    let Some((_, part)) = parts(text).find(|(_, part)| part.name == used.part) else {
-        return;
-    };
-    let ports: Vec<String> = part.ports().map(|port| port.name.to_string()).collect();
-    check_ports(used, part, &ports, report);
-    let drawn_joint = drawn_joint(part);
-    for (number, &instance) in known.instances.iter().enumerate() {
-        let said = report.len();
-        let mut places: Vec<Similarity> = Vec::new();
-        for port in &ports {
-            let path = format!("{}{port}", names.scope(instance).prefix);
-            let binding = used.ports.iter().find(|binding| binding.port == port);
-            let mut reader = Reader::new(names, scope, params, report);
-            reader.passing.instance = known.is_array.then_some(number);
-            let lent =
-                binding.and_then(|binding| lent_link(&mut reader, draft, binding, &known.own));
-            let Some((id, similarity)) = lent else {
-                names.enter(path, Referent::Broken);
-                continue;
-            };
-            let port = Some(names.ports.len());
-            names.enter(path.clone(), Referent::Link(Body { id, port }));
-            names.ports.push(LentLink { path, similarity });
-            places.push(similarity);
-        }
-        let here = names.scopes.get_mut(instance);
-        here.place(places.first(), drawn_joint.is_some());
-        if let (Some(joint), [first, others @ ..]) = (drawn_joint, &places[..])
-            && others.iter().any(|other| other != first)
-        {
-            let text = format!(
-                "part `{}` has joints in a drawing, like `{joint}`, so all its ports are lent at one place; give each the same `at` and `turned`",
-                part.name
-            );
-            report.error(Place::at(used.part.span()), text);
-        }
-        // What is wrong with the first instance is so with all. Nobody is to be blamed for ports that have no link because of it.
-        if report.len() > said {
-            for &instance in &known.instances {
-                for port in &ports {
-                    let path = format!("{}{port}", names.scope(instance).prefix);
-                    names.enter(path, Referent::Broken);
-                }
+impl Expansion<'_> {
+    /// Lends links to the ports of a use, or brings to its place what a part fixes to a link.
+    pub(super) fn lend(&mut self, located: &Located) {
+        self.enter(located);
+        let (mut reader, draft) = self.read(located.scope);
+        let (name, items, is_port) = match located.statement {
+            Statement::Use(used) => return self.lend_links(used, located.scope),
+            Statement::Port(port) => (&port.name, &port.items, true),
+            Statement::Link(link) if reader.here().part.is_some() => {
+                (&link.name, &link.items, false)
             }
-            break;
+            _ => return,
+        };
+        if let Some(Referent::Link(body)) = reader.names.get(&reader.key_of(name))
+            && body.port.is_some() == is_port
+        {
+            if is_port {
+                reader.frame = reader.names.frame_of(body);
+            }
+            link::fix(&mut reader, draft, body, items);
+        }
+    }
+
+    /// Lends links to the ports of all instances of a use.
+    fn lend_links(&mut self, used: &Use, scope: usize) {
+        let known = self.names.scope(scope).used(&used.name).cloned();
+        let part = parts(self.text).find(|(_, part)| part.name == used.part);
+        let (Some(known), Some((_, part))) = (known, part) else {
+            return;
+        };
+        let ports: Vec<String> = part.ports().map(|port| port.name.to_string()).collect();
+        check_ports(used, part, &ports, &mut self.report);
+        let drawn_joint = drawn_joint(part);
+        for (number, &instance) in known.instances.iter().enumerate() {
+            let said = self.report.len();
+            let mut places: Vec<Similarity> = Vec::new();
+            for port in &ports {
+                let path = format!("{}{port}", self.names.scope(instance).prefix);
+                let binding = used.ports.iter().find(|binding| binding.port == port);
+                let (mut reader, draft) = self.read(scope);
+                reader.passing.instance = known.is_array.then_some(number);
+                let lent =
+                    binding.and_then(|binding| lent_link(&mut reader, draft, binding, &known.own));
+                let Some((id, similarity)) = lent else {
+                    self.names.enter(path, Referent::Broken);
+                    continue;
+                };
+                let port = Some(self.names.ports.len());
+                let body = Body { id, port };
+                self.names.enter(path.clone(), Referent::Link(body));
+                self.names.ports.push(LentLink { path, similarity });
+                places.push(similarity);
+            }
+            let here = self.names.scopes.get_mut(instance);
+            here.place(places.first(), drawn_joint.is_some());
+            if let (Some(joint), [first, others @ ..]) = (drawn_joint, &places[..])
+                && others.iter().any(|other| other != first)
+            {
+                let text = format!(
+                    "part `{}` has joints in a drawing, like `{joint}`, so all its ports are lent at one place; give each the same `at` and `turned`",
+                    part.name
+                );
+                self.report.error(Place::at(used.part.span()), text);
+            }
+            // What is wrong with the first instance is so with all.
+            if self.report.len() > said {
+                return self.lose_ports(&known.instances, &ports);
+            }
+        }
+    }
+
+    /// Lets nobody be blamed for ports that have no link because of an error.
+    fn lose_ports(&mut self, instances: &[usize], ports: &[String]) {
+        for &instance in instances {
+            for port in ports {
+                let path = format!("{}{port}", self.names.scope(instance).prefix);
+                self.names.enter(path, Referent::Broken);
+            }
         }
     }
 }

@@ -132,7 +132,7 @@ impl<'r> Reader<'r> {
     }
 
     /// A place after a similarity. The place in the text is what is wrong if that is too far away.
-    pub(super) fn transform(&mut self, spot: Spot, by: &Similarity, place: Place) -> Option<Spot> {
+    pub(super) fn transform(&mut self, spot: Spot, by: Similarity, place: Place) -> Option<Spot> {
         let moved = by.place(spot, self.formulas());
         self.near(moved, place)
     }

@@ -1,12 +1,11 @@
 //! Gears, belts and racks: what rolls on something else.
 
 use super::draft::Draft;
-use super::ends::check_apart;
+use super::ends::{Joining, whole_link};
 use super::find;
 use super::reader::Reader;
 use crate::model::{JointId, JointKind, LinkId, Model, Ratio};
-use crate::syntax::Place;
-use crate::syntax::ast::{End, Expr, ExprKind, Joint, JointBody, JointWord, Name, Size};
+use crate::syntax::ast::{Expr, ExprKind, JointWord, Name, Size};
 
 /// What a joint without a coordinate is called, one that rolls or a cam; nothing for other joints.
 pub(super) fn word_for(kind: JointKind) -> Option<&'static str> {
@@ -20,25 +19,22 @@ pub(super) fn word_for(kind: JointKind) -> Option<&'static str> {
 }
 
 /// A gear, belt or rack.
-pub(super) fn rolling(
-    reader: &mut Reader,
-    draft: &Draft,
-    joint: &Joint,
-    body: &JointBody,
-) -> Option<JointKind> {
+pub(super) fn rolling(reader: &mut Reader, draft: &Draft, joining: &Joining) -> Option<JointKind> {
+    let body = joining.body;
     let rolling = body.rolling.as_ref()?;
-    let links = body
-        .ends
-        .each_ref()
-        .map(|end| rolling_link(reader, draft, body, end));
+    let why = format!("`{}` joins links", body.word);
+    let mut whole = |end| Some(whole_link(reader, draft, end, &why, "")?.id);
+    let links = body.ends.each_ref().map(&mut whole);
     let size = rolling_size(reader, body.kind, &rolling.size);
-    let on = rolling
-        .carrier
-        .as_ref()
-        .and_then(|carrier| find_carrier(reader, draft, body.kind, carrier, links));
-    check_unplaced(reader, body);
+    let on = rolling.carrier.as_ref();
+    let on = on.and_then(|name| find_carrier(reader, draft, body.kind, name, links));
+    let why = match body.kind {
+        JointWord::Rack => "pinion turns and its bar slides where their other joints hold them",
+        _ => "wheels turn where their other joints hold them",
+    };
+    joining.refuse_place(reader, why);
     let [a, b] = [links[0]?, links[1]?];
-    check_apart(reader, joint, body, [a, b])?;
+    joining.check_apart(reader, [a, b])?;
     Some(match size? {
         RollingSize::Rack(radius) => JointKind::Rack {
             pinion: a,
@@ -49,32 +45,6 @@ pub(super) fn rolling(
         RollingSize::Belt(ratio) => JointKind::Belt { a, b, ratio, on },
         RollingSize::Gear(ratio) => JointKind::Gear { a, b, ratio, on },
     })
-}
-
-fn rolling_link(reader: &mut Reader, draft: &Draft, body: &JointBody, end: &End) -> Option<LinkId> {
-    let link = find::link(reader, draft, &end.link)?;
-    let Some(axis) = &end.axis else {
-        return Some(link);
-    };
-    let (word, name) = (&body.word, &end.link);
-    let text = format!("`{word}` joins links; write `{name}` for `{name}.{axis}`");
-    reader.report.error(end.place(), text);
-    None
-}
-
-/// A joint that rolls stands nowhere itself.
-fn check_unplaced(reader: &mut Reader, body: &JointBody) {
-    let what = match body.kind {
-        JointWord::Rack => "pinion turns and its bar slides",
-        _ => "wheels turn",
-    };
-    for keyword in body.clauses() {
-        let text = format!(
-            "a `{}` has no place of its own; its {what} where their other joints hold them",
-            body.word
-        );
-        reader.report.error(Place::at(keyword), text);
-    }
 }
 
 /// The link that carries both parts: neither of them.
@@ -96,8 +66,7 @@ fn find_carrier(
     let text = format!(
         "`{name}` cannot carry itself; name the link that carries {carried}, or leave `on {name}` out"
     );
-    reader.report.error(name.place(), text);
-    None
+    reader.report.refuse(name.place(), text)
 }
 
 fn rolling_size(reader: &mut Reader, kind: JointWord, size: &Size) -> Option<RollingSize> {
@@ -117,14 +86,12 @@ fn pinion_radius(reader: &mut Reader, part: &Expr) -> Option<f64> {
     let radius = reader.value(part)?;
     if reader.frame.scale.formula.is_some() {
         let text = "a param scales this part, but what rolls keeps its ratio, so that it counts whole turns exactly; use a `const` as its scale";
-        reader.report.error(part.place, text);
-        return None;
+        return reader.report.refuse(part.place, text);
     }
     let radius = reader.frame.sense() * reader.frame.start_scale() * radius;
     if radius == 0.0 {
         let text = "a pinion cannot be of size zero; give its pitch radius, negative if the bar is on its other side";
-        reader.report.error(part.place, text);
-        return None;
+        return reader.report.refuse(part.place, text);
     }
     Some(radius)
 }
@@ -134,8 +101,7 @@ fn belt_ratio(reader: &mut Reader, parts: &[Expr; 2]) -> Option<Ratio> {
         let size = reader.value(part)?;
         if size <= 0.0 {
             let text = "a belt turns both wheels in the same sense; make both sizes positive";
-            reader.report.error(part.place, text);
-            return None;
+            return reader.report.refuse(part.place, text);
         }
         wheel_size(reader, part, size)
     });
@@ -147,8 +113,7 @@ fn gear_ratio(reader: &mut Reader, parts: &[Expr; 2]) -> Option<Ratio> {
         let size = reader.value(part)?;
         if size == 0.0 {
             let text = "a wheel cannot be of size zero; give its teeth or its pitch radius";
-            reader.report.error(part.place, text);
-            return None;
+            return reader.report.refuse(part.place, text);
         }
         wheel_size(reader, part, size)
     });
@@ -156,8 +121,7 @@ fn gear_ratio(reader: &mut Reader, parts: &[Expr; 2]) -> Option<Ratio> {
     if sizes.iter().all(|size| *size < 0.0) {
         let [first, second] = parts;
         let text = "only one wheel of a gear can be a ring; make one of the two positive";
-        reader.report.error(first.place.to(second.place), text);
-        return None;
+        return reader.report.refuse(first.place.to(second.place), text);
     }
     ratio(reader, parts, sizes)
 }
@@ -175,8 +139,7 @@ fn ratio(reader: &mut Reader, parts: &[Expr; 2], sizes: [f64; 2]) -> Option<Rati
     let text = format!(
         "`{teeth}` is a number of teeth, as it is whole, but `{radius}` a pitch radius; write `{radii}` for two radii, or two whole numbers"
     );
-    reader.report.error(first.place.to(second.place), text);
-    None
+    reader.report.refuse(first.place.to(second.place), text)
 }
 
 /// The size of a wheel, unless it has more teeth than can be counted.
@@ -184,11 +147,10 @@ fn wheel_size(reader: &mut Reader, part: &Expr, size: f64) -> Option<f64> {
     if let Some(text) = digits(part)
         && text.parse::<i64>().is_err()
     {
-        reader.report.error(
+        return reader.report.refuse(
             part.place,
             "no wheel has that many teeth; a pitch radius has a decimal point",
         );
-        return None;
     }
     Some(size)
 }

@@ -38,6 +38,19 @@ pub(super) struct UsedPart {
 }
 
 impl Scope {
+    fn new(parent: Option<usize>, prefix: String, constants: Constants) -> Self {
+        Self {
+            prefix,
+            part: None,
+            parent,
+            constants,
+            similarity: Similarity::IDENTITY,
+            angle: 0.0,
+            singles: Vec::new(),
+            uses: Vec::new(),
+        }
+    }
+
     /// The path of the instance: `left[2]`; none for the mechanism.
     pub(super) fn instance(&self) -> Option<String> {
         self.part.as_ref()?;
@@ -72,37 +85,15 @@ pub(super) struct Scopes(Vec<Scope>);
 impl Scopes {
     /// The scope of a mechanism.
     pub(super) fn new(constants: Constants) -> Self {
-        let mechanism = Scope {
-            prefix: String::new(),
-            part: None,
-            parent: None,
-            constants,
-            similarity: Similarity::IDENTITY,
-            angle: 0.0,
-            singles: Vec::new(),
-            uses: Vec::new(),
-        };
-        Self(vec![mechanism])
+        Self(vec![Scope::new(None, String::new(), constants)])
     }
 
     /// Adds an instance of a part that a scope uses; its number.
-    pub(super) fn add(
-        &mut self,
-        parent: usize,
-        name: &str,
-        part: &str,
-        constants: Constants,
-    ) -> usize {
-        self.0.push(Scope {
-            prefix: format!("{}{name}.", self.0[parent].prefix),
-            part: Some(part.to_owned()),
-            parent: Some(parent),
-            constants,
-            similarity: Similarity::IDENTITY,
-            angle: 0.0,
-            singles: Vec::new(),
-            uses: Vec::new(),
-        });
+    pub(super) fn add(&mut self, parent: usize, name: &str, part: &Ident, own: Constants) -> usize {
+        let prefix = format!("{}{name}.", self.0[parent].prefix);
+        let mut scope = Scope::new(Some(parent), prefix, own);
+        scope.part = Some(part.to_string());
+        self.0.push(scope);
         self.0.len() - 1
     }
 

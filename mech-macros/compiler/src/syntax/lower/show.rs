@@ -27,7 +27,7 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, keyword: Span, what:
         }
     }
     reader.report.next_item();
-    tell_points_shown_before_their_links(reader, draft, &shown);
+    tell_points(reader, &draft.model, &shown);
     if shown.len() < what.len() || draft.model.show.is_some() {
         return;
     }
@@ -51,8 +51,7 @@ fn find_shown(reader: &mut Reader, draft: &Draft, end: &End) -> Option<Shown> {
         (Some(Referent::Joint(joint)), None) => {
             let joint = joint?;
             if let Some(text) = coordinate::missing(&draft.model, &end.link, joint, "show") {
-                reader.report.error(end.place(), text);
-                return None;
+                return reader.report.refuse(end.place(), text);
             }
             Some(Shown::Joint(joint))
         }
@@ -66,8 +65,7 @@ fn find_shown(reader: &mut Reader, draft: &Draft, end: &End) -> Option<Shown> {
             if link == LinkId::GROUND {
                 let text =
                     format!("`{end}` does not move: there is nothing to compute; leave this out");
-                reader.report.error(end.place(), text);
-                return None;
+                return reader.report.refuse(end.place(), text);
             }
             Some(shown)
         }
@@ -88,8 +86,7 @@ fn shown_point(
             _ => format!("show its link, `{link_name}`"),
         };
         let text = format!("`{link_name}.{name}` is a line; {remedy}");
-        reader.report.error(Place::at(name.span()), text);
-        return None;
+        return reader.report.refuse(Place::at(name.span()), text);
     }
     Some(Shown::Point(axis))
 }
@@ -108,28 +105,18 @@ fn again(model: &Model, end: &End, one: Shown, before: &[(Place, Shown)]) -> Opt
     }
 }
 
-fn tell_points_shown_before_their_links(
-    reader: &mut Reader,
-    draft: &Draft,
-    shown: &[(Place, Shown)],
-) {
-    let links: Vec<LinkId> = shown
-        .iter()
-        .filter_map(|(_, one)| match one {
-            Shown::Link(link) => Some(*link),
-            Shown::Point(_) | Shown::Joint(_) => None,
-        })
-        .collect();
+/// Complains about points that are shown before their links.
+fn tell_points(reader: &mut Reader, model: &Model, shown: &[(Place, Shown)]) {
     for (place, one) in shown {
-        if let Shown::Point(point) = one {
-            let axis = draft.model.axis(*point);
-            if links.contains(&axis.link) {
-                let link = &draft.model.link(axis.link).name;
-                let name = axis.own_name();
-                let text =
-                    format!("`{link}.{name}` is shown with its link already; leave this out");
-                reader.report.error(*place, text);
-            }
+        let Shown::Point(point) = *one else {
+            continue;
+        };
+        let axis = model.axis(point);
+        if shown.iter().any(|(_, one)| *one == Shown::Link(axis.link)) {
+            let link = &model.link(axis.link).name;
+            let name = axis.own_name();
+            let text = format!("`{link}.{name}` is shown with its link already; leave this out");
+            reader.report.error(*place, text);
         }
     }
 }

@@ -3,12 +3,11 @@
 use super::angle::is_degrees_perhaps;
 use super::coordinate::{self, is_drawn};
 use super::draft::Draft;
-use super::find;
-use super::motor::{self, WrittenMotor};
 use super::name::Referent;
 use super::reader::Reader;
 use super::report::{Report, StatementPlace};
 use super::value::format_number;
+use super::{find, motor};
 use crate::model::{JointId, JointKind, LinkId, Model, Near, StartValue};
 use crate::syntax::Place;
 use crate::syntax::ast::{Start, StartClause};
@@ -16,31 +15,20 @@ use crate::syntax::ast::{Start, StartClause};
 /// The greatest relative difference between a start and what its law gives: the two are computed differently.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-pub(super) fn lower(
-    reader: &mut Reader,
-    draft: &mut Draft,
-    motors: &[WrittenMotor],
-    start: &Start,
-) {
+pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, start: &Start) {
     for clause in &start.clauses {
         reader.report.next_item();
-        match clause {
-            Ok(clause) => lower_clause(reader, draft, motors, clause),
-            Err(error) => reader.report.pass_on(error.clone()),
+        if let Some(clause) = reader.report.read(clause) {
+            lower_clause(reader, draft, clause);
         }
     }
 }
 
-fn lower_clause(
-    reader: &mut Reader,
-    draft: &mut Draft,
-    motors: &[WrittenMotor],
-    clause: &StartClause,
-) {
+fn lower_clause(reader: &mut Reader, draft: &mut Draft, clause: &StartClause) {
     let named = find::look_up(reader, &clause.name);
     match (named, clause.near) {
         (Some(Referent::Link(body)), true) => near(reader, draft, clause, body.id),
-        (Some(Referent::Joint(Some(id))), false) => value(reader, draft, motors, clause, id),
+        (Some(Referent::Joint(Some(id))), false) => value(reader, draft, clause, id),
         (named, _) => {
             reader.value(&clause.value);
             misfit(reader, draft, clause, named);
@@ -135,13 +123,7 @@ fn near(reader: &mut Reader, draft: &mut Draft, clause: &StartClause, link: Link
     }
 }
 
-fn value(
-    reader: &mut Reader,
-    draft: &mut Draft,
-    motors: &[WrittenMotor],
-    clause: &StartClause,
-    joint: JointId,
-) {
+fn value(reader: &mut Reader, draft: &mut Draft, clause: &StartClause, joint: JointId) {
     let Some(value) = reader.value(&clause.value) else {
         return;
     };
@@ -153,7 +135,7 @@ fn value(
     if turns && is_degrees_perhaps(reader.report, &clause.value, value) {
         return;
     }
-    motor::check_start(clause, joint, value, draft, motors, reader.report);
+    motor::check_start(clause, joint, value, draft, reader.report);
     let value = coordinate::own(&draft.model, &reader.frame, joint, value);
     let origin = draft.places.note(place(clause));
     draft.model.start.values.push(StartValue {
@@ -171,28 +153,26 @@ fn trouble(
     value: f64,
 ) -> Option<(Place, String)> {
     let name = &clause.name;
-    let place = name.place();
-    if let Some(text) = coordinate::missing(model, name, joint, "give") {
-        return Some((place, text));
-    }
-    if model.start.values.iter().any(|value| value.joint == joint) {
-        return Some((
-            place,
-            format!("there is a start for joint `{name}` already; remove one of the two"),
-        ));
-    }
-    (value != 0.0 && is_drawn(model, joint)).then(|| {
+    let is_of_joint = |start: &StartValue| start.joint == joint;
+    let text = if let Some(text) = coordinate::missing(model, name, joint, "give") {
+        text
+    } else if model.start.values.iter().any(is_of_joint) {
+        format!("there is a start for joint `{name}` already; remove one of the two")
+    } else if value != 0.0 && is_drawn(model, joint) {
         let text = format!(
             "joint `{name}` is placed in the drawing, where its coordinate is 0; \
-                 leave this out, or draw its links as they are to start"
+             leave this out, or draw its links as they are to start"
         );
-        (clause.value.place, text)
-    })
+        return Some((clause.value.place, text));
+    } else {
+        return None;
+    };
+    Some((name.place(), text))
 }
 
 /// Lets every motor with a law start where that has it when the time is zero.
-pub(super) fn start_by_laws(draft: &mut Draft, motors: &[WrittenMotor], report: &mut Report) {
-    for (motor, written) in draft.model.motors.clone().into_iter().zip(motors) {
+pub(super) fn start_by_laws(draft: &mut Draft, report: &mut Report) {
+    for (motor, written) in draft.model.motors.clone().into_iter().zip(&draft.motors) {
         let Some(law) = motor.law.map(|law| draft.model.law(law)) else {
             continue;
         };
@@ -221,7 +201,7 @@ pub(super) fn start_by_laws(draft: &mut Draft, motors: &[WrittenMotor], report: 
             );
             report.error(place, text);
         } else {
-            motor::check_law(joint, value, draft, motors, report);
+            motor::check_law(joint, value, draft, report);
             // Of what is drawn, rounding has been let pass.
             let value = if is_drawn(&draft.model, joint) {
                 0.0

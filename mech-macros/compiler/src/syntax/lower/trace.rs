@@ -14,14 +14,10 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, trace: &ast::Trace) 
     let point = find_traced(reader, draft, &trace.point);
     let length = reader.whole(&trace.length, "the length of a trace", [1, Trace::LONGEST]);
     // Each is looked at, so that the errors of all are reported.
-    let plane = trace
-        .plane
-        .as_ref()
-        .map(|plane| link::read_plane(reader, plane));
-    let color = trace
-        .color
-        .as_ref()
-        .map_or(Some(INK), |color| link::read_color(reader, color));
+    let plane = trace.plane.as_ref();
+    let plane = plane.map(|plane| link::read_plane(reader, plane));
+    let color = trace.color.as_ref();
+    let color = color.map_or(Some(INK), |color| link::read_color(reader, color));
     let (Some(point), Some(length), Some(color)) = (point, length, color) else {
         return;
     };
@@ -50,8 +46,7 @@ fn find_traced(reader: &mut Reader, draft: &Draft, end: &End) -> Option<AxisId> 
     let text = if draft.model.axis(point).kind == AxisKind::Line {
         let remedy = one_of_its_points(reader, draft, body);
         let text = format!("`{end}` is a line; a trace is of a point{remedy}");
-        reader.report.error(Place::at(name.span()), text);
-        return None;
+        return reader.report.refuse(Place::at(name.span()), text);
     } else if link == LinkId::GROUND {
         format!("`{end}` does not move: it has no path; trace a point of a moving link")
     } else if draft.model.traces.iter().any(|trace| trace.point == point) {
@@ -59,8 +54,7 @@ fn find_traced(reader: &mut Reader, draft: &Draft, end: &End) -> Option<AxisId> 
     } else {
         return Some(point);
     };
-    reader.report.error(end.place(), text);
-    None
+    reader.report.refuse(end.place(), text)
 }
 
 /// Complains about a trace of something that is not a point.
@@ -86,11 +80,10 @@ fn tell_no_point(reader: &mut Reader, draft: &Draft, end: &End) {
 /// What of a link could be traced.
 fn one_of_its_points(reader: &mut Reader, draft: &Draft, link: Body) -> String {
     let name = reader.names.name_of(&draft.model, link);
-    match reader
+    let points = reader
         .names
-        .axes_of(&draft.model, link, Some(AxisKind::Point))
-        .first()
-    {
+        .axes_of(&draft.model, link, Some(AxisKind::Point));
+    match points.first() {
         Some(point) if link.id != LinkId::GROUND => format!(", such as `{name}.{point}`"),
         _ if link.id == LinkId::GROUND => " of a moving link".to_owned(),
         _ => format!("; declare one in `{name}`"),

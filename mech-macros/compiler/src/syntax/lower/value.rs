@@ -114,8 +114,7 @@ impl Reader<'_> {
             let text = format!(
                 "`{name}` is the variable of this law, and a constant too; give the constant another name"
             );
-            self.report.error(place, text);
-            return None;
+            return self.report.refuse(place, text);
         }
         let variable = Quantity {
             value: None,
@@ -144,10 +143,7 @@ impl Reader<'_> {
             };
             let combined = match combined {
                 Ok(combined) => combined,
-                Err(trouble) => {
-                    self.report.error(place, trouble);
-                    return None;
-                }
+                Err(trouble) => return self.report.refuse(place, trouble),
             };
             let formulas = as_formulas([result, value], self.formulas());
             let formula = formulas.map(|[a, b]| self.formulas().add(chain.formula(a, b, *inverse)));
@@ -157,18 +153,15 @@ impl Reader<'_> {
     }
 
     fn call(&mut self, function: Function, of: Quantity, place: Place) -> Option<Quantity> {
-        if let Some((value, trouble)) = of
-            .value
-            .and_then(|value| Some((value, function.trouble_at(value)?)))
+        if let Some(value) = of.value
+            && let Some(trouble) = function.trouble_at(value)
         {
-            self.report
-                .error(place, format!("{} {trouble}", format_number(value)));
-            return None;
+            let text = format!("{} {trouble}", format_number(value));
+            return self.report.refuse(place, text);
         }
         let value = of.value.map(|value| function.at(value));
-        let formula = of
-            .formula
-            .map(|of| self.formulas().add(Formula::Of(function, of)));
+        let formula = of.formula.map(|of| Formula::Of(function, of));
+        let formula = formula.map(|formula| self.formulas().add(formula));
         self.finite_quantity(value, formula, place)
     }
 
@@ -186,8 +179,7 @@ impl Reader<'_> {
             (None, None) => None,
         };
         if let Some(trouble) = trouble {
-            self.report.error(place, trouble);
-            return None;
+            return self.report.refuse(place, trouble);
         }
         let value = both.map(|(a, b)| function.at(a, b));
         let formula = as_formulas(of, self.formulas())
@@ -272,12 +264,9 @@ impl Reader<'_> {
         let value = self.value(expr)?;
         let [low, high] = bounds;
         if value < f64::from(low) || value > f64::from(high) || value.fract() != 0.0 {
-            let text = format!(
-                "{what} is a whole number from {low} to {high}, not {}",
-                format_number(value)
-            );
-            self.report.error(expr.place, text);
-            return None;
+            let number = format_number(value);
+            let text = format!("{what} is a whole number from {low} to {high}, not {number}");
+            return self.report.refuse(expr.place, text);
         }
         #[expect(
             clippy::cast_possible_truncation,
@@ -306,25 +295,17 @@ impl Reader<'_> {
         if value >= 0.0 {
             return Some(value);
         }
-        self.report.error(
-            expr.place,
-            format!("{what} cannot be negative, but this is {value}"),
-        );
-        None
+        let text = format!("{what} cannot be negative, but this is {value}");
+        self.report.refuse(expr.place, text)
     }
 
     fn check_positive(&mut self, value: f64, expr: &Expr, what: &str) -> Option<f64> {
         if value > 0.0 {
             return Some(value);
         }
-        self.report.error(
-            expr.place,
-            format!(
-                "{what} must be greater than zero, not {}",
-                format_number(value)
-            ),
-        );
-        None
+        let number = format_number(value);
+        let text = format!("{what} must be greater than zero, not {number}");
+        self.report.refuse(expr.place, text)
     }
 }
 
