@@ -103,10 +103,8 @@ fn two_ends(
     place: Place,
     what: &str,
 ) -> Option<[[f64; 2]; 2]> {
-    let ends: Vec<Option<[f64; 2]>> = pairs
-        .iter()
-        .map(|pair| steady_place(reader, pair))
-        .collect();
+    let ends = pairs.iter().map(|pair| steady_place(reader, pair));
+    let ends: Vec<Option<[f64; 2]>> = ends.collect();
     let [from, to] = ends[..] else {
         let text = format!("a {what} has two ends, not {}", pairs.len());
         return reader.report.refuse(place, text);

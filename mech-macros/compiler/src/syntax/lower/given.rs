@@ -60,9 +60,8 @@ fn kind_of(reader: &mut Reader, draft: &Draft, end: &End) -> Option<AxisKind> {
     let Referent::Link(link) = find::look_up(reader, &end.link)? else {
         return None;
     };
-    let axis = reader
-        .names
-        .axis_of(&draft.model, link, &end.axis.as_ref()?.to_string())?;
+    let name = end.axis.as_ref()?.to_string();
+    let axis = reader.names.axis_of(&draft.model, link, &name)?;
     Some(draft.model.axis(axis).kind)
 }
 

@@ -10,7 +10,7 @@ use crate::model::{self, AxisKind, FORWARD, FormulaId, LinkId, ShapeKind, color_
 use crate::syntax::ast::{
     Axis, AxisValue, Color, Expr, ExprKind, Ground, Item, Link, Outline, Pair, Read, Shape,
 };
-use crate::syntax::{Place, color};
+use crate::syntax::{Message, Place, color};
 
 /// Places in a link, and how each of their numbers is computed that depends on a param.
 type Spots = (Vec<[f64; 2]>, Vec<Option<FormulaId>>);
@@ -43,20 +43,11 @@ pub(super) fn declare(reader: &mut Reader, draft: &mut Draft, link: &Link) -> Re
     if let Some(Referent::Link(first)) = reader.names.get(&reader.key_of(&link.name)) {
         draft.lose_axis(first, None);
     }
-    pass_on_items(reader, &link.items);
-    Referent::Broken
-}
-
-/// Reports at least what could not be read in a link that is left out.
-fn pass_on_items(reader: &mut Reader, items: &Read<Vec<Item>>) {
-    let errors: Vec<_> = match items {
-        Err(error) => vec![error],
-        Ok(items) => items.iter().filter_map(error_of).collect(),
-    };
-    for error in errors {
+    for error in errors_of(&link.items) {
         reader.report.next_item();
         reader.report.pass_on(error.clone());
     }
+    Referent::Broken
 }
 
 /// Enters what is fixed to a link.
@@ -73,14 +64,14 @@ pub(super) fn fix(reader: &mut Reader, draft: &mut Draft, link: Body, items: &Re
             Item::Shape(shape) => lower_shape(reader, draft, link.id, shape),
             Item::Broken(broken) => {
                 reader.report.pass_on(broken.error.clone());
-                broken
-                    .name
-                    .iter()
-                    .for_each(|name| draft.lose_axis(link, Some(name)));
+                let names = broken.name.iter();
+                names.for_each(|name| draft.lose_axis(link, Some(name)));
             }
         }
     }
-    weigh(reader, draft, link.id, massive);
+    if let Some(massive) = massive {
+        weigh(reader, draft, link.id, massive);
+    }
 }
 
 /// Enters an axis, also one whose numbers are wrong: its name is known, and it is not to be missed elsewhere.
@@ -308,11 +299,15 @@ fn spots(reader: &mut Reader, pairs: &[Pair]) -> Option<Spots> {
     Some((points, formulas.concat()))
 }
 
-/// What could not be read of an item.
-pub(super) fn error_of(item: &Item) -> Option<&crate::syntax::Message> {
-    match item {
+/// What could not be read of the items of a link.
+pub(super) fn errors_of<'t>(items: &'t Read<Vec<Item>>) -> Vec<&'t Message> {
+    let error_of = |item: &'t Item| match item {
         Item::Axis(axis) => axis.value.as_ref().err(),
         Item::Shape(_) | Item::Matter(_) => None,
         Item::Broken(broken) => Some(&broken.error),
+    };
+    match items {
+        Ok(items) => items.iter().filter_map(error_of).collect(),
+        Err(error) => vec![error],
     }
 }

@@ -8,6 +8,7 @@ use crate::syntax::Place;
 use crate::syntax::ast::{Expr, Matter, MatterKind, Pair};
 
 /// What the mass of a link is made from, once all its shapes are known.
+#[derive(Clone, Copy)]
 pub(super) enum Massive {
     Given(Mass),
     Density(f64, Place),
@@ -54,57 +55,40 @@ fn given(
         let place = at.map_or(mass.place, |at| at.place);
         reader.transform((center, [None; 2]), reader.frame, place)
     });
-    let center = center.map(|(center, _)| center);
-    let inertia = inertia.map_or(Some(0.0), |inertia| {
-        reader.not_negative(inertia, "a moment of inertia")
-    });
+    let what = "a moment of inertia";
+    let inertia = inertia.map_or(Some(0.0), |inertia| reader.not_negative(inertia, what));
     Some(Mass {
         mass: weight?,
-        center: center?,
+        center: center?.0,
         inertia: inertia?,
     })
 }
 
 /// Gives a link its mass, now that its shapes are known.
-pub(super) fn weigh(
-    reader: &mut Reader,
-    draft: &mut Draft,
-    link: LinkId,
-    massive: Option<Massive>,
-) {
-    let Some(massive) = massive else {
+pub(super) fn weigh(reader: &mut Reader, draft: &mut Draft, link: LinkId, massive: Massive) {
+    let link = &mut draft.model.links[link.index()];
+    let (density, place) = match massive {
+        Massive::Given(mass) => {
+            link.mass = Some(mass);
+            return;
+        }
+        Massive::Density(density, place) => (density, place),
+    };
+    let name = &link.name;
+    let has_no_radius = |shape: &Shape| match shape.kind {
+        ShapeKind::Figure(Figure::Gear { radius, .. }) => radius.is_none(),
+        _ => false,
+    };
+    let text = if link.shapes.is_empty() {
+        format!("`{name}` has no shapes whose mass this could be; draw it, or give its `mass`")
+    } else if link.shapes.iter().any(Shape::varies) {
+        format!("the shapes of `{name}` depend on a param, but a mass may not; give its `mass`")
+    } else if link.shapes.iter().any(has_no_radius) {
+        "a gear without `radius` has no area yet; give its `radius`, or the `mass` of the link"
+            .to_owned()
+    } else {
+        link.mass = Some(Mass::of_shapes(&link.shapes, density));
         return;
     };
-    let known = &draft.model.link(link).shapes;
-    let mass = match massive {
-        Massive::Given(mass) => mass,
-        Massive::Density(density, place) => {
-            if known.is_empty() {
-                let name = &draft.model.link(link).name;
-                let text = format!(
-                    "`{name}` has no shapes whose mass this could be; draw it, or give its `mass`"
-                );
-                return reader.report.error(place, text);
-            }
-            if known.iter().any(Shape::varies) {
-                let name = &draft.model.link(link).name;
-                let text = format!(
-                    "the shapes of `{name}` depend on a param, but a mass may not; give its `mass`"
-                );
-                return reader.report.error(place, text);
-            }
-            let has_unknown = known.iter().any(|shape| {
-                matches!(
-                    &shape.kind,
-                    ShapeKind::Figure(Figure::Gear { radius: None, .. })
-                )
-            });
-            if has_unknown {
-                let text = "a gear without `radius` has no area yet; give its `radius`, or the `mass` of the link";
-                return reader.report.error(place, text);
-            }
-            Mass::of_shapes(known, density)
-        }
-    };
-    draft.model.links[link.index()].mass = Some(mass);
+    reader.report.error(place, text);
 }

@@ -57,6 +57,9 @@ pub(super) struct Lowered {
     pub(super) errors: Vec<Message>,
 }
 
+/// The passes through the statements once all joints are known.
+const PASSES: [fn(&mut Reader, &mut Draft, &Statement); 3] = [set, begin, go_on];
+
 /// Makes the model of a text. Each pass goes once through the text, and through each part as often as there are instances.
 pub(super) fn lower(text: &mut Text) -> Lowered {
     path::find_uses(text);
@@ -84,18 +87,10 @@ pub(super) fn lower(text: &mut Text) -> Lowered {
             }
         }
     }
-    for located in &statements {
-        let mut reader = Reader::of(located, &names, &mut params, &mut report);
-        set(&mut reader, &mut draft, located.statement);
-    }
-    for located in &statements {
-        let mut reader = Reader::of(located, &names, &mut params, &mut report);
-        begin(&mut reader, &mut draft, located.statement);
-    }
-    for located in &statements {
-        let mut reader = Reader::of(located, &names, &mut params, &mut report);
-        if let Statement::Continuous { joints, .. } = located.statement {
-            continuous::lower(&mut reader, &mut draft, joints);
+    for pass in PASSES {
+        for located in &statements {
+            let mut reader = Reader::of(located, &names, &mut params, &mut report);
+            pass(&mut reader, &mut draft, located.statement);
         }
     }
     draft.model.params = params;
@@ -141,5 +136,12 @@ fn begin(reader: &mut Reader, draft: &mut Draft, statement: &Statement) {
         Statement::Start(start) => start::lower(reader, draft, start),
         Statement::Show { keyword, what } => show::lower(reader, draft, *keyword, what),
         _ => {}
+    }
+}
+
+/// What of it goes on over whole turns, where it is shown.
+fn go_on(reader: &mut Reader, draft: &mut Draft, statement: &Statement) {
+    if let Statement::Continuous { joints, .. } = statement {
+        continuous::lower(reader, draft, joints);
     }
 }

@@ -37,12 +37,11 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, motor: &Motor) {
         step,
         law,
     });
-    let ends = motor.range.iter();
+    let written = motor.range.as_ref();
+    let written = written.map(|[low, high]| format!("{low} ..= {high}"));
     draft.motors.push(WrittenMotor {
         statement: reader.report.statement(),
-        range: ends
-            .map(|[low, high]| format!("{low} ..= {high}"))
-            .collect(),
+        range: written.unwrap_or_default(),
     });
 }
 

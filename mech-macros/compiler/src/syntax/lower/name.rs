@@ -94,11 +94,6 @@ impl Names {
         Some(&mut self.entries[*self.places.get(name)?])
     }
 
-    /// Whether this name is that of something that is left out because of an error.
-    pub(super) fn is_broken(&self, name: &str) -> bool {
-        matches!(self.get(name), Some(Referent::Broken))
-    }
-
     /// Enters a name, unless it stands for something already.
     pub(super) fn enter(&mut self, name: String, named: Referent) {
         if let Some(entry) = self.entry_mut(&name) {

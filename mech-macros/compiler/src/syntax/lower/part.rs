@@ -3,7 +3,7 @@
 use super::constant::{Constants, INSTANCE, Value};
 use super::draft::Draft;
 use super::expansion::{Expansion, locate, parts};
-use super::link::error_of;
+use super::link::errors_of;
 use super::name::Referent;
 use super::quantity::Quantity;
 use super::reader::{Located, Reader};
@@ -354,10 +354,9 @@ fn arguments(reader: &mut Reader, used: &Use, part: &Part) -> Vec<Option<Value>>
 fn unread(statement: &Statement) -> Vec<&Message> {
     match statement {
         Statement::Broken(broken) => vec![&broken.error],
-        Statement::Link(Link { items, .. }) | Statement::Port(Port { items, .. }) => match items {
-            Ok(items) => items.iter().filter_map(error_of).collect(),
-            Err(error) => vec![error],
-        },
+        Statement::Link(Link { items, .. }) | Statement::Port(Port { items, .. }) => {
+            errors_of(items)
+        }
         Statement::Joint(joint) => joint.body.as_ref().err().into_iter().collect(),
         Statement::Constant(constant) | Statement::Param(constant) => {
             constant.value.as_ref().err().into_iter().collect()
@@ -366,11 +365,10 @@ fn unread(statement: &Statement) -> Vec<&Message> {
             elastic.body.as_ref().err().into_iter().collect()
         }
         Statement::Load(load) => load.on.as_ref().err().into_iter().collect(),
-        Statement::Start(start) => start
-            .clauses
-            .iter()
-            .filter_map(|clause| clause.as_ref().err())
-            .collect(),
+        Statement::Start(start) => {
+            let clauses = start.clauses.iter();
+            clauses.filter_map(|clause| clause.as_ref().err()).collect()
+        }
         _ => Vec::new(),
     }
 }

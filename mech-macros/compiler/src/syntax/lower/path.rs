@@ -150,38 +150,31 @@ pub(super) fn key(reader: &mut Reader, name: &Name) -> Option<String> {
 /// The use that is named in a path.
 fn used<'r>(reader: &mut Reader<'r>, scope: usize, segment: &Segment) -> Option<&'r UsedPart> {
     let name = &segment.name;
-    let uses = &reader.names.scope(scope).uses;
-    let place = Place::at(name.span());
-    let Some(used) = reader.names.scope(scope).used(name) else {
-        let key = reader.names.scope(scope).key_of(name);
-        if reader.names.is_broken(&key) {
-            return None;
-        }
-        let text = match reader.names.get(&key) {
+    let scope = reader.names.scope(scope);
+    let Some(used) = scope.used(name) else {
+        let text = match reader.names.get(&scope.key_of(name)) {
+            Some(Referent::Broken) => return None,
             Some(Referent::Link(_)) => format!("`{name}` is a link, not a use of a part"),
             Some(Referent::Joint(_)) => format!("`{name}` is a joint, not a use of a part"),
             _ => {
-                let known: Vec<&str> = uses.iter().map(|used| used.name.as_str()).collect();
-                let remedy = spelling::remedy(&name.to_string(), &known);
+                let known = scope.uses.iter().map(|used| used.name.as_str());
+                let remedy = spelling::remedy(&name.to_string(), &known.collect::<Vec<_>>());
                 format!("`{name}` is not a use of a part{remedy}")
             }
         };
-        return refuse(reader, place, text);
+        return refuse(reader, Place::at(name.span()), text);
     };
-    match (&segment.index, used.is_array) {
-        (None, true) => {
-            let text = format!(
-                "`{name}` has {} instances; name one of them, as `{name}[0]`",
-                used.instances.len()
-            );
-            refuse(reader, place, text)
-        }
+    let text = match (&segment.index, used.is_array) {
+        (None, true) => format!(
+            "`{name}` has {} instances; name one of them, as `{name}[0]`",
+            used.instances.len()
+        ),
         (Some(_), false) => {
-            let text = format!("`{name}` is a single instance; write it without brackets");
-            refuse(reader, place, text)
+            format!("`{name}` is a single instance; write it without brackets")
         }
-        _ => Some(used),
-    }
+        _ => return Some(used),
+    };
+    refuse(reader, Place::at(name.span()), text)
 }
 
 /// The number of an instance in brackets.

@@ -96,16 +96,14 @@ impl Expansion<'_> {
 
 /// The first joint of a part that is placed in a drawing.
 fn drawn_joint(part: &Part) -> Option<&Ident> {
-    part.body
-        .iter()
-        .flatten()
-        .find_map(|statement| match statement {
-            Statement::Joint(joint) => {
-                let is_drawn = joint.body.as_ref().is_ok_and(|body| body.at.is_some());
-                is_drawn.then_some(&joint.name)
-            }
-            _ => None,
-        })
+    let mut body = part.body.iter().flatten();
+    body.find_map(|statement| match statement {
+        Statement::Joint(joint) => {
+            let is_drawn = joint.body.as_ref().is_ok_and(|body| body.at.is_some());
+            is_drawn.then_some(&joint.name)
+        }
+        _ => None,
+    })
 }
 
 /// Complains about ports that are not lent, lent twice, or not there.
@@ -113,25 +111,20 @@ fn check_ports(used: &Use, part: &Part, ports: &[String], report: &mut Report) {
     let ports: Vec<&str> = ports.iter().map(String::as_str).collect();
     for (number, binding) in used.ports.iter().enumerate() {
         let port = &binding.port;
+        let mut earlier = used.ports[..number].iter();
         let text = if !ports.iter().any(|known| port == known) {
             let remedy = spelling::remedy(&port.to_string(), &ports);
             format!("part `{}` has no port `{port}`{remedy}", part.name)
-        } else if used.ports[..number]
-            .iter()
-            .any(|earlier| earlier.port == *port)
-        {
+        } else if earlier.any(|earlier| earlier.port == *port) {
             format!("port `{port}` is lent twice; remove one of the two")
         } else {
             continue;
         };
         report.error(Place::at(port.span()), text);
     }
-    let is_lent = |port: &&&str| used.ports.iter().any(|binding| binding.port == **port);
-    let missing: Vec<&str> = ports
-        .iter()
-        .filter(|port| !is_lent(port))
-        .copied()
-        .collect();
+    let is_lent = |port: &str| used.ports.iter().any(|binding| binding.port == *port);
+    let missing = ports.iter().copied().filter(|port| !is_lent(port));
+    let missing: Vec<&str> = missing.collect();
     if let Some(first) = missing.first() {
         let text = format!(
             "part `{}` needs a link for {}; write `{first} = ...` with the name of a link in the braces",
