@@ -1,7 +1,6 @@
 //! The constants and params, and where in the text each may be used.
 
-use super::law::{COORDINATE, TIME};
-use super::param::Quantity;
+use super::quantity::Quantity;
 use super::report::Report;
 use crate::model::function_names;
 use crate::syntax::ast::Statement;
@@ -17,6 +16,12 @@ pub(super) const INSTANCE: &str = "k";
 /// What a number of a part is called in messages.
 const NUMBER: &str = "number";
 
+/// The time, in laws of motors.
+pub(super) const TIME: &str = "t";
+
+/// The coordinate of the shaft, in laws of cams.
+pub(super) const COORDINATE: &str = "q";
+
 /// What the variables of laws are called.
 const VARIABLES: [&str; 2] = [TIME, COORDINATE];
 
@@ -24,20 +29,31 @@ const VARIABLES: [&str; 2] = [TIME, COORDINATE];
 #[derive(Default)]
 pub(super) struct Constants {
     entries: Vec<Entry>,
-    /// The variable of the law that is being read.
-    variable: Option<&'static str>,
-    /// The number of the instance whose use is being read.
-    instance: Option<usize>,
+}
+
+/// The value of a constant.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Value {
+    /// None before it is computed, or if it could not be: then whoever uses it is not to blame.
+    pub(super) quantity: Option<Quantity>,
+    /// The same as an integer, if it is computed from integers alone.
+    pub(super) integer: Option<i64>,
+}
+
+/// What stands among the constants for as long as something is read.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Passing {
+    /// The variable of the law that is read.
+    pub(super) variable: Option<&'static str>,
+    /// The number of the instance whose use is read.
+    pub(super) instance: Option<usize>,
 }
 
 struct Entry {
     name: String,
     /// The number of the statement that declares it; 0 for what was there before.
     statement: usize,
-    /// None before it is computed, or if it could not be: then whoever uses it is not to blame.
-    value: Option<Quantity>,
-    /// The same as an integer, if it is computed from integers alone.
-    integer: Option<i64>,
+    value: Value,
     /// What it is called in messages: a constant, or a param.
     word: &'static str,
 }
@@ -69,20 +85,14 @@ impl Constants {
             self.entries.push(Entry {
                 name,
                 statement,
-                value: None,
-                integer: None,
+                value: Value::default(),
                 word,
             });
         }
     }
 
     /// Gives a number of a part its value; false if there is one of its name.
-    pub(super) fn give(
-        &mut self,
-        name: &Ident,
-        value: Option<Quantity>,
-        integer: Option<i64>,
-    ) -> bool {
+    pub(super) fn give(&mut self, name: &Ident, value: Value) -> bool {
         let is_new = self
             .entries
             .iter()
@@ -92,34 +102,13 @@ impl Constants {
             name: name.to_string(),
             statement: 0,
             value,
-            integer,
             word: NUMBER,
         });
         is_new
     }
 
-    /// Says which instance of a use is being read, if there are several.
-    pub(super) fn set_instance(&mut self, instance: Option<usize>) {
-        self.instance = instance;
-    }
-
-    /// The number of the instance, if that is what this stands for.
-    fn instance(&self, name: &str) -> Option<usize> {
-        self.instance.filter(|_| name == INSTANCE)
-    }
-
     fn find(&self, name: &str) -> Option<&Entry> {
         self.entries.iter().find(|entry| entry.name == name)
-    }
-
-    /// Whether this is the variable of the law that is being read.
-    pub(super) fn is_variable(&self, name: &Ident) -> bool {
-        self.variable.is_some_and(|variable| name == variable)
-    }
-
-    /// Names the variable that may stand among constants from here on.
-    pub(super) fn set_variable(&mut self, variable: Option<&'static str>) {
-        self.variable = variable;
     }
 
     /// Whether there is a constant of this name, anywhere in the text.
@@ -129,23 +118,15 @@ impl Constants {
 
     /// The integer that this stands for, if it is computed from integers alone.
     pub(super) fn integer(&self, name: &Ident) -> Option<i64> {
-        if let Some(instance) = self.instance(&name.to_string()) {
-            return i64::try_from(instance).ok();
-        }
-        self.find(&name.to_string()).and_then(|entry| entry.integer)
-    }
-
-    /// Notes that a constant is computed from integers alone.
-    pub(super) fn set_integer(&mut self, name: &Ident, integer: Option<i64>) {
-        let text = name.to_string();
-        if let Some(entry) = self.entries.iter_mut().find(|entry| entry.name == text) {
-            entry.integer = integer;
-        }
+        let entry = self.find(&name.to_string())?;
+        entry.value.integer
     }
 
     /// Whether this stands for a number that depends on a param.
     pub(super) fn depends(&self, name: &Ident) -> bool {
-        let value = self.find(&name.to_string()).and_then(|entry| entry.value);
+        let value = self
+            .find(&name.to_string())
+            .and_then(|entry| entry.value.quantity);
         value.is_some_and(|value| value.formula.is_some())
     }
 
@@ -159,7 +140,7 @@ impl Constants {
     pub(super) fn declare(
         &mut self,
         name: &Ident,
-        value: Option<Quantity>,
+        value: Value,
         what: &str,
         report: &mut Report,
     ) -> bool {
@@ -195,23 +176,21 @@ impl Constants {
     pub(super) fn assign(&mut self, name: &Ident, value: Quantity) {
         let text = name.to_string();
         if let Some(entry) = self.entries.iter_mut().find(|entry| entry.name == text) {
-            entry.value = Some(value);
+            entry.value.quantity = Some(value);
         }
     }
 
     /// The value of a constant where the report is.
-    pub(super) fn value(&self, name: &Ident, report: &mut Report) -> Option<Quantity> {
+    pub(super) fn value(
+        &self,
+        name: &Ident,
+        passing: Passing,
+        report: &mut Report,
+    ) -> Option<Quantity> {
         let text = name.to_string();
         let here = report.statement();
-        #[expect(
-            clippy::cast_precision_loss,
-            reason = "there are not so many instances"
-        )]
-        if let Some(instance) = self.instance(&text) {
-            return Some(Quantity::fixed(instance as f64));
-        }
         let trouble = match self.find(&text) {
-            Some(entry) if entry.statement < here => return entry.value,
+            Some(entry) if entry.statement < here => return entry.value.quantity,
             Some(entry) if entry.statement == here => {
                 format!("{} `{text}` cannot be computed from itself", entry.word)
             }
@@ -219,14 +198,13 @@ impl Constants {
                 let word = entry.word;
                 format!("{word} `{text}` is declared further down; move its line up")
             }
-            None => self.unknown_name(&text, here),
+            None => self.unknown_name(&text, passing, here),
         };
-        report.error(Place::at(name.span()), trouble);
-        None
+        report.refuse(Place::at(name.span()), trouble)
     }
 
     /// What to say about a name that nothing has; one of Rust's may be meant, which a macro cannot see.
-    fn unknown_name(&self, text: &str, here: usize) -> String {
+    fn unknown_name(&self, text: &str, passing: Passing, here: usize) -> String {
         let beginning = format!("unknown constant `{text}`");
         if text == "TAU" {
             return format!("{beginning}; write `(2 * PI)`");
@@ -237,7 +215,7 @@ impl Constants {
         if is_function(text) {
             return format!("`{text}` is a function; write what it is of, as `{text}(...)`");
         }
-        let known = self.known_names(here);
+        let known = self.known_names(passing, here);
         let remedy = spelling::remedy(text, &known);
         let is_variable = VARIABLES.contains(&text);
         if is_variable || spelling::nearest(text, &known).is_some() {
@@ -248,13 +226,13 @@ impl Constants {
         )
     }
 
-    fn known_names(&self, here: usize) -> Vec<&str> {
+    fn known_names(&self, passing: Passing, here: usize) -> Vec<&str> {
         let known = self.entries.iter().filter(|entry| entry.statement < here);
         known
             .map(|entry| entry.name.as_str())
             .chain(["PI"])
-            .chain(self.variable)
-            .chain(self.instance.map(|_| INSTANCE))
+            .chain(passing.variable)
+            .chain(passing.instance.map(|_| INSTANCE))
             .collect()
     }
 }

@@ -1,408 +1,163 @@
 //! Parts: each instance is a scope, in which the statements of the part are read.
 
-use super::Lowering;
-use super::constant::{Constants, INSTANCE};
-use super::link::error_of;
+use super::constant::{Constants, INSTANCE, Value};
+use super::draft::Draft;
+use super::expansion::{Expansion, locate, parts};
+use super::link::errors_of;
 use super::name::Referent;
-use super::param::Quantity;
-use super::port::PartOutline;
-use super::report::StatementPlace;
-use super::scope::UsedPart;
+use super::quantity::Quantity;
+use super::reader::{Located, Reader};
+use super::report::{Report, StatementPlace};
+use super::scope::{Scope, UsedPart};
 use super::similarity::Similarity;
-use crate::bug::bug;
-use crate::model::{Instance, JointId, JointKind};
-use crate::syntax::ast::{Effect, Link, Part, Port, Statement, Text, Use};
+use super::single::Single;
+use super::{joint, link};
+use crate::model::Instance;
+use crate::syntax::ast::{Constant, Effect, Link, Part, Port, Statement, Text, Use};
 use crate::syntax::{Message, Place, spelling};
-
-/// The value of a number of a part, and the same as an integer if it is computed from integers alone.
-type Given = (Option<Quantity>, Option<i64>);
+use proc_macro2::Ident;
 
 /// No mechanism has more instances of parts than this.
 const MOST_SCOPES: usize = 4096;
 
-/// A statement in one of the scopes in which it is read.
-pub(super) struct Located<'t> {
-    pub(super) scope: usize,
-    pub(super) place: StatementPlace,
-    pub(super) statement: &'t Statement,
-}
-
-/// The statements as they are read, and the parts that they may use.
-pub(super) struct Expansion<'t> {
-    /// Each with the number of its statement.
-    parts: Vec<(usize, &'t Part)>,
-    statements: Vec<Located<'t>>,
-}
-
 impl<'t> Expansion<'t> {
-    fn part(&self, name: &str) -> Option<(usize, &'t Part)> {
-        let mut parts = self.parts.iter();
-        parts.find(|(_, part)| part.name == name).copied()
-    }
-}
-
-impl Lowering {
-    /// From now on this statement is read, in this scope.
-    pub(super) fn enter(&mut self, scope: usize, place: StatementPlace) {
-        self.scopes.enter(scope);
-        let here = self.scopes.here();
-        self.similarity = here.similarity;
-        let instance = here
-            .part
-            .as_ref()
-            .map(|_| here.prefix.trim_end_matches('.'));
-        self.report.enter(place, instance.map(str::to_owned));
-    }
-
-    /// Enters everything that has a name, and gives the statements of each instance of a part.
-    pub(super) fn expand<'t>(&mut self, text: &'t Text) -> Vec<Located<'t>> {
-        let mut expansion = Expansion {
-            parts: Vec::new(),
-            statements: Vec::new(),
-        };
-        for (number, statement) in (1..).zip(&text.statements) {
-            if let Statement::Part(part) = statement {
-                let outer = StatementPlace::of_mechanism(number);
-                self.enter(0, outer);
-                self.check_part(part, &expansion);
-                self.parts.push(PartOutline::new(part));
-                expansion.parts.push((number, part));
+    /// Enters everything that has a name, and gives the statements of the mechanism and of all instances.
+    pub(super) fn declare_all(&mut self) -> Vec<Located<'t>> {
+        check_parts(self.text, &mut self.report);
+        // The next is the last.
+        let mut waiting: Vec<_> = locate(&self.text.statements, 0, None).rev().collect();
+        let mut statements = Vec::new();
+        while let Some(mut located) = waiting.pop() {
+            self.enter(&located);
+            let scope = self.names.scopes.get_mut(located.scope);
+            if let Some((place, text)) = misplacement(scope, located.statement) {
+                self.report.error(place, text);
+                continue;
             }
-        }
-        for (number, statement) in (1..).zip(&text.statements) {
-            let place = StatementPlace::of_mechanism(number);
-            self.expand_statement(
-                &mut expansion,
-                Located {
-                    scope: 0,
-                    place,
-                    statement,
-                },
-            );
-        }
-        self.check_unused(&expansion);
-        expansion.statements
-    }
-
-    /// Complains about a part of which no use is to be made.
-    fn check_part(&mut self, part: &Part, expansion: &Expansion) {
-        let name = &part.name;
-        if expansion.part(&name.to_string()).is_some() {
-            let text = format!("there is a part `{name}` already; choose another name");
-            self.report.error(Place::at(name.span()), text);
-        }
-        if let Err(error) = &part.body {
-            self.report.pass_on(error.clone());
-        }
-    }
-
-    /// Of parts that nothing uses, at least what could not be read is reported.
-    fn check_unused(&mut self, expansion: &Expansion) {
-        for (number, part) in &expansion.parts {
-            let is_used = expansion
-                .statements
-                .iter()
-                .any(|located| located.place.outer == *number && located.place.inner.is_some());
-            let body = part.body.iter().flatten();
-            for (inner, statement) in (1..).zip(body.filter(|_| !is_used)) {
-                self.enter(
-                    0,
-                    StatementPlace {
-                        outer: *number,
-                        inner: Some(inner),
-                    },
-                );
-                for error in unread(statement) {
-                    self.report.pass_on(error.clone());
-                }
+            if let Some(single) = Single::of(located.statement) {
+                single.check(scope, &mut self.report);
             }
+            located.is_named = self.declare(&located);
+            if let Statement::Use(used) = located.statement {
+                let inner = self.instantiate(&located, used);
+                waiting.extend(inner.into_iter().flatten().rev());
+            }
+            statements.push(located);
         }
+        check_unused(self.text, &statements, &mut self.report);
+        statements
     }
 
-    fn expand_statement<'t>(&mut self, expansion: &mut Expansion<'t>, located: Located<'t>) {
-        let Located {
-            scope,
-            place,
-            statement,
-        } = located;
-        self.enter(scope, place);
-        if let Some((place, text)) = self.misplacement(statement) {
-            return self.report.error(place, text);
-        }
-        expansion.statements.push(located);
-        match statement {
-            Statement::Use(used) => self.declare_use(expansion, used),
-            other => self.declare(other),
-        }
-    }
-
-    /// What to say about a statement that does not belong into this scope.
-    fn misplacement(&self, statement: &Statement) -> Option<(Place, String)> {
-        let Some(part) = &self.scopes.here().part else {
-            return match statement {
-                Statement::Port(port) => {
-                    let text =
-                        "only a part has ports; write `link` here, or move this into a `part`";
-                    Some((Place::at(port.name.span()), text.to_owned()))
-                }
-                _ => None,
-            };
-        };
-        let whole = |keyword, word: &str| {
-            let text =
-                format!("`{word}` belongs to the whole mechanism; move it out of part `{part}`");
-            Some((Place::at(keyword), text))
-        };
-        match statement {
-            Statement::Motor(motor) => {
-                let joint = &motor.joint;
-                let text = format!(
-                    "a part has no motor of its own; write `motor name.{joint};` where the part is used as `name`"
-                );
-                Some((joint.place(), text))
+    /// Enters what has a name: whether it can have it.
+    fn declare(&mut self, located: &Located) -> bool {
+        let scope = located.scope;
+        let (mut reader, draft) = self.read(scope);
+        let (name, referent) = match located.statement {
+            Statement::Link(link) => (&link.name, link::declare(&mut reader, draft, link)),
+            Statement::Joint(joint) => (&joint.name, joint::declare(&mut reader, draft, joint)),
+            Statement::Use(used) => (&used.name, declare_use(&mut reader, draft, used)),
+            Statement::Broken(broken) => {
+                reader.report.pass_on(broken.error.clone());
+                let Some(name) = &broken.name else {
+                    return false;
+                };
+                (name, Referent::Broken)
             }
             Statement::Ground(ground) => {
-                let text = "a part has no ground of its own; declare `port frame { ... }`, and lend it `ground` where the part is used";
-                Some((Place::at(ground.keyword), text.to_owned()))
+                link::declare_ground(&mut reader, draft, ground);
+                return true;
             }
-            Statement::Part(inner) => {
-                let text = format!(
-                    "parts stand beside one another; move `{}` out of `{part}`",
-                    inner.name
-                );
-                Some((Place::at(inner.name.span()), text))
+            Statement::Constant(constant) => {
+                self.declare_constant(constant, scope);
+                return true;
             }
-            Statement::Method(method) => whole(method.keyword, "method"),
-            Statement::Accuracy { keyword, .. } => whole(*keyword, "accuracy"),
-            Statement::Cost { keyword, .. } => whole(*keyword, "cost"),
-            Statement::Quality { keyword, .. } => whole(*keyword, "quality"),
-            Statement::Look { keyword, .. } => whole(*keyword, "look"),
-            Statement::ChangePoints { keyword, .. } => whole(*keyword, "at change points"),
-            Statement::Gravity { keyword, .. } => whole(*keyword, "gravity"),
-            Statement::Show { keyword, .. } => whole(*keyword, "show"),
-            Statement::Allow(word) => whole(word.span(), "allow"),
-            Statement::Effects { effects, .. } => effects.iter().find_map(|effect| match effect {
-                Ok(Effect::Plain(effect)) => whole(effect.span(), &effect.to_string()),
-                _ => None,
-            }),
-            _ => None,
+            Statement::Param(param) => {
+                self.declare_param(param, scope);
+                return true;
+            }
+            _ => return true,
+        };
+        let key = reader.key_of(name);
+        if let Statement::Joint(joint) = located.statement
+            && joint::is_cam(joint)
+        {
+            self.names.cams.push(key.clone());
         }
+        if let Referent::Link(_) = referent {
+            self.names.link_scopes.push(scope);
+        }
+        self.names.enter(key, referent);
+        !matches!(referent, Referent::Broken)
     }
 
-    /// Makes the instances of a use, and reads the statements of its part in each.
-    fn declare_use<'t>(&mut self, expansion: &mut Expansion<'t>, used: &'t Use) {
-        let Use { name, part, .. } = used;
-        let is_new = self.claim(name, "use") && {
-            let method = format!("{}_mut", self.key_of(name));
-            self.claim_method(method, format!("changing `{name}`"), Place::at(name.span()))
-        };
-        let key = self.key_of(name);
-        self.names.enter(
-            key,
-            if is_new {
-                Referent::Use
-            } else {
-                Referent::Broken
-            },
-        );
-        let (scope, place) = (self.scopes.current(), self.report.place());
-        let count = self.count(used);
-        let Some((outer, part)) = self.find_part(expansion, part) else {
-            return;
-        };
-        let Some(instances) = count.filter(|_| is_new) else {
-            return;
-        };
-        let Some(own) = self.own_similarity(used) else {
-            return;
-        };
-        let frame = self.similarity;
-        let Some(similarity) = self.compose(&frame, &own, Place::at(name.span())) else {
-            return;
-        };
+    fn declare_constant(&mut self, constant: &Constant, scope: usize) {
+        let value = self.report.read(&constant.value);
+        let value = value.map_or(Value::default(), |expr| self.read(scope).0.both(expr));
+        let constants = &mut self.names.scopes.get_mut(scope).constants;
+        constants.declare(&constant.name, value, "constant", &mut self.report);
+    }
+
+    /// Makes the instances of a use, and gives the statements of its part in each.
+    fn instantiate(&mut self, located: &Located, used: &Use) -> Option<Vec<Located<'t>>> {
+        let (text, scope) = (self.text, located.scope);
+        let (mut reader, _) = self.read(scope);
+        let count = count(&mut reader, used);
+        let (outer, part) = find_part(&mut reader, text, &used.part)?;
+        let count = count.filter(|_| located.is_named)?;
+        let own = own_similarity(&mut reader, used)?;
+        let frame = reader.frame;
+        let similarity = reader.compose(&frame, &own, Place::at(used.name.span()))?;
         let mut known = UsedPart {
-            name: name.to_string(),
+            name: used.name.to_string(),
             is_array: used.count.is_some(),
             own,
             instances: Vec::new(),
         };
         let said = self.report.len();
-        for instance in 0..instances {
-            let number = known.is_array.then_some(instance);
-            let own = match number {
-                Some(number) => format!("{name}[{number}]"),
-                None => name.to_string(),
-            };
+        let body = part.body.as_deref().unwrap_or_default();
+        for instance in 0..count {
+            let index = known.is_array.then_some(instance);
             // What is wrong with the numbers of the first instance is so with all.
             let numbers = if self.report.len() == said {
-                self.arguments(used, part, number)
+                let (mut reader, _) = self.read(scope);
+                reader.passing.instance = index;
+                arguments(&mut reader, used, part)
             } else {
-                part.parameters.iter().map(|_| Some((None, None))).collect()
+                vec![Some(Value::default()); part.parameters.len()]
             };
-            let body = part.body.as_deref().unwrap_or_default();
-            let instance = self
-                .scopes
-                .add(&own, &part.name.to_string(), Constants::of(body));
+            let mut path = used.name.to_string();
+            path.extend(index.map(|index| format!("[{index}]")));
+            let scopes = &mut self.names.scopes;
+            let instance = scopes.add(scope, &path, &part.name, Constants::of(body));
             known.instances.push(instance);
-            self.model.instances.push(Instance {
-                name: name.to_string(),
-                index: number,
+            let own = scopes.get_mut(instance);
+            own.similarity = similarity;
+            self.draft.model.instances.push(Instance {
+                name: used.name.to_string(),
+                index,
                 part: part.name.to_string(),
-                path: self
-                    .scopes
-                    .get(instance)
-                    .prefix
-                    .trim_end_matches('.')
-                    .to_owned(),
+                path: own.instance().unwrap_or_default(),
                 parent: scope.checked_sub(1),
             });
-            self.scopes.enter(instance);
-            self.scopes.here_mut().similarity = similarity;
-            self.give_numbers(part, numbers);
-            self.scopes.enter(scope);
+            self.give_numbers(part, numbers, instance);
         }
-        self.scopes.here_mut().uses.push(known.clone());
-        for instance in known.instances {
-            let body = part.body.iter().flatten();
-            for (inner, statement) in (1..).zip(body) {
-                let place = StatementPlace {
-                    outer,
-                    inner: Some(inner),
-                };
-                self.expand_statement(
-                    expansion,
-                    Located {
-                        scope: instance,
-                        place,
-                        statement,
-                    },
-                );
-            }
-        }
-        self.enter(scope, place);
-    }
-
-    /// How many instances a use has.
-    fn count(&mut self, used: &Use) -> Option<usize> {
-        let Some((count, place)) = &used.count else {
-            return Some(1);
-        };
-        if self.constants().has(INSTANCE) {
-            let text = format!(
-                "`{INSTANCE}` is the number of an instance here; choose another name for the constant `{INSTANCE}`"
-            );
-            self.report.error(*place, text);
-        }
-        let most = i32::try_from(MOST_SCOPES).unwrap_or(i32::MAX);
-        let count = self.whole(count, "the number of instances", [1, most])?;
-        let count = usize::try_from(count).ok()?;
-        if self.scopes.len() + count > MOST_SCOPES {
-            let text = format!(
-                "a mechanism has {MOST_SCOPES} instances of parts at most; this makes more"
-            );
-            self.report.error(*place, text);
-            return None;
-        }
-        Some(count)
-    }
-
-    fn find_part<'t>(
-        &mut self,
-        expansion: &Expansion<'t>,
-        name: &proc_macro2::Ident,
-    ) -> Option<(usize, &'t Part)> {
-        let text = name.to_string();
-        let trouble = match expansion.part(&text) {
-            Some(_) if self.scopes.is_within(&text) => {
-                format!("part `{text}` uses itself; it would never end")
-            }
-            Some(found) => return Some(found),
-            None => {
-                let known = expansion
-                    .parts
-                    .iter()
-                    .map(|(_, part)| part.name.to_string());
-                let known: Vec<String> = known.collect();
-                let known: Vec<&str> = known.iter().map(String::as_str).collect();
-                let remedy = match known.as_slice() {
-                    [] => format!("; declare `part {text} {{ ... }}` in the mechanism"),
-                    known => spelling::remedy(&text, known),
-                };
-                format!("unknown part `{text}`{remedy}")
-            }
-        };
-        self.report.error(Place::at(name.span()), trouble);
-        None
-    }
-
-    /// How an instance is mirrored and scaled by its use.
-    fn own_similarity(&mut self, used: &Use) -> Option<Similarity> {
-        let mut own = Similarity::IDENTITY;
-        own.is_mirrored = used.mirrored.is_some();
-        if let Some(scaled) = &used.scaled {
-            let (value, formula) = self.length(scaled, "a scale")?;
-            own.scale = Quantity {
-                value: Some(value),
-                formula,
-            };
-        }
-        Some(own)
-    }
-
-    /// The values of the numbers of an instance, as far as its use gives them.
-    fn arguments(
-        &mut self,
-        used: &Use,
-        part: &Part,
-        instance: Option<usize>,
-    ) -> Vec<Option<Given>> {
-        self.scopes.here_mut().constants.set_instance(instance);
-        let mut values: Vec<Option<_>> = part.parameters.iter().map(|_| None).collect();
-        for argument in &used.arguments {
-            let name = &argument.name;
-            let Ok(expr) = &argument.value else {
-                continue;
-            };
-            let value = (self.quantity(expr), self.integer(expr));
-            let found = part.parameters.iter().position(|known| known.name == *name);
-            let trouble = match found {
-                Some(index) if values[index].is_some() => {
-                    format!("`{name}` is given twice; remove one of the two")
-                }
-                Some(index) => {
-                    values[index] = Some(value);
-                    continue;
-                }
-                None => {
-                    let known: Vec<String> = part
-                        .parameters
-                        .iter()
-                        .map(|known| known.name.to_string())
-                        .collect();
-                    let known: Vec<&str> = known.iter().map(String::as_str).collect();
-                    let part = &part.name;
-                    format!(
-                        "part `{part}` has no number `{name}`{}",
-                        spelling::remedy(&name.to_string(), &known)
-                    )
-                }
-            };
-            self.report.error(Place::at(name.span()), trouble);
-        }
-        self.scopes.here_mut().constants.set_instance(None);
-        values
+        let instances = known.instances.iter();
+        let statements = instances.flat_map(|&scope| locate(body, scope, Some(outer)));
+        let statements = statements.collect();
+        self.names.scopes.get_mut(scope).uses.push(known);
+        Some(statements)
     }
 
     /// Gives the numbers of an instance their values: those of its use, or else those of the part.
-    fn give_numbers(&mut self, part: &Part, values: Vec<Option<Given>>) {
+    fn give_numbers(&mut self, part: &Part, values: Vec<Option<Value>>, instance: usize) {
         for (parameter, value) in part.parameters.iter().zip(values) {
-            let (value, integer) = value.unwrap_or_else(|| match &parameter.value {
-                Ok(expr) => (self.quantity(expr), self.integer(expr)),
-                Err(_) => (None, None),
+            let value = value.unwrap_or_else(|| match &parameter.value {
+                Ok(expr) => self.read(instance).0.both(expr),
+                Err(_) => Value::default(),
             });
             let name = &parameter.name;
-            let constants = &mut self.scopes.here_mut().constants;
-            if !constants.give(name, value, integer) {
+            let constants = &mut self.names.scopes.get_mut(instance).constants;
+            if !constants.give(name, value) {
                 let text = format!("there is a number `{name}` already; choose another name");
                 if !self.report.has(&text) {
                     self.report.error(Place::at(name.span()), text);
@@ -410,32 +165,198 @@ impl Lowering {
             }
         }
     }
+}
 
-    /// The coordinate of a joint that a part gives, as the joint has it.
-    pub(super) fn own_coordinate(&self, joint: JointId, value: f64) -> f64 {
-        match self.model.joint(joint).kind {
-            JointKind::Revolute(..) => self.similarity.sense() * value,
-            _ => self.start_scale() * value,
+/// Complains about parts of which no use is to be made.
+fn check_parts(text: &Text, report: &mut Report) {
+    for (number, part) in parts(text) {
+        report.enter(StatementPlace::of_mechanism(number), None);
+        let name = &part.name;
+        if parts(text).any(|(earlier, part)| earlier < number && part.name == *name) {
+            let text = format!("there is a part `{name}` already; choose another name");
+            report.error(Place::at(name.span()), text);
+        }
+        report.read(&part.body);
+    }
+}
+
+/// Of parts that nothing uses, at least what could not be read is reported.
+fn check_unused(text: &Text, statements: &[Located], report: &mut Report) {
+    for (outer, part) in parts(text) {
+        let is_within = |place: StatementPlace| place.outer == outer && place.inner.is_some();
+        if statements.iter().any(|located| is_within(located.place)) {
+            continue;
+        }
+        for (inner, statement) in (1..).zip(part.body.iter().flatten()) {
+            let inner = Some(inner);
+            report.enter(StatementPlace { outer, inner }, None);
+            for error in unread(statement) {
+                report.pass_on(error.clone());
+            }
         }
     }
+}
 
-    /// The factor of the lengths of the part that is read, at the start.
-    pub(super) fn start_scale(&self) -> f64 {
-        let Some(scale) = self.similarity.scale.value else {
-            bug!("a scale has no value at the start");
-        };
-        scale
+/// What the name of a use stands for.
+fn declare_use(reader: &mut Reader, draft: &mut Draft, used: &Use) -> Referent {
+    let name = &used.name;
+    let method = format!("{}_mut", reader.key_of(name));
+    let owner = format!("changing `{name}`");
+    let place = Place::at(name.span());
+    let claims = &mut draft.claims;
+    if claims.take_name(reader, name, "use") && claims.take(method, owner, place, reader.report) {
+        Referent::Use
+    } else {
+        Referent::Broken
     }
+}
+
+/// What to say about a statement that does not belong into this scope.
+fn misplacement(scope: &Scope, statement: &Statement) -> Option<(Place, String)> {
+    let Some(part) = &scope.part else {
+        return match statement {
+            Statement::Port(port) => {
+                let text = "only a part has ports; write `link` here, or move this into a `part`";
+                Some((Place::at(port.name.span()), text.to_owned()))
+            }
+            _ => None,
+        };
+    };
+    let whole = |keyword, word: &str| {
+        let text = format!("`{word}` belongs to the whole mechanism; move it out of part `{part}`");
+        Some((Place::at(keyword), text))
+    };
+    match statement {
+        Statement::Motor(motor) => {
+            let joint = &motor.joint;
+            let text = format!(
+                "a part has no motor of its own; write `motor name.{joint};` where the part is used as `name`"
+            );
+            Some((joint.place(), text))
+        }
+        Statement::Ground(ground) => {
+            let text = "a part has no ground of its own; declare `port frame { ... }`, and lend it `ground` where the part is used";
+            Some((Place::at(ground.keyword), text.to_owned()))
+        }
+        Statement::Part(inner) => {
+            let text = format!(
+                "parts stand beside one another; move `{}` out of `{part}`",
+                inner.name
+            );
+            Some((Place::at(inner.name.span()), text))
+        }
+        Statement::Allow(word) => whole(word.span(), "allow"),
+        Statement::Effects { effects, .. } => effects.iter().find_map(|effect| match effect {
+            Ok(Effect::Plain(effect)) => whole(effect.span(), &effect.to_string()),
+            _ => None,
+        }),
+        _ => {
+            let single = Single::of(statement).filter(|single| single.is_whole)?;
+            whole(single.keyword, single.word)
+        }
+    }
+}
+
+/// How many instances a use has.
+fn count(reader: &mut Reader, used: &Use) -> Option<usize> {
+    let Some((count, place)) = &used.count else {
+        return Some(1);
+    };
+    if reader.constants().has(INSTANCE) {
+        let text = format!(
+            "`{INSTANCE}` is the number of an instance here; choose another name for the constant `{INSTANCE}`"
+        );
+        reader.report.error(*place, text);
+    }
+    let most = i32::try_from(MOST_SCOPES).unwrap_or(i32::MAX);
+    let count = reader.whole(count, "the number of instances", [1, most])?;
+    let count = usize::try_from(count).ok()?;
+    if reader.names.scopes.len() + count > MOST_SCOPES {
+        let text =
+            format!("a mechanism has {MOST_SCOPES} instances of parts at most; this makes more");
+        return reader.report.refuse(*place, text);
+    }
+    Some(count)
+}
+
+fn find_part<'t>(reader: &mut Reader, text: &'t Text, name: &Ident) -> Option<(usize, &'t Part)> {
+    let word = name.to_string();
+    let trouble = match parts(text).find(|(_, part)| part.name == *name) {
+        Some(_) if reader.names.scopes.is_within(reader.scope, &word) => {
+            format!("part `{word}` uses itself; it would never end")
+        }
+        Some(found) => return Some(found),
+        None => {
+            let known: Vec<String> = parts(text).map(|(_, part)| part.name.to_string()).collect();
+            let known: Vec<&str> = known.iter().map(String::as_str).collect();
+            let remedy = match known.as_slice() {
+                [] => format!("; declare `part {word} {{ ... }}` in the mechanism"),
+                known => spelling::remedy(&word, known),
+            };
+            format!("unknown part `{word}`{remedy}")
+        }
+    };
+    reader.report.refuse(Place::at(name.span()), trouble)
+}
+
+/// How an instance is mirrored and scaled by its use.
+fn own_similarity(reader: &mut Reader, used: &Use) -> Option<Similarity> {
+    let mut own = Similarity::IDENTITY;
+    own.is_mirrored = used.mirrored.is_some();
+    if let Some(scaled) = &used.scaled {
+        let (value, formula) = reader.length(scaled, "a scale")?;
+        own.scale = Quantity {
+            value: Some(value),
+            formula,
+        };
+    }
+    Some(own)
+}
+
+/// The values of the numbers of an instance, as far as its use gives them.
+fn arguments(reader: &mut Reader, used: &Use, part: &Part) -> Vec<Option<Value>> {
+    let mut values: Vec<Option<_>> = part.parameters.iter().map(|_| None).collect();
+    for argument in &used.arguments {
+        let name = &argument.name;
+        let Ok(expr) = &argument.value else {
+            continue;
+        };
+        let value = reader.both(expr);
+        let found = part.parameters.iter().position(|known| known.name == *name);
+        let trouble = match found {
+            Some(index) if values[index].is_some() => {
+                format!("`{name}` is given twice; remove one of the two")
+            }
+            Some(index) => {
+                values[index] = Some(value);
+                continue;
+            }
+            None => {
+                let known: Vec<String> = part
+                    .parameters
+                    .iter()
+                    .map(|known| known.name.to_string())
+                    .collect();
+                let known: Vec<&str> = known.iter().map(String::as_str).collect();
+                let part = &part.name;
+                format!(
+                    "part `{part}` has no number `{name}`{}",
+                    spelling::remedy(&name.to_string(), &known)
+                )
+            }
+        };
+        reader.report.error(Place::at(name.span()), trouble);
+    }
+    values
 }
 
 /// What could not be read of a statement.
 fn unread(statement: &Statement) -> Vec<&Message> {
     match statement {
         Statement::Broken(broken) => vec![&broken.error],
-        Statement::Link(Link { items, .. }) | Statement::Port(Port { items, .. }) => match items {
-            Ok(items) => items.iter().filter_map(error_of).collect(),
-            Err(error) => vec![error],
-        },
+        Statement::Link(Link { items, .. }) | Statement::Port(Port { items, .. }) => {
+            errors_of(items)
+        }
         Statement::Joint(joint) => joint.body.as_ref().err().into_iter().collect(),
         Statement::Constant(constant) | Statement::Param(constant) => {
             constant.value.as_ref().err().into_iter().collect()
@@ -444,11 +365,10 @@ fn unread(statement: &Statement) -> Vec<&Message> {
             elastic.body.as_ref().err().into_iter().collect()
         }
         Statement::Load(load) => load.on.as_ref().err().into_iter().collect(),
-        Statement::Start(start) => start
-            .clauses
-            .iter()
-            .filter_map(|clause| clause.as_ref().err())
-            .collect(),
+        Statement::Start(start) => {
+            let clauses = start.clauses.iter();
+            clauses.filter_map(|clause| clause.as_ref().err()).collect()
+        }
         _ => Vec::new(),
     }
 }

@@ -1,9 +1,11 @@
 //! Paths to what is within uses of parts.
 
-use super::Lowering;
 use super::name::Referent;
+use super::reader::Reader;
 use super::scope::UsedPart;
-use crate::syntax::ast::{BetweenEnds, Effect, End, Index, LoadOn, Name, Segment, Statement, Text};
+use crate::syntax::ast::{
+    BetweenEnds, Effect, End, Expr, Index, LoadOn, Name, Segment, Statement, Text,
+};
 use crate::syntax::{Place, spelling};
 
 /// The uses of the mechanism and of each part.
@@ -123,141 +125,124 @@ fn ends(statement: &mut Statement) -> Vec<&mut End> {
     }
 }
 
-impl Lowering {
-    /// A name with the path to its scope; reported if a use on the way is not there.
-    pub(super) fn key(&mut self, name: &Name) -> Option<String> {
-        let mut scope = self.scopes.current();
-        let mut every = self.every.clone().into_iter();
-        for segment in &name.uses {
-            let used = self.used(scope, segment)?;
-            let instance = match &segment.index {
-                Some(Index::Every(place)) => {
-                    let Some(instance) = every.next() else {
-                        let text = "`[*]` stands for every instance in `show` and `trace` alone; write a number";
-                        return self.refuse(*place, text.to_owned());
-                    };
-                    instance
-                }
-                Some(Index::At(index)) => self.instance(&used, index)?,
-                None => 0,
-            };
-            scope = used.instances[instance];
-        }
-        Some(format!("{}{}", self.scopes.get(scope).prefix, name.name))
-    }
-
-    /// The use that is named in a path.
-    fn used(&mut self, scope: usize, segment: &Segment) -> Option<UsedPart> {
-        let name = &segment.name;
-        let uses = &self.scopes.get(scope).uses;
-        let place = Place::at(name.span());
-        let Some(used) = uses.iter().find(|used| name == &used.name).cloned() else {
-            let key = format!("{}{name}", self.scopes.get(scope).prefix);
-            if self.names.is_broken(&key) {
-                return None;
+/// A name with the path to its scope; reported if a use on the way is not there.
+pub(super) fn key(reader: &mut Reader, name: &Name) -> Option<String> {
+    let mut scope = reader.scope;
+    let mut every = reader.every.iter();
+    for segment in &name.uses {
+        let used = used(reader, scope, segment)?;
+        let instance = match &segment.index {
+            Some(Index::Every(place)) => {
+                let Some(&instance) = every.next() else {
+                    let text = "`[*]` stands for every instance in `show` and `trace` alone; write a number";
+                    return refuse(reader, *place, text.to_owned());
+                };
+                instance
             }
-            let text = match self.names.get(&key) {
-                Some(Referent::Link(_)) => format!("`{name}` is a link, not a use of a part"),
-                Some(Referent::Joint(_)) => format!("`{name}` is a joint, not a use of a part"),
-                _ => {
-                    let known: Vec<&str> = uses.iter().map(|used| used.name.as_str()).collect();
-                    let remedy = spelling::remedy(&name.to_string(), &known);
-                    format!("`{name}` is not a use of a part{remedy}")
-                }
-            };
-            return self.refuse(place, text);
+            Some(Index::At(index)) => instance(reader, used, index)?,
+            None => 0,
         };
-        match (&segment.index, used.is_array) {
-            (None, true) => {
-                let text = format!(
-                    "`{name}` has {} instances; name one of them, as `{name}[0]`",
-                    used.instances.len()
-                );
-                self.refuse(place, text)
+        scope = used.instances[instance];
+    }
+    Some(reader.names.scope(scope).key_of(&name.name))
+}
+
+/// The use that is named in a path.
+fn used<'r>(reader: &mut Reader<'r>, scope: usize, segment: &Segment) -> Option<&'r UsedPart> {
+    let name = &segment.name;
+    let scope = reader.names.scope(scope);
+    let Some(used) = scope.used(name) else {
+        let text = match reader.names.get(&scope.key_of(name)) {
+            Some(Referent::Broken) => return None,
+            Some(Referent::Link(_)) => format!("`{name}` is a link, not a use of a part"),
+            Some(Referent::Joint(_)) => format!("`{name}` is a joint, not a use of a part"),
+            _ => {
+                let known = scope.uses.iter().map(|used| used.name.as_str());
+                let remedy = spelling::remedy(&name.to_string(), &known.collect::<Vec<_>>());
+                format!("`{name}` is not a use of a part{remedy}")
             }
-            (Some(_), false) => {
-                let text = format!("`{name}` is a single instance; write it without brackets");
-                self.refuse(place, text)
-            }
-            _ => Some(used),
-        }
-    }
-
-    /// The number of an instance in brackets.
-    fn instance(&mut self, used: &UsedPart, index: &crate::syntax::ast::Expr) -> Option<usize> {
-        let value = self.value(index)?;
-        let count = used.instances.len();
-        let mut all = 0..count;
-        #[expect(
-            clippy::cast_precision_loss,
-            reason = "there are not so many instances"
-        )]
-        let found = all.find(|&instance| instance as f64 == value);
-        if found.is_some() {
-            return found;
-        }
-        let text = format!(
-            "`{}` has {count} instances, from `{0}[0]` to `{0}[{}]`; there is no `{0}[{index}]`",
-            used.name,
-            count - 1
-        );
-        self.refuse(index.place, text)
-    }
-
-    /// Reports something, if that was not said of this item before: names are looked up more than once.
-    fn refuse<T>(&mut self, place: Place, text: String) -> Option<T> {
-        if !self.report.has(&text) {
-            self.report.error(place, text);
-        }
-        None
-    }
-
-    /// Reads something once for all instances that `[*]` stands for in a path.
-    pub(super) fn for_every(&mut self, name: &Name, mut read: impl FnMut(&mut Self)) {
-        let mut choices = Vec::new();
-        self.choose(
-            self.scopes.current(),
-            &name.uses,
-            &mut Vec::new(),
-            &mut choices,
-        );
-        for every in choices {
-            self.every = every;
-            read(self);
-        }
-        self.every.clear();
-    }
-
-    /// The choices of instances for each `[*]` in the remainder of a path; one of nothing if it has none.
-    fn choose(
-        &mut self,
-        scope: usize,
-        uses: &[Segment],
-        chosen: &mut Vec<usize>,
-        choices: &mut Vec<Vec<usize>>,
-    ) {
-        let is_every = |segment: &Segment| matches!(segment.index, Some(Index::Every(_)));
-        let Some((segment, remainder)) = uses.split_first().filter(|_| uses.iter().any(is_every))
-        else {
-            return choices.push(chosen.clone());
         };
-        let Some(used) = self.used(scope, segment) else {
-            return;
-        };
-        match &segment.index {
-            Some(Index::Every(_)) => {
-                for (number, &instance) in used.instances.iter().enumerate() {
-                    chosen.push(number);
-                    self.choose(instance, remainder, chosen, choices);
-                    chosen.pop();
-                }
-            }
-            Some(Index::At(index)) => {
-                if let Some(instance) = self.instance(&used, index) {
-                    self.choose(used.instances[instance], remainder, chosen, choices);
-                }
-            }
-            None => self.choose(used.instances[0], remainder, chosen, choices),
+        return refuse(reader, Place::at(name.span()), text);
+    };
+    let text = match (&segment.index, used.is_array) {
+        (None, true) => format!(
+            "`{name}` has {} instances; name one of them, as `{name}[0]`",
+            used.instances.len()
+        ),
+        (Some(_), false) => {
+            format!("`{name}` is a single instance; write it without brackets")
         }
+        _ => return Some(used),
+    };
+    refuse(reader, Place::at(name.span()), text)
+}
+
+/// The number of an instance in brackets.
+fn instance(reader: &mut Reader, used: &UsedPart, index: &Expr) -> Option<usize> {
+    let value = reader.value(index)?;
+    let count = used.instances.len();
+    let mut all = 0..count;
+    #[expect(
+        clippy::cast_precision_loss,
+        reason = "there are not so many instances"
+    )]
+    let found = all.find(|&instance| instance as f64 == value);
+    if found.is_some() {
+        return found;
+    }
+    let text = format!(
+        "`{}` has {count} instances, from `{0}[0]` to `{0}[{}]`; there is no `{0}[{index}]`",
+        used.name,
+        count - 1
+    );
+    refuse(reader, index.place, text)
+}
+
+/// Reports something, if that was not said of this item before: names are looked up more than once.
+fn refuse<T>(reader: &mut Reader, place: Place, text: String) -> Option<T> {
+    if !reader.report.has(&text) {
+        reader.report.error(place, text);
+    }
+    None
+}
+
+/// The instances that `[*]` stands for in a path: each choice of them.
+pub(super) fn choices(reader: &mut Reader, name: &Name) -> Vec<Vec<usize>> {
+    let mut choices = Vec::new();
+    let scope = reader.scope;
+    choose(reader, scope, &name.uses, &mut Vec::new(), &mut choices);
+    choices
+}
+
+/// The choices of instances for each `[*]` in the remainder of a path; one of nothing if it has none.
+fn choose(
+    reader: &mut Reader,
+    scope: usize,
+    uses: &[Segment],
+    chosen: &mut Vec<usize>,
+    choices: &mut Vec<Vec<usize>>,
+) {
+    let is_every = |segment: &Segment| matches!(segment.index, Some(Index::Every(_)));
+    let Some((segment, remainder)) = uses.split_first().filter(|_| uses.iter().any(is_every))
+    else {
+        return choices.push(chosen.clone());
+    };
+    let Some(used) = used(reader, scope, segment) else {
+        return;
+    };
+    match &segment.index {
+        Some(Index::Every(_)) => {
+            for (number, &instance) in used.instances.iter().enumerate() {
+                chosen.push(number);
+                choose(reader, instance, remainder, chosen, choices);
+                chosen.pop();
+            }
+        }
+        Some(Index::At(index)) => {
+            if let Some(instance) = instance(reader, used, index) {
+                choose(reader, used.instances[instance], remainder, chosen, choices);
+            }
+        }
+        None => choose(reader, used.instances[0], remainder, chosen, choices),
     }
 }

@@ -1,6 +1,8 @@
 //! Messages, put into the order of the text.
 
+use crate::syntax::ast::Read;
 use crate::syntax::{Message, Place, spelling};
+use proc_macro2::Ident;
 
 /// Where a statement stands: its number among those of the mechanism, and among those of the part in it, if it is in a part.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -53,11 +55,6 @@ impl Report {
         inner.unwrap_or(outer)
     }
 
-    /// The statement that messages are about.
-    pub(super) fn place(&self) -> StatementPlace {
-        self.position.0
-    }
-
     /// How many messages there are.
     pub(super) fn len(&self) -> usize {
         self.entries.len()
@@ -66,6 +63,30 @@ impl Report {
     /// Tells something about a place.
     pub(super) fn error(&mut self, place: Place, text: impl Into<String>) {
         self.pass_on(Message::new(place, text));
+    }
+
+    /// Tells why there is nothing of what is read.
+    pub(super) fn refuse<T>(&mut self, place: Place, text: impl Into<String>) -> Option<T> {
+        self.error(place, text);
+        None
+    }
+
+    /// A number, unless it is too large; told if so.
+    pub(super) fn finite(&mut self, value: f64, place: Place) -> Option<f64> {
+        if value.is_finite() {
+            return Some(value);
+        }
+        self.refuse(
+            place,
+            "this number is too large; the largest is about 1.8e308",
+        )
+    }
+
+    /// Tells that a word is none of those that are known.
+    pub(super) fn unknown(&mut self, word: &Ident, what: &str, known: &[&str]) {
+        let remedy = spelling::remedy(&word.to_string(), known);
+        let text = format!("unknown {what} `{word}`{remedy}");
+        self.error(Place::at(word.span()), text);
     }
 
     /// Passes on a message of the grammar's.
@@ -79,6 +100,13 @@ impl Report {
             instance: self.instance.clone(),
             message,
         });
+    }
+
+    /// What was read; told if it could not be.
+    pub(super) fn read<'t, T>(&mut self, read: &'t Read<T>) -> Option<&'t T> {
+        read.as_ref()
+            .map_err(|error| self.pass_on(error.clone()))
+            .ok()
     }
 
     /// Whether nothing is wrong so far.

@@ -1,9 +1,11 @@
 //! Gears, belts and racks: what rolls on something else.
 
-use super::Lowering;
-use crate::model::{JointId, JointKind, LinkId, Ratio};
-use crate::syntax::Place;
-use crate::syntax::ast::{End, Expr, ExprKind, Joint, JointBody, JointWord, Name, Size};
+use super::draft::Draft;
+use super::ends::{Joining, whole_link};
+use super::find;
+use super::reader::Reader;
+use crate::model::{JointId, JointKind, LinkId, Model, Ratio};
+use crate::syntax::ast::{Expr, ExprKind, JointWord, Name, Size};
 
 /// What a joint without a coordinate is called, one that rolls or a cam; nothing for other joints.
 pub(super) fn word_for(kind: JointKind) -> Option<&'static str> {
@@ -16,207 +18,177 @@ pub(super) fn word_for(kind: JointKind) -> Option<&'static str> {
     }
 }
 
-impl Lowering {
-    /// A gear, belt or rack.
-    pub(super) fn rolling(&mut self, joint: &Joint, body: &JointBody) -> Option<JointKind> {
-        let rolling = body.rolling.as_ref()?;
-        let links = body.ends.each_ref().map(|end| self.rolling_link(body, end));
-        let size = self.rolling_size(body.kind, &rolling.size);
-        let on = rolling
-            .carrier
-            .as_ref()
-            .and_then(|carrier| self.carrier(body.kind, carrier, links));
-        self.check_unplaced(body);
-        let [a, b] = [links[0]?, links[1]?];
-        self.check_apart(joint, body, [a, b])?;
-        Some(match size? {
-            RollingSize::Rack(radius) => JointKind::Rack {
-                pinion: a,
-                bar: b,
-                radius,
-                on,
-            },
-            RollingSize::Belt(ratio) => JointKind::Belt { a, b, ratio, on },
-            RollingSize::Gear(ratio) => JointKind::Gear { a, b, ratio, on },
-        })
-    }
+/// A gear, belt or rack.
+pub(super) fn rolling(reader: &mut Reader, draft: &Draft, joining: &Joining) -> Option<JointKind> {
+    let body = joining.body;
+    let rolling = body.rolling.as_ref()?;
+    let why = format!("`{}` joins links", body.word);
+    let mut whole = |end| Some(whole_link(reader, draft, end, &why, "")?.id);
+    let links = body.ends.each_ref().map(&mut whole);
+    let size = rolling_size(reader, body.kind, &rolling.size);
+    let on = rolling.carrier.as_ref();
+    let on = on.and_then(|name| find_carrier(reader, draft, body.kind, name, links));
+    let why = match body.kind {
+        JointWord::Rack => "pinion turns and its bar slides where their other joints hold them",
+        _ => "wheels turn where their other joints hold them",
+    };
+    joining.refuse_place(reader, why);
+    let [a, b] = [links[0]?, links[1]?];
+    joining.check_apart(reader, [a, b])?;
+    Some(match size? {
+        RollingSize::Rack(radius) => JointKind::Rack {
+            pinion: a,
+            bar: b,
+            radius,
+            on,
+        },
+        RollingSize::Belt(ratio) => JointKind::Belt { a, b, ratio, on },
+        RollingSize::Gear(ratio) => JointKind::Gear { a, b, ratio, on },
+    })
+}
 
-    fn rolling_link(&mut self, body: &JointBody, end: &End) -> Option<LinkId> {
-        let link = self.find_link(&end.link)?;
-        let Some(axis) = &end.axis else {
-            return Some(link);
-        };
-        let (word, name) = (&body.word, &end.link);
-        let text = format!("`{word}` joins links; write `{name}` for `{name}.{axis}`");
-        self.report.error(end.place(), text);
-        None
+/// The link that carries both parts: neither of them.
+fn find_carrier(
+    reader: &mut Reader,
+    draft: &Draft,
+    kind: JointWord,
+    name: &Name,
+    parts: [Option<LinkId>; 2],
+) -> Option<LinkId> {
+    let carrier = find::link(reader, draft, name)?;
+    if !parts.contains(&Some(carrier)) {
+        return Some(carrier);
     }
+    let carried = match kind {
+        JointWord::Rack => "the pinion and the bar",
+        _ => "both wheels",
+    };
+    let text = format!(
+        "`{name}` cannot carry itself; name the link that carries {carried}, or leave `on {name}` out"
+    );
+    reader.report.refuse(name.place(), text)
+}
 
-    /// A joint that rolls stands nowhere itself.
-    fn check_unplaced(&mut self, body: &JointBody) {
-        let what = match body.kind {
-            JointWord::Rack => "pinion turns and its bar slides",
-            _ => "wheels turn",
-        };
-        for keyword in body.clauses() {
-            let text = format!(
-                "a `{}` has no place of its own; its {what} where their other joints hold them",
-                body.word
-            );
-            self.report.error(Place::at(keyword), text);
+fn rolling_size(reader: &mut Reader, kind: JointWord, size: &Size) -> Option<RollingSize> {
+    let why = "what rolls keeps its ratio, so that it counts whole turns exactly (a `cam` may have a ratio in its law)";
+    size_of(&mut reader.fixed(why), kind, size)
+}
+
+fn size_of(reader: &mut Reader, kind: JointWord, size: &Size) -> Option<RollingSize> {
+    match (kind, size) {
+        (_, Size::Radius(radius)) => pinion_radius(reader, radius).map(RollingSize::Rack),
+        (JointWord::Belt, Size::Ratio(parts)) => belt_ratio(reader, parts).map(RollingSize::Belt),
+        (_, Size::Ratio(parts)) => gear_ratio(reader, parts).map(RollingSize::Gear),
+    }
+}
+
+fn pinion_radius(reader: &mut Reader, part: &Expr) -> Option<f64> {
+    let radius = reader.value(part)?;
+    if reader.frame.scale.formula.is_some() {
+        let text = "a param scales this part, but what rolls keeps its ratio, so that it counts whole turns exactly; use a `const` as its scale";
+        return reader.report.refuse(part.place, text);
+    }
+    let radius = reader.frame.sense() * reader.frame.start_scale() * radius;
+    if radius == 0.0 {
+        let text = "a pinion cannot be of size zero; give its pitch radius, negative if the bar is on its other side";
+        return reader.report.refuse(part.place, text);
+    }
+    Some(radius)
+}
+
+fn belt_ratio(reader: &mut Reader, parts: &[Expr; 2]) -> Option<Ratio> {
+    let sizes = parts.each_ref().map(|part| {
+        let size = reader.value(part)?;
+        if size <= 0.0 {
+            let text = "a belt turns both wheels in the same sense; make both sizes positive";
+            return reader.report.refuse(part.place, text);
         }
-    }
+        wheel_size(reader, part, size)
+    });
+    ratio(reader, parts, [sizes[0]?, sizes[1]?])
+}
 
-    /// The link that carries both parts: neither of them.
-    fn carrier(
-        &mut self,
-        kind: JointWord,
-        name: &Name,
-        parts: [Option<LinkId>; 2],
-    ) -> Option<LinkId> {
-        let carrier = self.find_link(name)?;
-        if !parts.contains(&Some(carrier)) {
-            return Some(carrier);
+fn gear_ratio(reader: &mut Reader, parts: &[Expr; 2]) -> Option<Ratio> {
+    let sizes = parts.each_ref().map(|part| {
+        let size = reader.value(part)?;
+        if size == 0.0 {
+            let text = "a wheel cannot be of size zero; give its teeth or its pitch radius";
+            return reader.report.refuse(part.place, text);
         }
-        let carried = match kind {
-            JointWord::Rack => "the pinion and the bar",
-            _ => "both wheels",
-        };
-        let text = format!(
-            "`{name}` cannot carry itself; name the link that carries {carried}, or leave `on {name}` out"
-        );
-        self.report.error(name.place(), text);
-        None
-    }
-
-    fn rolling_size(&mut self, kind: JointWord, size: &Size) -> Option<RollingSize> {
-        let why = "what rolls keeps its ratio, so that it counts whole turns exactly (a `cam` may have a ratio in its law)";
-        self.with_fixed_numbers(why, |lowering| lowering.size_of(kind, size))
-    }
-
-    fn size_of(&mut self, kind: JointWord, size: &Size) -> Option<RollingSize> {
-        match (kind, size) {
-            (_, Size::Radius(radius)) => self.pinion_radius(radius).map(RollingSize::Rack),
-            (JointWord::Belt, Size::Ratio(parts)) => self.belt_ratio(parts).map(RollingSize::Belt),
-            (_, Size::Ratio(parts)) => self.gear_ratio(parts).map(RollingSize::Gear),
-        }
-    }
-
-    fn pinion_radius(&mut self, part: &Expr) -> Option<f64> {
-        let radius = self.value(part)?;
-        if self.similarity.scale.formula.is_some() {
-            let text = "a param scales this part, but what rolls keeps its ratio, so that it counts whole turns exactly; use a `const` as its scale";
-            self.report.error(part.place, text);
-            return None;
-        }
-        let radius = self.similarity.sense() * self.start_scale() * radius;
-        if radius == 0.0 {
-            let text = "a pinion cannot be of size zero; give its pitch radius, negative if the bar is on its other side";
-            self.report.error(part.place, text);
-            return None;
-        }
-        Some(radius)
-    }
-
-    fn belt_ratio(&mut self, parts: &[Expr; 2]) -> Option<Ratio> {
-        let sizes = parts.each_ref().map(|part| {
-            let size = self.value(part)?;
-            if size <= 0.0 {
-                let text = "a belt turns both wheels in the same sense; make both sizes positive";
-                self.report.error(part.place, text);
-                return None;
-            }
-            self.wheel_size(part, size)
-        });
-        self.ratio(parts, [sizes[0]?, sizes[1]?])
-    }
-
-    fn gear_ratio(&mut self, parts: &[Expr; 2]) -> Option<Ratio> {
-        let sizes = parts.each_ref().map(|part| {
-            let size = self.value(part)?;
-            if size == 0.0 {
-                let text = "a wheel cannot be of size zero; give its teeth or its pitch radius";
-                self.report.error(part.place, text);
-                return None;
-            }
-            self.wheel_size(part, size)
-        });
-        let sizes = [sizes[0]?, sizes[1]?];
-        if sizes.iter().all(|size| *size < 0.0) {
-            let [first, second] = parts;
-            let text = "only one wheel of a gear can be a ring; make one of the two positive";
-            self.report.error(first.place.to(second.place), text);
-            return None;
-        }
-        self.ratio(parts, sizes)
-    }
-
-    /// Numbers of teeth if both are integers, pitch radii if none is.
-    fn ratio(&mut self, parts: &[Expr; 2], sizes: [f64; 2]) -> Option<Ratio> {
+        wheel_size(reader, part, size)
+    });
+    let sizes = [sizes[0]?, sizes[1]?];
+    if sizes.iter().all(|size| *size < 0.0) {
         let [first, second] = parts;
-        let (teeth, radius) = match parts.each_ref().map(|part| self.integer(part)) {
-            [Some(a), Some(b)] => return Some(Ratio::Teeth(a, b)),
-            [None, None] => return Some(Ratio::Radii(sizes[0], sizes[1])),
-            [Some(_), None] => (first, second),
-            [None, Some(_)] => (second, first),
-        };
-        let radii = sizes.map(|size| format!("{size:?}")).join(" : ");
-        let text = format!(
-            "`{teeth}` is a number of teeth, as it is whole, but `{radius}` a pitch radius; write `{radii}` for two radii, or two whole numbers"
+        let text = "only one wheel of a gear can be a ring; make one of the two positive";
+        return reader.report.refuse(first.place.to(second.place), text);
+    }
+    ratio(reader, parts, sizes)
+}
+
+/// Numbers of teeth if both are integers, pitch radii if none is.
+fn ratio(reader: &mut Reader, parts: &[Expr; 2], sizes: [f64; 2]) -> Option<Ratio> {
+    let [first, second] = parts;
+    let (teeth, radius) = match parts.each_ref().map(|part| reader.integer(part)) {
+        [Some(a), Some(b)] => return Some(Ratio::Teeth(a, b)),
+        [None, None] => return Some(Ratio::Radii(sizes[0], sizes[1])),
+        [Some(_), None] => (first, second),
+        [None, Some(_)] => (second, first),
+    };
+    let radii = sizes.map(|size| format!("{size:?}")).join(" : ");
+    let text = format!(
+        "`{teeth}` is a number of teeth, as it is whole, but `{radius}` a pitch radius; write `{radii}` for two radii, or two whole numbers"
+    );
+    reader.report.refuse(first.place.to(second.place), text)
+}
+
+/// The size of a wheel, unless it has more teeth than can be counted.
+fn wheel_size(reader: &mut Reader, part: &Expr, size: f64) -> Option<f64> {
+    if let Some(text) = digits(part)
+        && text.parse::<i64>().is_err()
+    {
+        return reader.report.refuse(
+            part.place,
+            "no wheel has that many teeth; a pitch radius has a decimal point",
         );
-        self.report.error(first.place.to(second.place), text);
-        None
     }
+    Some(size)
+}
 
-    /// The size of a wheel, unless it has more teeth than can be counted.
-    fn wheel_size(&mut self, part: &Expr, size: f64) -> Option<f64> {
-        if let Some(text) = digits(part)
-            && text.parse::<i64>().is_err()
-        {
-            self.report.error(
-                part.place,
-                "no wheel has that many teeth; a pitch radius has a decimal point",
-            );
-            return None;
-        }
-        Some(size)
+/// Where the motor of a joint that rolls should be: on the joint by which one of its parts moves.
+pub(super) fn motor_remedy(model: &Model, rolling: JointId) -> String {
+    if let JointKind::Cam { shaft, .. } = model.joint(rolling).kind {
+        return format!("put it on `{}`, its shaft", model.joint(shaft).name);
     }
-
-    /// Where the motor of a joint that rolls should be: on the joint by which one of its parts moves.
-    pub(super) fn motor_remedy(&self, rolling: JointId) -> String {
-        if let JointKind::Cam { shaft, .. } = self.model.joint(rolling).kind {
-            return format!("put it on `{}`, its shaft", self.model.joint(shaft).name);
-        }
-        let (a, b) = self.model.ends(rolling);
-        let rack = matches!(self.model.joint(rolling).kind, JointKind::Rack { .. });
-        let found = [(a, false), (b, rack)].into_iter().find_map(|(link, bar)| {
-            let drives = |&joint: &JointId| self.drives(joint, link, bar);
-            Some((self.model.joint_ids().find(drives)?, link, bar))
-        });
-        let Some((joint, link, bar)) = found else {
-            let place = if rack {
-                "the revolute of its pinion or the prismatic of its bar"
-            } else {
-                "the revolute of one of its wheels"
-            };
-            return format!("put it on {place}");
+    let (a, b) = model.ends(rolling);
+    let rack = matches!(model.joint(rolling).kind, JointKind::Rack { .. });
+    let found = [(a, false), (b, rack)].into_iter().find_map(|(link, bar)| {
+        let drives = |&joint: &JointId| drives(model, joint, link, bar);
+        Some((model.joint_ids().find(drives)?, link, bar))
+    });
+    let Some((joint, link, bar)) = found else {
+        let place = if rack {
+            "the revolute of its pinion or the prismatic of its bar"
+        } else {
+            "the revolute of one of its wheels"
         };
-        let (joint, link) = (self.model.joint(joint), self.model.link(link));
-        let word = if bar { "prismatic" } else { "revolute" };
-        format!("put it on `{}`, the {word} of `{}`", joint.name, link.name)
-    }
+        return format!("put it on {place}");
+    };
+    let (joint, link) = (model.joint(joint), model.link(link));
+    let word = if bar { "prismatic" } else { "revolute" };
+    format!("put it on `{}`, the {word} of `{}`", joint.name, link.name)
+}
 
-    /// Whether a joint turns this link, or slides it if it is a bar.
-    fn drives(&self, joint: JointId, link: LinkId, bar: bool) -> bool {
-        let (a, b) = self.model.ends(joint);
-        let on_die = [a, b].iter().any(|&end| self.model.link(end).die.is_some());
-        let fits = match self.model.joint(joint).kind {
-            JointKind::Revolute(..) => !bar,
-            JointKind::Prismatic(..) => bar,
-            _ => false,
-        };
-        fits && !on_die && (a == link || b == link)
-    }
+/// Whether a joint turns this link, or slides it if it is a bar.
+fn drives(model: &Model, joint: JointId, link: LinkId, bar: bool) -> bool {
+    let (a, b) = model.ends(joint);
+    let on_die = [a, b].iter().any(|&end| model.link(end).die.is_some());
+    let fits = match model.joint(joint).kind {
+        JointKind::Revolute(..) => !bar,
+        JointKind::Prismatic(..) => bar,
+        _ => false,
+    };
+    fits && !on_die && (a == link || b == link)
 }
 
 /// How large what rolls is, in each kind of joint.

@@ -2,6 +2,7 @@
 
 use super::constant::Constants;
 use super::similarity::Similarity;
+use proc_macro2::Ident;
 
 /// The mechanism, or an instance of a part in it.
 pub(super) struct Scope {
@@ -37,6 +38,35 @@ pub(super) struct UsedPart {
 }
 
 impl Scope {
+    fn new(parent: Option<usize>, prefix: String, constants: Constants) -> Self {
+        Self {
+            prefix,
+            part: None,
+            parent,
+            constants,
+            similarity: Similarity::IDENTITY,
+            angle: 0.0,
+            singles: Vec::new(),
+            uses: Vec::new(),
+        }
+    }
+
+    /// The path of the instance: `left[2]`; none for the mechanism.
+    pub(super) fn instance(&self) -> Option<String> {
+        self.part.as_ref()?;
+        Some(self.prefix.trim_end_matches('.').to_owned())
+    }
+
+    /// The name of something that is declared here, with the path to it.
+    pub(super) fn key_of(&self, name: &Ident) -> String {
+        format!("{}{name}", self.prefix)
+    }
+
+    /// The use of a part that has this name.
+    pub(super) fn used(&self, name: &Ident) -> Option<&UsedPart> {
+        self.uses.iter().find(|used| name == &used.name)
+    }
+
     /// Takes its place: that of its first port. Own links are drawn in the frame of the ports if any joint is.
     pub(super) fn place(&mut self, first: Option<&Similarity>, is_drawn: bool) {
         let Some(first) = first else {
@@ -49,80 +79,43 @@ impl Scope {
     }
 }
 
-/// All scopes, and the one that is read.
-pub(super) struct Scopes {
-    all: Vec<Scope>,
-    current: usize,
-}
+/// All scopes.
+pub(super) struct Scopes(Vec<Scope>);
 
 impl Scopes {
     /// The scope of a mechanism.
     pub(super) fn new(constants: Constants) -> Self {
-        let mechanism = Scope {
-            prefix: String::new(),
-            part: None,
-            parent: None,
-            constants,
-            similarity: Similarity::IDENTITY,
-            angle: 0.0,
-            singles: Vec::new(),
-            uses: Vec::new(),
-        };
-        Self {
-            all: vec![mechanism],
-            current: 0,
-        }
+        Self(vec![Scope::new(None, String::new(), constants)])
     }
 
-    /// Adds an instance of a part that the scope now read uses; its number.
-    pub(super) fn add(&mut self, name: &str, part: &str, constants: Constants) -> usize {
-        self.all.push(Scope {
-            prefix: format!("{}{name}.", self.here().prefix),
-            part: Some(part.to_owned()),
-            parent: Some(self.current),
-            constants,
-            similarity: Similarity::IDENTITY,
-            angle: 0.0,
-            singles: Vec::new(),
-            uses: Vec::new(),
-        });
-        self.all.len() - 1
-    }
-
-    /// The number of the scope that is read.
-    pub(super) fn current(&self) -> usize {
-        self.current
-    }
-
-    /// Goes to another scope.
-    pub(super) fn enter(&mut self, scope: usize) {
-        self.current = scope;
-    }
-
-    /// The scope that is read.
-    pub(super) fn here(&self) -> &Scope {
-        &self.all[self.current]
-    }
-
-    /// The same, to be changed.
-    pub(super) fn here_mut(&mut self) -> &mut Scope {
-        &mut self.all[self.current]
+    /// Adds an instance of a part that a scope uses; its number.
+    pub(super) fn add(&mut self, parent: usize, name: &str, part: &Ident, own: Constants) -> usize {
+        let prefix = format!("{}{name}.", self.0[parent].prefix);
+        let mut scope = Scope::new(Some(parent), prefix, own);
+        scope.part = Some(part.to_string());
+        self.0.push(scope);
+        self.0.len() - 1
     }
 
     /// The scope of this number.
     pub(super) fn get(&self, scope: usize) -> &Scope {
-        &self.all[scope]
+        &self.0[scope]
+    }
+
+    /// The same, to be changed.
+    pub(super) fn get_mut(&mut self, scope: usize) -> &mut Scope {
+        &mut self.0[scope]
     }
 
     /// How many there are.
     pub(super) fn len(&self) -> usize {
-        self.all.len()
+        self.0.len()
     }
 
-    /// Whether the scope that is read is within an instance of this part.
-    pub(super) fn is_within(&self, part: &str) -> bool {
-        let mut scopes = std::iter::successors(Some(self.here()), |scope| {
-            scope.parent.map(|parent| &self.all[parent])
+    /// Whether a scope is within an instance of this part.
+    pub(super) fn is_within(&self, scope: usize, part: &str) -> bool {
+        let mut scopes = std::iter::successors(Some(&self.0[scope]), |scope| {
+            scope.parent.map(|parent| &self.0[parent])
         });
         scopes.any(|scope| scope.part.as_deref() == Some(part))
     }

@@ -1,15 +1,16 @@
 //! Computing numbers. What is wrong with one is reported where it is wrong, and there is no value then.
 
-use super::Lowering;
-use super::param::{Length, Quantity, Spot};
-use super::report::Report;
+use super::constant::{INSTANCE, Value};
+use super::quantity::{Length, Quantity, Spot, as_formulas};
+use super::reader::Reader;
 use crate::bug::bug;
 use crate::model::{BinaryFunction, Formula, FormulaId, Function};
 use crate::syntax::Place;
-use crate::syntax::ast::{Direction, Expr, ExprKind, Pair};
-use std::f64::consts::{FRAC_PI_2, PI};
+use crate::syntax::ast::{Expr, ExprKind, Pair};
+use proc_macro2::Ident;
+use std::f64::consts::PI;
 
-impl Lowering {
+impl Reader<'_> {
     /// The value of an expression: a finite number, and how it follows from params, or from the variable of the law that is read.
     pub(super) fn quantity(&mut self, expr: &Expr) -> Option<Quantity> {
         match &expr.kind {
@@ -17,22 +18,8 @@ impl Lowering {
                 self.literal(digits, expr.place).map(Quantity::fixed)
             }
             ExprKind::Pi => Some(Quantity::fixed(PI)),
-            ExprKind::Constant(name) if self.constants().is_variable(name) => {
-                self.variable(name, expr.place)
-            }
-            ExprKind::Constant(name) => {
-                let known = self.scopes.here().constants.value(name, &mut self.report)?;
-                Some(self.in_this_law(known))
-            }
-            ExprKind::Negative(inner) => {
-                let inner = self.quantity(inner)?;
-                Some(Quantity {
-                    value: inner.value.map(|value| -value),
-                    formula: inner
-                        .formula
-                        .map(|inner| self.formulas().add(Formula::Neg(inner))),
-                })
-            }
+            ExprKind::Constant(name) => self.constant(name, expr.place),
+            ExprKind::Negative(inner) => Some(self.quantity(inner)?.negative(self.formulas())),
             ExprKind::Degrees(inner) => {
                 let inner = self.quantity(inner)?;
                 let formula = inner.formula.map(|inner| {
@@ -58,6 +45,14 @@ impl Lowering {
         }
     }
 
+    /// The value of an expression, and the same as an integer.
+    pub(super) fn both(&mut self, expr: &Expr) -> Value {
+        Value {
+            quantity: self.quantity(expr),
+            integer: self.integer(expr),
+        }
+    }
+
     /// The value of an expression that is made from integers alone.
     pub(super) fn integer(&self, expr: &Expr) -> Option<i64> {
         let chain = |parts: &[(bool, Expr)], join: fn(i64, i64, bool) -> Option<i64>| {
@@ -69,7 +64,10 @@ impl Lowering {
         };
         match &expr.kind {
             ExprKind::Integer(digits) => digits.parse().ok(),
-            ExprKind::Constant(name) => self.constants().integer(name),
+            ExprKind::Constant(name) => match self.passing.instance {
+                Some(instance) if name == INSTANCE => i64::try_from(instance).ok(),
+                _ => self.constants().integer(name),
+            },
             ExprKind::Negative(inner) => self.integer(inner)?.checked_neg(),
             ExprKind::Sum(terms) => chain(terms, |sum, term, is_less| {
                 if is_less {
@@ -90,24 +88,41 @@ impl Lowering {
         let Ok(value) = digits.parse() else {
             bug!("`{digits}` is no number");
         };
-        finite(value, place, &mut self.report)
+        self.report.finite(value, place)
     }
 
-    /// Numbers as formulas; none if none of them depends on anything.
-    pub(super) fn as_formulas<const N: usize>(
-        &mut self,
-        all: [Quantity; N],
-    ) -> Option<[FormulaId; N]> {
-        if all.iter().all(|quantity| quantity.formula.is_none()) {
-            return None;
+    /// What a name stands for: the variable of the law, the number of the instance, or a constant.
+    fn constant(&mut self, name: &Ident, place: Place) -> Option<Quantity> {
+        let passing = self.passing;
+        if passing.variable.is_some_and(|variable| name == variable) {
+            return self.variable(name, place);
         }
-        Some(
-            all.map(|quantity| match (quantity.formula, quantity.value) {
-                (Some(formula), _) => formula,
-                (None, Some(value)) => self.formulas().add(Formula::constant(value)),
-                (None, None) => bug!("a number has neither a value nor a formula"),
-            }),
-        )
+        #[expect(
+            clippy::cast_precision_loss,
+            reason = "there are not so many instances"
+        )]
+        let known = match passing.instance {
+            Some(instance) if name == INSTANCE => Quantity::fixed(instance as f64),
+            _ => self.constants().value(name, passing, self.report)?,
+        };
+        Some(self.in_this_law(known))
+    }
+
+    /// The variable of the law that is read.
+    fn variable(&mut self, name: &Ident, place: Place) -> Option<Quantity> {
+        if self.constants().has(&name.to_string()) {
+            let text = format!(
+                "`{name}` is the variable of this law, and a constant too; give the constant another name"
+            );
+            return self.report.refuse(place, text);
+        }
+        let variable = Quantity {
+            value: None,
+            formula: Some(self.formulas().add(Formula::Variable)),
+        };
+        let input = self.law.as_ref().map(|law| law.input);
+        let input = self.in_this_law(input.unwrap_or(Quantity::fixed(1.0)));
+        Some(variable.over(input, self.formulas()))
     }
 
     /// Computes from left to right. All parts are looked at, so that all of their errors are reported.
@@ -128,12 +143,9 @@ impl Lowering {
             };
             let combined = match combined {
                 Ok(combined) => combined,
-                Err(trouble) => {
-                    self.report.error(place, trouble);
-                    return None;
-                }
+                Err(trouble) => return self.report.refuse(place, trouble),
             };
-            let formulas = self.as_formulas([result, value]);
+            let formulas = as_formulas([result, value], self.formulas());
             let formula = formulas.map(|[a, b]| self.formulas().add(chain.formula(a, b, *inverse)));
             result = self.finite_quantity(combined, formula, place)?;
         }
@@ -141,18 +153,15 @@ impl Lowering {
     }
 
     fn call(&mut self, function: Function, of: Quantity, place: Place) -> Option<Quantity> {
-        if let Some((value, trouble)) = of
-            .value
-            .and_then(|value| Some((value, function.trouble_at(value)?)))
+        if let Some(value) = of.value
+            && let Some(trouble) = function.trouble_at(value)
         {
-            self.report
-                .error(place, format!("{} {trouble}", format_number(value)));
-            return None;
+            let text = format!("{} {trouble}", format_number(value));
+            return self.report.refuse(place, text);
         }
         let value = of.value.map(|value| function.at(value));
-        let formula = of
-            .formula
-            .map(|of| self.formulas().add(Formula::Of(function, of)));
+        let formula = of.formula.map(|of| Formula::Of(function, of));
+        let formula = formula.map(|formula| self.formulas().add(formula));
         self.finite_quantity(value, formula, place)
     }
 
@@ -170,12 +179,10 @@ impl Lowering {
             (None, None) => None,
         };
         if let Some(trouble) = trouble {
-            self.report.error(place, trouble);
-            return None;
+            return self.report.refuse(place, trouble);
         }
         let value = both.map(|(a, b)| function.at(a, b));
-        let formula = self
-            .as_formulas(of)
+        let formula = as_formulas(of, self.formulas())
             .map(|[a, b]| self.formulas().add(Formula::OfBoth(function, a, b)));
         self.finite_quantity(value, formula, place)
     }
@@ -189,107 +196,67 @@ impl Lowering {
     ) -> Option<Quantity> {
         let value = match value {
             None => None,
-            Some(value) => Some(finite(value, place, &mut self.report)?),
+            Some(value) => Some(self.report.finite(value, place)?),
         };
         Some(Quantity { value, formula })
     }
 
-    /// A direction, of length one, which may depend on params.
-    pub(super) fn direction(&mut self, direction: &Direction) -> Option<Spot> {
-        match direction {
-            Direction::Parts(pair) => self.direction_of_parts(pair),
-            Direction::Angle(expr) => self.direction_at_angle(expr),
+    /// The value of a number that may not depend on a param.
+    pub(super) fn value(&mut self, expr: &Expr) -> Option<f64> {
+        let Quantity { value, formula } = self.quantity(expr)?;
+        if formula.is_none() {
+            return value;
         }
-    }
-
-    /// The direction at an angle, which may depend on params.
-    pub(super) fn direction_at_angle(&mut self, expr: &Expr) -> Option<Spot> {
-        let angle = self.quantity(expr)?;
-        let value = angle.value?;
-        if self.is_degrees_perhaps(expr, value) {
-            return None;
-        }
-        let formulas = [Function::Cos, Function::Sin].map(|function| {
-            let formula = Formula::Of(function, angle.formula?);
-            Some(self.formulas().add(formula))
-        });
-        Some((direction_at(value), formulas))
-    }
-
-    /// A direction that may not depend on params.
-    pub(super) fn fixed_direction(&mut self, direction: &Direction) -> Option<Spot> {
-        let found = self.direction(direction)?;
-        if found.1 == [None; 2] {
-            return Some(found);
-        }
-        match direction {
-            Direction::Parts(pair) => self.refuse_turning_point(&[&pair.x, &pair.y]),
-            Direction::Angle(angle) => self.refuse_turning_point(&[angle]),
-        }
+        self.refuse_param(expr);
         None
     }
 
-    /// Complains about numbers that turn the direction of a point.
-    pub(super) fn refuse_turning_point(&mut self, numbers: &[&Expr]) {
-        let why = "the joints of a point count angles from its direction; only lines may turn";
-        self.with_fixed_numbers(why, |lowering| {
-            for number in numbers {
-                lowering.value(number);
+    /// The values of a pair that may not depend on a param. Both are looked at, so that the errors of both are reported.
+    pub(super) fn pair(&mut self, pair: &Pair) -> Option<[f64; 2]> {
+        let (x, y) = (self.value(&pair.x), self.value(&pair.y));
+        Some([x?, y?])
+    }
+
+    /// A place in a link, which may depend on params.
+    pub(super) fn spot(&mut self, pair: &Pair) -> Option<Spot> {
+        let (x, y) = (self.quantity(&pair.x), self.quantity(&pair.y));
+        let (x, y) = (x?, y?);
+        Some(([x.value?, y.value?], [x.formula, y.formula]))
+    }
+
+    /// Complains about a number that would change with a param where none may.
+    fn refuse_param(&mut self, expr: &Expr) {
+        let Some(name) = self.first_dependent(expr) else {
+            return;
+        };
+        let what = match self.constants().word_for(name) {
+            "param" => format!("`{name}` is a param: it may change while the mechanism runs"),
+            _ => {
+                format!("`{name}` is computed from a param: it may change while the mechanism runs")
             }
-        });
+        };
+        let why = self.why_fixed.unwrap_or(
+            "only laws, points, lines, joints in a drawing and shapes may depend on one",
+        );
+        let text = format!("{what}; {why}; use a `const` here");
+        self.report.error(Place::at(name.span()), text);
     }
 
-    fn direction_of_parts(&mut self, pair: &Pair) -> Option<Spot> {
-        let [x, y] = [self.quantity(&pair.x), self.quantity(&pair.y)];
-        let parts = [x?, y?];
-        let [x, y] = [parts[0].value?, parts[1].value?];
-        // Scaled first: the squares of very long or short ones would overflow or vanish.
-        let scale = x.abs().max(y.abs());
-        if scale == 0.0 {
-            self.report
-                .error(pair.place, "a direction cannot be (0, 0); give it a length");
-            return None;
+    /// The first name in an expression that stands for something that depends on a param.
+    fn first_dependent<'e>(&self, expr: &'e Expr) -> Option<&'e Ident> {
+        match &expr.kind {
+            ExprKind::Constant(name) => self.constants().depends(name).then_some(name),
+            ExprKind::Negative(inner) | ExprKind::Degrees(inner) | ExprKind::Call(_, inner) => {
+                self.first_dependent(inner)
+            }
+            ExprKind::Sum(parts) | ExprKind::Product(parts) => parts
+                .iter()
+                .find_map(|(_, part)| self.first_dependent(part)),
+            ExprKind::CallBoth(_, parts) => {
+                parts.iter().find_map(|part| self.first_dependent(part))
+            }
+            ExprKind::Integer(_) | ExprKind::Decimal(_) | ExprKind::Pi => None,
         }
-        let (x, y) = (x / scale, y / scale);
-        let length = libm::hypot(x, y);
-        let formulas = self.as_formulas(parts).map(|[x, y]| {
-            let length = Formula::OfBoth(BinaryFunction::Hypot, x, y);
-            let length = self.formulas().add(length);
-            [x, y].map(|part| self.formulas().add(Formula::Div(part, length)))
-        });
-        let formulas = formulas.map_or([None; 2], |formulas| formulas.map(Some));
-        Some(([x / length, y / length], formulas))
-    }
-
-    /// A vector turned by the angle of a direction. The place is what is wrong if that is too large.
-    pub(super) fn turn(&mut self, vector: Spot, by: Spot, place: Place) -> Option<Spot> {
-        let ([x, y], [cos, sin]) = (vector.0, by.0);
-        let turned = [cos * x - sin * y, sin * x + cos * y];
-        for part in turned {
-            finite(part, place, &mut self.report)?;
-        }
-        let quantities = |(numbers, formulas): Spot| {
-            [0, 1].map(|part| Quantity {
-                value: Some(numbers[part]),
-                formula: formulas[part],
-            })
-        };
-        let ([x, y], [cos, sin]) = (quantities(vector), quantities(by));
-        let Some([x, y, cos, sin]) = self.as_formulas([x, y, cos, sin]) else {
-            return Some((turned, [None; 2]));
-        };
-        let mut product = |a, b| self.formulas().add(Formula::Mul(a, b));
-        let [cx, sy, sx, cy] = [
-            product(cos, x),
-            product(sin, y),
-            product(sin, x),
-            product(cos, y),
-        ];
-        let formulas = [Formula::Sub(cx, sy), Formula::Add(sx, cy)];
-        Some((
-            turned,
-            formulas.map(|formula| Some(self.formulas().add(formula))),
-        ))
     }
 
     /// A whole number of these bounds.
@@ -297,12 +264,9 @@ impl Lowering {
         let value = self.value(expr)?;
         let [low, high] = bounds;
         if value < f64::from(low) || value > f64::from(high) || value.fract() != 0.0 {
-            let text = format!(
-                "{what} is a whole number from {low} to {high}, not {}",
-                format_number(value)
-            );
-            self.report.error(expr.place, text);
-            return None;
+            let number = format_number(value);
+            let text = format!("{what} is a whole number from {low} to {high}, not {number}");
+            return self.report.refuse(expr.place, text);
         }
         #[expect(
             clippy::cast_possible_truncation,
@@ -325,18 +289,23 @@ impl Lowering {
         Some((value, formula))
     }
 
+    /// A number that is not less than zero.
+    pub(super) fn not_negative(&mut self, expr: &Expr, what: &str) -> Option<f64> {
+        let value = self.value(expr)?;
+        if value >= 0.0 {
+            return Some(value);
+        }
+        let text = format!("{what} cannot be negative, but this is {value}");
+        self.report.refuse(expr.place, text)
+    }
+
     fn check_positive(&mut self, value: f64, expr: &Expr, what: &str) -> Option<f64> {
         if value > 0.0 {
             return Some(value);
         }
-        self.report.error(
-            expr.place,
-            format!(
-                "{what} must be greater than zero, not {}",
-                format_number(value)
-            ),
-        );
-        None
+        let number = format_number(value);
+        let text = format!("{what} must be greater than zero, not {number}");
+        self.report.refuse(expr.place, text)
     }
 }
 
@@ -368,20 +337,6 @@ impl Chain {
     }
 }
 
-/// The direction at an angle. Quarters of a turn are exact: no angle in radians is exactly one.
-fn direction_at(angle: f64) -> [f64; 2] {
-    let quarters = libm::round(angle / FRAC_PI_2);
-    if (angle - quarters * FRAC_PI_2).abs() > 2.0 * f64::EPSILON * angle.abs() {
-        return [libm::cos(angle), libm::sin(angle)];
-    }
-    match quarters.rem_euclid(4.0) {
-        0.0 => [1.0, 0.0],
-        1.0 => [0.0, 1.0],
-        2.0 => [-1.0, 0.0],
-        _ => [0.0, -1.0],
-    }
-}
-
 /// A number for people: without a row of zeros.
 pub(super) fn format_number(value: f64) -> String {
     if value == 0.0 || (1e-4..1e15).contains(&value.abs()) {
@@ -389,15 +344,4 @@ pub(super) fn format_number(value: f64) -> String {
     } else {
         format!("{value:e}")
     }
-}
-
-pub(super) fn finite(value: f64, place: Place, report: &mut Report) -> Option<f64> {
-    if value.is_finite() {
-        return Some(value);
-    }
-    report.error(
-        place,
-        "this number is too large; the largest is about 1.8e308",
-    );
-    None
 }
