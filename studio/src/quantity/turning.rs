@@ -46,7 +46,7 @@ impl Chain {
         }
     }
 
-    /// The same, measured from a position on where the link has its angle between −π and π.
+    /// The same angle, counted from a position in which it is `heading`, between −π and π.
     pub(super) fn from(
         self,
         model: &Model,

@@ -91,7 +91,7 @@ impl Interval {
         }
     }
 
-    /// What is in both; the first, if nothing is.
+    /// What both intervals have in common; this one, if they have nothing in common.
     #[must_use]
     pub fn meet(self, other: Self) -> Self {
         let (low, high) = (self.low.max(other.low), self.high.min(other.high));
@@ -290,7 +290,7 @@ fn add_up(a: f64, b: f64) -> f64 {
     }
 }
 
-/// The product rounded downwards; nothing times anything is nothing.
+/// The product rounded downwards. Zero times infinity is zero: a factor of zero makes the whole product vanish.
 fn multiply_down(a: f64, b: f64) -> f64 {
     if a == 0.0 || b == 0.0 {
         0.0

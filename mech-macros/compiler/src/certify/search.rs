@@ -8,7 +8,7 @@ use crate::program::{BlockId, Program};
 /// How many numbers may be found for one verdict: that takes some hundredths of a second.
 const BUDGET: usize = 800_000;
 
-/// The part of it that may be spent on telling what only just closes from what stays clear of that.
+/// The part of the budget for telling loops that only just close from loops that stay clear of dead points.
 const FOR_CLEARANCE: usize = BUDGET / 4;
 
 /// Boxes narrower than this part of the range are not cut to tell whether a slack touches zero or only comes near.

@@ -331,7 +331,8 @@ fn missing_motor(model: &Model) -> Option<Diagnosis> {
     })
 }
 
-/// Of the joints that were not needed those that counting finds held; else all that either finds.
+/// The joints that hold too much: those that were not needed and stand in the diagnoses. If none is both, those that were not needed, or
+/// else those of the diagnoses.
 fn too_many(idle: &[JointId], diagnoses: &[Diagnosis]) -> Vec<JointId> {
     let mut held: Vec<JointId> = diagnoses.iter().flat_map(held_joints).collect();
     held.sort_unstable();

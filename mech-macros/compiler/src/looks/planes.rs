@@ -17,8 +17,8 @@ const MOST_LINKS: usize = 128;
 /// So many orders are begun from, fewer if there are many links.
 const MOST_ATTEMPTS: usize = 64;
 const WORK: usize = 4000;
-/// A link that comes over the middle of a pin is as bad as so many that lie behind what they should be in front of; and one that only
-/// touches a pin.
+/// The weights of a crossing: of a link that covers the middle of a pin, and of one that only touches it. A body that lies behind what it
+/// should be in front of weighs 1.
 const WITHIN: usize = 64;
 const TOUCHING: usize = 4;
 /// Rounding moves a place by less than this part of its coordinates.
@@ -158,7 +158,7 @@ impl Rules {
         is_behind && is_before
     }
 
-    /// What is wrong with an order, as far as one link has to do with it: how the others lie to each other does not depend on it.
+    /// The weight of all faults in which one link has a part. The others do not change when this link moves to another plane.
     fn faults_of(&self, link: usize, ranks: &[usize]) -> usize {
         let pairs = self.pairs.iter();
         let pairs = pairs.filter(|pair| pair.front == link || pair.back == link);
@@ -301,7 +301,7 @@ fn is_near_box(place: Point2<f64>, [low, high]: [[f64; 2]; 2], around: f64) -> b
     x >= low[0] - around && x <= high[0] + around && y >= low[1] - around && y <= high[1] + around
 }
 
-/// How much it weighs that a pin is at a place of a link.
+/// The weight of a crossing: whether the link covers the middle of the pin, only touches it, or neither.
 fn weight_of(footprint: &Footprint, own: Point2<f64>, radius: f64) -> usize {
     // Most pins do not even touch it.
     if !footprint.touches(own, radius) {
@@ -330,7 +330,7 @@ impl Into {
         })
     }
 
-    /// A place of the scene in the link, if it is so near to the link's origin.
+    /// A place of the scene in the frame of the link; none if it is farther from the link's origin than `reach`.
     fn near(&self, place: Point2<f64>, reach: f64) -> Option<Point2<f64>> {
         let ([x, y], [u, v]) = (<[f64; 2]>::from(place), self.origin);
         // Most are far away, which is seen sooner than how far in the link. Rounding is less than what is left between.

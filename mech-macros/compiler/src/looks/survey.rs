@@ -27,8 +27,9 @@ const SAME: f64 = 1e-6;
 /// Where a way ends at once a dead point may be near: then the first step is this part of a sample, and each other as many times as long.
 const FIRST_STEP: f64 = 1.0 / 4096.0;
 const LONGER: f64 = 4.0;
-/// From so many positions on the way of a motor alone each other is moved through its range: in so many samples, of which there are not many
-/// more than so many in all. From where slides then are farthest each motor is moved through these parts of its range.
+/// So many positions on the way of a single motor are kept. From each of them every other motor goes through its range, in a number of
+/// samples between these two. In all these are not many more than the next number. From where slides then are farthest, each motor goes
+/// through these parts of its range.
 const BASES: usize = 4;
 const SAMPLES_OF_PAIR: [usize; 2] = [3, 12];
 const SAMPLES_OF_PAIRS: usize = 1200;

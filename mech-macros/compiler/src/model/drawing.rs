@@ -55,7 +55,7 @@ impl Model {
         }
     }
 
-    /// The same for a link of which it is known that it has no such axis.
+    /// Adds an axis to a link that is known to have none there.
     pub(crate) fn add_drawn_axis(
         &mut self,
         link: LinkId,

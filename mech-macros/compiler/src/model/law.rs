@@ -61,7 +61,7 @@ impl Law {
 enum Winding {
     /// It never changes.
     Fixed(f64),
-    /// It grows by so many whole turns.
+    /// When the variable makes a whole turn, the value grows by so many whole turns.
     By(f64),
     /// Otherwise.
     Else,

@@ -11,8 +11,7 @@ pub enum Turning {
     Joint(JointId),
 }
 
-/// The greatest rate of something with each motor and param, as long as nothing of its growth has begun: then it is so many
-/// times as fast.
+/// The greatest rate of something with each motor and param, while none of the causes in `growth` acts. Each cause multiplies it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bound {
     /// With each motor and param.
@@ -28,7 +27,7 @@ pub struct Bound {
 pub enum Growth {
     /// It is as many times as fast as one is greater than the sine of this loop, by its number in the plan.
     NearZero(usize),
-    /// It is as many times as fast as this motor or param is farther from zero than this, if it is.
+    /// It is so many times as fast as this motor or param is farther from zero than this number, where it is farther.
     FarOut(usize, f64),
 }
 

@@ -38,7 +38,7 @@ enum Variable {
     Turn(LinkId),
     /// A sliding joint, by its coordinate.
     Slide(JointId),
-    /// Something that is known: a source, by its number.
+    /// A source: a quantity that is known, by its number in the plan.
     Source(usize),
 }
 
@@ -119,7 +119,7 @@ impl LinearRelations {
         self.0.insert(pivot, value);
     }
 
-    /// A combination as one of sources alone, if it is known.
+    /// A combination, written with sources alone; none if it is not known by them.
     pub(crate) fn value(&self, combination: &LinearForm) -> Option<Vec<(usize, Rational)>> {
         let reduced = self.reduce(combination).0.into_iter();
         reduced

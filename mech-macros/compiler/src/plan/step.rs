@@ -116,8 +116,8 @@ pub struct Connection {
     pub from: AxisId,
     /// The axis one goes to.
     pub to: AxisId,
-    /// The declared joint that names it. On a pin of several links two of them may be joined by way of a third: then it
-    /// is a joint of the pin that holds one of the two.
+    /// The declared joint after which the connection is named. On a pin of several links no joint may join these two directly: then a
+    /// joint that holds one of them there.
     pub joint: JointId,
 }
 

@@ -55,7 +55,7 @@ impl SsaBuilder {
         }
     }
 
-    /// Whether a value is made from a param: what is constant otherwise has another size then.
+    /// Whether a value depends on a param. Its size then is not what it is at the start.
     pub(super) fn varies(&self, value: Value) -> bool {
         self.varies[value.index()]
     }

@@ -106,7 +106,7 @@ impl KinematicGraph {
         path
     }
 
-    /// The joint between two links, if nothing that leads to either has a lower level: then no path is better.
+    /// The joint between two links, if no other joint of one of them has a lower level: then no path can be better.
     fn lowest_between(
         &self,
         from: LinkId,

@@ -3,7 +3,7 @@
 use crate::model::{Axis, AxisId, AxisKind, JointKind, LinkId, Model};
 use petgraph::unionfind::UnionFind;
 
-/// Places on a body differ by no more than so many roundings where they are the same.
+/// Places on a body that differ by no more than so many roundings are the same.
 const ROUNDINGS: f64 = 64.0;
 
 /// What is welded to what.

@@ -12,7 +12,7 @@ use super::sine::{
 use super::{AtZero, Journey, Standing};
 use crate::Real;
 
-/// So often is the distance doubled by which a target is put farther: from a part of the precision to the whole move.
+/// So often is the distance doubled by which a target is moved farther: from a part of the precision to the whole move.
 const DOUBLINGS: usize = 32;
 
 /// Goes a piece that is short enough for one change point of a loop at most. It ends a little farther where a loop would stand at its
@@ -315,8 +315,8 @@ fn pass_hidden<T: Real, J: Journey<T>>(
     }
 }
 
-/// Whether a straight line through two sines before a zero has another sign there than they have. None if rounding may hide theirs, or they do
-/// not belong to the move.
+/// Whether the straight line through two sines before a zero changes its sign on the way there. None if rounding may hide the sines, or
+/// the line would begin before the move.
 fn leads_beyond<T: Real, J: Journey<T>>(
     journey: &J,
     from: &J::Position,

@@ -11,14 +11,14 @@ use crate::program::Program;
 use crate::structure::{Factor, Rolling, RollingEnd, Structure};
 use std::f64::consts::TAU;
 
-/// How far motors go from the start, one distance after the other: in radians, or as a part of the mechanism's size. A joint that is torn by
-/// a wrong formula is so wherever that is evaluated: what lies between is left to moves, as that would take longer.
+/// How far motors go from the start, one distance after the other: in radians, or as a part of the mechanism's size. A wrong formula
+/// tears a joint wherever it is evaluated, so few positions are enough, and they are reached in single steps.
 const DISTANCES: [f64; 3] = [1e-3, 0.05, 0.3];
 /// So many motors are moved alone; of more, some go together.
 const GROUPS: usize = 4;
 /// So many units of rounding, for each link, are rounding: of the extent, or of a radian.
 const ROUNDINGS: f64 = 1024.0;
-/// What joints that hold a part more than once leave open as a part of the extent: their lengths match so well, or they were refused.
+/// Redundant joints may be open by this part of the extent: mechanisms whose lengths match less well were refused before.
 const MATCH: f64 = 1e-7;
 /// After so many steps on the spot a method with a fixed number of rounds has closed, too.
 const STEPS: usize = 24;

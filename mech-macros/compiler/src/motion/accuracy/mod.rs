@@ -21,8 +21,8 @@ use trial::{Exact, Rival, compare};
 /// Between samples an error may be greater than any that was seen; more so where several motors move, because not every
 /// combination is tried.
 const SAFETY: [f64; 2] = [2.0, 4.0];
-/// The same of rounding errors, which differ from one position to the next as dice do, and grow without bound towards dead points:
-/// where several motors move, most of what is near one is never seen.
+/// The same for rounding errors. These scatter from one position to the next and grow without bound towards dead points. Where several
+/// motors move, most positions near dead points are never seen.
 const ROUNDING_SAFETY: [f64; 2] = [8.0, 12.0];
 /// The least error of rounding, in units of the last place of the greatest number that is computed with.
 const LEAST_ROUNDING: f64 = 16.0;
@@ -339,7 +339,7 @@ impl<'m> Judge<'m> {
         }
     }
 
-    /// What rounding does to each link: what it does in single precision, in units of the last place.
+    /// For each link the error that rounding makes, from what it is in single precision.
     fn rounding(&self, found: &Exact) -> Vec<f64> {
         let epsilon = self.model.precision.epsilon();
         let least = LEAST_ROUNDING * epsilon * found.reach;

@@ -19,13 +19,13 @@ const FRUITLESS: usize = 2;
 const FIRST_STEP: f64 = 1.0 / 16.0;
 const FARTHEST_STEP: f64 = 0.5;
 const SHORTER: f64 = 0.25;
-/// A slope is found by so short a step.
+/// By so small a step of a motor, as a part of its range, a slope is measured.
 const NUDGE: f64 = 1e-6;
 /// The sine below which a loop is near its end, and that below which it is too near to tell a slope.
 const NEAR_END: f64 = 0.6;
 const AT_END: f64 = 0.3;
 
-/// The farthest that a link came out on a side, and the position there; if a loop is at its end there, the one before.
+/// The farthest that a link was seen out on a side, and the position there. If a loop is at its end there, the position before.
 struct Top {
     side: usize,
     link: usize,
@@ -33,7 +33,8 @@ struct Top {
     from: Rc<Position<f64>>,
 }
 
-/// The distance of something out on a side, its rates with the motors, and those of the square of a sine that is small there.
+/// How far out a link is on a side, and the rates of that with the motors. With them stand the rates of the squared sine of the loop that
+/// is nearest to its end.
 struct Slope {
     here: f64,
     out: Vec<f64>,
@@ -219,7 +220,7 @@ impl Survey<'_> {
         }
     }
 
-    /// How much farther out a link comes with each motor, in parts of what is tried of them; none where nothing moves it.
+    /// How much farther out a link comes with each motor, in parts of the motors' ranges; none if nothing moves it.
     fn slope(&mut self, top: &Top) -> Option<Slope> {
         let Top {
             side, link, from, ..
@@ -259,7 +260,7 @@ impl Survey<'_> {
         (dot(&out, &out) > 0.0).then_some(Slope { here, out, sine })
     }
 
-    /// Moves in a direction, by a part of what is tried of the motors; how far out the link then is, if that can be paid.
+    /// Moves the motors in a direction, by this part of their ranges. Gives how far out the link then is, if the budget allows it.
     fn move_along(&mut self, top: &mut Top, direction: &[f64], step: f64) -> Option<f64> {
         let length = dot(direction, direction).sqrt();
         let mut target = self.walker.position().motors.clone();

@@ -1,4 +1,5 @@
-//! Whether a loop goes straight through zero wherever it comes there: then beyond is nothing, and there is no change point.
+//! Whether a loop has dead points only. Where its discriminant goes straight through zero, the loop does not close beyond, so that is no
+//! change point.
 
 use super::domain::Domain;
 use crate::certify::Interval;

@@ -265,8 +265,8 @@ fn links(model: &Model, structure: &Structure, connector: &Connector) -> Vec<Lin
     }
 }
 
-/// The declared joint of a pin that joins these two links, or else one that joins their clusters, or else one that holds the
-/// second, or else the first.
+/// The declared joint of a pin by which the connection of two links is named: one that joins them, else their clusters, else one that
+/// holds the second, else the first.
 pub(super) fn named_on(
     model: &Model,
     clusters: &Clusters,

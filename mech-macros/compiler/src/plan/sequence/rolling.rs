@@ -134,7 +134,7 @@ impl Search<'_> {
         true
     }
 
-    /// The step in which a wheel or bar is moved on its carrier, if that is known by now and was not before.
+    /// The step that places a wheel or bar on its carrier, if rolling gives its coordinate by now and no step has placed it yet.
     pub(super) fn mesh_of(&self, rolling: &Rolling, end: usize) -> Option<Mesh> {
         let connection = self.carrier_connection(rolling, rolling.ends[end].0)?;
         let (from, to) = self.link_of(connection);
@@ -156,8 +156,8 @@ impl Search<'_> {
         })
     }
 
-    /// The joint of a wheel or bar on its carrier; where they are only coaxial, the declared joint that joins their clusters
-    /// there.
+    /// The joint by which a wheel or bar is on its carrier. A wheel may only share an axis with its carrier: then the declared joint that
+    /// joins their clusters on that axis.
     pub(super) fn carrier_connection(
         &self,
         rolling: &Rolling,

@@ -287,7 +287,7 @@ impl Tangents {
         motor || self.angular_velocities.contains_key(&direction)
     }
 
-    /// A value as a part of a vector that is turned by a direction, if it is made so.
+    /// How a value is a coordinate of a vector that a direction turns; none if it is made otherwise.
     fn find_rotation(&self, ssa: &SsaBuilder, value: Value) -> Option<Rotation> {
         let (first, second, is_x) = match ssa.op(value) {
             Op::Sub(a, b) => (a, b, true),
@@ -339,7 +339,7 @@ impl Tangents {
     }
 }
 
-/// One value through another; what rests does so whatever it is divided by.
+/// A quotient; a rate of zero stays zero without a division.
 fn part(ssa: &mut SsaBuilder, a: Value, b: Value) -> Value {
     if ssa.number(a) == Some(0.0) {
         return a;

@@ -15,7 +15,7 @@ impl SsaBuilder {
         }
     }
 
-    /// The values, but for constants, of which constant parts add to this one.
+    /// The values of which this value is a sum with constant parts, constants left out.
     fn parts_of(&self, value: Value, part: f64, parts: &mut Vec<(Value, f64)>) {
         match self.op(value) {
             Op::Constant(_) | Op::PartOfTurns(..) => {}

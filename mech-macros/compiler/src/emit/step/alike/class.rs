@@ -66,7 +66,7 @@ impl Class {
         rows.any(|row| row.is_on_other_side(&self.shape))
     }
 
-    /// Which of its results a value is that the piece of this row gives.
+    /// Which result of the shared function a value is that the piece of this row computes.
     pub(super) fn output(&self, program: &Program, row: usize, value: Value) -> Output {
         let term = Term::of(program, value);
         let Some(&position) = self.rows[row].positions.get(&term.value) else {

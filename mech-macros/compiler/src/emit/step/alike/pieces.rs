@@ -109,7 +109,7 @@ impl Pieces {
         !self.all[piece].flow.gives.is_empty()
     }
 
-    /// The reads of each piece. Those in a class read values whose opposites their operations are made from.
+    /// The values of other pieces that a piece needs. One in a class may take a value where its own operations take the value's opposite.
     fn reads(&self, program: &Program, piece: &Piece) -> BTreeSet<Value> {
         if let Some(place) = piece.row {
             let row = &self.classes[place.class].rows[place.row];
@@ -193,7 +193,7 @@ impl Pieces {
 struct Solution {
     /// Those values of its block that depend on the goal of its dyad.
     own: Vec<Value>,
-    /// These, and those of other blocks that they are made from and that depend on the goal, too.
+    /// The values of the solution, and those of other blocks that depend on the goal as well: they are computed again.
     anew: Vec<Value>,
 }
 
@@ -264,7 +264,7 @@ impl Solution {
     }
 }
 
-/// These values, each after those among the others that it is made from and that are not made before.
+/// These values and those among `others` that they are computed from, each after those that it needs.
 fn closure(program: &Program, values: &[Value], others: &BTreeSet<Value>) -> Vec<Value> {
     let (mut closure, mut made) = (Vec::new(), BTreeSet::new());
     for &value in values {
@@ -273,7 +273,7 @@ fn closure(program: &Program, values: &[Value], others: &BTreeSet<Value>) -> Vec
     closure
 }
 
-/// Adds a value to those that are made, after those of the others that it is made from.
+/// Adds a value to `order`, after those among `others` that it is computed from.
 fn make(
     program: &Program,
     value: Value,

@@ -7,7 +7,7 @@ use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::mem::discriminant;
 
-/// What a piece has in the places of another one that it is like.
+/// A piece of a class, compared with the first of the class operation by operation: what it has where the first has something else.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Row {
     /// For each value that is read from outside, what it is here.
