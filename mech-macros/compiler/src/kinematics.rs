@@ -71,7 +71,7 @@ impl<'m> LinkFrames<'m> {
         }
     }
 
-    /// The distance, and the sine of an angle, by which the axes that a joint makes coincide do not; none of what rolls and of cams.
+    /// By how much the axes of a joint fail to coincide: a distance, and the sine of an angle. None for gears, belts, racks and cams.
     pub(crate) fn misfit(&self, joint: JointId) -> Option<[f64; 2]> {
         let kind = self.model.joint(joint).kind;
         let [a, b] = kind.axes()?;

@@ -40,7 +40,8 @@ pub trait Surroundings<T: Real> {
     fn sine(&self, position: &Self::Position) -> T;
     /// The greatest rate of the square of such a sine, for an input that moves alone.
     fn rate(&self, input: usize) -> T;
-    /// The position after one input moved so far from here, on the way from another such position; none if it cannot be reached.
+    /// The position after one input has moved by this from the middle, on the way from another such position; none if it cannot be
+    /// reached.
     fn moved(&self, from: &Self::Position, input: usize, by: T) -> Option<Self::Position>;
     /// The rates there by the equations.
     fn rates(&self, position: &Self::Position) -> Option<Self::Rates>;

@@ -2,7 +2,7 @@
 
 use crate::Real;
 
-/// The displacement of a motor from one value, and whole turns besides, to another.
+/// The displacement of a motor. Both values have their whole turns apart.
 #[inline]
 pub fn displacement<T: Real>((from, turns): (T, i32), (to, more): (T, i32)) -> T {
     let difference = to - from;
@@ -12,8 +12,8 @@ pub fn displacement<T: Real>((from, turns): (T, i32), (to, more): (T, i32)) -> T
     }
 }
 
-/// The value of a motor that turns, with the whole turns in it counted among those given besides: the remainder is between −π and π.
-/// Beyond 2³¹ turns it stays as it is.
+/// The value of a turning motor, between −π and π, and its whole turns: those in the value are added to those given. Beyond 2³¹ turns
+/// both stay as they are.
 #[inline]
 #[must_use]
 pub fn reduced<T: Real>(value: T, turns: i32) -> (T, i32) {

@@ -140,7 +140,7 @@ impl Drive {
         Err(last.unwrap_or_else(|| Failure::internal("nothing was attempted")))
     }
 
-    /// The same with ends that were found this part of the way farther inside. Where the motor stands, it can stay.
+    /// The same motion, with those of its ends that were found moved inwards by this part. An end where the motor stands stays.
     fn inside(&self, hair: f64) -> Self {
         let [from, to] = self.ends;
         let width = hair * (to - from);

@@ -15,7 +15,7 @@ pub(super) struct Chain {
 }
 
 impl Chain {
-    /// That to a link.
+    /// The chain of joints that turns a link against the ground.
     pub(super) fn to(model: &Model, link: LinkId) -> Self {
         let mut chains: Vec<Option<Vec<(JointId, f64)>>> = vec![None; model.links.len()];
         chains[LinkId::GROUND.index()] = Some(Vec::new());

@@ -56,7 +56,7 @@ pub(crate) struct Cuts<'c> {
 }
 
 impl Cuts<'_> {
-    /// Each loop by itself, and each angle.
+    /// Cuts each loop and each angle out by itself: nothing before them is written out.
     pub(crate) const ALONE: Self = Self {
         through: &|_| false,
         own: None,

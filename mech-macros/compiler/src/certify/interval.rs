@@ -134,7 +134,7 @@ impl Interval {
         }
     }
 
-    /// The roots of what is not negative in it; zero, if all of it is.
+    /// The square roots of the numbers of this interval; negative numbers count as zero.
     #[must_use]
     pub fn sqrt(self) -> Self {
         let root = |square: f64| square.max(0.0).sqrt();
@@ -155,7 +155,7 @@ impl Interval {
         }
     }
 
-    /// Its sizes with the sign of another; with both signs, if that may be zero.
+    /// The sizes of these numbers with the sign of the other interval; with both signs if that contains zero.
     #[must_use]
     pub fn copysign(self, sign: Self) -> Self {
         let size = self.abs();
@@ -360,7 +360,7 @@ impl Mul for Interval {
     }
 }
 
-/// A product of which one factor has no negative numbers.
+/// The product of any interval with one that has no negative numbers.
 fn times_positive(any: Interval, positive: Interval) -> Interval {
     let (near, far) = (positive.low, positive.high);
     Interval {

@@ -22,7 +22,7 @@ const NARROW: f64 = 1e-14;
 pub(super) struct Share(pub(super) usize);
 
 impl Share {
-    /// An equal part of what is left after this effort.
+    /// An equal share of the budget that is left after this effort.
     pub(super) fn of(effort: &Effort, parts: usize) -> Self {
         Self(BUDGET.saturating_sub(effort.evaluations) / parts.max(1))
     }

@@ -6,7 +6,7 @@ use super::form::{Forms, Linear, Operand, greater, root, wave};
 use super::operation::{direction, natural, sign, strict_sign};
 use crate::program::{BlockId, Node, Op, Program, Slot, Value};
 
-/// Programs of which one run costs more are not run.
+/// A program whose single run costs more is not proved at all.
 const MOST: usize = 100_000;
 
 /// What is known about a test on a box.

@@ -130,7 +130,7 @@ impl Builder<'_, '_> {
         self.body.footprint.add_disc(center, radius);
     }
 
-    /// Its wheels with teeth on this side, unless the link's own shapes are these.
+    /// Adds the wheels of the link with teeth on this side, unless the link's own shapes show them.
     fn wheels(&mut self, wheels: &Wheels, side: Side) {
         let own = wheels.on(self.link).filter(|wheel| wheel.side == side);
         for wheel in own.filter(|wheel| !wheel.is_drawn(self.scene)) {

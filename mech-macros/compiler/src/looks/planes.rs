@@ -177,7 +177,7 @@ impl Rules {
         crossed.map(|(_, weight)| weight).sum()
     }
 
-    /// The best order that is found from this one, and from others in which it is mixed.
+    /// The best order found by improving this one, and shuffled copies of it.
     fn best(&self, order: &[usize]) -> Vec<usize> {
         let attempts = (WORK / order.len().pow(2).max(1)).clamp(1, MOST_ATTEMPTS);
         let count = order.len();
@@ -294,7 +294,7 @@ fn find_crossings(scene: &Scene<'_>, links: &[LinkId], bodies: &[Body]) -> Vec<(
     found.filter(|(_, weight)| *weight > 0).collect()
 }
 
-/// Whether a place is in a box or so near to it. Most places that a link can reach are beside its body.
+/// Whether a place is in a box, or no farther from it than `around`. Most places that a link can reach are beside its body.
 fn is_near_box(place: Point2<f64>, [low, high]: [[f64; 2]; 2], around: f64) -> bool {
     let [x, y] = [place.x, place.y];
     let around = around + SPARE * (x.abs() + y.abs() + around);

@@ -116,7 +116,7 @@ impl Survey {
         self.start().frame(link)
     }
 
-    /// The least and the greatest of what a position has; none if no position has any.
+    /// The least and the greatest value over all positions that have one; none if no position has.
     pub(super) fn range(&self, value: impl Fn(&Frames) -> Option<f64>) -> Option<[f64; 2]> {
         let values = self.positions.iter().filter_map(value);
         values.fold(None, |range, value| {

@@ -27,7 +27,8 @@ const END: f64 = 1e-8;
 /// fail by rounding.
 const NEAREST: f64 = 1e-13;
 const ROUNDED: f64 = 1e-9;
-/// Steps of a move at most, and so often is one halved before a journey is made instead; before a rough way ends.
+/// The most steps of a move. The second numbers say how often a step may fail before a journey is made instead, and before a rough way
+/// ends.
 const MOST_STEPS: usize = 96;
 const MOST_FAILED: [usize; 2] = [6, 3];
 /// The greatest and the least factor by which the next step may be longer than the last. Of the factor that the error would allow, it is
@@ -37,7 +38,7 @@ const SHORTER: f64 = 0.1;
 const RESERVE: f64 = 0.7;
 /// Poses that move less than this part of the one that moves most are compared less strictly.
 const SLOW: f64 = 0.02;
-/// A sine is zero that is less than this part of what it was before.
+/// A sine counts as zero if it is below this part of what it was before.
 const FLAT: f64 = 0.02;
 /// A followed angle may differ from what was foretold by so many radians: half a turn off, its whole turns would be lost.
 const ANGLE: f64 = 1.0;
@@ -77,7 +78,7 @@ pub(crate) struct Walker<'p> {
     is_rough: bool,
     /// How long a step may be, after those before it.
     reach: f64,
-    /// The operations that are left, and those of them that journeys on this way may take.
+    /// The operations that are left, and those of them that journeys on this way may use.
     left: usize,
     of_way: usize,
 }
@@ -263,7 +264,7 @@ impl<'p> Walker<'p> {
         (next >= 1.0).then_some(Arrival::There)
     }
 
-    /// Notes where a way ends that comes to a zero so near.
+    /// Notes where a way ends, if a zero is this near: the position there is foretold.
     fn foretell_end(&mut self, way: &Way<'_>, before: Rc<Position<f64>>, zero: f64) {
         self.doubt(&before);
         let motors = way.motors(way.done + zero);
@@ -281,7 +282,7 @@ impl<'p> Walker<'p> {
         self.passed.push(before);
     }
 
-    /// Where several loops come to their ends together, not all of what is beyond was seen.
+    /// Notes that not everything beyond was seen, if several loops come to their ends together.
     fn doubt(&mut self, end: &Position<f64>) {
         let watches = self.program.watches.iter();
         let flat = watches.filter(|watch| end.state[watch.sine].abs() < FLAT);
@@ -569,7 +570,7 @@ impl<'t> Way<'t> {
         if next + 0.5 * length < 1.0 { next } else { 1.0 }
     }
 
-    /// The motors where so much is done.
+    /// The motors where this part of the way is done.
     fn motors(&self, done: f64) -> Vec<f64> {
         if done < 1.0 {
             interpolate(&self.start, &self.vector, done)

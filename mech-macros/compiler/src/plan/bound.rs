@@ -25,7 +25,7 @@ pub struct Bound {
 /// A cause that makes something faster without end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Growth {
-    /// It is as many times as fast as one is greater than the sine of this loop, by its number in the plan.
+    /// It is faster by the inverse of the sine of this loop, by its number in the plan.
     NearZero(usize),
     /// It is so many times as fast as this motor or param is farther from zero than this number, where it is farther.
     FarOut(usize, f64),
@@ -65,7 +65,7 @@ impl Bound {
         bound
     }
 
-    /// Adds so many times another.
+    /// Adds another bound, times a factor.
     pub fn add(&mut self, factor: f64, other: &Self) {
         if factor == 0.0 || other.rates.iter().all(|rate| *rate == 0.0) {
             return;

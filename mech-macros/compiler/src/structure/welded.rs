@@ -40,7 +40,7 @@ impl Frame {
         turned([cos, -sin], [x - u, y - v])
     }
 
-    /// That of a link whose axis lies on an axis of this one, in place and in direction.
+    /// The frame of another link, one axis of which coincides with an axis of this link in place and direction.
     fn beyond(&self, own: &Axis, other: &Axis) -> Self {
         let back = [other.direction[0], -other.direction[1]];
         let direction = turned(turned(self.direction, own.direction), back);

@@ -28,7 +28,7 @@ const FALLS: f64 = 0.0625;
 /// If its square falls by less than this part of what rounding hides, that tells nothing.
 const NOISE: f64 = 0.125;
 
-/// An iterated loop comes to what may be its change point.
+/// An iterated loop that comes to a possible change point.
 pub(super) struct Meeting<P, T> {
     pub(super) index: usize,
     /// A position before the change point, and the part of the move that is done there.
@@ -297,8 +297,8 @@ impl<P: Clone, T: Real> Line<'_, P, T> {
     }
 }
 
-/// A position farther from a zero of a sine than one beside it, where the move leads away from it. It is reached in steps so short that none
-/// goes over to another branch.
+/// A position farther from a zero of a sine than the one beside it. Steps towards it are so short that no loop goes over to another
+/// branch.
 fn away<T: Real, J: Journey<T>>(
     journey: &J,
     (from, done): (&J::Position, T),
@@ -350,7 +350,7 @@ fn away<T: Real, J: Journey<T>>(
     None
 }
 
-/// The position so far back in the move.
+/// The position that is this part of the move back.
 fn back<T: Real, J: Journey<T>>(
     journey: &J,
     (position, part): (&J::Position, T),

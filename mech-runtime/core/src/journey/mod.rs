@@ -33,7 +33,7 @@ pub struct Watch<T> {
 /// An angle that is followed over whole turns. The number is for the whole move, from the start to the target.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turn<T> {
-    /// By how much it may change in the whole move, at most, as long as that does not grow.
+    /// The most it may change in the whole move, as long as none of the causes of its growth acts.
     pub change: T,
     /// Whether that is no bound but a guess.
     pub guessed: bool,
@@ -138,7 +138,7 @@ pub trait Journey<T: Real> {
     fn sense(&self, position: &Self::Position, index: usize) -> T;
     /// Notes the sense in which the motors go.
     fn note_motion_signs(&self, position: &mut Self::Position);
-    /// Why it does not go so far at once.
+    /// The stop that says that a move is too long for one piece.
     fn too_far(&self) -> Self::Stop;
     /// Whether a stop says of this watched loop that it does not close.
     fn is_open(&self, stop: &Self::Stop, index: usize) -> bool;

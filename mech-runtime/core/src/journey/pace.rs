@@ -79,7 +79,7 @@ pub(super) fn is_foretold<T: Real, J: Journey<T>>(
     watches().all(is_even) && follows().all(turns_evenly)
 }
 
-/// By how much the squares of those sines change in the whole move of which that is guessed.
+/// For each sine whose rate is a guess, the change of its square in the whole move.
 fn guesses<T: Real, J: Journey<T>>(journey: &J) -> impl Iterator<Item = T> {
     let watches = (0..journey.watches()).map(|index| journey.watch(index));
     watches

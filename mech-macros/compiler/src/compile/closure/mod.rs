@@ -20,11 +20,11 @@ const GROUPS: usize = 4;
 const ROUNDINGS: f64 = 1024.0;
 /// Redundant joints may be open by this part of the extent: mechanisms whose lengths match less well were refused before.
 const MATCH: f64 = 1e-7;
-/// After so many steps on the spot a method with a fixed number of rounds has closed, too.
+/// A method with a fixed number of rounds takes so many steps on the spot until it has closed.
 const STEPS: usize = 24;
 /// So often a wheel may have turned over the least distance.
 const TURNS: i32 = 64;
-/// Where wheels turn more than so many times as fast as others, whole turns over the least distance are not known.
+/// Where a wheel turns more than so many times as fast as another, its whole turns over the least distance cannot be told.
 const FASTEST: f64 = 1e3;
 
 /// Runs a program at its start and at positions of all its motors beside it, as far as it closes there.

@@ -188,7 +188,7 @@ fn greatest(errors: &[f64]) -> f64 {
 
 /// Knows the most exact program of a mechanism, and compares others with it.
 struct Judge<'m> {
-    /// It shows whatever any solver begins with: positions of one program are begun from by others.
+    /// The mechanism, with everything shown that any solver begins with: the programs take over each other's positions.
     model: Cow<'m, Model>,
     plan: &'m Plan,
     exact: Vec<Choice>,

@@ -29,12 +29,12 @@ const POSITIONS: [usize; 2] = [384, 64];
 /// Positions that a way may cost where it goes in pieces, and a move from an outermost position.
 const OF_WAY: usize = 128;
 const OF_PUSH: usize = 48;
-/// Turns of a motor: a wheel behind a worm has turned as a whole after so many.
+/// The most turns of one motor: behind a worm, a wheel takes so many for a whole turn.
 const MOST_TURNS: i64 = 1 << 16;
 /// Positions of one turn of the fastest link, at least and at most, and of all turns if that is between.
 const OF_TURN: [usize; 2] = [12, 24];
 const OF_TURNS: usize = 96;
-/// So often is a way gone on that does not end where it began.
+/// How often a way is continued if it does not end where it began.
 const MOST_WAYS: usize = 4;
 /// A link without any bound is followed no farther than so many sizes of the mechanism beyond the start. It may fly away where slides become parallel.
 const LIMIT: f64 = 32.0;

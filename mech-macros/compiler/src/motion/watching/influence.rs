@@ -58,7 +58,7 @@ impl Joined<'_> {
         self.of_link[to.index()].push((from, motors.clone()));
     }
 
-    /// Those that determine how the links of each of its clusters lie to each other on which its connections are.
+    /// The motors that have a part in how the links lie to each other that a loop joins, cluster by cluster.
     fn of_loop(&self, closing: &Loop) -> Motors {
         if !closing.ties.is_empty() {
             return None;

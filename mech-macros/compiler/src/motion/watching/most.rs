@@ -13,7 +13,7 @@ pub(super) const MOST_DIRECT: f64 = 256.0;
 /// The greatest factor that the small sines of several free loops together add to a bound.
 pub(super) const MOST_SHARP: f64 = 64.0;
 
-/// Makes a bound that is too wide a guess: so many times as fast as what drives it.
+/// Limits rates to so many times what drives them. A bound that was wider becomes a guess.
 pub(super) fn tame(bound: &mut Bound, times: f64, driven: &[f64]) {
     for (rate, driven) in bound.rates.iter_mut().zip(driven) {
         let most = times * driven;

@@ -20,9 +20,9 @@ use std::f64::consts::TAU;
 /// A cone is looked at on so many boxes at most; the second number is for all cones together.
 const MOST_BOXES: usize = 256;
 const BOXES_OF_ALL: usize = 16_384;
-/// An arm may become shorter than this part of what it is at the start only where a bound is lost anyway.
+/// An arm is taken to be no shorter than this part of its greatest length: where it is, the bound is lost anyway.
 const SHORT: f64 = 0.01;
-/// Of loops that are solved by iteration only their steps are bounded: so fast are they taken to turn.
+/// Loops that are solved by iteration are taken to turn no faster than so many times what drives them: only their steps are bounded.
 const ITERATED: f64 = 16.0;
 /// Finds bounds, each once.
 pub(super) struct Paces<'d> {

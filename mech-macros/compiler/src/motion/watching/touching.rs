@@ -8,7 +8,7 @@ use crate::certify::cone::{Cuts, Variable};
 use crate::certify::slope::Slopes;
 use crate::program::ClosedForm;
 
-/// On so many parts of its range at most it is looked at.
+/// The range of the variable is looked at in so many parts at most.
 const MOST_PARTS: usize = 512;
 
 /// Whether a loop has dead points only. Known is that only of a loop of one variable that goes on in one sense while motors do:

@@ -49,7 +49,7 @@ impl SsaBuilder {
         }
     }
 
-    /// One through a size.
+    /// The inverse of a size.
     pub(super) fn inverse_of(&mut self, size: Size) -> Value {
         match size {
             Size::Fixed(size) => self.constant(1.0 / size),
@@ -128,7 +128,7 @@ impl SsaBuilder {
         })
     }
 
-    /// The factors of two products of which a value is the sum or the difference.
+    /// The two products whose sum or difference a value is: their factors.
     fn products(&self, value: Value) -> Option<[[Value; 2]; 2]> {
         let (Op::Add(a, b) | Op::Sub(a, b)) = self.op(value) else {
             return None;

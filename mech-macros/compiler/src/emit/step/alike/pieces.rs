@@ -1,4 +1,5 @@
-//! The pieces in which a step is emitted: its blocks, and those of loops that others are like in two parts.
+//! The pieces in which a step is emitted: its blocks. A block with a loop like others is divided in two: what comes before the solution,
+//! and the solution.
 
 use super::class::{Class, LEAST};
 use super::shape::Shape;
@@ -13,11 +14,11 @@ pub(super) struct Piece {
     pub(super) block: BlockId,
     /// What it computes, in the order in which it is made.
     pub(super) values: Vec<Value>,
-    /// The same, and what it computes anew if others are like it, although another piece has it already.
+    /// The same, and in a class also values that another piece computes already: they are computed again.
     anew: Vec<Value>,
     pub(super) part: Part,
     pub(super) flow: Flow,
-    /// Its class and its row in it, if others are like it.
+    /// The class of the piece and its row there; none if too few pieces are like it.
     pub(super) row: Option<Place>,
 }
 

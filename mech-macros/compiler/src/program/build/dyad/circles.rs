@@ -103,7 +103,7 @@ impl DyadLowering<'_> {
         self.ssa.sub(square, near)
     }
 
-    /// Whether the lengths of a triangle differ so much that its short side's direction suffers.
+    /// Whether the sides of a triangle differ so much in length that rounding spoils the direction of the shortest.
     fn are_far_apart(&self, a: Value, b: Value, square: Value) -> bool {
         let [a, b, square] = [a, b, square].map(|value| self.ssa.at_start(value));
         let greatest = a.max(b).max(square.sqrt());
