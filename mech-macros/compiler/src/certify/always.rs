@@ -31,9 +31,8 @@ const FIRST_PART: f64 = 1.0;
 const FARTHER: f64 = 4.0;
 const FARTHEST: f64 = 1e9;
 
-/// Looks whether the loop closes on the whole of these ranges of the cone's variables, by more than rounding; shows `look` every
-/// box on which it does. Nothing is known if the budget does not last: so many numbers may be found, and what was used is taken
-/// from it.
+/// Tests whether the loop closes, by more than rounding, on the whole of these ranges of the cone's variables. Shows `look` every box on
+/// which it does. The budget is in evaluations, and what was used is taken from it. Nothing is known if it does not last.
 pub(crate) fn always_closes(
     cone: &Cone,
     question: &Question,

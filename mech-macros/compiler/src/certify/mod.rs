@@ -92,7 +92,7 @@ pub struct Blocked {
 pub struct Effort {
     /// On how many boxes the program was run.
     pub boxes: usize,
-    /// How many numbers were found in all, a sixteenth of which may be a part of an affine form.
+    /// How many intervals were computed in all. Sixteen coefficients of affine forms count as one.
     pub evaluations: usize,
 }
 

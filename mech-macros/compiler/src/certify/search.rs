@@ -5,7 +5,7 @@ use super::tape::{Outcome, Tape};
 use super::{Effort, Interval, Verdict};
 use crate::program::{BlockId, Program};
 
-/// How many numbers may be found for one verdict: that takes some hundredths of a second.
+/// How many intervals may be computed for one verdict: that takes some hundredths of a second.
 const BUDGET: usize = 800_000;
 
 /// The part of the budget for telling loops that only just close from loops that stay clear of dead points.
@@ -17,7 +17,7 @@ const NEAR: f64 = 1e-8;
 /// Boxes narrower than this part of the range are not cut at all.
 const NARROW: f64 = 1e-14;
 
-/// How many numbers may be found.
+/// A budget: how many intervals may be computed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Share(pub(super) usize);
 

@@ -172,7 +172,7 @@ impl<'p> Tape<'p> {
         self.tests.get(test).map(|(block, _)| *block)
     }
 
-    /// How many numbers were found so far.
+    /// How many intervals were computed so far.
     pub(super) fn evaluations(&self) -> usize {
         self.evaluations
     }

@@ -12,7 +12,7 @@ use crate::plan::Solution;
 use crate::program::{BlockId, ClosedForm, Dyad, Value};
 use std::f64::consts::{PI, TAU};
 
-/// How many numbers may be found for a loop by itself, for one together with those before it, and for all loops.
+/// How many intervals may be computed for a loop by itself, for one together with those before it, and for all loops.
 const ALONE: usize = 60_000;
 const TOGETHER: usize = 240_000;
 const ALL: usize = 1_500_000;

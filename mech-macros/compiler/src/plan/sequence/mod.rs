@@ -61,7 +61,7 @@ struct Search<'m> {
     loops: usize,
     /// For each joint whose coordinate is known, how.
     known: Vec<Option<Knowledge>>,
-    /// Whether anything is tied: by what rolls, or by cams.
+    /// Whether rolling or a cam ties any coordinates: then relations between them are kept.
     keeps_ledger: bool,
     /// The relations that rolling makes; empty, and not updated, if nothing rolls.
     relations: LinearRelations,
