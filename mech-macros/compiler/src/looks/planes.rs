@@ -9,12 +9,13 @@ use crate::model::LinkId;
 use crate::structure::Pin;
 use nalgebra::Point2;
 
-/// So often a link and a pin are compared, at as many positions.
+/// So many comparisons of a link with a pin are made at most, over all positions.
 const CHECKS: usize = 200_000;
-/// Rounds in which links look for a better plane. More links than this lie in the order of their declaration.
+/// So many rounds of moving single links to better planes are made at most. With more links than the second number, the order of
+/// declaration stays.
 const ROUNDS: usize = 24;
 const MOST_LINKS: usize = 128;
-/// So many orders are begun from, fewer if there are many links.
+/// The search begins from so many orders at most, and from fewer if there are many links.
 const MOST_ATTEMPTS: usize = 64;
 const WORK: usize = 4000;
 /// The weights of a crossing: of a link that covers the middle of a pin, and of one that only touches it. A body that lies behind what it
@@ -38,7 +39,7 @@ pub(super) const LAID: usize = 1;
 /// The weight where one is inside the other, as a rod in its barrel: more than all other faults together.
 pub(super) const INSIDE: usize = 1 << 24;
 
-/// A link comes to a pin that it does not carry: it has to be in front of both its ends, or behind both.
+/// A link that passes over a pin that it does not carry: it has to be in front of both links of that pin, or behind both.
 #[derive(Clone, Copy)]
 struct Crossing {
     link: usize,
@@ -57,7 +58,7 @@ pub(super) struct Order {
 struct Rules {
     /// For each pin with something in its way: the bodies that it joins, and whether it is fixed to the ground.
     pins: Vec<(Vec<usize>, bool)>,
-    /// With their weights: those whose middle comes within the link weigh more than those that only touch it.
+    /// The crossings with their weights.
     crossings: Vec<(Crossing, usize)>,
     /// For each body the crossings that it has a part in.
     crossings_with: Vec<Vec<(Crossing, usize)>>,
@@ -249,7 +250,7 @@ fn behind<'p>(ranks: &[usize], pairs: impl Iterator<Item = &'p Pair<usize>>) -> 
     wrong.map(|pair| pair.weight).sum()
 }
 
-/// Which links come to which pins that they do not carry, at some positions.
+/// Which links pass over which pins that they do not carry, at some positions.
 fn find_crossings(scene: &Scene<'_>, links: &[LinkId], bodies: &[Body]) -> Vec<(Crossing, usize)> {
     let pins = &scene.structure.pins;
     let radius = PIN * scene.width;

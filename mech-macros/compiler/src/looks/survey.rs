@@ -14,7 +14,7 @@ use std::rc::Rc;
 /// How many operations all positions may cost if each takes one step, and if moves go in pieces.
 const BUDGET: usize = 400_000;
 const BUDGET_OF_PIECES: usize = 1_600_000;
-/// So many positions may a sweep cost where it goes in pieces.
+/// So many positions a sweep may cost whose moves need pieces.
 const OF_SWEEP: usize = 128;
 /// Positions in a turn of the fastest link, and of a whole sweep.
 const SAMPLES: [usize; 2] = [8, 36];
@@ -24,7 +24,8 @@ const MOST_TURNS: i64 = 4;
 const ALL_TURNS: f64 = 3.9 * TAU;
 /// Everything is where it was within this part of the mechanism's size.
 const SAME: f64 = 1e-6;
-/// Where a way ends at once a dead point may be near: then the first step is this part of a sample, and each other as many times as long.
+/// A way that ends at once may begin beside a dead point. Then its first step is this part of a sample, and each next step so many times
+/// as long.
 const FIRST_STEP: f64 = 1.0 / 4096.0;
 const LONGER: f64 = 4.0;
 /// So many positions on the way of a single motor are kept. From each of them every other motor goes through its range, in a number of
@@ -153,7 +154,7 @@ struct Surveyor<'a> {
     /// From where to where each motor goes: as it is declared, or alone from the start. What can be turned for ever has no ends.
     ranges: Vec<[f64; 2]>,
     positions: Vec<Rc<Position<f64>>>,
-    /// Some of these on the ways of single motors, and which motor that is.
+    /// Some positions on the ways of single motors, each with the number of its motor.
     bases: Vec<(usize, Rc<Position<f64>>)>,
 }
 

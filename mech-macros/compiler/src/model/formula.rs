@@ -75,7 +75,7 @@ impl Formula {
 #[derive(Clone, Default, PartialEq)]
 pub struct Formulas {
     all: Vec<Formula>,
-    /// Looked up only, never iterated: its order is another in each.
+    /// Only looked up, never iterated: the order of a hash map differs from run to run.
     known: HashMap<Formula, FormulaId>,
 }
 

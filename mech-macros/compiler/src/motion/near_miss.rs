@@ -21,8 +21,8 @@ const FORETOLD: f64 = 0.02;
 const SAMPLES: u32 = 20;
 /// Turns of the fastest link that are looked at.
 const TURNS: i64 = 4;
-/// Operations that all of it may take, and positions that it may take at least and at most for each motor. Where loops pass change
-/// points, moves to these positions may take as much.
+/// The operations that all of it may take, and for each motor the least and the greatest number of positions. Moves to these positions
+/// may take as much again where loops pass change points.
 const BUDGET: usize = 100_000;
 const POSITIONS: [usize; 2] = [64, 192];
 /// A loop that misses its change point by no more than so many roundings meets it.
@@ -207,7 +207,7 @@ struct Sample {
 struct Way<'l, 'p> {
     loops: &'l [Flatness<'p>],
     start: &'l Position<f64>,
-    /// Moves it, where it has to be followed how it moves.
+    /// Follows the motor in small moves, where positions depend on how it came there.
     walker: Option<Walker<'p>>,
     machine: Machine<'l, f64>,
     wanted: Vec<Value>,

@@ -162,7 +162,7 @@ fn find_touching(
     Ok(touching)
 }
 
-/// The loops whose sines bound how fast others change that are watched all the same, or angles that are followed over whole turns.
+/// The loops that are watched although they close: their sines bound how fast other loops, or angles with whole turns, change.
 fn asked_for(plan: &Plan, choices: &[Choice], touches: &[usize]) -> BTreeSet<usize> {
     let near = |bound: &Bound| {
         let growth = bound.growth.iter();

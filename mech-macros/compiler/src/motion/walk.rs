@@ -10,7 +10,7 @@ use std::rc::Rc;
 
 /// A journey may take so many times the operations of one position.
 const MOST_OF_JOURNEY: usize = 64;
-/// So often is a step halved that does not close: a part of it as small as rounding is left.
+/// A step that does not close is halved so often: then no more than rounding is left of it.
 const HALVINGS: usize = 48;
 /// A move that nothing foretells begins with this part of it.
 const FIRST: f64 = 0.25;
@@ -42,7 +42,7 @@ const SLOW: f64 = 0.02;
 const FLAT: f64 = 0.02;
 /// A followed angle may differ from what was foretold by so many radians: half a turn off, its whole turns would be lost.
 const ANGLE: f64 = 1.0;
-/// Motors that lie on a line with others, within this part of the way.
+/// Motors are on one line with others if they are off it by no more than this part of the way.
 const ALIGNED: f64 = 1e-9;
 /// Positions that foretell the next one are at least this part of the way apart.
 const APART: f64 = 1.0 / 64.0;
@@ -70,7 +70,7 @@ pub(crate) struct Walker<'p> {
     trail: Vec<Rc<Position<f64>>>,
     /// Those that the last move came past.
     pub(crate) passed: Vec<Rc<Position<f64>>>,
-    /// Where the last move ends at a dead point, foretold: it came almost there.
+    /// The position at the dead point where the last move ends. It is foretold; the mechanism came almost there.
     end: Option<Position<f64>>,
     /// Whether it made a step on this way that nothing foretold.
     pub(crate) is_unsure: bool,
@@ -318,7 +318,7 @@ impl<'p> Walker<'p> {
         Some(astray)
     }
 
-    /// The known positions on the line of a way, each with its part of the way from a position, and that first.
+    /// The known positions on the line of a way that begins at a position, each with its part of the way; that position first.
     fn places(&self, from: &Rc<Position<f64>>, way: &[f64]) -> Vec<(f64, Rc<Position<f64>>)> {
         let mut places = vec![(0.0, Rc::clone(from))];
         for other in self.trail.iter().rev() {
@@ -595,7 +595,7 @@ fn part_of(found: f64, allowed: f64) -> f64 {
     if found == 0.0 { 0.0 } else { found / allowed }
 }
 
-/// The part of a way where a position is that lies on its line, seen from another.
+/// The part of a way at which a position lies; none if it is not on the line of the way.
 fn place_on(way: &[f64], from: &Position<f64>, other: &Position<f64>) -> Option<f64> {
     let square: f64 = way.iter().map(|part| part * part).sum();
     let apart = between(&from.motors, &other.motors);

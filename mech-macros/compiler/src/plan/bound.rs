@@ -80,7 +80,7 @@ impl Bound {
         self.grow_like(&other.growth);
     }
 
-    /// Grows as this does, too: each as often as where it stands oftener.
+    /// Adds the causes of growth of another bound. A cause stands here as often as in the bound where it stands more often.
     pub fn grow_like(&mut self, growth: &[Growth]) {
         let mut own = self.growth.clone();
         for &other in growth {

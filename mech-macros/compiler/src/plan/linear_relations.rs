@@ -130,7 +130,7 @@ impl LinearRelations {
             .collect()
     }
 
-    /// For each of these combinations that the ones before it and the sources determine, how.
+    /// For each of these combinations, how it follows from those before it and from sources, if it does.
     pub(crate) fn ties(&self, combinations: &[LinearForm]) -> Vec<Option<Parts>> {
         // Each combination gets a name of its own, a source beyond all others, and is solved for as the ledger itself is.
         let mut relations = self.clone();

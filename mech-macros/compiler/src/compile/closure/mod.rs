@@ -88,7 +88,7 @@ struct Judge<'m> {
     start: LinkFrames<'m>,
     /// What rounding leaves of one.
     rounding: f64,
-    /// So many times as fast as the slowest a wheel may turn.
+    /// How many times as fast as the slowest part a wheel may turn.
     fastest: f64,
 }
 
@@ -205,7 +205,7 @@ impl<'m> Judge<'m> {
         }
     }
 
-    /// A follower that is not where the law of its cam has it. A law that is another in every turn of its shaft is not looked at.
+    /// A cam follower that is not where its law has it. Laws that differ from turn to turn are not tested.
     fn off_cam(&self, now: &LinkFrames<'_>, extent: f64, part: f64) -> Option<Torn> {
         let is_angle = |joint: JointId| {
             let kind = self.model.joint(joint).kind;

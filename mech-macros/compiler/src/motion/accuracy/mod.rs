@@ -28,7 +28,7 @@ const ROUNDING_SAFETY: [f64; 2] = [8.0, 12.0];
 const LEAST_ROUNDING: f64 = 16.0;
 /// More rounds than this are not promised: an iteration that needs more is better left to run until its loop closes.
 const MOST_ROUNDS: u32 = 4;
-/// How often a combination of solvers is tried that were good enough one by one.
+/// How many combinations of solvers are tried. Each solver was good enough by itself.
 const COMBINATIONS: usize = 6;
 
 /// How exact a mechanism will be: the greatest distance of anything on its links from where it should be, in scene units. An estimate
@@ -49,8 +49,8 @@ pub struct SolvedLoop {
     pub number: usize,
     /// By which method, in words.
     pub method: String,
-    /// How far the links may be from where they should be that wait for it and for no later one, if that was estimated: in scene
-    /// units. Infinite if it may stop where the mechanism could move on.
+    /// How far off the links may be that wait for this loop and for no later one, in scene units, if that was estimated. Infinite if the
+    /// loop may stop where the mechanism could move on.
     pub error: Option<f64>,
     /// Its operations.
     pub cost: Cost,
@@ -137,8 +137,8 @@ pub(crate) fn choose(
     Ok((choices, prediction))
 }
 
-/// How exact a mechanism will be whose loops are solved as given, if the steps of all motors are declared that move a loop whose
-/// rounds are counted.
+/// How exact a mechanism will be with these choices. None unless the steps are declared of all motors that move a loop with a fixed
+/// number of rounds.
 pub(crate) fn predict(model: &Model, plan: &Plan, choices: &[Choice]) -> Option<Prediction> {
     let counted = |choice: &Choice| {
         matches!(
@@ -170,7 +170,7 @@ struct Candidate {
     error: f64,
 }
 
-/// The cheapest candidate of the loop that is farthest off goes.
+/// Drops the cheapest candidate of the loop that is farthest off.
 fn tighten(candidates: &mut [Vec<Candidate>]) {
     let worst = candidates
         .iter_mut()
@@ -368,7 +368,7 @@ fn with_all_kept<'m>(model: &'m Model, plan: &Plan, exact: &[Choice]) -> Cow<'m,
     Cow::Owned(state)
 }
 
-/// Whether a loop has change points that are not just kept on its branch.
+/// Whether a loop does more at change points than keep its branch.
 fn changes(choice: &Choice) -> bool {
     matches!(&choice.watching, Some(watching) if watching.at_zero != AtZero::Stay)
 }

@@ -189,7 +189,7 @@ impl<'m> Bounds<'m> {
         self.put(a, meet(from, add(to, way.map(|part| -part))));
     }
 
-    /// What the place of one joint of a link says about its others: they keep their distances.
+    /// Narrows the places of a link's other joints by the place of one: their distances from it are constant.
     fn narrow_link(&mut self, from: AxisId) {
         let link = self.model.axis(from).link;
         let others = self.joints[link.index()].clone();

@@ -8,7 +8,7 @@ use crate::plan::Halton;
 use crate::program::Position;
 use std::rc::Rc;
 
-/// Positions of all motors of an arm together, for each motor.
+/// So many positions are tried, for each motor of an arm, in which all its motors have moved.
 const TOGETHER: usize = 12;
 /// Links that are taken outwards on each side: of loops, and of arms, which cost less.
 const CLIMBS: [usize; 2] = [1, 2];
@@ -100,8 +100,8 @@ impl Survey<'_> {
         }
     }
 
-    /// The distance of a link out on a side if what each motor does alone adds up. With it come the values of the motors there, and a
-    /// position on the way of the motor that does most.
+    /// How far out a link comes on a side if the effects of all motors add up. With it come the motors' values there, and a position on
+    /// the way of the motor that does most.
     fn expected(&self, side: usize, link: usize) -> (f64, Vec<f64>, Rc<Position<f64>>) {
         let out = |sample: &&Sample| sample.links[link].sides[side];
         let mut from = Rc::new(self.program.start.clone());
@@ -140,7 +140,7 @@ impl Survey<'_> {
         watches.any(|watch| position.state[watch.sine].abs() < AT_END)
     }
 
-    /// Goes farther out with a link on a side as long as it can: up the slope, and where a loop is at its end along that, and then out to it.
+    /// Takes a link farther out on a side as long as it can: up the slope, or, where a loop is at its end, along that end.
     fn climb(&mut self, side: usize, link: usize) {
         let (_, motors, from) = self.expected(side, link);
         self.walker.begin_roughly(&from);

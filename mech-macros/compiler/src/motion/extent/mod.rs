@@ -26,7 +26,7 @@ use std::rc::Rc;
 /// of positions, and so many for each motor.
 const BUDGET: usize = 1_500_000;
 const POSITIONS: [usize; 2] = [384, 64];
-/// Positions that a way may cost where it goes in pieces, and a move from an outermost position.
+/// The positions that a way may cost if it goes in pieces, and a single move from an outermost position.
 const OF_WAY: usize = 128;
 const OF_PUSH: usize = 48;
 /// The most turns of one motor: behind a worm, a wheel takes so many for a whole turn.

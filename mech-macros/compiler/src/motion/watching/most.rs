@@ -6,7 +6,7 @@ use crate::program::Bound;
 /// and no sine to change faster.
 pub(super) const MOST: f64 = 16.0;
 pub(super) const MOST_OF_SINE: f64 = 4.0;
-/// Gears make faster what they are driven by, whatever that is.
+/// The same for angles behind gears, which may be much faster than what drives them.
 pub(super) const MOST_OF_ANGLE: f64 = 1024.0;
 /// What motors move directly is bounded well.
 pub(super) const MOST_DIRECT: f64 = 256.0;

@@ -42,14 +42,14 @@ struct Goal {
     moves: Bound,
     /// How fast the lines turn, if they do.
     turns: Bound,
-    /// How far it is away at most, and what makes that more.
+    /// How far away the goal is at most, and what takes it farther.
     reach: f64,
     far: Vec<Growth>,
     /// The lengths of the arms, at least and at most.
     arms: Vec<[f64; 2]>,
     /// Whether it is moved by motors and params alone.
     direct: bool,
-    /// How fast what turns it turns with each input, at most: motors, and gears behind earlier loops.
+    /// How fast what turns the loop as a whole turns with each input, at most: motors, and gears behind earlier loops.
     driven: Vec<f64>,
 }
 
@@ -282,7 +282,7 @@ impl<'d> Paces<'d> {
         vectors.iter().all(bounded)
     }
 
-    /// The ranges of a cone's variables on which it is looked at, and what takes them farther.
+    /// The ranges of a cone's variables in which it is looked at, and the causes that take variables beyond them.
     fn ranges(&self, cone: &Cone) -> (Vec<Interval>, Vec<Growth>) {
         let whole: Vec<Interval> = cone
             .variables
@@ -304,7 +304,7 @@ impl<'d> Paces<'d> {
         (ranges, growth)
     }
 
-    /// How far a variable without ends is looked at, and what takes it farther.
+    /// How far a variable without ends is looked at, and the causes that take it beyond.
     fn far(&self, variable: Variable) -> (f64, Vec<Growth>) {
         let size = self.domain.model.size().max(f64::MIN_POSITIVE);
         match variable {

@@ -17,7 +17,7 @@ pub(super) struct Class {
     pub(super) rows: Vec<Row>,
     /// The pieces, by number.
     pub(super) pieces: Vec<usize>,
-    /// What any of the pieces gives, in the order in which it is made.
+    /// The results of the function that the pieces share, in the order in which they are computed.
     pub(super) outputs: Vec<Output>,
 }
 
@@ -31,7 +31,7 @@ pub(super) struct Output {
 }
 
 impl Class {
-    /// The classes among these pieces; a piece like which there are not enough is in none.
+    /// The classes among these pieces. A piece is in no class if too few others are like it.
     pub(super) fn find(shapes: Vec<(usize, Shape)>) -> Vec<Self> {
         let mut classes: Vec<Self> = Vec::new();
         // Most classes need not be compared with.

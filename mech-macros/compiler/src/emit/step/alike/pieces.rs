@@ -198,7 +198,7 @@ struct Solution {
     anew: Vec<Value>,
 }
 
-/// The solutions of those loops that enough others are like, by their blocks; none if there are none.
+/// The solutions of loops that enough other loops are like, by their blocks; none if there are none.
 fn solutions(program: &Program, values: &[Vec<Value>]) -> Option<BTreeMap<BlockId, Solution>> {
     if !program.is_closed() || program.closed_forms().count() < LEAST {
         return None;

@@ -34,7 +34,7 @@ pub(super) enum Argument {
     Each(Vec<Term>),
     /// An earlier piece of the same round gives it.
     Now(Given),
-    /// A piece of the round before gives it; in the first round it is this.
+    /// A piece of the round before gives it. In the first round it is this term.
     Before(Given, Term),
 }
 
