@@ -299,8 +299,8 @@ fn analyse_overconstrained(
     }
 }
 
-/// So many joints are tried for a motor where counting leaves no freedom, over the square of the number of joints: trying one costs more
-/// in a larger mechanism.
+/// So many joints, over the square of their number, are tried for a motor where counting leaves no freedom. Each trial costs more in a
+/// larger mechanism.
 const MOST_MOVED: usize = 40_000;
 
 /// A mechanism that counting finds rigid may only lack a motor, if its lengths match: the joints that could have it.

@@ -39,7 +39,7 @@ pub(super) const LAID: usize = 1;
 /// The weight where one is inside the other, as a rod in its barrel: more than all other faults together.
 pub(super) const INSIDE: usize = 1 << 24;
 
-/// A link that passes over a pin that it does not carry: it has to be in front of both links of that pin, or behind both.
+/// A link that passes over a pin that it does not carry. It has to be in front of both links of that pin, or behind both.
 #[derive(Clone, Copy)]
 struct Crossing {
     link: usize,

@@ -315,7 +315,7 @@ impl<S: Copy + PartialEq> Equation<S> {
 }
 
 impl<S: Copy> Equation<S> {
-    /// A direction given relative to the first cluster of the loop, as seen from the base that this cluster has by now: merging may have
+    /// A direction given relative to the first cluster of the loop, as seen from the base that this cluster has by now. Merging may have
     /// given it a lower one.
     fn seen_from_cluster(
         &self,

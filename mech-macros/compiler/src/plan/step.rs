@@ -81,8 +81,7 @@ pub enum Source {
 /// Joints whose coordinates are found together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {
-    /// The rings that must close: every connection begins in the cluster in which the one before it ends,
-    /// the first in that in which the last ends.
+    /// The rings that must close. Every connection begins in the cluster in which the one before it ends.
     pub rings: Vec<Vec<Connection>>,
     /// For each cluster but the first, which is known, the connection by which it hangs on one before it.
     pub tree: Vec<Connection>,

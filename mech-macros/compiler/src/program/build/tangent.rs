@@ -71,7 +71,7 @@ impl Tangents {
         self.angles.insert(angle, [from, to]);
     }
 
-    /// Notes the rate of a value that a loop solves. What is made from a value with its sign turned is made from the value itself.
+    /// Notes the rate of a value that a loop solves. For a value with its sign changed, that of the value itself is noted.
     pub(super) fn set(&mut self, ssa: &mut SsaBuilder, value: Value, rate: Value) {
         self.rates.insert(value, rate);
         if let Op::Neg(inner) = ssa.op(value) {
@@ -103,7 +103,7 @@ impl Tangents {
         rate
     }
 
-    /// The rate of a value at the end of a long chain: one after the other from its beginning, as the stack holds no long chain.
+    /// The rate of a value, after those of all values that it needs, one by one. Recursion through a long chain would overflow the stack.
     pub(in crate::program) fn of_all_up_to(&mut self, ssa: &mut SsaBuilder, value: Value) -> Value {
         let mut needed = vec![false; value.index() + 1];
         let mut waiting = vec![value];
