@@ -10,8 +10,9 @@ use crate::plan::{self, Plan, Step};
 use crate::program::{self, Program};
 use crate::structure::{self, Diagnosis, Rolling, Structure};
 
-/// By so much each motor is tried, in radians, or as a part of the mechanism's size. That is far enough for a link that only touches its circle to leave it. The first displacement, or a smaller one between dead points, must succeed in one direction at least. Wherever the others
-/// succeed, all joints must close.
+/// By so much each motor is tried, in radians, or as a part of the mechanism's size. That is far enough for a link that only touches its
+/// circle to leave it. The first displacement, or a smaller one between dead points, must succeed in one direction at least. Wherever the
+/// others succeed, all joints must close.
 const DISPLACEMENTS: [f64; 3] = [0.02, 0.11, 0.37];
 const LESS: [f64; 2] = [0.002, 0.0002];
 

@@ -140,7 +140,7 @@ impl Survey<'_> {
         watches.any(|watch| position.state[watch.sine].abs() < AT_END)
     }
 
-    /// Takes a link farther out on a side as long as it can: up the slope, or along the end of a loop's range where that is reached.
+    /// Takes a link farther out on a side as long as it can: up the slope, or, at the end of a loop, along that end.
     fn climb(&mut self, side: usize, link: usize) {
         let (_, motors, from) = self.expected(side, link);
         self.walker.begin_roughly(&from);

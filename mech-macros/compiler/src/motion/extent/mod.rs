@@ -36,7 +36,8 @@ const OF_TURN: [usize; 2] = [12, 24];
 const OF_TURNS: usize = 96;
 /// How often a way is continued if it does not end where it began.
 const MOST_WAYS: usize = 4;
-/// A link without any bound is followed no farther than so many sizes of the mechanism beyond the start. It may fly away where slides become parallel.
+/// A link without any bound is followed no farther than so many sizes of the mechanism beyond the start. It may fly away where slides
+/// become parallel.
 const LIMIT: f64 = 32.0;
 /// The most positions that are tried between known ones, where something may be farther out.
 const BETWEEN: usize = 32;
@@ -47,7 +48,8 @@ const ROUNDING: f64 = 1e-14;
 /// Two positions count as equal if their parts differ by less than this part of the mechanism's size.
 const SAME: f64 = 1e-6;
 /// A reserve for links that several motors move, because not every combination is tried. The box grows to what is proved, if that is
-/// within the second part of the motion; else by the first part. The pairs are for positions that depend on the motors alone, for all others, and for a search that was cut short or blocked.
+/// within the second part of the motion; else by the first part. The pairs are for positions that depend on the motors alone, for all
+/// others, and for a search that was cut short or blocked.
 const UNSEEN: [[f64; 2]; 3] = [[0.04, 0.04], [0.1, 0.5], [0.2, 1.5]];
 
 /// An upright box around all that is seen wherever the motors move the mechanism: lower left and upper right corner. What is seen are the
