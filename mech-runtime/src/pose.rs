@@ -77,7 +77,7 @@ impl<T: Scalar> From<Pose<T>> for Isometry2<T> {
     }
 }
 
-/// The same bits.
+/// The pose of an isometry, with the same bits.
 impl<T: Scalar> From<Isometry2<T>> for Pose<T> {
     fn from(isometry: Isometry2<T>) -> Self {
         let Isometry2 {

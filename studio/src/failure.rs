@@ -64,7 +64,7 @@ impl Failure {
         Self::new(FailureKind::Internal, text)
     }
 
-    /// One that the user has read already.
+    /// A failure that the user has read already.
     #[must_use]
     pub fn reported(kind: FailureKind) -> Self {
         Self::new(kind, "")
@@ -82,7 +82,7 @@ impl Failure {
         Self::new(FailureKind::Unread, "")
     }
 
-    /// One of a kind that is known.
+    /// A failure of this kind.
     pub(crate) fn new(kind: FailureKind, text: impl Into<String>) -> Self {
         let text = text.into();
         Self { kind, text }

@@ -17,8 +17,8 @@ impl<'m> LinkFrames<'m> {
         Self { model, frames }
     }
 
-    /// The frames if these links have these poses, and no others have any: what is asked of them is not a number. A die is where its pin is,
-    /// and points where its slot does.
+    /// The frames where only these links have known poses. What is asked of others is NaN. The die of a slot is where its pin is, and
+    /// points as its slot.
     pub(crate) fn of_some(model: &'m Model, links: &[LinkId], poses: &[[f64; 4]]) -> Self {
         let mut all = Self::new(model, &vec![[f64::NAN; 4]; model.links.len()]);
         all.frames[LinkId::GROUND.index()] = Isometry2::identity();
@@ -71,7 +71,7 @@ impl<'m> LinkFrames<'m> {
         }
     }
 
-    /// The distance, and the sine of an angle, by which the axes that a joint makes coincide do not; none of what rolls and of cams.
+    /// By how much the axes of a joint fail to coincide: a distance, and the sine of an angle. None for gears, belts, racks and cams.
     pub(crate) fn misfit(&self, joint: JointId) -> Option<[f64; 2]> {
         let kind = self.model.joint(joint).kind;
         let [a, b] = kind.axes()?;

@@ -14,17 +14,17 @@ const PLACES: [f64; NODES] = [-3.0, -2.0, -1.0, 1.0, 2.0, 3.0];
 const NEAR: f64 = 32.0;
 /// Numbers that are not smooth by more than this many times the fourth power of that sine have no limit.
 const ROUGH: f64 = 16.0;
-/// Up to this part of its cube, what interpolation leaves out is no more than rounding hides. The one is the power of one and a half of what is
-/// not smooth.
+/// Numbers that are smooth to within this part of the cube of the sine need no smaller distances: interpolation then leaves out no more
+/// than rounding hides.
 const SMOOTH: f64 = 0.25;
-/// Where they are not so smooth, distances are halved, so many times at most. Each time rounding hides eight times as much.
+/// If they are less smooth, distances are halved, so often at most. Each halving makes rounding eight times as great.
 const MOST_WIDTHS: u32 = 6;
-/// Each next distance that is tried is so many times as long at least and at most, until the sine is great enough. So many are tried, up to so
-/// many times the first. An input that does not get farther than that is not what passes the change point.
+/// Limits for how much farther the next position is tried than the last, until the sine is great enough. So often it is tried, and up to
+/// so many times the first distance. An input that gets no farther does not pass the change point.
 const LONGER: [f64; 2] = [1.2, 4.0];
 const MOST_DISTANCES: u32 = 24;
 const FARTHEST: f64 = 256.0;
-/// By so much more than a straight line says that it takes.
+/// The next distance is a little more than a straight line asks for.
 const BEYOND: f64 = 1.05;
 
 /// A position, and everything that is needed to find rates in its neighbourhood.
@@ -40,7 +40,8 @@ pub trait Surroundings<T: Real> {
     fn sine(&self, position: &Self::Position) -> T;
     /// The greatest rate of the square of such a sine, for an input that moves alone.
     fn rate(&self, input: usize) -> T;
-    /// The position after one input moved so far from here, on the way from another such position; none if it cannot be reached.
+    /// The position after one input has moved by this from the middle, on the way from another such position; none if it cannot be
+    /// reached.
     fn moved(&self, from: &Self::Position, input: usize, by: T) -> Option<Self::Position>;
     /// The rates there by the equations.
     fn rates(&self, position: &Self::Position) -> Option<Self::Rates>;

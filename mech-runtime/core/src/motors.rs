@@ -2,7 +2,7 @@
 
 use crate::Real;
 
-/// The displacement of a motor from one value, and whole turns besides, to another.
+/// The displacement of a motor. Both values have their whole turns apart.
 #[inline]
 pub fn displacement<T: Real>((from, turns): (T, i32), (to, more): (T, i32)) -> T {
     let difference = to - from;
@@ -12,8 +12,8 @@ pub fn displacement<T: Real>((from, turns): (T, i32), (to, more): (T, i32)) -> T
     }
 }
 
-/// The value of a motor that turns, with the whole turns in it counted among those given besides: the remainder is between −π and π.
-/// Beyond 2³¹ turns it stays as it is.
+/// The value of a turning motor, between −π and π, and its whole turns: those in the value are added to those given. Beyond 2³¹ turns
+/// both stay as they are.
 #[inline]
 #[must_use]
 pub fn reduced<T: Real>(value: T, turns: i32) -> (T, i32) {
@@ -25,8 +25,8 @@ pub fn reduced<T: Real>(value: T, turns: i32) -> (T, i32) {
     sum.unwrap_or((value, turns))
 }
 
-/// What a part of so many whole turns comes to, less whole turns: an angle in radians. The part is exact, rounded is only what
-/// it is in radians. The denominator is positive; if it is not, there is no such part, and the angle is zero.
+/// A fraction of so many whole turns, as an angle in radians without whole turns. The fraction is computed exactly, and only the angle is
+/// rounded. A denominator that is not positive gives zero.
 #[inline]
 #[must_use]
 pub fn turned<T: Real>(turns: i32, numerator: i64, denominator: i64) -> T {
@@ -63,7 +63,7 @@ fn small_remainder(turns: i32, numerator: u16, denominator: u16) -> u16 {
     product.checked_rem(denominator.into()).unwrap_or(0) as u16
 }
 
-/// The same for any denominator, bit by bit of the turns: the product may have more bits than there are.
+/// The remainder of `turns · numerator` by any denominator, found bit by bit: the product itself may be too large for the type.
 fn remainder(turns: i32, numerator: i64, denominator: i64) -> i64 {
     let less = |sum: i64| if sum < 0 { sum + denominator } else { sum };
     let back = denominator - numerator;

@@ -14,9 +14,10 @@ const STAGES: usize = 3;
 const ROUNDS: usize = 64;
 /// So often at most is a step halved whose iteration does not settle.
 const HALVINGS: u32 = 6;
-/// After so many rounds in which nothing comes nearer, only rounding goes on: it is greater beside dead points and change points.
+/// After so many rounds without progress the iteration is as exact as rounding allows, which is worse beside dead points and change
+/// points.
 const STALLED: usize = 4;
-/// After so many nothing will: the step is too long.
+/// After so many rounds without progress it will not settle: the step is too long.
 const HOPELESS: usize = 8;
 
 /// The end of a step of time. The inputs are the motors and, after them, the params, which stay constant.
@@ -193,7 +194,7 @@ where
     Ok(now)
 }
 
-/// What stops a motion that goes on as fast as it is, for so long. It is a loop that does not close, or the end of a range.
+/// What would stop the motion if it went on at these rates for so long: a loop that does not close, or the end of a range.
 #[cold]
 fn reason<T, const I: usize, const M: usize, const L: usize, const K: usize>(
     now: &Simulated<T, I, M, L, K>,

@@ -79,7 +79,7 @@ fn rows<T: Scalar, const ROWS: usize, const COUNT: usize>(
 pub struct Inertia<T, const MOTORS: usize> {
     /// The reduced inertia, symmetric.
     pub matrix: [[T; MOTORS]; MOTORS],
-    /// The torque that accelerates each motor besides its own.
+    /// For each motor the torque that accelerates it apart from its own.
     pub drive: [T; MOTORS],
     /// The kinetic energy.
     pub kinetic: T,
@@ -172,7 +172,7 @@ pub fn pull<T: Scalar>(from: [T; 2], to: [T; 2], stiffness: T, natural_length: T
     stiffness * (length - natural_length)
 }
 
-/// The sum of products of numbers in turn.
+/// The scalar product of two rows of numbers.
 fn products<T: Scalar>(a: &[T], b: &[T]) -> T {
     let products = a.iter().zip(b).map(|(a, b)| *a * *b);
     products.fold(T::ZERO, |sum, product| sum + product)

@@ -23,7 +23,8 @@ pub(super) fn row<T: Scalar, const COUNT: usize>(
     array(nodes, T::ZERO, by)
 }
 
-/// An array made element by element. Nothing is beyond its end, but the compiler cannot see that everywhere.
+/// An array made element by element. All arrays have one length, but the compiler does not always see that, so `none` stands in for a
+/// panic.
 pub(super) fn array<E: Copy, const COUNT: usize>(
     nodes: [&[E; COUNT]; NODES],
     none: E,

@@ -99,7 +99,7 @@ pub fn paint<T: Scalar>(shapes: &[Shape<T>], poses: &[Pose<T>], canvas: &mut imp
     }
 }
 
-/// Paints symbols over shapes. A pixel of theirs is so large in scene units.
+/// Paints symbols over shapes. `pixel` is the size of one of their pixels in scene units.
 pub fn paint_symbols<T: Scalar>(
     symbols: &[Symbol<T>],
     poses: &[Pose<T>],

@@ -51,7 +51,7 @@ impl<N: Copy + PartialOrd> Directions<N> {
         }
     }
 
-    /// Goes to the next corner, which is so far down.
+    /// Goes to the next corner, which is at this depth.
     #[inline]
     pub(super) fn add(&mut self, depth: N) {
         let Some(last) = self.last.replace(depth) else {

@@ -73,7 +73,7 @@ pub(super) fn is_far<T: Scalar>(x: T) -> bool {
     Real::abs(x) > <T as Real>::from_i32(FAR)
 }
 
-/// The side between two corners in pixels, wherever they are. What is too far to the left or to the right is put upright there, where nobody
+/// The side between two corners in pixels, wherever these are. A side too far to the left or right becomes upright there, where nobody
 /// sees it.
 pub(super) fn sides<T: Scalar>(
     tail: [T; 2],

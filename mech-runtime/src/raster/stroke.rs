@@ -19,7 +19,7 @@ pub(super) struct Stroke<T, P> {
 /// A part of a line, followed onward or back.
 #[derive(Clone, Copy)]
 struct Part<T> {
-    /// Numbered onward and then back.
+    /// Parts are numbered onward along the line, and then back.
     number: usize,
     from: [T; 2],
     to: [T; 2],

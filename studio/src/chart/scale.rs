@@ -12,7 +12,7 @@ pub(super) struct Scale<'u> {
 }
 
 impl<'u> Scale<'u> {
-    /// From the least value to the greatest, with about so many numbers.
+    /// A scale from the least value to the greatest, with about so many numbers.
     pub(super) fn exact(values: impl Iterator<Item = f64>, unit: &'u str, count: u32) -> Self {
         Self {
             range: range_of(values),
@@ -93,7 +93,7 @@ fn range_of(values: impl Iterator<Item = f64>) -> Range<f64> {
     low - room..low + room
 }
 
-/// Round numbers in a range, about so many: of angles such as divide a turn.
+/// About so many round numbers in a range. For angles they divide a turn.
 fn ticks(range: &Range<f64>, unit: &str, count: u32) -> Vec<f64> {
     let step = round_step(range, unit, count);
     let first = (range.start / step - 1e-9).ceil();

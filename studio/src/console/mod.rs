@@ -31,7 +31,7 @@ impl Console {
         }
     }
 
-    /// One whose answers and complaints are written here.
+    /// A console that writes answers and complaints to these.
     #[must_use]
     pub fn to(answers: impl Write + 'static, complaints: impl Write + 'static) -> Self {
         Self {

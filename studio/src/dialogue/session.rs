@@ -51,7 +51,7 @@ impl Session {
         }
     }
 
-    /// One that goes on with this text. Files are written at once.
+    /// A session that goes on with this text. It writes files at once.
     #[cfg(feature = "editor")]
     pub(crate) fn of(workspace: Workspace) -> Self {
         Self {

@@ -4,7 +4,7 @@ use mech_compiler::PartText;
 use mech_runtime::parts;
 use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
 
-/// The part of this name as it stands in a mechanism, but for the word `part`. All of it is said to stand where the name does.
+/// The text of a part of the library, without the word `part`. All its tokens have the place of the name that was given.
 pub(super) fn part(name: &Ident) -> Option<TokenStream> {
     let part = PartText::find(parts::SOURCE, name)?;
     Some(at(part.body, name.span()))

@@ -64,7 +64,7 @@ pub enum Command {
     Motor {
         /// The joint.
         joint: String,
-        /// Its value by the time.
+        /// Its value as a law of time.
         law: Option<Expression>,
         /// Between which values it moves.
         range: Option<[Expression; 2]>,

@@ -15,7 +15,7 @@ pub(super) fn shift(
     Ok(change)
 }
 
-/// Moves something besides what a change does already. Returns where it comes to stand, in the frame in which it is declared.
+/// Moves one more thing, beyond what the change already moves. Returns its place in the frame in which it is declared.
 pub(super) fn shift_too(
     scene: &Scene,
     path: &str,

@@ -19,7 +19,7 @@ pub(crate) struct Dragging {
     pub(crate) number: u64,
     /// What is dragged, and what goes with it.
     pub(crate) items: Vec<Item>,
-    /// The pose in the scene of the frame in which its place is told.
+    /// The frame in which the places of the drag are told, as a pose in the scene.
     frame: Pose,
     /// The mechanism as it was.
     before: Drawing,

@@ -10,7 +10,7 @@ pub(super) struct Names {
 }
 
 impl Names {
-    /// Those that a mechanism has left.
+    /// Names that are not taken in a drawing.
     pub(super) fn of(drawing: Option<&Drawing>) -> Self {
         let mut taken = BTreeSet::new();
         if let Some(drawing) = drawing {
@@ -25,7 +25,7 @@ impl Names {
         Self { taken }
     }
 
-    /// Those that a text does not have.
+    /// Names that do not occur in a text.
     pub(super) fn within(text: &str) -> Self {
         let words = text.split(|letter| !is_of_word(letter));
         Self {

@@ -28,9 +28,9 @@ pub(super) struct Snapping<'d> {
 
 /// How near the pointer has to be, in pixels.
 pub(super) const REACH: f64 = 11.0;
-/// How near it has to be where nothing else is snapped to.
+/// How near the pointer has to be, in pixels, to snap where snapping is off.
 pub(super) const CLOSE: f64 = 3.0;
-/// How many places there are between two lines of the grid where nothing is snapped to. More would only give numbers more digits.
+/// Where snapping is off, places are rounded to the spacing of the grid over this number. More would only add digits.
 const FINE: f64 = 100.0;
 /// How near to an alignment.
 const ALIGNED: f64 = 6.0;

@@ -89,7 +89,7 @@ impl Drive {
     }
 
     fn by_laws(model: &Model, compiled: &Compiled, base: &[f64], span: Span) -> Self {
-        /// In so many steps it is seen whether anything stops it.
+        /// So many steps are made to see whether anything stops the motion.
         const STEPS: u32 = 360;
         let from = span.from.map_or(0.0, |end| end.number);
         let drive = |period: Option<f64>| {
@@ -118,8 +118,8 @@ impl Drive {
         (self.kind == Kind::Laws(None)).then_some(self.ends)
     }
 
-    /// Does something with this motion. At an end that was found, rounding decides what is possible: it is a hair farther inside, and
-    /// what fails there is done again with a thicker one.
+    /// Does something with this motion. At ends that were found, rounding decides what is possible: so it is done a hair inside them, and
+    /// again farther inside if that fails.
     pub(crate) fn attempt<R>(
         &self,
         mut done: impl FnMut(&Self) -> Result<R, Failure>,
@@ -140,7 +140,7 @@ impl Drive {
         Err(last.unwrap_or_else(|| Failure::internal("nothing was attempted")))
     }
 
-    /// The same with ends that were found this part of the way farther inside. Where the motor stands, it can stay.
+    /// The same motion, with those of its ends that were found moved inwards by this part. An end where the motor stands stays.
     fn inside(&self, hair: f64) -> Self {
         let [from, to] = self.ends;
         let width = hair * (to - from);

@@ -45,7 +45,7 @@ impl<'p> Mover<'p> {
         Self::of(model, &compiled.program)
     }
 
-    /// The same by another program of it, as that of its rates.
+    /// The mechanism as it was assembled, moved by another of its programs, as that of its rates.
     pub(crate) fn of(model: &Model, program: &'p Program) -> Self {
         match model.precision {
             Precision::F32 => Self::Single(Machine::new(program)),

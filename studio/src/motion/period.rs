@@ -74,7 +74,7 @@ impl Courses<'_> {
         })
     }
 
-    /// The rate of what is made of two that do not go on.
+    /// The rate of a result of two operands: zero if neither of them goes on, else unknown.
     fn still(a: Course, b: Course) -> Option<f64> {
         (a.rate == 0.0 && b.rate == 0.0).then_some(0.0)
     }

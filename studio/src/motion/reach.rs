@@ -37,7 +37,7 @@ pub(super) fn reachable(
     motor: MotorId,
     base: &[f64],
 ) -> Result<Stretch, Failure> {
-    /// Nothing in a closed loop goes farther than so many times the size of the mechanism.
+    /// The farthest that a slide is tried, in sizes of the mechanism: nothing in a closed loop goes farther.
     const FAR: f64 = 16.0;
     if let Some(ends) = range_of(model, motor) {
         let found = [false; 2];

@@ -142,7 +142,7 @@ impl Way {
         }))
     }
 
-    /// How far the motor is from its start after so many strokes and a part of one; the slope and the curvature of that.
+    /// How far the motor is from its start after so many strokes and a part of one, and the first and second derivative of that.
     fn at(self, round: f64, part: f64) -> [f64; 3] {
         match self {
             Self::Round => [TAU * (round + part), TAU, 0.0],

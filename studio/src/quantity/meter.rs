@@ -127,7 +127,7 @@ fn columns(of: &Measurement<'_>, quantities: &[Quantity]) -> Vec<(String, String
     std::iter::once(first).chain(others).collect()
 }
 
-/// At which rate of the motor a force is meant, as a part of its name.
+/// The rate of the motor for which a force holds, as words after its name.
 fn assumed(of: &Measurement<'_>, subject: Subject) -> String {
     match (subject, of.drive.motor(), of.rate.unwrap_or(0.0)) {
         (Subject::Torque(_) | Subject::Reaction(..), Some(_), 0.0) => " at rest".to_owned(),

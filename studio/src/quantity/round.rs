@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-/// A round step through a range, about so often: of angles one that divides a turn.
+/// A round step that divides a range into about so many parts. Steps of angles divide a turn.
 pub(crate) fn round_step(range: &Range<f64>, unit: &str, count: u32) -> f64 {
     /// Steps of angles from a degree on.
     const ANGLES: [f64; 10] = [1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 180.0];

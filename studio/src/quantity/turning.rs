@@ -15,7 +15,7 @@ pub(super) struct Chain {
 }
 
 impl Chain {
-    /// That to a link.
+    /// The chain of joints that turns a link against the ground.
     pub(super) fn to(model: &Model, link: LinkId) -> Self {
         let mut chains: Vec<Option<Vec<(JointId, f64)>>> = vec![None; model.links.len()];
         chains[LinkId::GROUND.index()] = Some(Vec::new());
@@ -46,7 +46,7 @@ impl Chain {
         }
     }
 
-    /// The same, measured from a position on where the link has its angle between −π and π.
+    /// The same angle, counted from a position in which it is `heading`, between −π and π.
     pub(super) fn from(
         self,
         model: &Model,

@@ -19,20 +19,20 @@ pub(crate) struct Question {
     pub(crate) found: Vec<Value>,
 }
 
-/// On a box narrower than this part of everything, nothing is looked at more closely only to know it better.
+/// A box narrower than this part of the whole range is not cut only to narrow what is found there. It is cut only if it is open whether
+/// the loop closes.
 const FINE: f64 = 1.0 / 64.0;
 /// A discriminant that is known to this part of itself is known well enough.
 const WELL_KNOWN: f64 = 0.5;
 /// Narrower parts are not cut.
 const NARROW: f64 = 1e-6;
-/// Where a variable has no end, a part ends at this; and each next one where it is so many times as far.
+/// A range without ends is looked at in parts: the first ends at this number, each next one so many times as far.
 const FIRST_PART: f64 = 1.0;
 const FARTHER: f64 = 4.0;
 const FARTHEST: f64 = 1e9;
 
-/// Looks whether the loop closes on the whole of these ranges of the cone's variables, by more than rounding; shows `look` every
-/// box on which it does. Nothing is known if the budget does not last: so many numbers may be found, and what was used is taken
-/// from it.
+/// Tests whether the loop closes, by more than rounding, on the whole of these ranges of the cone's variables. Shows `look` every box on
+/// which it does. The budget is in evaluations, and what was used is taken from it. Nothing is known if it does not last.
 pub(crate) fn always_closes(
     cone: &Cone,
     question: &Question,
@@ -77,7 +77,7 @@ fn is_well_known(discriminant: Interval) -> bool {
     discriminant.low() >= WELL_KNOWN * discriminant.high()
 }
 
-/// The variable of which a box takes the greatest part, and that part: infinite, if it has no end.
+/// The variable whose range a box covers to the greatest part, and that part: infinite where the box itself has no end.
 fn widest(place: &[Interval], ranges: &[Interval]) -> (usize, f64) {
     let part = |(place, range): (&Interval, &Interval)| {
         if !place.is_bounded() {

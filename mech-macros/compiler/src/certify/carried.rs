@@ -9,10 +9,10 @@ use crate::program::{ClosedForm, Op, Program, Value};
 use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 
-/// At so many places it is looked whether a loop notices that it is turned, each time so far.
+/// At so many places a loop is turned by each of these angles, to see whether its numbers notice it.
 const PLACES: usize = 4;
 const TURNS: [f64; 3] = [1.0, 2.3, 4.1];
-/// What rounding makes of a number, as a part of it.
+/// An interval that is no wider than this, relative to its numbers, is as narrow as rounding lets it be.
 const TIGHT: f64 = 1e-9;
 /// Places are spread by multiples of this.
 const SPREAD: f64 = 0.618_033_988_749_894_9;
@@ -54,7 +54,7 @@ fn values_of(cutter: &Cutter<'_>, variable: Variable) -> Vec<Value> {
     }
 }
 
-/// Everything that these values are made from, themselves among it, but for what is held.
+/// All values that these values are computed from, themselves included. What is held counts as a constant and leads no farther.
 pub(super) fn made_from(
     program: &Program,
     values: Vec<Value>,
@@ -71,7 +71,7 @@ pub(super) fn made_from(
     made_from
 }
 
-/// Cosine and sine of what turns, as the program has them; of what slides nothing.
+/// The cosine and the sine of a variable that turns, as the program has them; nothing for one that slides.
 fn directions(cutter: &Cutter<'_>, variable: Variable) -> Vec<Value> {
     let program = cutter.program;
     match variable {

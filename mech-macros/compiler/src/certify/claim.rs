@@ -38,7 +38,7 @@ pub(super) struct Group {
 }
 
 impl Group {
-    /// These ranges, but for motors without a part: they stand where they are at the start.
+    /// These ranges, but a motor that has no part in the claim stands at its start.
     pub(super) fn ranges(&self, program: &Program, ranges: &[Interval]) -> Vec<Interval> {
         let all = ranges.iter().zip(&program.start.motors).enumerate();
         let range = |(motor, (range, start)): (usize, (&Interval, &f64))| {

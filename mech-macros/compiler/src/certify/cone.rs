@@ -56,7 +56,7 @@ pub(crate) struct Cuts<'c> {
 }
 
 impl Cuts<'_> {
-    /// Each loop by itself, and each angle.
+    /// Cuts each loop and each angle out by itself: nothing before them is written out.
     pub(crate) const ALONE: Self = Self {
         through: &|_| false,
         own: None,
@@ -212,8 +212,7 @@ impl<'p> Cutter<'p> {
         }
     }
 
-    /// After how many turns of an input an angle that is a sum of parts is what it was, apart from whole turns: none if that is not
-    /// known.
+    /// After how many turns of an input an angle that is a sum of inputs has made whole turns only. None if that is not known.
     pub(crate) fn turns_until_whole(
         &self,
         angle: Value,

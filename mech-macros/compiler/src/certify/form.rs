@@ -218,7 +218,7 @@ fn round(range: Interval) -> (f64, f64) {
     (middle, around.abs().high())
 }
 
-/// What the root is like between two numbers: a line, and its distance from there.
+/// A line that stays near the square root on a range, and how far the root is from it at most.
 pub(super) fn root(range: Interval) -> Option<Linear> {
     if range.low() < 0.0 || range.high() <= 0.0 || !range.is_bounded() {
         return None;
@@ -257,7 +257,8 @@ pub(super) fn greater(range: Interval, constant: Interval) -> Option<Linear> {
     })
 }
 
-/// A wave about a middle: its value there, its rate there, and its values anywhere between there and the range.
+/// A line that stays near a sine or cosine on a range, and how far the curve is from it. Given are its value and its rate in the middle,
+/// and its values anywhere on the range.
 pub(super) fn wave(range: Interval, middle: f64, [value, rate, anywhere]: [Interval; 3]) -> Linear {
     let factor = rate.middle();
     let (point, around) = (Interval::point(middle), range - Interval::point(middle));

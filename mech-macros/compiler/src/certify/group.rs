@@ -40,7 +40,7 @@ pub(crate) fn motors_of(program: &Program, block: BlockId) -> Vec<usize> {
     motors(program, own, &HeldValues::new())
 }
 
-/// The motors of which some values are made, but for what is held.
+/// The motors from which some values are computed, but for those that are held.
 fn motors(program: &Program, values: Vec<Value>, held: &HeldValues) -> Vec<usize> {
     let values = made_from(program, values, held).into_iter();
     let motors: BTreeSet<usize> = values

@@ -91,7 +91,7 @@ impl Interval {
         }
     }
 
-    /// What is in both; the first, if nothing is.
+    /// What both intervals have in common; this one, if they have nothing in common.
     #[must_use]
     pub fn meet(self, other: Self) -> Self {
         let (low, high) = (self.low.max(other.low), self.high.min(other.high));
@@ -134,7 +134,7 @@ impl Interval {
         }
     }
 
-    /// The roots of what is not negative in it; zero, if all of it is.
+    /// The square roots of the numbers of this interval; negative numbers count as zero.
     #[must_use]
     pub fn sqrt(self) -> Self {
         let root = |square: f64| square.max(0.0).sqrt();
@@ -155,7 +155,7 @@ impl Interval {
         }
     }
 
-    /// Its sizes with the sign of another; with both signs, if that may be zero.
+    /// The sizes of these numbers with the sign of the other interval; with both signs if that contains zero.
     #[must_use]
     pub fn copysign(self, sign: Self) -> Self {
         let size = self.abs();
@@ -290,7 +290,7 @@ fn add_up(a: f64, b: f64) -> f64 {
     }
 }
 
-/// The product rounded downwards; nothing times anything is nothing.
+/// The product rounded downwards. Zero times infinity is zero: a factor of zero makes the whole product vanish.
 fn multiply_down(a: f64, b: f64) -> f64 {
     if a == 0.0 || b == 0.0 {
         0.0
@@ -360,7 +360,7 @@ impl Mul for Interval {
     }
 }
 
-/// A product of which one factor has no negative numbers.
+/// The product of any interval with one that has no negative numbers.
 fn times_positive(any: Interval, positive: Interval) -> Interval {
     let (near, far) = (positive.low, positive.high);
     Interval {

@@ -24,7 +24,7 @@ enum Ground {
 
 /// What was found on the way along a line.
 struct Walk {
-    /// To here, all of it is of the ground that was looked for, but for what is open.
+    /// Up to here the motor has the ground that was looked for, except where it cannot be told (`open`).
     reached: f64,
     /// The first place that certainly is not, and the test that tells.
     wall: Option<(f64, usize)>,

@@ -92,7 +92,7 @@ pub struct Blocked {
 pub struct Effort {
     /// On how many boxes the program was run.
     pub boxes: usize,
-    /// How many numbers were found in all, a sixteenth of which may be a part of an affine form.
+    /// How many intervals were computed in all. Sixteen coefficients of affine forms count as one.
     pub evaluations: usize,
 }
 
@@ -134,7 +134,7 @@ pub fn certify_counted(
     (verdict, effort)
 }
 
-/// What is found of all groups, loops that carry their sides on that of the start or, if they are among `turned`, on the other.
+/// The verdict over all groups. Each loop that carries its side has the side of the start, or the other one if it is among `turned`.
 fn on_sides(
     program: &Program,
     (groups, turned): (&[Group], &[BlockId]),

@@ -64,7 +64,7 @@ pub(super) fn strict_sign(of: Interval) -> Option<f64> {
     if of.contains(0.0) { None } else { sign(of) }
 }
 
-/// The numbers of a direction, or of what rounding made of it.
+/// The range of the numbers of a direction, wider than one in case rounding made it longer.
 pub(super) fn direction() -> Interval {
     Interval::new(-2.0, 2.0)
 }

@@ -5,10 +5,10 @@ use super::tape::{Outcome, Tape};
 use super::{Effort, Interval, Verdict};
 use crate::program::{BlockId, Program};
 
-/// How many numbers may be found for one verdict: that takes some hundredths of a second.
+/// How many intervals may be computed for one verdict: that takes some hundredths of a second.
 const BUDGET: usize = 800_000;
 
-/// The part of it that may be spent on telling what only just closes from what stays clear of that.
+/// The part of the budget for telling loops that only just close from loops that stay clear of dead points.
 const FOR_CLEARANCE: usize = BUDGET / 4;
 
 /// Boxes narrower than this part of the range are not cut to tell whether a slack touches zero or only comes near.
@@ -17,12 +17,12 @@ const NEAR: f64 = 1e-8;
 /// Boxes narrower than this part of the range are not cut at all.
 const NARROW: f64 = 1e-14;
 
-/// How many numbers may be found.
+/// A budget: how many intervals may be computed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Share(pub(super) usize);
 
 impl Share {
-    /// An equal part of what is left after this effort.
+    /// An equal share of the budget that is left after this effort.
     pub(super) fn of(effort: &Effort, parts: usize) -> Self {
         Self(BUDGET.saturating_sub(effort.evaluations) / parts.max(1))
     }

@@ -52,7 +52,7 @@ impl<'c> Slopes<'c> {
     }
 }
 
-/// The product, where nothing times anything is nothing.
+/// The product. Zero times an unbounded interval is zero.
 fn times(a: Interval, b: Interval) -> Interval {
     if a == Interval::ZERO || b == Interval::ZERO {
         Interval::ZERO

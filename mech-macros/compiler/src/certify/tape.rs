@@ -6,7 +6,7 @@ use super::form::{Forms, Linear, Operand, greater, root, wave};
 use super::operation::{direction, natural, sign, strict_sign};
 use crate::program::{BlockId, Node, Op, Program, Slot, Value};
 
-/// Programs of which one run costs more are not run.
+/// A program whose single run costs more is not proved at all.
 const MOST: usize = 100_000;
 
 /// What is known about a test on a box.
@@ -45,8 +45,8 @@ pub(super) struct Tape<'p> {
 }
 
 impl<'p> Tape<'p> {
-    /// Some of the tests of a program, each loop that carries its side on that of the start, or, if it is among `turned`, on the
-    /// other.
+    /// The tests of one group of a program. Each loop that carries its side has the side of the start, or the other one if it is among
+    /// `turned`.
     pub(super) fn new(program: &'p Program, group: &Group, turned: &[BlockId]) -> Self {
         let directions = keeps_direction(program);
         let tests = group.tests.clone();
@@ -63,7 +63,7 @@ impl<'p> Tape<'p> {
         tape
     }
 
-    /// Values by themselves, made from so many inputs: what is tested, and what else is found.
+    /// A tape of nodes that are no whole program: with its tests, and other values that are to be found.
     pub(super) fn of(
         nodes: &'p [Node],
         inputs: usize,
@@ -172,7 +172,7 @@ impl<'p> Tape<'p> {
         self.tests.get(test).map(|(block, _)| *block)
     }
 
-    /// How many numbers were found so far.
+    /// How many intervals were computed so far.
     pub(super) fn evaluations(&self) -> usize {
         self.evaluations
     }

@@ -299,8 +299,8 @@ fn analyse_overconstrained(
     }
 }
 
-/// So many joints of a mechanism of one joint are tried for a motor where counting leaves no freedom; of a larger one fewer by the
-/// square of its size.
+/// So many joints, over the square of their number, are tried for a motor where counting leaves no freedom. Each trial costs more in a
+/// larger mechanism.
 const MOST_MOVED: usize = 40_000;
 
 /// A mechanism that counting finds rigid may only lack a motor, if its lengths match: the joints that could have it.
@@ -336,7 +336,8 @@ fn missing_motor(model: &Model) -> Option<Diagnosis> {
     })
 }
 
-/// Of the joints that were not needed those that counting finds held; else all that either finds.
+/// The joints that hold too much: those that were not needed and stand in the diagnoses. If none is both, those that were not needed, or
+/// else those of the diagnoses.
 fn too_many(idle: &[JointId], diagnoses: &[Diagnosis]) -> Vec<JointId> {
     let mut held: Vec<JointId> = diagnoses.iter().flat_map(held_joints).collect();
     held.sort_unstable();

@@ -10,13 +10,14 @@ use crate::plan::{self, Plan, Step};
 use crate::program::{self, Program};
 use crate::structure::{self, Diagnosis, Rolling, Structure};
 
-/// Displacements by which each motor is tried, in radians, or as a part of the mechanism's size. They are large enough for a link that
-/// only touches its circle to leave it. The first must be possible in one direction at least, or a less one between dead points; where the
-/// others are, the joints must close there too.
+/// By so much each motor is tried, in radians, or as a part of the mechanism's size. That is far enough for a link that only touches its
+/// circle to leave it. The first displacement, or a smaller one between dead points, must succeed in one direction at least. Wherever the
+/// others succeed, all joints must close.
 const DISPLACEMENTS: [f64; 3] = [0.02, 0.11, 0.37];
 const LESS: [f64; 2] = [0.002, 0.0002];
 
-/// Joints close if their gap is so small a part of the mechanism's size. What bends them open does so by the square of a displacement.
+/// Joints count as closed if their gap is at most this part of the mechanism's size. Where lengths do not match, gaps grow with the
+/// square of a displacement.
 const CLOSED: f64 = 1e-9;
 
 /// Joints that open so many times as far from one step to the next do not bend: a loop has come to another assembly beyond a dead point.

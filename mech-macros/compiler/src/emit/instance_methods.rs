@@ -1,4 +1,4 @@
-//! The methods of instances of parts: hidden ones of the mechanism, by which views have theirs.
+//! The methods of instances of parts: hidden methods of the mechanism, which those of the views call.
 
 use super::merge::{merged, names};
 use super::tokens::hidden_method;
@@ -32,7 +32,7 @@ pub(super) fn owner(model: &Model, method: &Ident) -> Option<(usize, String)> {
 /// A method of a view: for each instance of the kind, that which it calls, if it has one.
 pub(super) struct Shared<'o> {
     pub(super) local: &'o str,
-    /// That of the first instance that has one.
+    /// The method of the first instance that has it.
     pub(super) first: &'o Owned,
     pub(super) all: Vec<Option<&'o Owned>>,
     /// The body of all, where they differ in numbers only.

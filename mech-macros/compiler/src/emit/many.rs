@@ -100,7 +100,8 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
     Parts::methods(methods)
 }
 
-/// The closure that computes several positions and their smallest margins; one whose margins are negative computes one by one.
+/// The closure that computes several positions at once, and the smallest margin of each. Where that is not possible, it returns a
+/// negative margin, so each position is computed by itself.
 fn kernel(emitter: &Emitter<'_>) -> TokenStream {
     if !runs_in_lanes(emitter.program) {
         return quote!(|_| (known::START.poses, -1.0));

@@ -5,7 +5,8 @@ use crate::program::{Forces, Program};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-/// The functions that a program calls, and variants and unit structs, which a pattern of their name would mean.
+/// The names that no variable may have: of functions that a program calls, and of variants and unit structs. A variable of such a name
+/// would be a pattern.
 const CALLED: [&str; 20] = [
     "FullRange",
     "Err",

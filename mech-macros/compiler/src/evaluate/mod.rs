@@ -95,7 +95,7 @@ impl<'p, T: Real> Machine<'p, T> {
         self.position = position;
     }
 
-    /// Lets its moves take so many operations from now on: what needs more stops where it is then, as if it were too far.
+    /// Allows so many operations from now on. A move that needs more stops where it then is, as if the target were too far.
     pub(crate) fn allow(&mut self, operations: usize) {
         self.runner.left.set(operations);
     }
@@ -105,7 +105,7 @@ impl<'p, T: Real> Machine<'p, T> {
         self.runner.left.get()
     }
 
-    /// Goes there in one step, whatever lies between. It stays where it was if something does not close there.
+    /// Goes there in one step, whatever lies between. The mechanism stays where it was if a loop does not close there.
     pub(crate) fn leap(&mut self, motors: &[T]) -> Result<(), Stop> {
         self.position = self.leaped(&self.position, motors)?;
         Ok(())
@@ -240,7 +240,7 @@ impl<'p, T: Real> Machine<'p, T> {
         })
     }
 
-    /// Runs the program once for these values of motors and params: what lies on the way there is not looked at.
+    /// Runs the program once for these values of motors and params, without looking at the way there.
     ///
     /// # Errors
     /// The loop that does not close; it then stays where it was.

@@ -253,7 +253,7 @@ impl<'p, T: Real> Runner<'p, T> {
         open.map(|(block, _)| block)
     }
 
-    /// The same where loops in closed form may be open: what was found from such a loop is worth nothing.
+    /// The same, but loops in closed form may be open: values that depend on such a loop mean nothing.
     pub(super) fn values_even_if_open(
         &self,
         last: &Position<T>,

@@ -67,7 +67,7 @@ impl Import {
         }
     }
 
-    /// What is wrong with the path, if it is none.
+    /// What is wrong with the path; none if it is a path.
     #[must_use]
     pub fn fault(&self) -> Option<Message> {
         const ROOTS: [&str; 4] = ["crate", "$crate", "self", "super"];
@@ -112,7 +112,7 @@ impl Import {
         None
     }
 
-    /// The call of the macro that adds the part.
+    /// The call of the part's macro, which adds the part to the text.
     pub(super) fn call(&self, krate: &TokenStream) -> TokenStream {
         let Self { path, others } = self;
         quote!(#path! { { #krate } #others })

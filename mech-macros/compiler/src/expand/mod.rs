@@ -36,7 +36,8 @@ fn analyse_and_emit(krate: &TokenStream, body: TokenStream) -> TokenStream {
     write(krate, &analyse(body))
 }
 
-/// What the macro writes for a text that was analysed, if this is the path of the runtime crate.
+/// The macro's output for an analysed text: the code of the mechanism, or its errors beside a stub. `krate` is the path of the runtime
+/// crate.
 #[must_use]
 pub fn write(krate: &TokenStream, analysis: &Analysis) -> TokenStream {
     let Analysis { parsed, result } = analysis;

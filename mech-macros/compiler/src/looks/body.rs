@@ -16,7 +16,8 @@ use std::f64::consts::TAU;
 
 /// A link of a single pin is a disc, of this radius in widths of a bar.
 const DISC: f64 = 0.9;
-/// How far a plate's lighter inset is from its middle lines, in widths of a bar, and from which part of the plate on it has one.
+/// How far the lighter inset of a plate is from the plate's middle lines, in widths of a bar. An inset smaller than the second number, as
+/// a part of the plate, is left out.
 const INSET: f64 = 0.75;
 const LEAST_INSET: f64 = 0.3;
 /// A block: half its length and half its height; a slot: how wide it is, and its cheeks.
@@ -130,7 +131,7 @@ impl Builder<'_, '_> {
         self.body.footprint.add_disc(center, radius);
     }
 
-    /// Its wheels with teeth on this side, unless the link's own shapes are these.
+    /// Adds the wheels of the link with teeth on this side, unless the link's own shapes show them.
     fn wheels(&mut self, wheels: &Wheels, side: Side) {
         let own = wheels.on(self.link).filter(|wheel| wheel.side == side);
         for wheel in own.filter(|wheel| !wheel.is_drawn(self.scene)) {

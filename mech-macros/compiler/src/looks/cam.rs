@@ -78,7 +78,7 @@ fn cam(scene: &Scene<'_>, shaft: JointId, follower: JointId, law: &Law) -> Optio
     })
 }
 
-/// Of a joint's axes that which is not on the carrier, and one if the joint is declared from the carrier, else minus one.
+/// Of the axes of a joint, the one that is not on the carrier. With it 1 if the joint is declared from the carrier, else −1.
 fn beside(model: &Model, [a, b]: [AxisId; 2], carrier: LinkId) -> (AxisId, f64) {
     if model.axis(a).link == carrier {
         (b, 1.0)

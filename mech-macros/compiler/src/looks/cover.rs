@@ -4,7 +4,7 @@ use super::hull::distance_to;
 use crate::model::{Shape, ShapeKind};
 use nalgebra::Point2;
 
-/// A place is on an edge if it is so near, as a part of its distance from the origin.
+/// A place this near to an edge, as a part of its distance from the origin, lies on the edge.
 const ON_EDGE: f64 = 1e-9;
 
 /// Whether one of these shapes covers a place, holes included: what is around a pin carries it.

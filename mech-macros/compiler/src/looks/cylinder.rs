@@ -70,7 +70,7 @@ impl Scene<'_> {
         (is_on_it && joints.next().is_none()).then(|| along.dot(&offset))
     }
 
-    /// Whether a motor turns something about this place of a link, which is not what carries it.
+    /// Whether a motor turns something at this place of a link, other than the link that carries the place.
     pub(super) fn is_driven(&self, link: LinkId, at: Point2<f64>) -> bool {
         self.model.motors.iter().any(|motor| {
             let crate::model::JointKind::Revolute(a, b) = self.model.joint(motor.joint).kind else {

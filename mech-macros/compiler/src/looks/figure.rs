@@ -13,7 +13,7 @@ use nalgebra::{Point2, Rotation2, Vector2};
 /// Coils of a drawn spring, and its wire as a part of its width.
 const COILS: u32 = 6;
 const WIRE: f64 = 0.2;
-/// A radius that is so near to another is the same.
+/// Radii that differ by less than this part are the same.
 const SAME: f64 = 1e-6;
 
 /// The outlines of a figure, from back to front.

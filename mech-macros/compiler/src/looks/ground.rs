@@ -29,7 +29,7 @@ const BEYOND: f64 = 1.7;
 const ABOVE: f64 = 0.95;
 /// The rails of a slot are so far from the middle of its pin.
 const BESIDE_PIN: f64 = 0.4;
-/// What moves about a pivot is below it if its mean is so far below, as a part of its mean distance.
+/// What moves about a pivot counts as below it if its mean height is below the pivot by this part of its mean distance.
 const BELOW: f64 = 0.3;
 
 /// A fixed pivot that is to have a stand.

@@ -2,7 +2,7 @@
 
 use nalgebra::{Point2, Vector2};
 
-/// The corners of the convex hull, as indices, counter-clockwise; fewer than three if all points are on a line that is so wide.
+/// The corners of the convex hull, as indices, counter-clockwise. Fewer than three if all points lie within a strip of this width.
 pub(super) fn hull(points: &[Point2<f64>], width: f64) -> Vec<usize> {
     let mut order: Vec<usize> = (0..points.len()).collect();
     order.sort_by(|&a, &b| {

@@ -25,7 +25,8 @@ const PIXEL: f64 = 0.12;
 /// What a spring is fixed to on the ground: a disc of this radius, in widths of a bar.
 const ANCHOR: f64 = 0.7;
 
-/// The outlines of all links, and what stretches between them. Of links whose shapes are their bodies the pins.
+/// The outlines of the ground and of all links, and the symbols of what stretches between links. Of a link whose shapes are its body,
+/// only the pins.
 pub(super) fn machine(scene: &Scene<'_>, wheels: &Wheels) -> (Vec<Painted>, Option<Symbols>) {
     let grid = Grid::for_width(scene.width);
     let arrangement = Arrangement::new(scene, wheels);

@@ -32,7 +32,7 @@ pub use outline::{Measure, Outline, Painted, Place, Toothed};
 use scene::Scene;
 use wheel::Wheels;
 
-/// So many pixels a spring or damper reaches beyond its ends.
+/// A spring or damper may reach so many pixels beyond its ends.
 const BESIDE_PIXELS: f64 = 18.0;
 
 /// What is painted of a mechanism.

@@ -9,16 +9,17 @@ use crate::model::LinkId;
 use crate::structure::Pin;
 use nalgebra::Point2;
 
-/// So often a link and a pin are compared, at as many positions.
+/// So many comparisons of a link with a pin are made at most, over all positions.
 const CHECKS: usize = 200_000;
-/// Rounds in which links look for a better plane. More links than this lie in the order of their declaration.
+/// So many rounds of moving single links to better planes are made at most. With more links than the second number, the order of
+/// declaration stays.
 const ROUNDS: usize = 24;
 const MOST_LINKS: usize = 128;
-/// So many orders are begun from, fewer if there are many links.
+/// The search begins from so many orders at most, and from fewer if there are many links.
 const MOST_ATTEMPTS: usize = 64;
 const WORK: usize = 4000;
-/// A link that comes over the middle of a pin is as bad as so many that lie behind what they should be in front of; and one that only
-/// touches a pin.
+/// The weights of a crossing: of a link that covers the middle of a pin, and of one that only touches it. A body that lies behind what it
+/// should be in front of weighs 1.
 const WITHIN: usize = 64;
 const TOUCHING: usize = 4;
 /// Rounding moves a place by less than this part of its coordinates.
@@ -38,7 +39,7 @@ pub(super) const LAID: usize = 1;
 /// The weight where one is inside the other, as a rod in its barrel: more than all other faults together.
 pub(super) const INSIDE: usize = 1 << 24;
 
-/// A link comes to a pin that it does not carry: it has to be in front of both its ends, or behind both.
+/// A link that passes over a pin that it does not carry. It has to be in front of both links of that pin, or behind both.
 #[derive(Clone, Copy)]
 struct Crossing {
     link: usize,
@@ -57,7 +58,7 @@ pub(super) struct Order {
 struct Rules {
     /// For each pin with something in its way: the bodies that it joins, and whether it is fixed to the ground.
     pins: Vec<(Vec<usize>, bool)>,
-    /// With their weights: those whose middle comes within the link weigh more than those that only touch it.
+    /// The crossings with their weights.
     crossings: Vec<(Crossing, usize)>,
     /// For each body the crossings that it has a part in.
     crossings_with: Vec<Vec<(Crossing, usize)>>,
@@ -158,7 +159,7 @@ impl Rules {
         is_behind && is_before
     }
 
-    /// What is wrong with an order, as far as one link has to do with it: how the others lie to each other does not depend on it.
+    /// The weight of all faults in which one link has a part. The others do not change when this link moves to another plane.
     fn faults_of(&self, link: usize, ranks: &[usize]) -> usize {
         let pairs = self.pairs.iter();
         let pairs = pairs.filter(|pair| pair.front == link || pair.back == link);
@@ -177,7 +178,7 @@ impl Rules {
         crossed.map(|(_, weight)| weight).sum()
     }
 
-    /// The best order that is found from this one, and from others in which it is mixed.
+    /// The best order found by improving this one, and shuffled copies of it.
     fn best(&self, order: &[usize]) -> Vec<usize> {
         let attempts = (WORK / order.len().pow(2).max(1)).clamp(1, MOST_ATTEMPTS);
         let count = order.len();
@@ -249,7 +250,7 @@ fn behind<'p>(ranks: &[usize], pairs: impl Iterator<Item = &'p Pair<usize>>) -> 
     wrong.map(|pair| pair.weight).sum()
 }
 
-/// Which links come to which pins that they do not carry, at some positions.
+/// Which links pass over which pins that they do not carry, at some positions.
 fn find_crossings(scene: &Scene<'_>, links: &[LinkId], bodies: &[Body]) -> Vec<(Crossing, usize)> {
     let pins = &scene.structure.pins;
     let radius = PIN * scene.width;
@@ -294,14 +295,14 @@ fn find_crossings(scene: &Scene<'_>, links: &[LinkId], bodies: &[Body]) -> Vec<(
     found.filter(|(_, weight)| *weight > 0).collect()
 }
 
-/// Whether a place is in a box or so near to it. Most places that a link can reach are beside its body.
+/// Whether a place is in a box, or no farther from it than `around`. Most places that a link can reach are beside its body.
 fn is_near_box(place: Point2<f64>, [low, high]: [[f64; 2]; 2], around: f64) -> bool {
     let [x, y] = [place.x, place.y];
     let around = around + SPARE * (x.abs() + y.abs() + around);
     x >= low[0] - around && x <= high[0] + around && y >= low[1] - around && y <= high[1] + around
 }
 
-/// How much it weighs that a pin is at a place of a link.
+/// The weight of a crossing: whether the link covers the middle of the pin, only touches it, or neither.
 fn weight_of(footprint: &Footprint, own: Point2<f64>, radius: f64) -> usize {
     // Most pins do not even touch it.
     if !footprint.touches(own, radius) {
@@ -330,7 +331,7 @@ impl Into {
         })
     }
 
-    /// A place of the scene in the link, if it is so near to the link's origin.
+    /// A place of the scene in the frame of the link; none if it is farther from the link's origin than `reach`.
     fn near(&self, place: Point2<f64>, reach: f64) -> Option<Point2<f64>> {
         let ([x, y], [u, v]) = (<[f64; 2]>::from(place), self.origin);
         // Most are far away, which is seen sooner than how far in the link. Rounding is less than what is left between.

@@ -14,7 +14,7 @@ use std::rc::Rc;
 /// How many operations all positions may cost if each takes one step, and if moves go in pieces.
 const BUDGET: usize = 400_000;
 const BUDGET_OF_PIECES: usize = 1_600_000;
-/// So many positions may a sweep cost where it goes in pieces.
+/// So many positions a sweep may cost whose moves need pieces.
 const OF_SWEEP: usize = 128;
 /// Positions in a turn of the fastest link, and of a whole sweep.
 const SAMPLES: [usize; 2] = [8, 36];
@@ -24,11 +24,13 @@ const MOST_TURNS: i64 = 4;
 const ALL_TURNS: f64 = 3.9 * TAU;
 /// Everything is where it was within this part of the mechanism's size.
 const SAME: f64 = 1e-6;
-/// Where a way ends at once a dead point may be near: then the first step is this part of a sample, and each other as many times as long.
+/// A way that ends at once may begin beside a dead point. Then its first step is this part of a sample, and each next step so many times
+/// as long.
 const FIRST_STEP: f64 = 1.0 / 4096.0;
 const LONGER: f64 = 4.0;
-/// From so many positions on the way of a motor alone each other is moved through its range: in so many samples, of which there are not many
-/// more than so many in all. From where slides then are farthest each motor is moved through these parts of its range.
+/// So many positions on the way of a single motor are kept. From each of them every other motor goes through its range, in a number of
+/// samples between these two. In all these are not many more than the next number. From where slides then are farthest, each motor goes
+/// through these parts of its range.
 const BASES: usize = 4;
 const SAMPLES_OF_PAIR: [usize; 2] = [3, 12];
 const SAMPLES_OF_PAIRS: usize = 1200;
@@ -115,7 +117,7 @@ impl Survey {
         self.start().frame(link)
     }
 
-    /// The least and the greatest of what a position has; none if no position has any.
+    /// The least and the greatest value over all positions that have one; none if no position has.
     pub(super) fn range(&self, value: impl Fn(&Frames) -> Option<f64>) -> Option<[f64; 2]> {
         let values = self.positions.iter().filter_map(value);
         values.fold(None, |range, value| {
@@ -152,7 +154,7 @@ struct Surveyor<'a> {
     /// From where to where each motor goes: as it is declared, or alone from the start. What can be turned for ever has no ends.
     ranges: Vec<[f64; 2]>,
     positions: Vec<Rc<Position<f64>>>,
-    /// Some of these on the ways of single motors, and which motor that is.
+    /// Some positions on the ways of single motors, each with the number of its motor.
     bases: Vec<(usize, Rc<Position<f64>>)>,
 }
 

@@ -7,14 +7,14 @@ use crate::structure::{Rolling, RollingEnd};
 use nalgebra::{Point2, Rotation2, Vector2, distance};
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
-/// A wheel whose declared numbers of teeth are smaller than this has so many times as many.
+/// If the smaller of two wheels would have fewer teeth than this, both get a multiple of their teeth.
 const FEWEST_TEETH: i64 = 9;
 const ENOUGH_TEETH: i64 = 16;
 /// A wheel with more teeth is drawn smooth.
 const MOST_TEETH: i64 = 600;
 /// Where radii are declared: the size of a tooth, as a part of a bar's width.
 const MODULE: f64 = 0.4;
-/// Radii that are so near to a ratio of whole numbers have teeth.
+/// Numbers that differ by no more than this part are the same: centres, ratios, and numbers of teeth that are nearly whole.
 const WHOLE: f64 = 1e-6;
 
 /// Shapes are a wheel if they cover it as far as this part of its radius.

@@ -7,11 +7,11 @@ pub enum Figure {
     Gear {
         /// Its centre.
         center: [f64; 2],
-        /// Its pitch radius; without, that with which it meshes.
+        /// Its pitch radius; if none is given, the one with which the wheel meshes.
         radius: Option<f64>,
         /// How many teeth it has.
         teeth: u32,
-        /// The direction of its first tooth; without, one in which it meshes at the start.
+        /// The direction of its first tooth; if none is given, one in which the wheel meshes at the start.
         turned: Option<f64>,
     },
     /// The stand of a fixed pivot.

@@ -50,7 +50,7 @@ impl Formula {
         pair.into_iter().flatten()
     }
 
-    /// Its value, made from those of what it is made from.
+    /// The value of a formula, from the values of the formulas that it refers to.
     fn apply<A: FormulaArithmetic>(
         self,
         arithmetic: &mut A,
@@ -75,7 +75,7 @@ impl Formula {
 #[derive(Clone, Default, PartialEq)]
 pub struct Formulas {
     all: Vec<Formula>,
-    /// Looked up only, never iterated: its order is another in each.
+    /// Only looked up, never iterated: the order of a hash map differs from run to run.
     known: HashMap<Formula, FormulaId>,
 }
 
@@ -147,7 +147,7 @@ impl Formulas {
         values
     }
 
-    /// One of them: nothing is evaluated that it is not made from.
+    /// The value of one formula: only the formulas that it is made from are evaluated.
     pub fn evaluate_one<A: FormulaArithmetic>(
         &self,
         id: FormulaId,

@@ -80,7 +80,7 @@ impl InputId {
         Self::new(motors + param.index())
     }
 
-    /// The motor, in a mechanism with so many; none if it is a param.
+    /// The motor that this input is, in a mechanism with so many motors; none if it is a param.
     #[must_use]
     pub fn motor(self, motors: usize) -> Option<MotorId> {
         (self.index() < motors).then_some(MotorId(self.0))

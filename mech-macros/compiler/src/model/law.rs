@@ -32,7 +32,7 @@ impl Law {
         }
     }
 
-    /// All that it is made from, each after what that is made from.
+    /// All formulas that it is made from, each after those that it needs.
     #[must_use]
     pub fn formulas(&self) -> &Formulas {
         &self.formulas
@@ -61,7 +61,7 @@ impl Law {
 enum Winding {
     /// It never changes.
     Fixed(f64),
-    /// It grows by so many whole turns.
+    /// When the variable makes a whole turn, the value grows by so many whole turns.
     By(f64),
     /// Otherwise.
     Else,
@@ -103,7 +103,7 @@ impl Law {
 struct Windings;
 
 impl Windings {
-    /// What comes of two that both have to stay what they are.
+    /// The result of two numbers that both have to stay as they are.
     fn still(a: Winding, b: Winding) -> Winding {
         a.join(b, |a, b| (a == 0.0 && b == 0.0).then_some(0.0))
     }

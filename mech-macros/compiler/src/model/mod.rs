@@ -147,7 +147,8 @@ pub struct Model {
     pub params: Params,
     /// How the mechanism is assembled.
     pub start: Start,
-    /// How the loops are solved, if that was said; else `accuracy` decides, and without that the method is exact.
+    /// The method by which loops are solved, if one was declared. Without it a declared `accuracy` decides; without both the method is
+    /// exact.
     pub method: Option<Method>,
     /// From how many differences of the motion iterations are started, 0 to 3.
     pub predictor: u8,
@@ -161,7 +162,7 @@ pub struct Model {
     pub quality: Quality,
     /// What it looks like, if that was said.
     pub look: Option<Look>,
-    /// What is asked for: what nothing of it depends on is not computed. Without, everything is.
+    /// What is to be shown. Steps on which none of it depends are left out. Without a `show`, everything is shown.
     pub show: Option<Vec<Shown>>,
     /// The revolute joints whose coordinates are to go on over whole turns.
     pub continuous: Vec<JointId>,

@@ -12,26 +12,27 @@ use crate::model::{Model, MotorId};
 use crate::plan::Plan;
 use crate::program::{AtZero, ClosedForm, Dyad, Position, Program, Value, computing};
 
-/// What is farther from a change point, as a part of the loop's size, does not look like one: it is what two decimals hide of a link that
-/// is ten units long.
+/// A loop is near a change point if it misses that by less than this part of its size. Two decimals may hide as much of a link that is
+/// ten units long.
 const NEAR: f64 = 5e-4;
-/// What parabolas through samples foretell is looked at if it may be so near.
+/// A least value that parabolas foretell is looked for if it may be as small as this.
 const FORETOLD: f64 = 0.02;
 /// Samples in a turn.
 const SAMPLES: u32 = 20;
 /// Turns of the fastest link that are looked at.
 const TURNS: i64 = 4;
-/// Operations that all of it may take, and positions that it may take at least and at most for each motor. Where loops pass change
-/// points, moves to these positions may take as much.
+/// The operations that all of it may take, and for each motor the least and the greatest number of positions. Moves to these positions
+/// may take as much again where loops pass change points.
 const BUDGET: usize = 100_000;
 const POSITIONS: [usize; 2] = [64, 192];
-/// What differs by no more than so many roundings may match.
+/// A loop that misses its change point by no more than so many roundings meets it.
 const ROUNDINGS: f64 = 1024.0;
-/// Where an earlier loop is so near its own change point, what comes after it is sharp, and tells nothing.
+/// If this difference of squares is smaller for an earlier loop, that loop is near its own change point. Later loops then move so fast
+/// that nothing is told of them.
 const SHARP: f64 = 1e-3;
 /// Rounds in which a least value is sought.
 const ROUNDS: usize = 16;
-/// It is found when it moves by no more than this part of the distance of samples.
+/// The least value is found when the search moves by less than this part of the distance between samples.
 const FOUND: f64 = 1e-8;
 /// A step inwards from an end of a bracket: as much as keeps the longer part in proportion.
 const GOLDEN: f64 = 0.381_966;
@@ -43,13 +44,13 @@ pub struct NearMiss {
     pub number: usize,
     /// The joints of the loop whose coordinates are unknown.
     pub place: String,
-    /// The motor that moves it there, the others at the start.
+    /// The motor that takes the loop there. All other motors are at the start.
     pub motor: MotorId,
     /// Its value.
     pub at: f64,
     /// By how much the outer pins are off, as a part of the loop's size: of the sum of the lengths of its goal and arms.
     pub distance: f64,
-    /// Whether the loop passes; else it does not close there.
+    /// Whether the loop passes that place. If not, it does not close there.
     pub passes: bool,
 }
 
@@ -116,9 +117,9 @@ struct Flatness<'p> {
     closed: &'p ClosedForm,
     /// The numbers that tell it.
     numbers: Vec<Value>,
-    /// Where in the state it stands what rounding hides of its sine's square, if it is watched.
+    /// The index in the state of the square that rounding hides of its sine, if the loop is watched.
     hidden: Option<usize>,
-    /// What passes for closed, as a part of the loop's size.
+    /// The gap that counts as closed, as a part of the loop's size.
     rounding: f64,
 }
 
@@ -127,7 +128,7 @@ struct Flatness<'p> {
 struct Flat {
     /// A difference of squares, as a part of the square of the loop's size: zero at a change point, negative where it is open.
     square: f64,
-    /// That difference as one of lengths, as a part of the loop's size.
+    /// The same difference as one of lengths instead of squares, as a part of the loop's size.
     distance: f64,
     /// The square of the sine of its transmission angle.
     sine_square: f64,
@@ -206,7 +207,7 @@ struct Sample {
 struct Way<'l, 'p> {
     loops: &'l [Flatness<'p>],
     start: &'l Position<f64>,
-    /// Moves it, where it has to be followed how it moves.
+    /// Follows the motor in small moves, where positions depend on how it came there.
     walker: Option<Walker<'p>>,
     machine: Machine<'l, f64>,
     wanted: Vec<Value>,
@@ -218,8 +219,8 @@ struct Way<'l, 'p> {
 }
 
 impl Way<'_, '_> {
-    /// How flat all loops are with the motor at a value, seen from a position; none of what comes after an open loop, or if there is
-    /// nothing left to look with.
+    /// How flat all loops are with the motor at this value. The step begins at a position. Nothing is told of what comes after a loop
+    /// that does not close. None if the budget is used up.
     fn look(&mut self, from: &Position<f64>, at: f64) -> Option<Sample> {
         self.left = self.left.checked_sub(1)?;
         self.machine.put_back(from.clone());
@@ -246,7 +247,7 @@ impl Way<'_, '_> {
         })
     }
 
-    /// Moves the motor by so much from the start, and a sample farther; returns whether it came there.
+    /// Moves the motor from the start by this displacement, and one sample farther. Returns whether it came there.
     fn follow(&mut self, displacement: f64, turns: usize) -> bool {
         let Ok(turns) = u32::try_from(turns) else {
             bug!("a sweep of {turns} turns is looked at turn by turn");

@@ -162,7 +162,7 @@ fn find_touching(
     Ok(touching)
 }
 
-/// The loops whose sines bound how fast others change that are watched all the same, or angles that are followed over whole turns.
+/// The loops that are watched although they close: their sines bound how fast other loops, or angles with whole turns, change.
 fn asked_for(plan: &Plan, choices: &[Choice], touches: &[usize]) -> BTreeSet<usize> {
     let near = |bound: &Bound| {
         let growth = bound.growth.iter();
@@ -197,8 +197,8 @@ fn ends(model: &Model) -> Vec<[f64; 2]> {
     ends.collect()
 }
 
-/// The values of a motor that are proved: one that has no range may be anywhere. If it turns, so many turns are enough that
-/// everything it drives has turned as a whole.
+/// The values of a motor that are to be proved. A motor without a range may be anywhere: so many turns are looked at that everything it
+/// drives has made whole turns.
 fn range(domain: &Domain<'_>, read: &InputReads, id: MotorId) -> Result<Interval, Diagnosis> {
     let input = id.index();
     let range = domain.of_input(input);

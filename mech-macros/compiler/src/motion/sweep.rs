@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 
 /// Most turns of the fastest link that are examined one by one.
 const MOST_TURNS_OF_FASTEST: f64 = 64.0;
-/// A slide is sampled as densely as so many turns.
+/// A slide takes as many samples as so many turns.
 const TURNS_OF_SLIDE: usize = 2;
 
 /// A straight displacement of all motors from the start.
@@ -16,7 +16,7 @@ const TURNS_OF_SLIDE: usize = 2;
 pub(crate) struct Sweep {
     /// The displacement of each motor, and after these of each param, in radians or scene units.
     pub(crate) displacements: Vec<f64>,
-    /// How many turns the fastest link makes: so many times the samples of a single turn are taken.
+    /// How many turns the fastest link makes. Each of them takes the samples of one turn.
     pub(crate) turns: usize,
 }
 
@@ -25,7 +25,7 @@ pub(crate) struct Sweep {
 pub(crate) enum MostTurns {
     /// So many turns of the motor itself.
     OfMotor(i64),
-    /// As many as turn the fastest of all that it drives so often, or one.
+    /// As many turns as let the fastest part that it drives turn so often, but one at least.
     OfFastest(i64),
 }
 

@@ -10,38 +10,41 @@ use std::rc::Rc;
 
 /// A journey may take so many times the operations of one position.
 const MOST_OF_JOURNEY: usize = 64;
-/// So often is a step halved that does not close: a part of it as small as rounding is left.
+/// A step that does not close is halved so often: then no more than rounding is left of it.
 const HALVINGS: usize = 48;
 /// A move that nothing foretells begins with this part of it.
 const FIRST: f64 = 0.25;
-/// The most that moves in a step which nothing foretells, as a part of itself.
+/// A step that nothing foretells may move poses by this part of the greatest one, and change a sine by this part of it.
 const BEGUN: f64 = 0.1;
 const BEGUN_SINE: f64 = 0.75;
-/// What is found lies no farther from what was foretold than this part of the way there.
+/// What a step finds may differ from what was foretold by this part of how far it went.
 const ASTRAY: f64 = 0.4;
-/// Near a dead point each step comes so near to it, as a part of what is left. When this part of a move is left, and nothing closes beyond,
-/// the rest is foretold.
+/// Towards a dead point each step covers at most this part of what is left until there. When less than the second number is left of the
+/// move, and nothing closes beyond, the end is foretold.
 const NEARER: f64 = 0.97;
 const END: f64 = 1e-8;
-/// Where something closes beyond it comes as near as that; with less than the second, steps fail because of rounding.
+/// Towards a zero beyond which the loop closes, steps go on until this part of the move is left. Nearer than the second number, they may
+/// fail by rounding.
 const NEAREST: f64 = 1e-13;
 const ROUNDED: f64 = 1e-9;
-/// Steps of a move at most, and so often is one halved before a journey is made instead; before a rough way ends.
+/// The most steps of a move. The second numbers say how often a step may fail before a journey is made instead, and before a rough way
+/// ends.
 const MOST_STEPS: usize = 96;
 const MOST_FAILED: [usize; 2] = [6, 3];
-/// A step lets the next one be so many times as long at most, and at least; what is expected to be allowed is taken with a reserve.
+/// The greatest and the least factor by which the next step may be longer than the last. Of the factor that the error would allow, it is
+/// given the third number as its part.
 const LONGER: f64 = 4.0;
 const SHORTER: f64 = 0.1;
 const RESERVE: f64 = 0.7;
-/// What moves less than this part of what moves most is not looked at so closely.
+/// Poses that move less than this part of the one that moves most are compared less strictly.
 const SLOW: f64 = 0.02;
-/// A sine is zero that is less than this part of what it was before.
+/// A sine counts as zero if it is below this part of what it was before.
 const FLAT: f64 = 0.02;
-/// An angle that is followed is foretold by so much: half a turn is lost else.
+/// A followed angle may differ from what was foretold by so many radians: half a turn off, its whole turns would be lost.
 const ANGLE: f64 = 1.0;
-/// Motors that lie on a line with others, within this part of the way.
+/// Motors are on one line with others if they are off it by no more than this part of the way.
 const ALIGNED: f64 = 1e-9;
-/// What foretells is so far apart, as a part of the way.
+/// Positions that foretell the next one are at least this part of the way apart.
 const APART: f64 = 1.0 / 64.0;
 /// So many positions foretell the next one, beside that from which it goes.
 const TRAIL: usize = 3;
@@ -53,11 +56,11 @@ pub(crate) enum Arrival {
     There,
     /// It came as far as the mechanism moves.
     Blocked,
-    /// It was not made: too little is left, or an iteration did not come so far in one step.
+    /// The move was not made: the budget is too small, or an iteration failed in one step.
     Unpaid,
 }
 
-/// A mechanism that is moved as long as there is something left to pay with.
+/// A mechanism that moves within a budget of operations.
 pub(crate) struct Walker<'p> {
     program: &'p Program,
     machine: Machine<'p, f64>,
@@ -67,7 +70,7 @@ pub(crate) struct Walker<'p> {
     trail: Vec<Rc<Position<f64>>>,
     /// Those that the last move came past.
     pub(crate) passed: Vec<Rc<Position<f64>>>,
-    /// Where the last move ends at a dead point, foretold: it came almost there.
+    /// The position at the dead point where the last move ends. It is foretold; the mechanism came almost there.
     end: Option<Position<f64>>,
     /// Whether it made a step on this way that nothing foretold.
     pub(crate) is_unsure: bool,
@@ -75,13 +78,13 @@ pub(crate) struct Walker<'p> {
     is_rough: bool,
     /// How long a step may be, after those before it.
     reach: f64,
-    /// The operations that are left, and those of them that journeys on this way may take.
+    /// The operations that are left, and those of them that journeys on this way may use.
     left: usize,
     of_way: usize,
 }
 
 impl<'p> Walker<'p> {
-    /// A mechanism at its start, which may be moved by so many operations.
+    /// A mechanism at its start, with a budget of so many operations.
     pub(crate) fn new(program: &'p Program, left: usize) -> Self {
         Self {
             program,
@@ -112,8 +115,7 @@ impl<'p> Walker<'p> {
         Rc::new(self.seen().clone())
     }
 
-    /// Lets it begin a way from a position that it had before. When journeys took so many positions on the way, steps that nothing foretells
-    /// are made all the same.
+    /// Puts the mechanism at a position that it had before, from where a new way begins. `positions` limits what journeys may cost on it.
     pub(crate) fn begin(&mut self, from: &Position<f64>, positions: usize) {
         self.machine.put_back(from.clone());
         self.end = None;
@@ -124,13 +126,13 @@ impl<'p> Walker<'p> {
         self.of_way = self.price.saturating_mul(positions);
     }
 
-    /// The same of a way that ends where nothing foretells how it goes on.
+    /// The same, but the way ends where nothing foretells how it goes on.
     pub(crate) fn begin_roughly(&mut self, from: &Position<f64>) {
         self.begin(from, 0);
         self.is_rough = true;
     }
 
-    /// Tells it a position that it can come to from where it is without passing anything.
+    /// Adds a position to those that foretell the next one. From there to here nothing was passed unseen.
     pub(crate) fn know(&mut self, position: Rc<Position<f64>>) {
         if self.trail.len() == TRAIL {
             self.trail.remove(0);
@@ -138,7 +140,7 @@ impl<'p> Walker<'p> {
         self.trail.push(position);
     }
 
-    /// Takes the operations of something else.
+    /// Takes operations from the budget that something else has used.
     pub(crate) fn pay(&mut self, operations: usize) {
         self.left = self.left.saturating_sub(operations);
     }
@@ -211,7 +213,8 @@ impl<'p> Walker<'p> {
         self.go_past(way, before, next)
     }
 
-    /// Makes a step where dead points show in the roots of what is left until there; or else where all is smooth. How far astray that was.
+    /// Makes a step. Near a dead point the prediction is a polynomial in the root of what is left until there, else in the way. Gives how
+    /// far off the prediction was.
     fn try_step(
         &mut self,
         way: &mut Way<'_>,
@@ -229,7 +232,8 @@ impl<'p> Walker<'p> {
         Some(astray)
     }
 
-    /// Goes on where nothing foretells how, as at run time; a rough way ends there, and one beyond which nothing closes.
+    /// Goes on where nothing foretells how, by a journey as at run time. A rough way ends there, and so does a way beyond which nothing
+    /// closes.
     fn go_past(
         &mut self,
         way: &mut Way<'_>,
@@ -253,14 +257,14 @@ impl<'p> Walker<'p> {
         self.came(way, before, next)
     }
 
-    /// Notes that it came so far from a position; tells if that is the end.
+    /// Notes that the way was done up to here. Tells if that is its end.
     fn came(&mut self, way: &mut Way<'_>, before: Rc<Position<f64>>, next: f64) -> Option<Arrival> {
         self.passed.push(before);
         (way.done, way.failed) = (next, 0);
         (next >= 1.0).then_some(Arrival::There)
     }
 
-    /// Notes where a way ends that comes to a zero so near.
+    /// Notes where a way ends, if a zero is this near: the position there is foretold.
     fn foretell_end(&mut self, way: &Way<'_>, before: Rc<Position<f64>>, zero: f64) {
         self.doubt(&before);
         let motors = way.motors(way.done + zero);
@@ -278,15 +282,16 @@ impl<'p> Walker<'p> {
         self.passed.push(before);
     }
 
-    /// Where several loops come to their ends together, not all of what is beyond was seen.
+    /// Notes that not everything beyond was seen, if several loops come to their ends together.
     fn doubt(&mut self, end: &Position<f64>) {
         let watches = self.program.watches.iter();
         let flat = watches.filter(|watch| end.state[watch.sine].abs() < FLAT);
         self.is_unsure |= flat.count() > 1;
     }
 
-    /// Goes there in one step if that finds what was foretold, and else stays; tells how far astray that was, as a part of what is allowed.
-    /// None if that cannot be paid. At a dead point so far away as `zero` says everything is smooth in the root of what is left until there.
+    /// Goes there in one step, and stays there only if that finds what was foretold. Gives how far off the prediction was, as a part of
+    /// what is allowed; none if the budget is used up. If a dead point is `zero` away, everything is smooth in the root of what is left
+    /// until there.
     fn step(
         &mut self,
         before: &Rc<Position<f64>>,
@@ -313,7 +318,7 @@ impl<'p> Walker<'p> {
         Some(astray)
     }
 
-    /// The known positions on the line of a way, each with its part of the way from a position, and that first.
+    /// The known positions on the line of a way that begins at a position, each with its part of the way; that position first.
     fn places(&self, from: &Rc<Position<f64>>, way: &[f64]) -> Vec<(f64, Rc<Position<f64>>)> {
         let mut places = vec![(0.0, Rc::clone(from))];
         for other in self.trail.iter().rev() {
@@ -393,7 +398,8 @@ impl<'p> Walker<'p> {
         foretold
     }
 
-    /// How far the mechanism is from where it was foretold to be, as a part of what is allowed; where nothing was, from where it was.
+    /// How far the mechanism is from where it was foretold to be, as a part of what is allowed. Without a prediction, how far it is from
+    /// where it was.
     fn astray(&self, from: &Position<f64>, foretold: &Position<f64>, is_begun: bool) -> f64 {
         let to = self.position();
         // Of directions and of places.
@@ -447,7 +453,7 @@ impl<'p> Walker<'p> {
         all.fold(0.0, f64::max)
     }
 
-    /// Whether loops close there in one step; it stays where it is.
+    /// Whether all loops close there in one step. The mechanism stays where it is.
     fn closes(&mut self, motors: &[f64]) -> bool {
         let before = self.position().clone();
         let closes = self.beside(&before, motors).is_some();
@@ -455,7 +461,7 @@ impl<'p> Walker<'p> {
         closes
     }
 
-    /// The position that one step leads to, and where it then is, if loops close there.
+    /// The position that one step from another position leads to; none if a loop does not close there.
     pub(crate) fn beside(
         &mut self,
         from: &Position<f64>,
@@ -514,7 +520,7 @@ impl<'p> Walker<'p> {
         Arrival::Blocked
     }
 
-    /// Does something that takes no more than so many operations; none if it would take more.
+    /// Does something that may use so many operations, and takes what it used from the budget. None if it would use more.
     fn paid<R>(
         &mut self,
         allowed: usize,
@@ -564,7 +570,7 @@ impl<'t> Way<'t> {
         if next + 0.5 * length < 1.0 { next } else { 1.0 }
     }
 
-    /// The motors where so much is done.
+    /// The motors where this part of the way is done.
     fn motors(&self, done: f64) -> Vec<f64> {
         if done < 1.0 {
             interpolate(&self.start, &self.vector, done)
@@ -574,7 +580,8 @@ impl<'t> Way<'t> {
     }
 }
 
-/// How many times as long a step may be as one that went so far astray, foretold from so many positions before: it grows with that power.
+/// By what factor the next step may be longer, if the last was so far astray. The error grows with a power of the step, by the number of
+/// known positions.
 fn factor(known: usize, astray: f64) -> f64 {
     if astray.is_infinite() {
         return 0.5;
@@ -583,12 +590,12 @@ fn factor(known: usize, astray: f64) -> f64 {
     RESERVE * astray.powf(-1.0 / power)
 }
 
-/// What part something is of what is allowed.
+/// How much of what is allowed was used.
 fn part_of(found: f64, allowed: f64) -> f64 {
     if found == 0.0 { 0.0 } else { found / allowed }
 }
 
-/// The part of a way where a position is that lies on its line, seen from another.
+/// The part of a way at which a position lies; none if it is not on the line of the way.
 fn place_on(way: &[f64], from: &Position<f64>, other: &Position<f64>) -> Option<f64> {
     let square: f64 = way.iter().map(|part| part * part).sum();
     let apart = between(&from.motors, &other.motors);

@@ -7,7 +7,7 @@ use crate::model::{Arithmetic, Axis};
 pub(crate) trait Algebra<S: Copy>: Arithmetic<Scalar = S> {
     fn sqrt(&mut self, a: S) -> S;
 
-    /// What a value is at the start. A number is what it is.
+    /// The value at the start. A number is that value itself.
     fn number_at_start(&self, value: S) -> f64;
 
     /// Gives a value a name for readers. A number has none.
@@ -15,7 +15,7 @@ pub(crate) trait Algebra<S: Copy>: Arithmetic<Scalar = S> {
         value
     }
 
-    /// The difference of two lengths: none where it is only rounding.
+    /// The difference of two lengths; exactly zero where it is only rounding.
     fn difference(&mut self, a: S, b: S) -> S;
 
     fn vector(&mut self, [x, y]: [f64; 2]) -> [S; 2] {

@@ -309,8 +309,8 @@ fn is_placed(drafts: &[Draft<'_>], link: LinkId) -> bool {
     clusters.all(|clusters| clusters.are_joined(link, LinkId::GROUND))
 }
 
-/// Keeps the drafts that the wishes ask for, in whatever order these stand. The link with the fewest directions comes first: those of
-/// the others may follow from its own.
+/// Keeps the drafts that the wishes (`near`) ask for, in whatever order these were declared. The link with the fewest directions comes
+/// first: it may decide the others.
 fn follow_wishes(drafts: &mut Vec<Draft<'_>>, mut wishes: Vec<Near>) {
     let key =
         |drafts: &[Draft<'_>], wish: &Near| (directions(drafts, wish.link), wish.link.index());

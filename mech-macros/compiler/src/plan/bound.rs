@@ -11,8 +11,7 @@ pub enum Turning {
     Joint(JointId),
 }
 
-/// The greatest rate of something with each motor and param, as long as nothing of its growth has begun: then it is so many
-/// times as fast.
+/// The greatest rate of something with each motor and param, while none of the causes in `growth` acts. Each cause multiplies it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bound {
     /// With each motor and param.
@@ -26,9 +25,9 @@ pub struct Bound {
 /// A cause that makes something faster without end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Growth {
-    /// It is as many times as fast as one is greater than the sine of this loop, by its number in the plan.
+    /// It is faster by the inverse of the sine of this loop, by its number in the plan.
     NearZero(usize),
-    /// It is as many times as fast as this motor or param is farther from zero than this, if it is.
+    /// It is so many times as fast as this motor or param is farther from zero than this number, where it is farther.
     FarOut(usize, f64),
 }
 
@@ -66,7 +65,7 @@ impl Bound {
         bound
     }
 
-    /// Adds so many times another.
+    /// Adds another bound, times a factor.
     pub fn add(&mut self, factor: f64, other: &Self) {
         if factor == 0.0 || other.rates.iter().all(|rate| *rate == 0.0) {
             return;
@@ -81,7 +80,7 @@ impl Bound {
         self.grow_like(&other.growth);
     }
 
-    /// Grows as this does, too: each as often as where it stands oftener.
+    /// Adds the causes of growth of another bound. A cause stands here as often as in the bound where it stands more often.
     pub fn grow_like(&mut self, growth: &[Growth]) {
         let mut own = self.growth.clone();
         for &other in growth {

@@ -23,7 +23,7 @@ pub(super) enum LoopSolutions {
     Gap(f64),
 }
 
-/// Solves a single ring of two unknowns; gives none for anything else.
+/// Solves a loop of one ring and two unknowns; none for any other loop.
 pub(super) fn solve(equation: &Equation<f64>) -> Option<LoopSolutions> {
     let numbers = &mut Numbers;
     Some(match Dyad::of(numbers, equation)? {

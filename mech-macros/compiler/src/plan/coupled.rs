@@ -39,7 +39,7 @@ pub(super) fn redundant_block(connections: &[Between]) -> Option<Block> {
     Some((vec![ring], vec![tree]))
 }
 
-/// Without the slides that follow from those before them: what slides in one direction on two clusters lets these slide on each other.
+/// Leaves out slides that follow from others: two clusters that slide on a third in one direction also slide on each other.
 pub(super) fn drop_parallel(connections: Vec<Between>) -> Vec<Between> {
     let mut sliding = Sliding::default();
     let is_new = |between: &Between| {
@@ -49,7 +49,7 @@ pub(super) fn drop_parallel(connections: Vec<Between>) -> Vec<Between> {
     connections.into_iter().filter(is_new).collect()
 }
 
-/// On a pin of several clusters all pairs are joined; all but one connection a cluster follow from the others.
+/// Leaves out connections that follow from others: on a pin of several clusters, one connection for each further cluster is enough.
 fn drop_redundant(connections: &[Between]) -> Vec<Between> {
     let mut kept: Vec<Between> = Vec::new();
     let mut on_pin: Vec<(usize, Vec<LinkId>)> = Vec::new();

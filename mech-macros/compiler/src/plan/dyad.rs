@@ -209,7 +209,7 @@ impl<S: Copy> Line<S> {
         }
     }
 
-    /// The vector from the foot to the point, and the vector that leads so far along the line.
+    /// The vector from the foot to the point, and the vector along the line by this displacement.
     fn legs(&self, algebra: &mut impl Algebra<S>, displacement: S) -> [[S; 2]; 2] {
         let across = [algebra.neg(self.along[1]), self.along[0]];
         [

@@ -193,7 +193,7 @@ impl<S: Copy + PartialEq> Equation<S> {
         ring
     }
 
-    /// The equation of other quantities of the same kind, such as the rates of these.
+    /// The same equation with other quantities in place of its own, such as their rates.
     pub(crate) fn map(&self, mut other: impl FnMut(S) -> S) -> Self {
         let mut both = |v: [S; 2]| v.map(&mut other);
         let rings = self.rings.iter().map(|ring| Ring {
@@ -315,8 +315,8 @@ impl<S: Copy + PartialEq> Equation<S> {
 }
 
 impl<S: Copy> Equation<S> {
-    /// A direction that is given relative to the first cluster of the loop, relative to the base that this has by now: it is another where one
-    /// that was placed before has a lower one.
+    /// A direction given relative to the first cluster of the loop, as seen from the base that this cluster has by now. Merging may have
+    /// given it a lower one.
     fn seen_from_cluster(
         &self,
         algebra: &mut impl Algebra<S>,
@@ -334,8 +334,7 @@ impl<S: Copy> Equation<S> {
 }
 
 impl Equation<f64> {
-    /// For each unknown that is a direction the one it has where clusters have these angles. Of what keeps its angle to each other any
-    /// cluster may tell.
+    /// For each unknown direction the one that it has where clusters have these angles. Any cluster that slides with it may give it.
     pub(super) fn directions(
         &self,
         angle: impl Fn(LinkId) -> Option<f64>,

@@ -38,7 +38,7 @@ enum Variable {
     Turn(LinkId),
     /// A sliding joint, by its coordinate.
     Slide(JointId),
-    /// Something that is known: a source, by its number.
+    /// A source: a quantity that is known, by its number in the plan.
     Source(usize),
 }
 
@@ -119,7 +119,7 @@ impl LinearRelations {
         self.0.insert(pivot, value);
     }
 
-    /// A combination as one of sources alone, if it is known.
+    /// A combination, written with sources alone; none if it is not known by them.
     pub(crate) fn value(&self, combination: &LinearForm) -> Option<Vec<(usize, Rational)>> {
         let reduced = self.reduce(combination).0.into_iter();
         reduced
@@ -130,7 +130,7 @@ impl LinearRelations {
             .collect()
     }
 
-    /// For each of these combinations that the ones before it and the sources determine, how.
+    /// For each of these combinations, how it follows from those before it and from sources, if it does.
     pub(crate) fn ties(&self, combinations: &[LinearForm]) -> Vec<Option<Parts>> {
         // Each combination gets a name of its own, a source beyond all others, and is solved for as the ledger itself is.
         let mut relations = self.clone();

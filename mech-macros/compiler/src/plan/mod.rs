@@ -50,7 +50,7 @@ pub struct Plan {
     pub steps: Vec<Step>,
     /// The sources from which gears, belts, racks and cams are solved.
     pub sources: Vec<Source>,
-    /// The greatest rates of all angles whose turns are counted, once these were examined.
+    /// The greatest rates of all angles whose turns are counted; empty until these were examined.
     pub turning: Vec<(Turning, Bound)>,
     /// The assembly at the start.
     pub start: Assembly,

@@ -24,8 +24,8 @@ impl Plan {
         }
     }
 
-    /// The steps that the poses of these links depend on: the plan is read backwards, and a step is needed if it places
-    /// a link that is. What is not placed by a step keeps its pose in its cluster bit by bit, whether or not the step is made.
+    /// The steps that the poses of these links depend on. The plan is read backwards: a step is needed if it places a link that is
+    /// needed. Links that no step places keep their poses in their clusters, bit by bit.
     #[must_use]
     pub fn find_needed(&self, model: &Model, links: &[LinkId]) -> PlanPart {
         let mut needed = PlanPart {
@@ -109,7 +109,7 @@ impl Step {
     }
 }
 
-/// The links on which the axes are that a step brings together.
+/// The links whose axes a step brings together.
 fn ends(model: &Model, step: &Step) -> Vec<LinkId> {
     let link = |axis: AxisId| model.axis(axis).link;
     let connections = step.connections().into_iter();

@@ -12,7 +12,7 @@ use crate::model::{Axis, AxisId, JointId, JointKind, LinkId, Model};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Chord<S> {
     pub(crate) vector: [S; 2],
-    /// At right angles to it; near where the axes meet its length is one.
+    /// A vector at right angles to it. Where the axes nearly meet, its length is one.
     pub(crate) across: [S; 2],
 }
 

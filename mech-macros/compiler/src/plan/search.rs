@@ -14,10 +14,10 @@ const ROUNDS: usize = 60;
 /// Assemblies closer than this are one.
 const APART: f64 = 1e-5;
 
-/// What joints that hold a part more than once may leave open, as a part of the mechanism's size: what was solved before them is known
-/// no better where it is badly conditioned.
+/// Redundant joints may be open by this part of the mechanism's size: what was solved before them is known no better where it is badly
+/// conditioned.
 const MATCH: f64 = 1e-9;
-/// A step so small changes nothing more.
+/// An iteration has settled when its step is below this.
 const SETTLED: f64 = 1e-12;
 
 /// Solves any equation: from the directions that are wanted, and where these leave something open from many starts.

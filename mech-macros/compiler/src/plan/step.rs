@@ -81,8 +81,7 @@ pub enum Source {
 /// Joints whose coordinates are found together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {
-    /// The rings that must close: every connection begins in the cluster in which the one before it ends,
-    /// the first in that in which the last ends.
+    /// The rings that must close. Every connection begins in the cluster in which the one before it ends.
     pub rings: Vec<Vec<Connection>>,
     /// For each cluster but the first, which is known, the connection by which it hangs on one before it.
     pub tree: Vec<Connection>,
@@ -116,8 +115,8 @@ pub struct Connection {
     pub from: AxisId,
     /// The axis one goes to.
     pub to: AxisId,
-    /// The declared joint that names it. On a pin of several links two of them may be joined by way of a third: then it
-    /// is a joint of the pin that holds one of the two.
+    /// The declared joint after which the connection is named. On a pin of several links no joint may join these two directly: then a
+    /// joint that holds one of them there.
     pub joint: JointId,
 }
 

@@ -183,7 +183,7 @@ impl Count {
         Some(set)
     }
 
-    /// Brings so many free freedoms to these parts, if that can be done.
+    /// Moves free freedoms to these parts until they have as many as are wanted; whether that can be done.
     fn gather(&mut self, ends: &[usize], wanted: usize) -> bool {
         while ends.iter().map(|&end| self.free[end]).sum::<usize>() < wanted {
             let mut seen = vec![false; self.free.len()];

@@ -28,7 +28,7 @@ pub(super) struct SsaBuilder {
     varies: Vec<bool>,
     /// The cosines and sines of directions, each with the one that it was first named with.
     of_directions: HashMap<Value, Value>,
-    /// For each motor, and each angle that drives gears, the greatest part of it that an angle is: gears make more of its rounding.
+    /// For each motor, and each angle that drives gears, the greatest factor by which another angle follows it: rounding grows by that.
     pub(super) gains: BTreeMap<Value, f64>,
     /// The values of the model's formulas, by their numbers.
     pub(super) formulas: Vec<Value>,
@@ -55,7 +55,7 @@ impl SsaBuilder {
         }
     }
 
-    /// Whether a value is made from a param: what is constant otherwise has another size then.
+    /// Whether a value depends on a param. Its size then is not what it is at the start.
     pub(super) fn varies(&self, value: Value) -> bool {
         self.varies[value.index()]
     }
@@ -76,7 +76,7 @@ impl SsaBuilder {
         self.at_start[value.index()]
     }
 
-    /// An unknown is at the start what its iteration begins with.
+    /// Notes with which value the iteration of an unknown begins: at the start, that is its solution.
     pub(super) fn begins_with(&mut self, unknown: Value, first: Value) {
         self.at_start[unknown.index()] = self.at_start[first.index()];
     }

@@ -56,7 +56,7 @@ impl<V: Copy> Forces<V> {
         forces
     }
 
-    /// The same of something else.
+    /// The same results, each number replaced by what `each` makes of it.
     pub fn map<W>(&self, mut each: impl FnMut(V) -> W) -> Forces<W> {
         let mut row =
             |values: &Vec<V>| -> Vec<W> { values.iter().map(|&value| each(value)).collect() };

@@ -123,8 +123,8 @@ impl SsaBuilder {
         self.make(Op::Choose(above, near, below))
     }
 
-    /// The lesser or greater of two, so that what is not a number does not go unnoticed, and a constant comes out as it is: it,
-    /// and how much farther the other goes, if it does.
+    /// The lesser or greater of two values, as a constant and how far the other goes beyond it. So no NaN is lost, and a constant that is
+    /// not exceeded comes out exactly.
     fn extreme(&mut self, extreme: BinaryFunction, [a, b]: [Value; 2]) -> Value {
         let [base, other] = if self.number(a).is_some() {
             [a, b]

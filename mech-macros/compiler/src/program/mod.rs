@@ -145,11 +145,11 @@ pub enum BlockKind {
 pub struct Position<T> {
     /// The values of the motors, and after them those of the params.
     pub motors: Vec<T>,
-    /// Whole turns of the motors besides.
+    /// For each motor its whole turns, which are counted apart from its value.
     pub turns: Vec<i32>,
     /// For each moving link whose pose is stored its cosine, sine, x and y.
     pub poses: Vec<[T; 4]>,
-    /// Numbers that are carried from position to position besides: unwrapped angles, sides of dyads.
+    /// All other numbers that are carried from position to position, as unwrapped angles and the sides of dyads.
     pub state: Vec<T>,
 }
 

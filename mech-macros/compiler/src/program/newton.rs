@@ -21,7 +21,7 @@ pub struct Newton {
     pub det: Value,
     /// For each unknown, the rates of the gap with it.
     pub columns: Vec<Vec<Value>>,
-    /// Whether the steps are written out, or found by solving the columns' system as a whole.
+    /// Whether a step is found by solving the columns' system as a whole. If not, it is written out in formulas.
     pub dense: bool,
     /// The vectors that add to the gap, and where they begin: the sum of their lengths is the loop's size.
     pub sides: Vec<[Value; 2]>,

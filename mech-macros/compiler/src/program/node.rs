@@ -80,9 +80,9 @@ pub enum Op {
     Constant(Number),
     /// A motor's value, less whole turns, or a param's.
     Input(InputId),
-    /// The whole turns that were given to a motor besides.
+    /// The whole turns of a motor, which are counted apart from its value.
     Turns(InputId),
-    /// The angle in radians, less whole turns, that a part (numerator and denominator) of a motor's whole turns comes to.
+    /// A fraction (numerator and denominator) of a motor's whole turns, as an angle in radians without whole turns.
     PartOfTurns(InputId, i64, i64),
     /// A number of the last position.
     Last(Slot),

@@ -34,7 +34,7 @@ impl<V: Copy> ParamRates<V> {
         links.chain(points).chain(&self.joints).copied()
     }
 
-    /// The same of something else.
+    /// The same rates, each number replaced by what `each` makes of it.
     pub fn map<W>(&self, each: impl Fn(V) -> W) -> ParamRates<W> {
         ParamRates {
             links: self.links.iter().map(|link| link.map(&each)).collect(),

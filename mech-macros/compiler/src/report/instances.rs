@@ -115,7 +115,7 @@ pub(super) fn joint_names(model: &Model, ids: &[JointId]) -> Vec<String> {
     shown
 }
 
-/// Lines about joints; those that are alike but for the numbers of instances once, with `[*]` and how many they are.
+/// Lines about joints. Lines that differ only in the number of an instance become one, with `[*]` and the count.
 pub(super) fn alike(lines: &[String]) -> Vec<String> {
     let mut counts: BTreeMap<String, usize> = BTreeMap::new();
     for line in lines {

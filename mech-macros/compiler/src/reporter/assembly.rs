@@ -80,7 +80,7 @@ impl Words<'_> {
         }
     }
 
-    /// For each assembly that a start could choose, the clauses that do; of very many only those of the first.
+    /// For each possible assembly the clauses of a start that choose it. Of very many assemblies, only the clauses of the first.
     pub(super) fn assemblies(&self, diagnosis: &Diagnosis) -> Vec<String> {
         match diagnosis {
             Diagnosis::SeveralAssemblies {

@@ -6,7 +6,7 @@ use crate::model::{Axis, AxisId, JointId, JointKind, LinkId, Origin};
 /// By how much two places, or directions, of the drawing may miss each other, in sizes of the mechanism.
 const SLACK: f64 = 1e-7;
 
-/// An axis in the frame of the scene that another one is not on, though a joint joins them.
+/// A joint that is open in the drawing: its two axes are in different places of the scene.
 struct Apart {
     joint: JointId,
     /// That of a link that is placed by `at`, but was given in numbers.
@@ -49,7 +49,7 @@ impl Words<'_> {
         }
     }
 
-    /// That what this link has of its own is given in the scene, because one of its joints is.
+    /// A note that what this link declares of its own is in scene coordinates, because one of its joints is placed by `at`.
     fn given_in_the_scene(&self, link: LinkId) -> String {
         let own = self.model.joint_ids().find_map(|joint| {
             let mut axes = self.model.joint(joint).kind.axes()?.into_iter();

@@ -89,7 +89,7 @@ impl Words<'_> {
         (origin, text)
     }
 
-    /// Where motors are: this one alone is not named again.
+    /// Where motors are, in words: `with joint a at 30 deg`. If it is this motor alone, without its name.
     fn places(&self, motor: MotorId, places: &[(MotorId, (f64, f64))]) -> String {
         let place = |&(other, (low, high)): &(MotorId, (f64, f64))| {
             let [low, high] = [low, high].map(|value| self.motor_value(other, value));

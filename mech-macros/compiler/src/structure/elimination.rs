@@ -51,7 +51,7 @@ fn add_scaled(a: &Sparse, factor: Element, b: &Sparse) -> Sparse {
     }
 }
 
-/// A row in echelon form: its last column is its pivot, and has one there.
+/// A row in echelon form: its last entry is its pivot, and is one.
 #[derive(Clone, Debug)]
 struct Pivot {
     row: Sparse,
@@ -107,7 +107,8 @@ impl Elimination {
         self.reduce(row, Sparse::new()).is_none()
     }
 
-    /// Adds what is left of a row when those before it are taken away; if nothing is, gives what it was made of.
+    /// Subtracts the known rows from a new one, and keeps what is left as a pivot. If nothing is left, gives the rows that it follows
+    /// from.
     fn reduce(&mut self, row: Sparse, mut made_of: Sparse) -> Option<Sparse> {
         let mut row = sparse(row);
         while let Some(&(column, value)) = row.last() {

@@ -7,7 +7,7 @@ use petgraph::visit::{Dfs, EdgeRef};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// A link with more joints than this is not looked at joint by joint where another will do.
+/// For a link with more joints than this, the joints of the other link are looked through instead.
 const MANY: usize = 8;
 
 /// The kinematic graph of a mechanism.
@@ -64,8 +64,8 @@ impl KinematicGraph {
         arms
     }
 
-    /// The joints on a path between two links over joints that have a level: its highest level is as low as it can be, and of
-    /// such paths it is a shortest.
+    /// A path between two links over joints that have a level. Its highest level is as low as possible, and among such paths it is a
+    /// shortest.
     pub(crate) fn path(
         &self,
         from: LinkId,
@@ -106,7 +106,7 @@ impl KinematicGraph {
         path
     }
 
-    /// The joint between two links, if nothing that leads to either has a lower level: then no path is better.
+    /// The joint between two links, if no other joint of one of them has a lower level: then no path can be better.
     fn lowest_between(
         &self,
         from: LinkId,

@@ -5,7 +5,7 @@ use super::pin;
 use super::rolling::{Rolling, Shafts};
 use crate::model::{JointKind, LinkId, Model, Ratio};
 
-/// Drawings are rounded: radii may differ from what the axes ask for by this part of the greater one.
+/// Drawings are rounded: radii may differ from what the places of the axes ask for by this part of the greater radius.
 const ROUNDED: f64 = 1e-3;
 /// Axes nearer to each other than this part of the mechanism's size are one shaft.
 const ONE_SHAFT: f64 = 1e-9;

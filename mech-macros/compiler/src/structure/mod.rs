@@ -50,8 +50,8 @@ pub struct Structure {
 }
 
 impl Structure {
-    /// The axes about which a wheel turns on its carrier: that of the wheel, and that of the carrier; where these have none there, of what
-    /// is welded to them.
+    /// The axes about which a wheel turns on its carrier, one on each. Where one of them has no axis there, the axis of a link that is
+    /// welded to it.
     #[must_use]
     pub fn hub(&self, wheel: LinkId, carrier: LinkId) -> Option<[AxisId; 2]> {
         pin::hub(&self.pins, &self.welded, wheel, carrier)

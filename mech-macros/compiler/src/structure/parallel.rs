@@ -93,7 +93,7 @@ fn place(
     (directions.len() - 1, true)
 }
 
-/// Makes two directions one: a slide whose links params turn against each other has a line in each.
+/// Makes two directions one: the lines on both links of a slide, which params may turn against each other.
 fn unite(directions: &mut [Direction], a: (usize, bool), b: (usize, bool)) {
     let [stays, goes] = [a, b].map(|(index, forwards)| turned(directions[index].heading, forwards));
     if stays.number == goes.number {

@@ -71,7 +71,8 @@ pub(super) fn pins(model: &Model, welded: &Welded) -> Vec<Pin> {
     pins
 }
 
-/// The pin on which a wheel turns on its carrier, or else what is welded to the one on what is welded to the other.
+/// The pin on which a wheel turns on its carrier. If there is none, a pin that joins a link welded to the wheel with a link welded to the
+/// carrier.
 pub(super) fn shaft<'p>(
     pins: &'p [Pin],
     welded: &Welded,

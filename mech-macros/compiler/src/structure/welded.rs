@@ -3,7 +3,7 @@
 use crate::model::{Axis, AxisId, AxisKind, JointKind, LinkId, Model};
 use petgraph::unionfind::UnionFind;
 
-/// Places on a body differ by no more than so many roundings where they are the same.
+/// Places on a body that differ by no more than so many roundings are the same.
 const ROUNDINGS: f64 = 64.0;
 
 /// What is welded to what.
@@ -40,7 +40,7 @@ impl Frame {
         turned([cos, -sin], [x - u, y - v])
     }
 
-    /// That of a link whose axis lies on an axis of this one, in place and in direction.
+    /// The frame of another link, one axis of which coincides with an axis of this link in place and direction.
     fn beyond(&self, own: &Axis, other: &Axis) -> Self {
         let back = [other.direction[0], -other.direction[1]];
         let direction = turned(turned(self.direction, own.direction), back);

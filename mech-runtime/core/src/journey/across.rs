@@ -8,40 +8,43 @@ use super::sine::{NEAREST, distance, has_passed, is_near, is_stepped_over, is_ze
 use super::{AtZero, Journey};
 use crate::Real;
 
-/// How far beyond it is begun, in fourth roots of the precision. What curves a straight line and what rounding does to it are both small then
-/// beside the distance from the other branch.
+/// How far beyond a zero an iteration begins, in fourth roots of the precision: one distance, and a greater one if that fails. There
+/// curvature and rounding are both small beside the distance from the other branch.
 const OFFSETS: [f64; 2] = [8.0, 32.0];
-/// The same for loops in closed form, whose positions are as exact as rounding lets them be.
+/// The same distances for loops in closed form, whose positions are exact to rounding.
 const TOGETHER: [f64; 3] = [0.25, NEAREST, 2.0];
-/// A line to the next begins behind the last one: three such parts of the distance between them before the next.
+/// Where the last zero is very near, offsets are this part of the distance from it. So a line that begins three offsets before the next
+/// zero begins behind the last one.
 const SINCE: f64 = 0.25;
 
-/// The first step back from it changes the sine by no more than this part of it, as beside it no iteration reaches far. Each next one is so much
-/// longer, or shorter where it fails.
+/// The first step away from a zero changes the sine by this part of it at most, as an iteration does not reach farther there. Each next
+/// step is so much longer, or shorter if it fails.
 const FIRST: f64 = 0.25;
 const LONGER: f64 = 1.25;
 const SHORTER: f64 = 0.25;
 const MOST_STEPS: u32 = 256;
-/// A sine that becomes less by this part of it in such a step comes to its zero.
+/// A sine that falls by this part in such a step is on its way to zero.
 const FALLS: f64 = 0.0625;
-/// A fall of its square by less than this part of what rounding hides tells nothing.
+/// If its square falls by less than this part of what rounding hides, that tells nothing.
 const NOISE: f64 = 0.125;
 
-/// An iterated loop comes to what may be its change point.
+/// An iterated loop that comes to a possible change point.
 pub(super) struct Meeting<P, T> {
     pub(super) index: usize,
-    /// A position before it, and which part of the move is done there.
+    /// A position before the change point, and the part of the move that is done there.
     pub(super) before: (P, T),
-    /// A position beyond it, if everything goes straight on there.
+    /// A position beyond the change point, if one was found on the straight way.
     pub(super) beyond: Option<Beyond<P, T>>,
 }
 
-/// By so much a sine may be off from where it should go straight on to, as a part of that.
+/// A sine may differ from what a straight line foretells by this part of that.
 const OFF: f64 = 0.25;
 
-/// A sine that is so many times less halfway to its zero touches it: one that goes straight through is half as great there.
+/// Halfway to a zero, a sine that goes straight through it has halved. One that has become smaller by more than this factor touches zero
+/// and turns back.
 const TOUCHES: f64 = 2.5;
-/// That is looked at from where the square of the sine is so many times what rounding hides. It has to be within so much of its change.
+/// A touch is looked for from where the square of the sine is so many times what rounding hides. The square may change by the second
+/// number at most from there to the zero.
 const TOUCH: f64 = 1024.0;
 const LONGEST: f64 = 0.25;
 
@@ -54,7 +57,7 @@ pub(super) struct Beyond<P, T> {
     pub(super) stops: bool,
 }
 
-/// What an iterated loop comes to: where nothing went on, or where its sine was found to be zero between.
+/// How an iterated loop comes to a possible change point: its iteration failed, or its sine was found to be zero.
 pub(super) fn meeting<T: Real, J: Journey<T>>(
     journey: &J,
     (from, done): (&J::Position, T),
@@ -256,8 +259,8 @@ impl<P: Clone, T: Real> Line<'_, P, T> {
         at.1 <= self.before.1 || watched.all(|index| self.meets(journey, at, index))
     }
 
-    /// The position there, if everything goes straight on: loops whose sines change their signs are on their other sides. Their sines and that
-    /// of the loop at its zero have to be what was foreseen. The line has to lead through where the piece began.
+    /// The position at this part of the move, if everything goes straight on: loops whose sines change sign are then on their other
+    /// sides. The sines must be as foretold, and the line must fit where the piece began.
     fn beyond<J: Journey<T, Position = P>>(
         &self,
         journey: &J,
@@ -294,8 +297,8 @@ impl<P: Clone, T: Real> Line<'_, P, T> {
     }
 }
 
-/// A position farther from a zero of a sine than one beside it, where the move leads away from it. It is reached in steps so short that none
-/// goes over to another branch.
+/// A position farther from a zero of a sine than the one beside it. Steps towards it are so short that no loop goes over to another
+/// branch.
 fn away<T: Real, J: Journey<T>>(
     journey: &J,
     (from, done): (&J::Position, T),
@@ -347,7 +350,7 @@ fn away<T: Real, J: Journey<T>>(
     None
 }
 
-/// The position so far back in the move.
+/// The position that is this part of the move back.
 fn back<T: Real, J: Journey<T>>(
     journey: &J,
     (position, part): (&J::Position, T),

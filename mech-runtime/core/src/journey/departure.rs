@@ -5,15 +5,15 @@ use super::sine::{has_passed, hidden_square};
 use super::{Journey, Standing};
 use crate::Real;
 
-/// The first distance changes the square of a sine by so many roundings, at most. Each next one is twice as long.
+/// The first distance that is tried changes the square of a sine by so many roundings at most. Each next distance is doubled, so often.
 const FIRST: f64 = 16.0;
 const DOUBLINGS: u32 = 48;
-/// Such a square grows in proportion to the distance from a dead point, but for this part of it. From a change point it grows with the
-/// distance's square, to both sides. The dead point may lie so far beside where the loop stands, as a part of the distance.
+/// Beside a dead point the square of the sine grows straight with the distance, within this part. The dead point may be off by the second
+/// number, as a part of the distance. Beside a change point the square grows with the square of the distance, on both sides.
 const OFF: f64 = 0.125;
 const BESIDE: f64 = 0.25;
-/// It is so many times what rounding hides where a loop is away from its dead point. That is not looked for where it is greater than so many
-/// times that, or than so many square roots of the precision.
+/// A loop has left its dead point where the square is so many times what rounding hides. No dead point is looked for where it is greater
+/// by the second factor, or than so many roots of the precision.
 const SEEN: f64 = 16.0;
 const MOST: f64 = 256.0;
 const MOST_ROOTS: f64 = 64.0;

@@ -8,17 +8,17 @@ use super::sine::{
 use super::{AtZero, Journey};
 use crate::Real;
 
-/// Beside a dead point a place is looked for where nothing closes, which may be narrower than a piece by so many halvings.
+/// Beside a dead point the loop may be open on a very narrow stretch: a piece is halved so often to find it.
 const NARROW: u32 = 20;
 /// Each halving gives a digit of a binary fraction: no float has more.
 const HALVINGS: u32 = 64;
-/// Where another loop has its zero, a square has a kink, and parabolas come nearer slowly. Each time after so many the longer side of what is
-/// left is halved.
+/// Where another loop has its zero, the square has a kink, and parabolas converge slowly. So each time after so many rounds the longer
+/// side is halved instead.
 const HALVED_EVERY: u32 = 3;
-/// The square of a sine that is this part of those at both ends of a piece may be zero.
+/// If the square of a sine falls below this part of its values at both ends of a piece, it may be zero there.
 const DIP: f64 = 0.0625;
 
-/// The least that is found of the square of a sine is zero if it is no more than so many times what rounding hides. Rounding is estimated.
+/// The least square found is taken for zero if it is at most so many times what rounding hides, which is only estimated.
 const BARELY_SEEN: f64 = 16.0;
 
 /// What happens to a watched loop in a piece.
@@ -229,9 +229,8 @@ fn straight<T: Real>(a: (T, T), b: (T, T)) -> T {
     a.0 + (b.0 - a.0) * (left / (left + right))
 }
 
-/// Looks for a place beside the ends of a piece where something does not close, however narrow it is. Where loops are iterated it has to be this
-/// one in closed form, as an iteration that fails tells nothing. It has to be so far away that what iterations leave of an error does not
-/// decide.
+/// Looks for an open stretch beside the ends of a piece, however narrow. Where loops are iterated, a failed iteration tells nothing, so
+/// it must be this loop, in closed form. It must also be farther away than the error of iterations.
 fn blocked_at_ends<T: Real, J: Journey<T>>(
     journey: &J,
     from: &J::Position,

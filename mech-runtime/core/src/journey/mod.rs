@@ -33,7 +33,7 @@ pub struct Watch<T> {
 /// An angle that is followed over whole turns. The number is for the whole move, from the start to the target.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turn<T> {
-    /// By how much it may change in the whole move, at most, as long as that does not grow.
+    /// The most it may change in the whole move, as long as none of the causes of its growth acts.
     pub change: T,
     /// Whether that is no bound but a guess.
     pub guessed: bool,
@@ -44,7 +44,7 @@ pub struct Turn<T> {
 pub enum Growth<T> {
     /// So many times as fast as one is greater than the sine of an earlier watched loop.
     Near(usize),
-    /// So many times as fast as this motor or param is farther from zero than this, if it is.
+    /// So many times as fast as this motor or param is farther from zero than the number, where it is farther.
     Far(usize, T),
 }
 
@@ -138,7 +138,7 @@ pub trait Journey<T: Real> {
     fn sense(&self, position: &Self::Position, index: usize) -> T;
     /// Notes the sense in which the motors go.
     fn note_motion_signs(&self, position: &mut Self::Position);
-    /// Why it does not go so far at once.
+    /// The stop that says that a move is too long for one piece.
     fn too_far(&self) -> Self::Stop;
     /// Whether a stop says of this watched loop that it does not close.
     fn is_open(&self, stop: &Self::Stop, index: usize) -> bool;
@@ -167,15 +167,15 @@ pub struct Halt<P, S, T> {
     pub stop: S,
 }
 
-/// Where loops are solved by iteration, a move that was stopped continues from there, as what failed from afar may work from near. That is done
-/// so many times at most, as long as at least this part of the move is gained.
+/// Iterations that fail from afar may work from near. So a move of iterated loops that stopped goes on from there: so often at most, and
+/// only while it gains this part.
 const MOST_STARTS: u32 = 16;
 const GAIN: f64 = 1e-9;
-/// More pieces than this are not gone at once: they are a mistake, or would take longer than anybody waits.
+/// A move of more pieces than this is refused: it is a mistake, or would take longer than anybody waits.
 const MOST_PIECES: u32 = 65_536;
-/// So often on average may a piece be halved.
+/// So often, on average, a piece may be halved.
 const HALVED: u32 = 4;
-/// So often at most is a piece tried that does not end where it should.
+/// So often, at most, parts of a move are tried until one ends where it should.
 const MOST_TRIES: u32 = 512;
 
 /// The greatest part that is possible of a move whose target cannot be reached, and the least that is not, a rounding beyond it. Nothing is

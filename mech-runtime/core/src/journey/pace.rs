@@ -4,38 +4,37 @@ use super::sine::is_zero;
 use super::{Growth, Journey, Standing, Turn};
 use crate::Real;
 
-/// In a piece in which a sine may come to zero its square changes by no more than this: zero is there then, or near.
+/// Where a sine may come to zero, a piece is so short that its square changes by no more than this. So there is one zero at most.
 const PIECE: f64 = 0.02;
-/// A piece that is likely to be passed takes this part of the squares of its sines at its start.
+/// A likely piece lets the square of a sine fall by this part of what it is at the start.
 const LIKELY: f64 = 0.4;
-/// A little less than a short piece, whatever rounding does.
+/// The length of a short piece, a little less so that rounding does not make it too long.
 const LIKELY_SHORT: f64 = 0.99 * PIECE;
 /// Rounding never hides more of the square of a sine than this.
 const SEEN: f64 = 0.015_625;
 /// In one piece an angle that is followed over whole turns changes by no more than this: more than half a turn would be lost.
 pub(super) const TURN: f64 = 2.5;
-/// The same where that rests on a guess.
+/// The same where only a guess says how fast the angle turns.
 const TURN_GUESSED: f64 = 0.5;
-/// Near their zeros earlier loops make later ones faster without end: pieces are no smaller than for so many times as fast.
+/// Near their zeros earlier loops make later ones faster without end. Pieces are not made shorter than this factor asks for.
 const MOST_GROWTH: f64 = 16.0;
 
-/// A guess is trusted in the first piece of a move for this much change of a square at most. That is a degree of a motor that moves coupled
-/// loops.
+/// In the first piece of a move, a guess is trusted for this much change of a square at most. For a motor of coupled loops that is a
+/// degree.
 const FIRST: f64 = 0.07;
-/// Each next piece is so many times as long, at most, where all are bounds, and where some are guesses. A square may fall straight or as a
-/// parabola to its zero. It is seen to fall on a piece that is two thirds of the next one.
+/// The next piece is longer by this factor at most: the first if all rates are bounds, the second if some are guesses. A fall of the
+/// square to zero then shows on the piece before.
 const LONGER: f64 = 2.0;
 const LONGER_GUESSED: f64 = 1.5;
-/// The square of a sine may rest on a guess. Then it is off in the middle of a piece from the mean of the ends by no more than this part of
-/// their sum.
+/// If a guess is right, the square of a sine in the middle of a piece is the mean of both ends, within this part of their sum.
 const OFF_MEAN: f64 = 0.03125;
-/// Where an angle does, its halves of a piece differ by no more than this.
+/// If a guess of an angle's rate is right, both halves of a piece turn alike, within this.
 const OFF_HALF: f64 = 0.25;
-/// Where the middle of a piece is looked at, too, a sine may come nearer to zero by this part of what a guess says.
+/// Where the middle of a piece is looked at as well, the square may be lower in between by this part of what a guess says.
 const OF_GUESS: f64 = 1.0 / 64.0;
-/// Twice what a bound says may be between two squares.
+/// A loop stays away from zero if the sum of the squares of its sine at both ends exceeds so many times the change that a bound allows.
 const OF_BOUND: f64 = 2.0;
-/// What rests on a guess may be so many times as fast where pieces are short.
+/// What rests on a guess is taken to be so many times as fast where pieces are short.
 const LEAST_GUESSED: f64 = 4.0;
 
 /// Whether nothing can stop a step between two positions that are this part of the move apart. Then no watched loop comes to zero, and no angle
@@ -80,7 +79,7 @@ pub(super) fn is_foretold<T: Real, J: Journey<T>>(
     watches().all(is_even) && follows().all(turns_evenly)
 }
 
-/// By how much the squares of those sines change in the whole move of which that is guessed.
+/// For each sine whose rate is a guess, the change of its square in the whole move.
 fn guesses<T: Real, J: Journey<T>>(journey: &J) -> impl Iterator<Item = T> {
     let watches = (0..journey.watches()).map(|index| journey.watch(index));
     watches
@@ -118,8 +117,8 @@ pub(super) fn is_passable<T: Real, J: Journey<T>>(
         })
 }
 
-/// How many times as fast as its rates say something is taken to change in a piece. Where these are guesses, the middle of the piece tells more
-/// than what makes them greater.
+/// By what factor something may be faster in a piece than its rates say. Where the rates are guesses there is none: the middle of the
+/// piece tells more.
 #[inline]
 fn growing<T: Real>(guessed: bool, speed: impl FnOnce() -> T) -> T {
     if guessed { T::ONE } else { speed() }
@@ -247,7 +246,7 @@ pub(super) fn likely<T: Real, J: Journey<T>>(journey: &J, from: &J::Position, lo
     length
 }
 
-/// So many times as fast at most something is taken to be where pieces are short. Where that rests on a guess, it is at least so many times.
+/// The factor by which something is taken to be faster where pieces are short: limited for a bound, and at least so large for a guess.
 fn slow<T: Real>(speed: T, guessed: bool) -> T {
     if guessed {
         T::from_f64(LEAST_GUESSED) * lesser(T::from_f64(LEAST_GUESSED), speed)

@@ -12,7 +12,7 @@ use super::sine::{
 use super::{AtZero, Journey, Standing};
 use crate::Real;
 
-/// So often is the distance doubled by which a target is put farther: from a part of the precision to the whole move.
+/// So often is the distance doubled by which a target is moved farther: from a part of the precision to the whole move.
 const DOUBLINGS: usize = 32;
 
 /// Goes a piece that is short enough for one change point of a loop at most. It ends a little farther where a loop would stand at its
@@ -115,8 +115,8 @@ pub(super) fn travel_piece<T: Real, J: Journey<T>>(
     }
 }
 
-/// A target a little farther, if the move continues and a loop would stand at its change point at this one. Also if it would come so near that
-/// rounding may hide it from the next piece.
+/// A target a little farther. Asked for where a loop would stand at its change point, or so near that rounding hides it from the next
+/// piece. None if the move ends here.
 fn target_beyond<T: Real, J: Journey<T>>(
     journey: &J,
     from: &J::Position,
@@ -267,8 +267,8 @@ fn other_side<T: Real, J: Journey<T>>(
     })
 }
 
-/// Where a change point is arrived at in which pins meet, the directions of the links between them are those of the position before. So let that
-/// be very near.
+/// Where pins meet at a change point, the links between them have no direction of their own and keep that of the position before. So lets
+/// that position be very near.
 fn settle<T: Real, J: Journey<T>>(
     journey: &J,
     from: &J::Position,
@@ -315,8 +315,8 @@ fn pass_hidden<T: Real, J: Journey<T>>(
     }
 }
 
-/// Whether a straight line through two sines before a zero has another sign there than they have. None if rounding may hide theirs, or they do
-/// not belong to the move.
+/// Whether the straight line through two sines before a zero changes its sign on the way there. None if rounding may hide the sines, or
+/// the line would begin before the move.
 fn leads_beyond<T: Real, J: Journey<T>>(
     journey: &J,
     from: &J::Position,

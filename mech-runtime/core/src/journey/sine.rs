@@ -3,15 +3,15 @@
 use super::{AtZero, Growth, Journey, Standing};
 use crate::Real;
 
-/// So many roundings displace a loop, at most.
+/// Rounding moves a loop by so many roundings at most.
 const ROUNDINGS: f64 = 64.0;
 
-/// A loop has left a change point for good where its sine is so many times as great as what rounding hides. It comes to one where its sine is
-/// less than so many times as great. Rounding does not lead from the one to the other.
+/// A loop has left a change point where its sine is more than so many times what rounding hides. It has come to one where its sine is
+/// less than the second factor. Between them rounding cannot decide.
 pub(super) const WELL_AWAY: f64 = 6.0;
 pub(super) const NEAR: f64 = 3.0;
 
-/// What comes to zero nearer to another than this is passed with it.
+/// Loops whose zeros are nearer to each other than this are passed together.
 pub(super) const NEAREST: f64 = 0.03125;
 
 /// Whether a loop that is passed over its change points is solved by iteration: it does not stand there.
@@ -54,8 +54,7 @@ pub(super) fn hidden_square<T: Real, J: Journey<T>>(
         + resolution * resolution
 }
 
-/// What rounding does to an earlier loop near its zero is so many times as great as one is greater than its sine. This is the square of what of
-/// it is passed on to a sine.
+/// The square of the rounding that earlier loops pass on to a sine: the nearer one of them is to its own zero, the more.
 fn passed_on<T: Real, J: Journey<T>>(journey: &J, position: &J::Position, index: usize) -> T {
     let rounding = T::from_f64(ROUNDINGS * T::EPSILON);
     journey.growth(index).fold(T::ZERO, |sum, growth| {

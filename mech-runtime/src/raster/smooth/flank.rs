@@ -65,7 +65,7 @@ pub(super) fn mean_around(middle: f32, run: f32) -> f32 {
     (sum_to(high) - sum_to(low)) / run
 }
 
-/// The integral of all these numbers from zero to one of them.
+/// The integral, from zero to `end`, of numbers that are clamped between zero and one.
 #[inline]
 fn sum_to(end: f32) -> f32 {
     let part = if end < 1.0 { Real::max(end, 0.0) } else { 1.0 };

@@ -21,7 +21,7 @@ impl Item {
     };
 }
 
-/// Slots of items.
+/// Memory for items, in numbered slots.
 pub trait Places: AsRef<[Item]> {
     /// The slot of this number, if there is one.
     fn place(&mut self, number: usize) -> Option<&mut Item>;

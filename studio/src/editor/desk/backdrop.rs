@@ -100,7 +100,7 @@ impl Backdrop {
         })
     }
 
-    /// It, within a box of the scene with this centre and extent.
+    /// The picture, placed into a box of the scene with this centre and extent.
     pub(in crate::editor) fn within(mut self, center: [f64; 2], [width, height]: [f64; 2]) -> Self {
         self.place.center = center;
         self.place.width = width.min(height / self.height_to_width());

@@ -76,7 +76,7 @@ pub struct Editor {
     pub(in crate::editor) copied: String,
     /// A line that is to be completed and said.
     pub(in crate::editor) proposed: Option<String>,
-    /// Whether keys go to the drawing, or to something in it.
+    /// Whether the drawing, or something in it, has the focus of keys.
     pub(in crate::editor) is_canvas_focused: bool,
     /// What is under the mouse, in the drawing or in the text.
     pub(in crate::editor) hovered: Option<Item>,

@@ -15,7 +15,7 @@ pub(in crate::editor) struct Pending {
 
 /// A gesture that waits.
 pub(in crate::editor) enum Waiting {
-    /// One whose commands are known.
+    /// A gesture whose commands are known.
     Gesture(Gesture),
     /// One whose commands depend on what will be where it was picked.
     Picks(Tool, Vec<NamedPick>),

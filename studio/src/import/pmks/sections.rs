@@ -63,7 +63,7 @@ pub(super) fn has_sections(text: &str) -> bool {
 }
 
 impl<'q> Sections<'q> {
-    /// The sections of what is checked already.
+    /// The sections of a link whose checksum was tested already.
     pub(super) fn of(body: Field<'q>) -> Result<Self, Message> {
         let mut tokens = body.split('.').peekable();
         let mut omissions = Vec::new();

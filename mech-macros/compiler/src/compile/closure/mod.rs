@@ -11,20 +11,20 @@ use crate::program::Program;
 use crate::structure::{Factor, Rolling, RollingEnd, Structure};
 use std::f64::consts::TAU;
 
-/// How far motors go from the start, one distance after the other: in radians, or as a part of the mechanism's size. A joint that is torn by
-/// a wrong formula is so wherever that is evaluated: what lies between is left to moves, as that would take longer.
+/// How far motors go from the start, one distance after the other: in radians, or as a part of the mechanism's size. A wrong formula
+/// tears a joint wherever it is evaluated, so few positions are enough, and they are reached in single steps.
 const DISTANCES: [f64; 3] = [1e-3, 0.05, 0.3];
 /// So many motors are moved alone; of more, some go together.
 const GROUPS: usize = 4;
 /// So many units of rounding, for each link, are rounding: of the extent, or of a radian.
 const ROUNDINGS: f64 = 1024.0;
-/// What joints that hold a part more than once leave open as a part of the extent: their lengths match so well, or they were refused.
+/// Redundant joints may be open by this part of the extent: mechanisms whose lengths match less well were refused before.
 const MATCH: f64 = 1e-7;
-/// After so many steps on the spot a method with a fixed number of rounds has closed, too.
+/// A method with a fixed number of rounds takes so many steps on the spot until it has closed.
 const STEPS: usize = 24;
 /// So often a wheel may have turned over the least distance.
 const TURNS: i32 = 64;
-/// Where wheels turn more than so many times as fast as others, whole turns over the least distance are not known.
+/// Where a wheel turns more than so many times as fast as another, its whole turns over the least distance cannot be told.
 const FASTEST: f64 = 1e3;
 
 /// Runs a program at its start and at positions of all its motors beside it, as far as it closes there.
@@ -88,7 +88,7 @@ struct Judge<'m> {
     start: LinkFrames<'m>,
     /// What rounding leaves of one.
     rounding: f64,
-    /// So many times as fast as the slowest a wheel may turn.
+    /// How many times as fast as the slowest part a wheel may turn.
     fastest: f64,
 }
 
@@ -205,7 +205,7 @@ impl<'m> Judge<'m> {
         }
     }
 
-    /// A follower that is not where the law of its cam has it. A law that is another in every turn of its shaft is not looked at.
+    /// A cam follower that is not where its law has it. Laws that differ from turn to turn are not tested.
     fn off_cam(&self, now: &LinkFrames<'_>, extent: f64, part: f64) -> Option<Torn> {
         let is_angle = |joint: JointId| {
             let kind = self.model.joint(joint).kind;

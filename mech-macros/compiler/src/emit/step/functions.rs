@@ -43,7 +43,7 @@ impl<'p> FromIterator<(TokenStream, &'p str)> for Margins<'p> {
 }
 
 impl Margins<'_> {
-    /// The same, which this variable holds.
+    /// The same margins, kept in a variable that is an array.
     pub(super) fn in_array(self, array: &Ident) -> Self {
         Self {
             array: Some(array.clone()),
@@ -76,7 +76,7 @@ impl Margins<'_> {
         quote!(#test(#margins, [#(#places),*])?;)
     }
 
-    /// The same where these margins are computed.
+    /// The statement that tests these margins where they are computed.
     pub(super) fn check_here(&self, test: &TokenStream) -> TokenStream {
         self.check(test, &self.array())
     }

@@ -81,11 +81,11 @@ fn exits(newton: &Newton, body: &[Value]) -> Vec<Value> {
 struct Round<'r> {
     program: &'r Program,
     exits: &'r [Value],
-    /// Those that the gap and the columns are computed from.
+    /// The values from which the gap and the columns are computed.
     columns: Vec<Value>,
     /// The determinant of a dense system, and what is computed from it.
     solved: Vec<Value>,
-    /// Those that only another round needs.
+    /// The values that are needed only if another round follows.
     after: Vec<Value>,
 }
 

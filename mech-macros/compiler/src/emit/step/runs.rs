@@ -46,7 +46,7 @@ pub(super) struct Gathered {
 }
 
 impl Gathered {
-    /// Rows of values in an array with such a name, each written by `row` from its numbers; none if there is nothing to gain.
+    /// Rows of values in an array of this name, each written by `row` from its numbers. None if a loop would gain nothing.
     pub(super) fn of<const N: usize>(
         wanted: &str,
         rows: &[[Value; N]],

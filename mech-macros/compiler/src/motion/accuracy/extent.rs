@@ -4,8 +4,8 @@ use crate::model::{LinkId, Model};
 use crate::program::Position;
 use mech_core::Real;
 
-/// For each link whose pose is kept the corners of a box around all that is fixed to it: its axes and its shapes. What is off
-/// anywhere in the box is so at one of its corners.
+/// For each link whose pose is kept, the corners of a box around its axes and shapes. When the link is off, no place in the box is
+/// farther off than one of the corners.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Extents(Vec<[[f64; 2]; 4]>);
 

@@ -13,7 +13,7 @@ const NEAR: f64 = 1e-6;
 /// What is known about a value.
 #[derive(Clone, Copy, Debug, Default)]
 struct Growth {
-    /// It grows with the turns of this motor.
+    /// The motor with whose turns the value grows without bound, if one does.
     size: Option<MotorId>,
     /// Its rounding error does.
     error: Option<MotorId>,

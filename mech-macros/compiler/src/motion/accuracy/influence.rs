@@ -1,4 +1,4 @@
-//! What depends on what: which motors move a loop, and which loop a link waits for.
+//! Which motors move a loop, and which loop a link waits for.
 
 use crate::program::{BlockKind, Op, Program, Value};
 

@@ -21,14 +21,14 @@ use trial::{Exact, Rival, compare};
 /// Between samples an error may be greater than any that was seen; more so where several motors move, because not every
 /// combination is tried.
 const SAFETY: [f64; 2] = [2.0, 4.0];
-/// The same of rounding errors, which differ from one position to the next as dice do, and grow without bound towards dead points:
-/// where several motors move, most of what is near one is never seen.
+/// The same for rounding errors. These scatter from one position to the next and grow without bound towards dead points. Where several
+/// motors move, most positions near dead points are never seen.
 const ROUNDING_SAFETY: [f64; 2] = [8.0, 12.0];
 /// The least error of rounding, in units of the last place of the greatest number that is computed with.
 const LEAST_ROUNDING: f64 = 16.0;
 /// More rounds than this are not promised: an iteration that needs more is better left to run until its loop closes.
 const MOST_ROUNDS: u32 = 4;
-/// How often a combination of solvers is tried that were good enough one by one.
+/// How many combinations of solvers are tried. Each solver was good enough by itself.
 const COMBINATIONS: usize = 6;
 
 /// How exact a mechanism will be: the greatest distance of anything on its links from where it should be, in scene units. An estimate
@@ -49,8 +49,8 @@ pub struct SolvedLoop {
     pub number: usize,
     /// By which method, in words.
     pub method: String,
-    /// How far the links may be from where they should be that wait for it and for no later one, if that was estimated: in scene
-    /// units. Infinite if it may stop where the mechanism could move on.
+    /// How far off the links may be that wait for this loop and for no later one, in scene units, if that was estimated. Infinite if the
+    /// loop may stop where the mechanism could move on.
     pub error: Option<f64>,
     /// Its operations.
     pub cost: Cost,
@@ -137,8 +137,8 @@ pub(crate) fn choose(
     Ok((choices, prediction))
 }
 
-/// How exact a mechanism will be whose loops are solved as given, if the steps of all motors are declared that move a loop whose
-/// rounds are counted.
+/// How exact a mechanism will be with these choices. None unless the steps are declared of all motors that move a loop with a fixed
+/// number of rounds.
 pub(crate) fn predict(model: &Model, plan: &Plan, choices: &[Choice]) -> Option<Prediction> {
     let counted = |choice: &Choice| {
         matches!(
@@ -170,7 +170,7 @@ struct Candidate {
     error: f64,
 }
 
-/// The cheapest candidate of the loop that is farthest off goes.
+/// Drops the cheapest candidate of the loop that is farthest off.
 fn tighten(candidates: &mut [Vec<Candidate>]) {
     let worst = candidates
         .iter_mut()
@@ -188,7 +188,7 @@ fn greatest(errors: &[f64]) -> f64 {
 
 /// Knows the most exact program of a mechanism, and compares others with it.
 struct Judge<'m> {
-    /// It shows whatever any solver begins with: positions of one program are begun from by others.
+    /// The mechanism, with everything shown that any solver begins with: the programs take over each other's positions.
     model: Cow<'m, Model>,
     plan: &'m Plan,
     exact: Vec<Choice>,
@@ -339,7 +339,7 @@ impl<'m> Judge<'m> {
         }
     }
 
-    /// What rounding does to each link: what it does in single precision, in units of the last place.
+    /// For each link the error that rounding makes, from what it is in single precision.
     fn rounding(&self, found: &Exact) -> Vec<f64> {
         let epsilon = self.model.precision.epsilon();
         let least = LEAST_ROUNDING * epsilon * found.reach;
@@ -368,7 +368,7 @@ fn with_all_kept<'m>(model: &'m Model, plan: &Plan, exact: &[Choice]) -> Cow<'m,
     Cow::Owned(state)
 }
 
-/// Whether a loop has change points that are not just kept on its branch.
+/// Whether a loop does more at change points than keep its branch.
 fn changes(choice: &Choice) -> bool {
     matches!(&choice.watching, Some(watching) if watching.at_zero != AtZero::Stay)
 }

@@ -16,7 +16,7 @@ use std::f64::consts::TAU;
 
 /// How many operations a trial may cost.
 const BUDGET: usize = 1_200_000;
-/// How many the moves of the exact program may cost where they go in pieces.
+/// The operations that moves of the exact program may cost where they go in pieces.
 const BUDGET_OF_PIECES: usize = 8_000_000;
 /// Turns of a motor: what is read of more turns is read of their rest.
 const MOST_TURNS: i64 = 8;
@@ -251,7 +251,7 @@ impl Trial<'_, '_> {
         }
     }
 
-    /// Goes as far as it can: where it comes to its end all are at their worst, and nearer and nearer to it rounding is.
+    /// Goes as near to the end of its way as it can, closer and closer: errors are greatest there, and so is rounding.
     fn end(&mut self, machine: &mut Machine<'_, f64>, motors: &[f64]) {
         let before = machine.position().clone();
         let _ = machine.move_toward(motors);

@@ -31,7 +31,7 @@ pub(super) struct Bounds<'m> {
 }
 
 impl<'m> Bounds<'m> {
-    /// Those of a mechanism whose motors go so far.
+    /// The bounds of a mechanism whose motors stay within these ranges.
     pub(super) fn new(model: &'m Model, ranges: &'m [Interval]) -> Self {
         let place = |axis: &Axis| {
             if axis.link == LinkId::GROUND {
@@ -189,7 +189,7 @@ impl<'m> Bounds<'m> {
         self.put(a, meet(from, add(to, way.map(|part| -part))));
     }
 
-    /// What the place of one joint of a link says about its others: they keep their distances.
+    /// Narrows the places of a link's other joints by the place of one: their distances from it are constant.
     fn narrow_link(&mut self, from: AxisId) {
         let link = self.model.axis(from).link;
         let others = self.joints[link.index()].clone();
@@ -228,7 +228,7 @@ fn joints_of_links(model: &Model) -> Vec<Vec<AxisId>> {
     joints
 }
 
-/// What is so far from somewhere in another box is no farther away than that is wide.
+/// The places of a region that can be at such a distance from a place of another region.
 fn on_circle(place: Region, center: Region, distance: Interval) -> Region {
     let [x, y] = add(place, center.map(|part| -part));
     let most = |other: Interval| {
@@ -243,7 +243,7 @@ fn meet(a: Region, b: Region) -> Region {
     [a[0].meet(b[0]), a[1].meet(b[1])]
 }
 
-/// Angles are told apart up to whole turns: what is wider than a turn says nothing.
+/// The angles that are in both ranges. Whole turns do not count: a range wider than a turn says nothing.
 fn meet_angles(known: Interval, found: Interval) -> Interval {
     if found.width() < known.width() {
         found

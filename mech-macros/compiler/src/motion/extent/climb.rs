@@ -8,7 +8,7 @@ use crate::plan::Halton;
 use crate::program::Position;
 use std::rc::Rc;
 
-/// Positions of all motors of an arm together, for each motor.
+/// So many positions are tried, for each motor of an arm, in which all its motors have moved.
 const TOGETHER: usize = 12;
 /// Links that are taken outwards on each side: of loops, and of arms, which cost less.
 const CLIMBS: [usize; 2] = [1, 2];
@@ -19,13 +19,13 @@ const FRUITLESS: usize = 2;
 const FIRST_STEP: f64 = 1.0 / 16.0;
 const FARTHEST_STEP: f64 = 0.5;
 const SHORTER: f64 = 0.25;
-/// A slope is found by so short a step.
+/// By so small a step of a motor, as a part of its range, a slope is measured.
 const NUDGE: f64 = 1e-6;
 /// The sine below which a loop is near its end, and that below which it is too near to tell a slope.
 const NEAR_END: f64 = 0.6;
 const AT_END: f64 = 0.3;
 
-/// The farthest that a link came out on a side, and the position there; if a loop is at its end there, the one before.
+/// The farthest that a link was seen out on a side, and the position there. If a loop is at its end there, the position before.
 struct Top {
     side: usize,
     link: usize,
@@ -33,7 +33,8 @@ struct Top {
     from: Rc<Position<f64>>,
 }
 
-/// The distance of something out on a side, its rates with the motors, and those of the square of a sine that is small there.
+/// How far out a link is on a side, and the rates of that with the motors. With them stand the rates of the squared sine of the loop that
+/// is nearest to its end.
 struct Slope {
     here: f64,
     out: Vec<f64>,
@@ -99,8 +100,8 @@ impl Survey<'_> {
         }
     }
 
-    /// The distance of a link out on a side if what each motor does alone adds up. With it come the values of the motors there, and a
-    /// position on the way of the motor that does most.
+    /// How far out a link comes on a side if the effects of all motors add up. With it come the motors' values there, and a position on
+    /// the way of the motor that does most.
     fn expected(&self, side: usize, link: usize) -> (f64, Vec<f64>, Rc<Position<f64>>) {
         let out = |sample: &&Sample| sample.links[link].sides[side];
         let mut from = Rc::new(self.program.start.clone());
@@ -139,7 +140,7 @@ impl Survey<'_> {
         watches.any(|watch| position.state[watch.sine].abs() < AT_END)
     }
 
-    /// Goes farther out with a link on a side as long as it can: up the slope, and where a loop is at its end along that, and then out to it.
+    /// Takes a link farther out on a side as long as it can: up the slope, or, at the end of a loop, along that end.
     fn climb(&mut self, side: usize, link: usize) {
         let (_, motors, from) = self.expected(side, link);
         self.walker.begin_roughly(&from);
@@ -219,7 +220,7 @@ impl Survey<'_> {
         }
     }
 
-    /// How much farther out a link comes with each motor, in parts of what is tried of them; none where nothing moves it.
+    /// How much farther out a link comes with each motor, in parts of the motors' ranges; none if nothing moves it.
     fn slope(&mut self, top: &Top) -> Option<Slope> {
         let Top {
             side, link, from, ..
@@ -259,7 +260,7 @@ impl Survey<'_> {
         (dot(&out, &out) > 0.0).then_some(Slope { here, out, sine })
     }
 
-    /// Moves in a direction, by a part of what is tried of the motors; how far out the link then is, if that can be paid.
+    /// Moves the motors in a direction, by this part of their ranges. Gives how far out the link then is, if the budget allows it.
     fn move_along(&mut self, top: &mut Top, direction: &[f64], step: f64) -> Option<f64> {
         let length = dot(direction, direction).sqrt();
         let mut target = self.walker.position().motors.clone();

@@ -4,7 +4,7 @@ use super::seen::{Outermost, Reach, SIDES, outwards};
 use crate::program::Position;
 use std::rc::Rc;
 
-/// A new position is no nearer to one that is known than this part of what lies between two.
+/// A new position keeps this part of the gap between two known ones as its distance from both.
 const NEAREST: f64 = 0.1;
 
 /// A position on the way.

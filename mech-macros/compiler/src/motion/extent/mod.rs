@@ -22,32 +22,34 @@ use seen::{EMPTY, Outermost, SIDES, SeenPoints, Sides};
 use std::f64::consts::TAU;
 use std::rc::Rc;
 
-/// How many operations all of it may cost: some ten milliseconds of an optimised build. Of a small mechanism it costs no more than so many
-/// positions, and so many for each motor.
+/// The operations that all of it may cost: some ten milliseconds of an optimised build. A small mechanism may take only a certain number
+/// of positions, and so many for each motor.
 const BUDGET: usize = 1_500_000;
 const POSITIONS: [usize; 2] = [384, 64];
-/// Positions that a way may cost where it goes in pieces, and a move from an outermost position.
+/// The positions that a way may cost if it goes in pieces, and a single move from an outermost position.
 const OF_WAY: usize = 128;
 const OF_PUSH: usize = 48;
-/// Turns of a motor: a wheel behind a worm has turned as a whole after so many.
+/// The most turns of one motor: behind a worm, a wheel takes so many for a whole turn.
 const MOST_TURNS: i64 = 1 << 16;
 /// Positions of one turn of the fastest link, at least and at most, and of all turns if that is between.
 const OF_TURN: [usize; 2] = [12, 24];
 const OF_TURNS: usize = 96;
-/// So often is a way gone on that does not end where it began.
+/// How often a way is continued if it does not end where it began.
 const MOST_WAYS: usize = 4;
-/// What nothing bounds is seen no farther than so many sizes of the mechanism beyond the start: it flies away where slides become parallel.
+/// A link without any bound is followed no farther than so many sizes of the mechanism beyond the start. It may fly away where slides
+/// become parallel.
 const LIMIT: f64 = 32.0;
-/// Positions that are tried between others where something may be farther out.
+/// The most positions that are tried between known ones, where something may be farther out.
 const BETWEEN: usize = 32;
-/// A box is known well enough by this part of itself.
+/// The search ends when no guess exceeds what was seen by more than this part of the box.
 const WELL_KNOWN: f64 = 1e-7;
-/// What is so little farther out, as a part of the box, is rounding.
+/// What is farther out by less than this part of the box may be rounding.
 const ROUNDING: f64 = 1e-14;
-/// Positions are equal within this part of the mechanism.
+/// Two positions count as equal if their parts differ by less than this part of the mechanism's size.
 const SAME: f64 = 1e-6;
-/// Parts of the motion of a link that several motors move. Not every combination is tried: it may be farther out by the first, or by what is
-/// proved if that is no more than the second. So it is for arms, where loops close in all that was tried, and where motors block each other.
+/// A reserve for links that several motors move, because not every combination is tried. The box grows to what is proved, if that is
+/// within the second part of the motion; else by the first part. The pairs are for positions that depend on the motors alone, for all
+/// others, and for a search that was cut short or blocked.
 const UNSEEN: [[f64; 2]; 3] = [[0.04, 0.04], [0.1, 0.5], [0.2, 1.5]];
 
 /// An upright box around all that is seen wherever the motors move the mechanism: lower left and upper right corner. What is seen are the

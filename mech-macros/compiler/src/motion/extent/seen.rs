@@ -99,7 +99,7 @@ pub(super) fn outwards(([u, v], radius): Reach, [cos, sin, x, y]: [f64; 4]) -> S
     [radius - x, radius - y, radius + x, radius + y]
 }
 
-/// Those of the points that may be outermost in some direction: the corners of what they span, of each radius by itself.
+/// The points that may be outermost in some direction: the corners of the convex hull, for each radius by itself.
 fn outer(mut points: Vec<Reach>) -> Vec<Reach> {
     points.sort_by(|([ax, ay], a), ([bx, by], b)| {
         b.total_cmp(a).then(ax.total_cmp(bx)).then(ay.total_cmp(by))

@@ -76,7 +76,7 @@ impl<'a> Domain<'a> {
         }
     }
 
-    /// All values of a variable of which nothing is known but what made it.
+    /// All values of a variable, known only from what kind of variable it is.
     pub(super) fn of_variable(&self, variable: Variable) -> Interval {
         match variable {
             Variable::Angle(angle) => self.of_angle(angle),

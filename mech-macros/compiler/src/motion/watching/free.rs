@@ -12,7 +12,7 @@ use crate::plan::Solution;
 use crate::program::{BlockId, ClosedForm, Dyad, Value};
 use std::f64::consts::{PI, TAU};
 
-/// How many numbers may be found for a loop by itself, for one together with those before it, and for all loops.
+/// How many intervals may be computed for a loop by itself, for one together with those before it, and for all loops.
 const ALONE: usize = 60_000;
 const TOGETHER: usize = 240_000;
 const ALL: usize = 1_500_000;
@@ -110,7 +110,7 @@ struct Carrier {
     along: Vec<bool>,
 }
 
-/// What a loop finds where its carriers are anywhere, from what it finds where they are at the start.
+/// The ranges of what a loop finds, where its carriers may stand anywhere. Known is what it finds where they stand as at the start.
 fn turned_along(mut free: Free, carriers: &[Carrier], ranges: &[Interval]) -> Free {
     for carrier in carriers {
         let turn = ranges[carrier.variable] - Interval::point(carrier.start);
@@ -122,7 +122,7 @@ fn turned_along(mut free: Free, carriers: &[Carrier], ranges: &[Interval]) -> Fr
     free
 }
 
-/// A range of angles; anything at all if it is a whole turn.
+/// A range of angles, or all angles if the range is a whole turn.
 fn all_if_wide(range: Interval) -> Interval {
     if range.width() < TAU {
         range
@@ -131,7 +131,7 @@ fn all_if_wide(range: Interval) -> Interval {
     }
 }
 
-/// Whether the variables of a loop by itself may follow from each other, but for those that carry it.
+/// Whether variables of a loop may depend on each other. Then a proof by itself, which takes them for independent, may be too weak.
 fn hangs_together(domain: &Domain<'_>, cone: &Cone, carriers: &[Carrier]) -> bool {
     let is_free = |number: usize| domain.known[number].free.is_some();
     let found =

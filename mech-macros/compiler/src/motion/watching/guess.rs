@@ -5,13 +5,13 @@ use super::pace::Paces;
 use crate::plan::{Rational, Tie, Unknown, float_of};
 use crate::program::{Bound, Growth, Op};
 
-/// The same for the smallest of them by itself, where it is not watched.
+/// The greatest factor that the small sine of a single free loop adds to a bound.
 const MOST_SHARP_OF_ONE: f64 = 1024.0;
 /// How fast the square of a sine is guessed to change with a param, over its scale.
 const WITH_PARAM: f64 = 4.0;
 
 impl Paces<'_> {
-    /// How fast the square of a tied loop's sine is guessed to change: as fast as what ties it makes an unknown turn, if that is faster.
+    /// How fast the square of a tied loop's sine is guessed to change: at least as fast as motors turn its unknowns through the ties.
     pub(super) fn of_tied(&self, ties: &[Tie]) -> Bound {
         let mut bound = Bound::still(self.inputs());
         bound.rates.fill(f64::INFINITY);
@@ -47,7 +47,8 @@ impl Paces<'_> {
         bound.guessed = true;
     }
 
-    /// Takes the least sines of free loops for what they are, but for those below this: these are watched.
+    /// Replaces the growth by free loops by a factor, from how small their sines are at least. Loops with a smaller sine than `watched`
+    /// keep their growth: they are watched.
     pub(super) fn sharpen(&self, bound: &mut Bound, watched: f64) {
         let (mut times, mut most) = (1.0, MOST_SHARP);
         bound.growth.retain(|growth| {

@@ -58,7 +58,7 @@ impl Joined<'_> {
         self.of_link[to.index()].push((from, motors.clone()));
     }
 
-    /// Those that determine how the links of each of its clusters lie to each other on which its connections are.
+    /// The motors that have a part in how the links lie to each other that a loop joins, cluster by cluster.
     fn of_loop(&self, closing: &Loop) -> Motors {
         if !closing.ties.is_empty() {
             return None;
@@ -74,7 +74,7 @@ impl Joined<'_> {
         Some(all)
     }
 
-    /// Those that determine how two links lie to each other; any may, if nothing joins them.
+    /// The motors that determine how two links lie to each other. Any motor may, if nothing joins the links.
     fn between(&self, from: LinkId, to: LinkId) -> Motors {
         let mut waiting = vec![(from, from, BTreeSet::new())];
         while let Some((link, before, motors)) = waiting.pop() {
@@ -92,7 +92,7 @@ impl Joined<'_> {
     }
 }
 
-/// The motors among what rolling or a cam is solved from.
+/// The motors among the sources of a mesh or cam; none, which stands for any motor, if a loop gives one of the sources.
 fn of_parts<Part>(plan: &Plan, parts: &[(usize, Part)]) -> Motors {
     let sources = parts.iter().map(|(source, _)| plan.sources[*source]);
     sources

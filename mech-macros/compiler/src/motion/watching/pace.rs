@@ -17,12 +17,12 @@ use crate::program::{Bound, ClosedForm, Dyad, Growth, Value};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-/// On so many boxes at most a cone is looked at, and on so many in all.
+/// A cone is looked at on so many boxes at most; the second number is for all cones together.
 const MOST_BOXES: usize = 256;
 const BOXES_OF_ALL: usize = 16_384;
-/// An arm may become shorter than this part of what it is at the start only where a bound is lost anyway.
+/// An arm is taken to be no shorter than this part of its greatest length: where it is, the bound is lost anyway.
 const SHORT: f64 = 0.01;
-/// Of loops that are solved by iteration only their steps are bounded: so fast are they taken to turn.
+/// Loops that are solved by iteration are taken to turn no faster than so many times what drives them: only their steps are bounded.
 const ITERATED: f64 = 16.0;
 /// Finds bounds, each once.
 pub(super) struct Paces<'d> {
@@ -42,14 +42,14 @@ struct Goal {
     moves: Bound,
     /// How fast the lines turn, if they do.
     turns: Bound,
-    /// How far it is away at most, and what makes that more.
+    /// How far away the goal is at most, and what takes it farther.
     reach: f64,
     far: Vec<Growth>,
     /// The lengths of the arms, at least and at most.
     arms: Vec<[f64; 2]>,
     /// Whether it is moved by motors and params alone.
     direct: bool,
-    /// How fast what turns it turns with each input, at most: motors, and gears behind earlier loops.
+    /// How fast what turns the loop as a whole turns with each input, at most: motors, and gears behind earlier loops.
     driven: Vec<f64>,
 }
 
@@ -76,7 +76,7 @@ impl<'d> Paces<'d> {
         paces
     }
 
-    /// Looks at all loops, one after another: what a loop needs is there before it.
+    /// Looks at all loops in their order, so that each finds what it needs of earlier ones.
     pub(super) fn look_at_all(&mut self) {
         for (_, closed) in self.domain.cutter.program.closed_forms() {
             self.goal(closed.number);
@@ -121,7 +121,7 @@ impl<'d> Paces<'d> {
         bound
     }
 
-    /// What is far for an input: a radian of what turns, the size of the mechanism for what slides.
+    /// A large displacement of an input: a radian if it turns, its scale if it is a param, else the size of the mechanism.
     pub(super) fn unit(&self, input: usize) -> f64 {
         let model = self.domain.model;
         let size = model.size().max(f64::MIN_POSITIVE);
@@ -214,8 +214,8 @@ impl<'d> Paces<'d> {
         goal
     }
 
-    /// Lessens the rates of a goal that angles move which follow from the same inputs: by themselves each could be where it adds most to the
-    /// others.
+    /// Lessens the rates of a goal that several angles of the same inputs move. Taken one by one, each of these angles could be at its
+    /// worst.
     fn move_together(&self, goal: &mut Goal, (alone, closed): (&Cone, &ClosedForm)) {
         let angles = alone.variables.iter();
         let angles = angles.filter(|variable| matches!(variable, Variable::Angle(_)));
@@ -282,7 +282,7 @@ impl<'d> Paces<'d> {
         vectors.iter().all(bounded)
     }
 
-    /// The ranges of a cone's variables on which it is looked at, and what takes them farther.
+    /// The ranges of a cone's variables in which it is looked at, and the causes that take variables beyond them.
     fn ranges(&self, cone: &Cone) -> (Vec<Interval>, Vec<Growth>) {
         let whole: Vec<Interval> = cone
             .variables
@@ -304,7 +304,7 @@ impl<'d> Paces<'d> {
         (ranges, growth)
     }
 
-    /// How far a variable without ends is looked at, and what takes it farther.
+    /// How far a variable without ends is looked at, and the causes that take it beyond.
     fn far(&self, variable: Variable) -> (f64, Vec<Growth>) {
         let size = self.domain.model.size().max(f64::MIN_POSITIVE);
         match variable {
@@ -501,7 +501,7 @@ fn pair(arms: &[[f64; 2]]) -> [[f64; 2]; 2] {
     [arm(0), arm(1)]
 }
 
-/// Whether a loop closes nowhere where one of its variables is farther than this, wherever the others are.
+/// Whether a loop closes nowhere if one variable is beyond this number, wherever the other variables are.
 fn closes_nowhere_beyond(cone: &Cone, whole: &[Interval], (index, unit): (usize, f64)) -> bool {
     if cone.outputs.len() < 2 {
         return false;

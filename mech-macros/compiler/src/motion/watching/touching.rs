@@ -1,4 +1,5 @@
-//! Whether a loop goes straight through zero wherever it comes there: then beyond is nothing, and there is no change point.
+//! Whether a loop has dead points only. Where its discriminant goes straight through zero, the loop does not close beyond, so that is no
+//! change point.
 
 use super::domain::Domain;
 use crate::certify::Interval;
@@ -7,11 +8,11 @@ use crate::certify::cone::{Cuts, Variable};
 use crate::certify::slope::Slopes;
 use crate::program::ClosedForm;
 
-/// On so many parts of its range at most it is looked at.
+/// The range of the variable is looked at in so many parts at most.
 const MOST_PARTS: usize = 512;
 
-/// Whether a loop has dead points only. Known is that only of a loop of one variable that goes on in one sense while motors do:
-/// where its discriminant is zero, it changes with the variable.
+/// Whether a loop has dead points only. That can be told only of a loop with one variable, which moves on as long as the motors do. There
+/// the discriminant goes through zero instead of touching it.
 pub(super) fn only_ends(domain: &Domain<'_>, closed: &ClosedForm) -> bool {
     let outputs = [
         closed.discriminant,

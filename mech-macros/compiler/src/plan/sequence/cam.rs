@@ -69,7 +69,7 @@ impl Search<'_> {
         })
     }
 
-    /// A cam that was of no use, unless loops that wait for each other are why.
+    /// A cam whose follower is never moved by it, unless loops that wait for each other are the reason.
     pub(super) fn idle_cam(&mut self) -> Option<JointId> {
         let used = |cam: JointId| {
             let mut steps = self.steps.iter();

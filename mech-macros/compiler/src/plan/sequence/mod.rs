@@ -61,7 +61,7 @@ struct Search<'m> {
     loops: usize,
     /// For each joint whose coordinate is known, how.
     known: Vec<Option<Knowledge>>,
-    /// Whether anything is tied: by what rolls, or by cams.
+    /// Whether rolling or a cam ties any coordinates: then relations between them are kept.
     keeps_ledger: bool,
     /// The relations that rolling makes; empty, and not updated, if nothing rolls.
     relations: LinearRelations,
@@ -69,7 +69,7 @@ struct Search<'m> {
     /// Links whose directions relative to each other are given by what was known before anything rolled: they slide on each
     /// other, or their clusters were merged. A joint between them has no start of its own to be chosen.
     aligned: UnionFind<usize>,
-    /// Links that form one body: they are welded, or a loop of bodies holds them that no motor has a part in.
+    /// Links that form one body: they are welded, or a loop of bodies without a motor holds them.
     bodies: UnionFind<usize>,
     /// For each source, what it depends on.
     behind: Vec<Knowledge>,
@@ -195,7 +195,7 @@ impl<'m> Search<'m> {
         )
     }
 
-    /// Finds loops of three unknowns, or of two where everything slides: of the lowest level, in the order of declaration.
+    /// Accepts loops of three clusters, or of two that slide: of those found, the ones of the lowest level, in the order of declaration.
     fn close(&mut self) -> bool {
         self.update();
         let rings = self.open.rings();
@@ -219,7 +219,7 @@ impl<'m> Search<'m> {
         true
     }
 
-    /// Solves what waits for each other together, if that is allowed; or what is held more than once.
+    /// Accepts a block of loops to be solved together, if that is allowed, or joints that hold more than once.
     fn couple(&mut self) -> bool {
         let connections = self.connections();
         let allow = self.model.allow;
@@ -251,7 +251,7 @@ impl<'m> Search<'m> {
             .collect()
     }
 
-    /// Whether a loop has as many unknowns as equations: the directions, and the displacements of slides, that nothing ties.
+    /// Whether a loop has as many unknowns as equations. Unknowns are directions and displacements that nothing ties.
     fn is_square(&self, closing: &Loop) -> bool {
         let slides = closing.connections().filter(Connection::slides).count();
         self.turning_clusters(&closing.rings, &closing.tree).len() + slides

@@ -1,4 +1,4 @@
-//! The connections whose coordinates are unknown, kept as clusters merge: of a long chain, most stay as they were.
+//! The connections whose coordinates are unknown. They are kept up to date while clusters merge: in a long chain, most stay as they were.
 
 use crate::model::{JointId, JointKind, LinkId, Model};
 use crate::plan::between::{Between, Block, pivot, ring_of_three, ring_of_two};
@@ -194,7 +194,7 @@ impl Open {
         connections.flat_map(BTreeMap::values).copied()
     }
 
-    /// What a connector connects by now. Of several links of one cluster on one pin, one stands for all.
+    /// What a connector connects by now. If several links of one cluster are on a pin, one stands for all.
     fn betweens(
         &self,
         model: &Model,
@@ -265,8 +265,8 @@ fn links(model: &Model, structure: &Structure, connector: &Connector) -> Vec<Lin
     }
 }
 
-/// The declared joint of a pin that joins these two links, or else one that joins their clusters, or else one that holds the
-/// second, or else the first.
+/// The declared joint of a pin by which the connection of two links is named: one that joins them, else their clusters, else one that
+/// holds the second, else the first.
 pub(super) fn named_on(
     model: &Model,
     clusters: &Clusters,

@@ -37,7 +37,7 @@ impl Search<'_> {
         self.add_rings_of_slides();
     }
 
-    /// Enters that displacements in one direction add up round each ring of slides. Welded links move as one.
+    /// Notes that displacements in one direction add up to zero round each ring of slides. Welded links count as one.
     fn add_rings_of_slides(&mut self) {
         let is_weld = |joint| matches!(self.model.joint(joint).kind, JointKind::Weld(..));
         let body = |link: LinkId| self.structure.welded.body(link);
@@ -75,7 +75,7 @@ impl Search<'_> {
         }
     }
 
-    /// Enters a known quantity into the ledger, unless it follows from others.
+    /// Notes a known quantity as a source, unless it follows from others.
     pub(super) fn source(&mut self, source: Source, quantity: &LinearForm, behind: Knowledge) {
         if self.keeps_ledger && self.relations.value(quantity).is_none() {
             let number = LinearForm::source(self.sources.len());
@@ -85,7 +85,7 @@ impl Search<'_> {
         }
     }
 
-    /// Whether params turn the links of a joint against each other, whose directions it keeps otherwise.
+    /// Whether params turn the links of a slide against each other. Without params a slide keeps their directions.
     fn is_turned(&self, joint: JointId) -> bool {
         let axes = self.model.joint(joint).kind.axes();
         axes.is_some_and(|axes| {
@@ -94,7 +94,7 @@ impl Search<'_> {
         })
     }
 
-    /// Enters the angle across a slide that was just found, if params turn it: no relation gives it.
+    /// Notes the angle across a slide that was just found as a source, if params turn it: no relation gives it.
     pub(super) fn turned_slide(&mut self, joint: JointId, how: &Knowledge) {
         if self.is_turned(joint) {
             let (from, to) = self.model.ends(joint);
@@ -134,7 +134,7 @@ impl Search<'_> {
         true
     }
 
-    /// The step in which a wheel or bar is moved on its carrier, if that is known by now and was not before.
+    /// The step that places a wheel or bar on its carrier, if rolling gives its coordinate by now and no step has placed it yet.
     pub(super) fn mesh_of(&self, rolling: &Rolling, end: usize) -> Option<Mesh> {
         let connection = self.carrier_connection(rolling, rolling.ends[end].0)?;
         let (from, to) = self.link_of(connection);
@@ -156,8 +156,8 @@ impl Search<'_> {
         })
     }
 
-    /// The joint of a wheel or bar on its carrier; where they are only coaxial, the declared joint that joins their clusters
-    /// there.
+    /// The joint by which a wheel or bar is on its carrier. A wheel may only share an axis with its carrier: then the declared joint that
+    /// joins their clusters on that axis.
     pub(super) fn carrier_connection(
         &self,
         rolling: &Rolling,

@@ -40,7 +40,7 @@ impl Search<'_> {
 
     /// The displacements round a ring, in two directions. Slides that do not stay parallel have any directions.
     fn sums(&self, ring: &[Connection], joints: &[JointId]) -> [RowDVector<f64>; 2] {
-        /// No whole number of these angles is a whole number of half turns.
+        /// An angle of which no whole multiple is a whole number of half turns, so that slides get different directions.
         const ANGLE: f64 = 1.0;
         let mut sums = [(); 2].map(|()| RowDVector::zeros(joints.len()));
         for connection in ring {

@@ -77,7 +77,7 @@ impl PositionPass<'_> {
         self.lowering.ssa.add(offset, moved)
     }
 
-    /// A part of a source. Of an angle that loops have solved, whole turns are followed only where they are needed.
+    /// The part of a source in the shaft's coordinate. Whole turns of an angle that loops give are followed only where they are needed.
     fn shaft_share(&mut self, number: usize, part: &Rational, in_one_turn: bool) -> Value {
         match self.lowering.plan.sources[number] {
             Source::Angle { from, to } if in_one_turn && part.is_integer() => {

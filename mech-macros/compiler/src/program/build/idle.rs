@@ -25,7 +25,7 @@ impl Program {
         idle.filter(|number| !tied(number)).collect()
     }
 
-    /// The blocks of the loops whose solution some pose depends on, or the solution or the test of such a loop.
+    /// The blocks of loops that are needed: a pose depends on their solution, or the solution or the test of a needed loop does.
     fn reached_loops(&self) -> Vec<BlockId> {
         let mut found = vec![None; self.ssa.nodes.len()];
         for (block, closed) in self.closed_forms() {
@@ -67,7 +67,7 @@ impl Program {
         reached
     }
 
-    /// Turns the blocks of these loops into straight ones: they only say how their links hang together.
+    /// Makes the blocks of these loops straight: they place links, but solve nothing.
     pub(super) fn forget_loops(&mut self, idle: &[usize]) {
         for block in &mut self.ssa.blocks {
             if block

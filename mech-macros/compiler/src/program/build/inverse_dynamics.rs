@@ -15,7 +15,7 @@ use crate::program::node::{Op, Value};
 use crate::program::{Forces, InverseDynamics, Motion};
 use crate::structure::Structure;
 
-/// About which point of its link moments are taken, and along which slide forces are summed, or along x and y.
+/// How the equations of a link are written: about which point moments are taken, and along which directions forces are summed.
 #[derive(Clone, Copy, Debug)]
 struct Balance {
     /// An axis of the link, or else its origin.
@@ -23,7 +23,7 @@ struct Balance {
     along: Option<JointId>,
 }
 
-/// The three equations of a link for one balance: what each unknown adds, and what is known.
+/// The three equations of a link: for each unknown what it adds, and the known part.
 struct Rows {
     unknown: [Vec<(usize, Value)>; 3],
     known: [Value; 3],
@@ -293,7 +293,7 @@ impl Lowering<'_> {
         pose.heading(&mut self.ssa, axis)
     }
 
-    /// A force along and across what the forces of a link are summed along.
+    /// A force, resolved along and across the direction in which the forces of a link are summed.
     fn resolve(&mut self, balance: Balance, force: [Value; 2]) -> [Value; 2] {
         match balance.along {
             None => force,

@@ -45,7 +45,7 @@ pub(super) struct System {
     pub(super) legs: Vec<Lever>,
     /// For each unknown whether it is an angle, where the determinant's sign does not distinguish all assemblies.
     pub(super) angles: Option<Vec<bool>>,
-    /// A number with the sign that the determinant must have, plus for that of the start, if it may change.
+    /// A number whose sign tells which sign the determinant must have: plus for that of the start. None if that cannot change.
     pub(super) side: Option<Value>,
 }
 
@@ -101,8 +101,8 @@ impl LoopIteration<'_> {
         self.advance(unknowns, system, side)
     }
 
-    /// The direction of the only unknown of a loop that holds again what others hold: along the line between its pins. From the last
-    /// position an iteration would end too soon, where others leave much doubt.
+    /// The direction of the only unknown of a redundant loop: along the line between its pins. An iteration from the last position would
+    /// end too soon.
     fn only_direction(&mut self) -> Option<[Value; 2]> {
         let [ring] = &self.site.equation.rings[..] else {
             return None;

@@ -43,7 +43,7 @@ struct Rolling<'p> {
     source: usize,
     /// The part of the source's motion by which it moves.
     part: &'p Rational,
-    /// Whether it turns, or slides.
+    /// Whether it turns; else it slides.
     turns: bool,
 }
 

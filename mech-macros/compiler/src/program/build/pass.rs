@@ -30,7 +30,7 @@ pub(super) struct Follower {
     pub(super) shaft: Value,
     /// The coordinate of the follower.
     pub(super) value: Value,
-    /// Whether its law differs from turn to turn: then nobody has looked at all of its motion.
+    /// Whether its law differs from turn to turn: then not all of its motion was examined at compile time.
     pub(super) wanders: bool,
 }
 
@@ -47,7 +47,7 @@ impl<'m> PositionPass<'m> {
         }
     }
 
-    /// A part of a source. Of a motor's whole turns, an angle needs only what they come to less whole turns.
+    /// The part of a source in a coordinate. Of a motor's whole turns, an angle needs only the remainder.
     pub(super) fn share(&mut self, number: usize, part: &Rational, is_angle: bool) -> Value {
         let Self {
             lowering, watches, ..

@@ -22,7 +22,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// The axes that vary and that a point, the coordinate of a joint, the force of a spring or the overlay is computed from, each once.
+    /// The axes that depend on params and are read outside of the program: for points, coordinates, springs and the overlay. Each stands
+    /// once.
     fn exposed_axes(&self) -> Vec<AxisId> {
         let model = self.model;
         let joints = model.joint_ids().filter(|&id| model.shows_joint(id));

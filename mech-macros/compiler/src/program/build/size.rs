@@ -49,7 +49,7 @@ impl SsaBuilder {
         }
     }
 
-    /// One through a size.
+    /// The inverse of a size.
     pub(super) fn inverse_of(&mut self, size: Size) -> Value {
         match size {
             Size::Fixed(size) => self.constant(1.0 / size),
@@ -74,7 +74,8 @@ impl SsaBuilder {
         sides.iter().map(length).sum()
     }
 
-    /// The sum of these vectors' lengths at the start; where pins all but meet then, what that is most of the time.
+    /// The sum of the lengths of these vectors at the start. Where pins nearly meet at the start, that would be too small: then a part of
+    /// what the vectors reach.
     pub(super) fn extent(&self, sides: &[[Value; 2]]) -> f64 {
         /// Wherever links point, a sum of lengths is seldom less than this part of what they reach together.
         const OF_REACH: f64 = 1.0 / 64.0;
@@ -84,8 +85,8 @@ impl SsaBuilder {
         self.size_at_start(sides).max(OF_REACH * reach)
     }
 
-    /// How long a vector is at most where directions are anything, and all else as great as at the start. It is followed as a vector: a bound
-    /// for each coordinate would grow with every link that turns it.
+    /// The greatest length of a vector, with directions at any angle and all else as at the start. A bound for each coordinate alone
+    /// would grow with every link that turns it.
     fn radius(&self, vector: [Value; 2], known: &mut Known) -> f64 {
         if let Some(&found) = known.vectors.get(&vector) {
             return found;
@@ -127,7 +128,7 @@ impl SsaBuilder {
         })
     }
 
-    /// The factors of two products of which a value is the sum or the difference.
+    /// The two products whose sum or difference a value is: their factors.
     fn products(&self, value: Value) -> Option<[[Value; 2]; 2]> {
         let (Op::Add(a, b) | Op::Sub(a, b)) = self.op(value) else {
             return None;
@@ -143,7 +144,7 @@ impl SsaBuilder {
         matches!(self.op(value), Op::Constant(_)) || self.is_of_direction(value)
     }
 
-    /// How great a value is at most where directions are anything, and all else as great as at the start.
+    /// The greatest size of a value, with directions at any angle and all else as at the start.
     fn magnitude(&self, value: Value, known: &mut Known) -> f64 {
         if let Some(&found) = known.values.get(&value) {
             return found;

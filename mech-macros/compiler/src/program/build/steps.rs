@@ -82,7 +82,7 @@ impl PositionPass<'_> {
     }
 }
 
-/// A number less others. It is zero if it is no more than what rounding leaves of numbers of this unit.
+/// A number less others; zero if the difference is no more than rounding.
 fn difference(number: f64, others: impl Iterator<Item = f64>, unit: f64) -> f64 {
     /// So many roundings are in a source that an assembly gives.
     const ROUNDINGS: f64 = 16.0;

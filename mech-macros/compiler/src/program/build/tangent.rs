@@ -71,7 +71,7 @@ impl Tangents {
         self.angles.insert(angle, [from, to]);
     }
 
-    /// Notes the rate of a value that a loop solves. What is made from a value with its sign turned is made from the value itself.
+    /// Notes the rate of a value that a loop solves. For a value with its sign changed, that of the value itself is noted.
     pub(super) fn set(&mut self, ssa: &mut SsaBuilder, value: Value, rate: Value) {
         self.rates.insert(value, rate);
         if let Op::Neg(inner) = ssa.op(value) {
@@ -103,7 +103,7 @@ impl Tangents {
         rate
     }
 
-    /// The rate of a value at the end of a long chain: one after the other from its beginning, as the stack holds no long chain.
+    /// The rate of a value, after those of all values that it needs, one by one. Recursion through a long chain would overflow the stack.
     pub(in crate::program) fn of_all_up_to(&mut self, ssa: &mut SsaBuilder, value: Value) -> Value {
         let mut needed = vec![false; value.index() + 1];
         let mut waiting = vec![value];
@@ -287,7 +287,7 @@ impl Tangents {
         motor || self.angular_velocities.contains_key(&direction)
     }
 
-    /// A value as a part of a vector that is turned by a direction, if it is made so.
+    /// How a value is a coordinate of a vector that a direction turns; none if it is made otherwise.
     fn find_rotation(&self, ssa: &SsaBuilder, value: Value) -> Option<Rotation> {
         let (first, second, is_x) = match ssa.op(value) {
             Op::Sub(a, b) => (a, b, true),
@@ -339,7 +339,7 @@ impl Tangents {
     }
 }
 
-/// One value through another; what rests does so whatever it is divided by.
+/// A quotient; a rate of zero stays zero without a division.
 fn part(ssa: &mut SsaBuilder, a: Value, b: Value) -> Value {
     if ssa.number(a) == Some(0.0) {
         return a;

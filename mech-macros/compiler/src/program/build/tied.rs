@@ -6,7 +6,7 @@ use crate::plan::{Algebra, Arithmetic, Equation, Residuals, Solution, Unknown};
 use crate::program::builder::SsaBuilder;
 use crate::program::node::{Op, Value};
 
-/// The part of rounding that a radian of an angle adds to it, if the angle is counted from the start.
+/// By this part of itself, rounding grows for each radian of an angle that is counted from the start.
 const OF_A_RADIAN: f64 = 0.125;
 
 /// The unknowns of a tied loop.

@@ -38,7 +38,7 @@ impl LoopIteration<'_> {
         self.advance(unknowns, system, side)
     }
 
-    /// The leg's length is what it is: (|d|² − L²) / 2L = 0, with d from its foot to its head.
+    /// Adds the equation of a leg, that its length L stays the same: (|d|² − L²) / 2L = 0, with d from its foot to its head.
     fn leg_equation(&mut self, leg: Leg, now: &[Solution<Value>], system: &mut System) {
         let name = &self.model.link(leg.base).name;
         let ssa = &mut *self.ssa;

@@ -5,7 +5,7 @@ use crate::program::builder::SsaBuilder;
 use crate::program::node::{Op, Value};
 
 impl SsaBuilder {
-    /// Takes note how many times as far an angle turns as motors and as the angles that gears are driven by.
+    /// Notes by which factors an angle follows motors and the angles that drive gears: its rounding grows by these.
     pub(super) fn note_gains(&mut self, angle: Value) {
         let mut parts = Vec::new();
         self.parts_of(angle, 1.0, &mut parts);
@@ -15,7 +15,7 @@ impl SsaBuilder {
         }
     }
 
-    /// The values, but for constants, of which constant parts add to this one.
+    /// The values of which this value is a sum with constant parts, constants left out.
     fn parts_of(&self, value: Value, part: f64, parts: &mut Vec<(Value, f64)>) {
         match self.op(value) {
             Op::Constant(_) | Op::PartOfTurns(..) => {}
@@ -53,7 +53,7 @@ impl SsaBuilder {
         margin: Value,
         solution: &[Solution<Value>],
     ) -> Value {
-        /// A direction whose square is off by more than this after a step towards length one was no direction before.
+        /// A direction whose square is off by more than this, after one step towards length one, was no direction.
         const STRETCH: f64 = 1.0 / 1024.0;
         let builder = self;
         solution.iter().fold(margin, |margin, unknown| {

@@ -25,7 +25,7 @@ const OF_LENGTHS: f64 = 0.0625;
 pub(super) struct CoupledSide {
     /// A number with its sign: the sine where they were.
     pub(super) last: Value,
-    /// One over the determinant of which the sine is a part.
+    /// One over the determinant that the sine is a part of: the sine is the loop's determinant times this.
     scale: f64,
 }
 

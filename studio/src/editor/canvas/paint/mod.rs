@@ -21,7 +21,7 @@ pub(super) struct Paint<'p> {
 }
 
 impl Paint<'_> {
-    /// What is under the handles.
+    /// Paints what lies under the handles: the grid, paths, and the mechanism.
     pub(super) fn behind(&self, ui: &egui::Ui) {
         let painter = ui.painter().with_clip_rect(self.shown.rect);
         let settings = &self.editor.settings;

@@ -17,7 +17,7 @@ pub(super) struct Class {
     pub(super) rows: Vec<Row>,
     /// The pieces, by number.
     pub(super) pieces: Vec<usize>,
-    /// What any of the pieces gives, in the order in which it is made.
+    /// The results of the function that the pieces share, in the order in which they are computed.
     pub(super) outputs: Vec<Output>,
 }
 
@@ -31,7 +31,7 @@ pub(super) struct Output {
 }
 
 impl Class {
-    /// The classes among these pieces; a piece like which there are not enough is in none.
+    /// The classes among these pieces. A piece is in no class if too few others are like it.
     pub(super) fn find(shapes: Vec<(usize, Shape)>) -> Vec<Self> {
         let mut classes: Vec<Self> = Vec::new();
         // Most classes need not be compared with.
@@ -66,7 +66,7 @@ impl Class {
         rows.any(|row| row.is_on_other_side(&self.shape))
     }
 
-    /// Which of its results a value is that the piece of this row gives.
+    /// Which result of the shared function a value is that the piece of this row computes.
     pub(super) fn output(&self, program: &Program, row: usize, value: Value) -> Output {
         let term = Term::of(program, value);
         let Some(&position) = self.rows[row].positions.get(&term.value) else {

@@ -1,4 +1,5 @@
-//! The pieces in which a step is emitted: its blocks, and those of loops that others are like in two parts.
+//! The pieces in which a step is emitted: its blocks. A block with a loop like others is divided in two: what comes before the solution,
+//! and the solution.
 
 use super::class::{Class, LEAST};
 use super::shape::Shape;
@@ -13,11 +14,11 @@ pub(super) struct Piece {
     pub(super) block: BlockId,
     /// What it computes, in the order in which it is made.
     pub(super) values: Vec<Value>,
-    /// The same, and what it computes anew if others are like it, although another piece has it already.
+    /// The same, and in a class also values that another piece computes already: they are computed again.
     anew: Vec<Value>,
     pub(super) part: Part,
     pub(super) flow: Flow,
-    /// Its class and its row in it, if others are like it.
+    /// The class of the piece and its row there; none if too few pieces are like it.
     pub(super) row: Option<Place>,
 }
 
@@ -109,7 +110,7 @@ impl Pieces {
         !self.all[piece].flow.gives.is_empty()
     }
 
-    /// The reads of each piece. Those in a class read values whose opposites their operations are made from.
+    /// The values of other pieces that a piece needs. One in a class may take a value where its own operations take the value's opposite.
     fn reads(&self, program: &Program, piece: &Piece) -> BTreeSet<Value> {
         if let Some(place) = piece.row {
             let row = &self.classes[place.class].rows[place.row];
@@ -193,11 +194,11 @@ impl Pieces {
 struct Solution {
     /// Those values of its block that depend on the goal of its dyad.
     own: Vec<Value>,
-    /// These, and those of other blocks that they are made from and that depend on the goal, too.
+    /// The values of the solution, and those of other blocks that depend on the goal as well: they are computed again.
     anew: Vec<Value>,
 }
 
-/// The solutions of those loops that enough others are like, by their blocks; none if there are none.
+/// The solutions of loops that enough other loops are like, by their blocks; none if there are none.
 fn solutions(program: &Program, values: &[Vec<Value>]) -> Option<BTreeMap<BlockId, Solution>> {
     if !program.is_closed() || program.closed_forms().count() < LEAST {
         return None;
@@ -264,7 +265,7 @@ impl Solution {
     }
 }
 
-/// These values, each after those among the others that it is made from and that are not made before.
+/// These values and those among `others` that they are computed from, each after those that it needs.
 fn closure(program: &Program, values: &[Value], others: &BTreeSet<Value>) -> Vec<Value> {
     let (mut closure, mut made) = (Vec::new(), BTreeSet::new());
     for &value in values {
@@ -273,7 +274,7 @@ fn closure(program: &Program, values: &[Value], others: &BTreeSet<Value>) -> Vec
     closure
 }
 
-/// Adds a value to those that are made, after those of the others that it is made from.
+/// Adds a value to `order`, after those among `others` that it is computed from.
 fn make(
     program: &Program,
     value: Value,

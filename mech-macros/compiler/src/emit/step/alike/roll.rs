@@ -34,7 +34,7 @@ pub(super) enum Argument {
     Each(Vec<Term>),
     /// An earlier piece of the same round gives it.
     Now(Given),
-    /// A piece of the round before gives it; in the first round it is this.
+    /// A piece of the round before gives it. In the first round it is this term.
     Before(Given, Term),
 }
 
@@ -124,7 +124,7 @@ impl<'s> Sequence<'s> {
         }
     }
 
-    /// The loop that begins at a place and computes most.
+    /// The loop that begins at a place, with the length of round that puts most pieces into it.
     fn roll(&self, first: usize) -> Option<Roll> {
         let mut best: Option<Roll> = None;
         for length in 1..=LONGEST_ROUND {
@@ -145,7 +145,7 @@ impl<'s> Sequence<'s> {
         Some(self.pieces.all[piece].row?.class)
     }
 
-    /// The rounds of this length that begin at a place, if they are enough.
+    /// The loop of rounds with this length that begins at a place; none if too few rounds are alike.
     fn rounds(&self, round: Round) -> Option<Roll> {
         let Round { first, length } = round;
         let mut count = 0;
@@ -220,7 +220,7 @@ impl<'s> Sequence<'s> {
         }
     }
 
-    /// Whence a round has an argument of one of its pieces.
+    /// Where the argument of a piece in one round comes from.
     fn whence(&self, round: Round, number: usize, index: usize, term: Term) -> Whence {
         let Some(made) = self.made.get(&term.value) else {
             return Whence::Known;
@@ -243,7 +243,7 @@ impl<'s> Sequence<'s> {
         }
     }
 
-    /// Where an argument comes from that is these terms in the rounds.
+    /// Where an argument comes from that has these values, round by round.
     fn argument(&self, round: Round, index: usize, terms: Vec<Term>) -> Argument {
         let first = terms[0];
         match self.whence(round, 1, index, terms[1]) {

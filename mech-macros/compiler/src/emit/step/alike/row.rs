@@ -7,10 +7,10 @@ use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::mem::discriminant;
 
-/// What a piece has in the places of another one that it is like.
+/// A piece of a class, compared with the first of the class operation by operation: what it has where the first has something else.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Row {
-    /// For each value that is read from outside, what it is here.
+    /// For each value that the pieces read from outside, the value that this one reads.
     pub(super) arguments: Vec<Term>,
     /// The numbers in its operations, in their order.
     pub(super) numbers: Vec<f64>,
@@ -61,7 +61,7 @@ struct Partner {
     swapped: bool,
 }
 
-/// What was found out, and is forgotten if it leads nowhere.
+/// What the comparison has found so far. It is forgotten if it leads nowhere.
 #[derive(Clone, Copy)]
 enum Found {
     Partner(usize),
@@ -74,7 +74,7 @@ struct Unifier<'u> {
     shape: &'u Shape,
     outers: &'u [Value],
     other_side: bool,
-    /// What stands for each value from outside, as far as it is known.
+    /// For each value that the first piece reads from outside, what stands in its place here, as far as it is known.
     known: Vec<Option<Term>>,
     partners: Vec<Option<Partner>>,
     trail: Vec<Found>,

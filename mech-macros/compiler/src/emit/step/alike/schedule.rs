@@ -10,7 +10,7 @@ pub(super) fn in_order(pieces: &Pieces) -> Vec<usize> {
         .collect()
 }
 
-/// An order in which those of a class follow each other that do not wait for each other.
+/// An order in which pieces of one class stand together, as far as they do not wait for each other.
 pub(super) fn side_by_side(pieces: &Pieces) -> Vec<usize> {
     let mut waiting = Waiting::new(pieces);
     let mut order = Vec::new();
@@ -30,9 +30,9 @@ struct Waiting<'p> {
     readers: Vec<BTreeSet<usize>>,
     /// For each piece, the number of pieces that it waits for.
     missing: Vec<usize>,
-    /// Those in no class that wait for nothing.
+    /// The pieces in no class that can be computed now.
     alone: BTreeSet<usize>,
-    /// Those of each class that wait for nothing.
+    /// For each class its pieces that can be computed now.
     ready: BTreeMap<usize, BTreeSet<usize>>,
     /// How many of each class are not computed yet.
     left: Vec<usize>,
@@ -74,7 +74,7 @@ impl<'p> Waiting<'p> {
         waiting
     }
 
-    /// Puts a piece among those that wait for nothing.
+    /// Notes that a piece can be computed now: everything that it needs is computed.
     fn admit(&mut self, piece: usize) {
         match self.pieces.all[piece].row {
             None => self.alone.insert(piece),
@@ -82,8 +82,8 @@ impl<'p> Waiting<'p> {
         };
     }
 
-    /// The next pieces: one that is alone, or all of a class that wait for nothing. A class none of which has to wait comes first, then
-    /// one of few operations, behind which there may be more of the others.
+    /// The next pieces: one that is in no class, or all pieces of a class that can be computed now. Classes that are complete come first.
+    /// Then come those of few operations: more pieces of other classes may become possible by them.
     fn next(&mut self) -> Option<Vec<usize>> {
         if let Some(piece) = self.alone.pop_first() {
             return Some(vec![piece]);

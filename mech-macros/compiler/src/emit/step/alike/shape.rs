@@ -39,7 +39,7 @@ pub(super) struct Operation {
     pub(super) value: Value,
     pub(super) kind: Kind,
     pub(super) operands: Vec<Operand>,
-    /// The same for all operations that are made in the same way from whatever numbers, in either order.
+    /// A number that is equal for operations made in the same way, whatever their constants and the order of their operands.
     pub(super) hash: u64,
     /// Whether it is the root that distinguishes the two sides of a dyad.
     pub(super) is_root: bool,

@@ -158,7 +158,8 @@ impl Template<'_> {
         }
     }
 
-    /// An operand, and whether its opposite is meant. If it is a number, the next cell says how it stands here.
+    /// An operand, and whether its opposite is meant. For a number, the next of `cells` says whether it is a constant or a column of the
+    /// table.
     fn operand(&mut self, operand: Operand, cells: &mut slice::Iter<'_, Cell>) -> (Value, bool) {
         match operand {
             Operand::Inner { position, negative } => (self.results[position], negative),

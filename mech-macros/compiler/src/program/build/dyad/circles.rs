@@ -81,7 +81,7 @@ impl DyadLowering<'_> {
         ssa.mul(scale, chord)
     }
 
-    /// A root with the sign of its side, or where pins nearly meet with that of a number which tells on which side the dyad was.
+    /// The root of the discriminant, with the sign of the dyad's side. Where pins nearly meet, the side is that of the last position.
     pub(super) fn beside_meeting_pins(
         &mut self,
         [root, signed]: [Value; 2],
@@ -93,8 +93,8 @@ impl DyadLowering<'_> {
         self.ssa.copysign(root, side)
     }
 
-    /// A number that is negative where pins nearly meet: there rounding hides on which side of the line between them a dyad of equal
-    /// lengths lies, and it lies on that on which it was.
+    /// A number that is negative where pins nearly meet. There rounding hides the side of a dyad with equal arms, and it keeps the side
+    /// on which it was.
     fn beyond_rounding(&mut self, square: Value, size: Size) -> Value {
         let roundings = self.roundings();
         let scale = self.ssa.part_of(4.0 * self.ssa.epsilon, size);
@@ -103,7 +103,7 @@ impl DyadLowering<'_> {
         self.ssa.sub(square, near)
     }
 
-    /// Whether the lengths of a triangle differ so much that its short side's direction suffers.
+    /// Whether the sides of a triangle differ so much in length that rounding spoils the direction of the shortest.
     fn are_far_apart(&self, a: Value, b: Value, square: Value) -> bool {
         let [a, b, square] = [a, b, square].map(|value| self.ssa.at_start(value));
         let greatest = a.max(b).max(square.sqrt());

@@ -15,7 +15,7 @@ use crate::program::node::{Op, Value};
 /// A gap, in units of rounding of the loop's size, that passes for closed.
 const TOLERANCE: f64 = 64.0;
 
-/// Directions are brought back to length one where lengths differ by more than this: the short link's would suffer.
+/// If lengths differ by more than this factor, directions are brought back to length one: rounding would spoil the short link's.
 const FAR_APART: f64 = 32.0;
 
 type Vector = [Value; 2];
@@ -120,7 +120,7 @@ impl DyadLowering<'_> {
         }
     }
 
-    /// The root of a discriminant; what rounding made negative is zero.
+    /// The root of a discriminant. If that is negative by rounding, zero.
     fn root(&mut self, discriminant: Value) -> Value {
         let discriminant = if self.choice.proved {
             discriminant
@@ -200,7 +200,7 @@ impl DyadLowering<'_> {
         })
     }
 
-    /// The direction of an arm of this length that points along a way, or against it: as it is nearer to where it pointed.
+    /// The direction of an arm that points along a way or against it, whichever is nearer to where it pointed.
     fn along(&mut self, way: Vector, (arm, length): (Vector, Value)) -> Solution<Value> {
         let pointed = self.ssa.rotate(self.last_direction(), arm);
         let ahead = self.ssa.dot(way, pointed);
@@ -212,7 +212,7 @@ impl DyadLowering<'_> {
         Solution::Direction(self.ssa.scale(scale, direction))
     }
 
-    /// A direction, unless the pins meet that the dyad joins: there any direction closes it, and it is this other one.
+    /// A direction, or another one where the pins of the dyad meet: there any direction closes the loop.
     fn unless_pins_meet(
         &mut self,
         square: Value,
