@@ -24,6 +24,7 @@ mod programs;
 mod random;
 mod ranges;
 mod rates;
+mod recipes;
 mod repairs;
 mod seen;
 mod shafts;

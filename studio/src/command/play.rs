@@ -97,7 +97,7 @@ impl Play {
             for declaration in self.wanted(&document) {
                 match coherent(&document, declaration, console) {
                     Ok(Analysed { model, compiled }) => {
-                        found.push(Mechanism::new(model, compiled)?)
+                        found.push(Mechanism::new(model, compiled)?);
                     }
                     Err(failure) if failure.is_reported() => is_wrong = true,
                     Err(failure) => return Err(failure),
