@@ -2,9 +2,11 @@
 
 use crate::looks::{compiled, covers, frame};
 use mech_compiler::evaluate::Machine;
-use mech_compiler::model::{Axis, AxisId, JointId, JointKind, LinkId, Model, Shape, ShapeKind};
+use mech_compiler::model::{
+    Axis, AxisId, JointId, JointKind, LinkId, Measure, Model, Place, Shape, ShapeKind,
+};
 use mech_compiler::structure::{Pin, Rolling};
-use mech_compiler::{Compiled, Looks, Measure, Outline, Painted, Place, compile, looks};
+use mech_compiler::{Compiled, Looks, Outline, Painted, compile, looks};
 use mech_runtime::Palette;
 use mech_test_support::{Sample, for_all, model, samples};
 use nalgebra::Point2;

@@ -1,10 +1,9 @@
 //! Mechanisms that the interpreter moves, painted as their generated code would paint them.
 
 mod outline;
-mod symbol;
 
 use crate::motion::Paths;
-use mech_compiler::model::{LinkId, Look, Model};
+use mech_compiler::model::{LinkId, Look, Measure, Model};
 use mech_compiler::{Compiled, Symbols, looks, symbols};
 use mech_runtime::overlay::{Overlay, Symbol};
 use mech_runtime::{Canvas, Outline, Pose, View};
@@ -41,12 +40,14 @@ impl Painting {
             .map(|(index, trace)| (index, looks.behind(trace.plane)))
             .collect();
         traces.sort_by_key(|(_, behind)| *behind);
+        let drawn = |symbols: &[symbols::Symbol]| {
+            let drawn = symbols.iter();
+            let drawn = drawn.filter_map(|symbol| symbol.try_map(Measure::at_start, number));
+            drawn.collect::<Vec<_>>()
+        };
         let diagram = || {
             let has_pose = |link| compiled.program.place_of(link).is_some();
-            let all = symbols::symbols(model, &compiled.structure, has_pose);
-            all.iter()
-                .filter_map(|one| symbol::symbol(model, compiled, one))
-                .collect::<Vec<_>>()
+            drawn(&symbols::symbols(model, &compiled.structure, has_pose))
         };
         Self {
             shapes: shapes.collect(),
@@ -55,11 +56,7 @@ impl Painting {
             symbols: match &looks.symbols {
                 None => None,
                 Some(Symbols::Diagram) => Some((diagram(), None)),
-                Some(Symbols::Elastic { symbols, unit }) => {
-                    let found = symbols.iter();
-                    let found = found.filter_map(|one| symbol::symbol(model, compiled, one));
-                    Some((found.collect(), Some(*unit)))
-                }
+                Some(Symbols::Elastic { symbols, unit }) => Some((drawn(symbols), Some(*unit))),
             },
             diagram: has_diagram.then(diagram),
             extent: looks.extent(model, compiled),

@@ -1,6 +1,7 @@
 //! Outlines as the rasteriser takes them.
 
-use mech_compiler::{Measure, Outline, Painted, Place};
+use mech_compiler::model::{Measure, Place};
+use mech_compiler::{Outline, Painted};
 use mech_runtime::{Canvas, Pose};
 
 /// An outline of a link, with its colour.

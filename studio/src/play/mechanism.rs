@@ -10,7 +10,7 @@ use crate::motion::{
 };
 use crate::painting::{Painting, number_of, poses_of};
 use mech_compiler::evaluate::Stop;
-use mech_compiler::model::{JointId, Look, Model, MotorId};
+use mech_compiler::model::{JointId, Look, Measure, Model, MotorId};
 use mech_compiler::program::{Forces, Position};
 use mech_compiler::{Compiled, compile, symbols};
 use mech_runtime::overlay::{Arrows, Spot};
@@ -55,10 +55,9 @@ impl Mechanism {
         let size = (high[0] - low[0]).max(high[1] - low[1]);
         let has_pose = |link| compiled.program.place_of(link).is_some();
         let points = symbols::moving_points(&model, &compiled.structure, has_pose);
-        let points = points.iter().filter_map(|point| {
-            let link = number_of(&compiled, point.link)?;
-            Some(Spot { link, at: point.at })
-        });
+        let number = |link| number_of(&compiled, link);
+        let points = points.iter();
+        let points = points.filter_map(|point| point.try_map(Measure::at_start, number));
         Ok(Self {
             with_rates: OnceCell::new(),
             with_forces: OnceCell::new(),

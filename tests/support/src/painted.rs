@@ -2,7 +2,7 @@
 
 use crate::Dice;
 use mech_compiler::evaluate::Machine;
-use mech_compiler::model::{JointKind, Model};
+use mech_compiler::model::{JointKind, Measure, Model, Place};
 use mech_compiler::program::Position;
 use mech_compiler::{Compiled, Looks, Outline, looks};
 use std::f64::consts::TAU;
@@ -119,8 +119,7 @@ fn places(looks: &Looks) -> Vec<(usize, [f64; 2], f64)> {
     let mut all = Vec::new();
     for painted in &looks.painted {
         let link = painted.link.index();
-        let start =
-            |place: &[mech_compiler::Measure; 2]| place.map(mech_compiler::Measure::at_start);
+        let start = |place: &Place| place.map(Measure::at_start);
         match &painted.outline {
             Outline::Circle { center, radius } | Outline::Ring { center, radius, .. } => {
                 all.push((link, start(center), radius.at_start()));

@@ -4,7 +4,8 @@ use super::MANY;
 use super::emitter::Emitter;
 use super::tokens::integer;
 use crate::bug::bug;
-use crate::looks::{Measure, Outline, Painted, Toothed};
+use crate::looks::{Outline, Painted, Toothed};
+use crate::model::Measure;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 

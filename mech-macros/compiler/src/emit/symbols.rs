@@ -3,98 +3,89 @@
 use super::emitter::Emitter;
 use super::tokens::integer;
 use crate::bug::bug;
-use crate::model::LinkId;
-use crate::symbols::{Side, Spot, Symbol};
+use crate::model::{LinkId, Measure};
+use crate::symbols::{Spot, Symbol};
 use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
-/// A symbol.
-pub(super) fn symbol(emitter: &Emitter<'_>, symbol: &Symbol) -> TokenStream {
-    let (n, pair) = (|value| emitter.number(value), |pair| emitter.pair(pair));
-    let direction = |line| emitter.direction(line);
-    let spot = |spot| self::spot(emitter, spot);
-    let at_spot = |name: &str, at| {
-        let (name, spot) = (format_ident!("{name}"), spot(at));
-        quote!(#name(#spot))
-    };
-    let between = |name: &str, ends: [Spot; 2], side: Side| {
-        let (name, [a, b]) = (format_ident!("{name}"), ends.map(spot));
-        let beside = Literal::f32_unsuffixed(side.pixels());
-        quote!(#name { ends: [#a, #b], beside: #beside })
-    };
-    let symbol = match *symbol {
-        Symbol::Bar { link, ends } => {
-            let (link, [from, to]) = (
-                link_number(emitter, link),
-                ends.map(|end| emitter.place(end.axis)),
-            );
-            quote!(Bar { link: #link, ends: [#from, #to] })
-        }
-        Symbol::Wheel { center, radius } => {
-            let (center, radius) = (spot(center), n(radius));
-            quote!(Wheel { center: #center, radius: #radius })
-        }
-        Symbol::Belt { centers, radii } => {
-            let ([a, b], radii) = (centers.map(spot), pair(radii));
-            quote!(Belt { centers: [#a, #b], radii: #radii })
-        }
-        Symbol::Rack {
-            pinion,
-            radius,
-            bar,
-            along,
-        } => {
-            let (pinion, radius) = (spot(pinion), n(radius));
-            let (bar, along) = (spot(bar), direction(along));
-            quote!(Rack { pinion: #pinion, radius: #radius, bar: #bar, along: #along })
-        }
-        Symbol::Line { at, along } => {
-            let (at, along) = (spot(at), direction(along));
-            quote!(Line { at: #at, along: #along })
-        }
-        Symbol::Slide {
-            guide,
-            along,
-            block,
-        } => {
-            let (guide, along, block) = (spot(guide), direction(along), spot(block));
-            quote!(Slide { guide: #guide, along: #along, block: #block })
-        }
-        Symbol::LinearMotor {
-            block,
-            guide,
-            along,
-        } => {
-            let (block, guide, along) =
-                (spot(block), link_number(emitter, guide), direction(along));
-            quote!(LinearMotor { block: #block, guide: #guide, along: #along })
-        }
-        Symbol::Spring { ends, side } => between("Spring", ends, side),
-        Symbol::Damper { ends, side } => between("Damper", ends, side),
-        Symbol::TorsionSpring(at) => at_spot("TorsionSpring", at),
-        Symbol::TorsionDamper(at) => at_spot("TorsionDamper", at),
-        Symbol::Cam(at) => at_spot("Cam", at),
-        Symbol::Wedge { at, along } => {
-            let (at, along) = (spot(at), direction(along));
-            quote!(Wedge { at: #at, along: #along })
-        }
-        Symbol::Mark(at) => at_spot("Mark", at),
-        Symbol::Point(at) => at_spot("Point", at),
-        Symbol::Weld(at) => at_spot("Weld", at),
-        Symbol::Pivot(at) => at_spot("Pivot", at),
-        Symbol::RotaryMotor(at) => at_spot("RotaryMotor", at),
-    };
-    quote!(Symbol::#symbol)
+/// What is written as an expression of generated code.
+pub(super) trait Expression {
+    fn expression(&self, emitter: &Emitter<'_>) -> TokenStream;
 }
 
-/// A place on a link.
-pub(super) fn spot(emitter: &Emitter<'_>, spot: Spot) -> TokenStream {
-    let (link, at) = (link_number(emitter, spot.link), emitter.place(spot.axis));
-    quote!(Spot { link: #link, at: #at })
+/// A number that is no share of another.
+impl Expression for Measure {
+    fn expression(&self, emitter: &Emitter<'_>) -> TokenStream {
+        emitter.present(self.value, self.formula)
+    }
+}
+
+/// A number of pixels.
+impl Expression for f32 {
+    fn expression(&self, _: &Emitter<'_>) -> TokenStream {
+        let pixels = Literal::f32_unsuffixed(*self);
+        quote!(#pixels)
+    }
 }
 
 /// The number of a link in a table.
-fn link_number(emitter: &Emitter<'_>, link: LinkId) -> Literal {
-    let number = emitter.link_number(link);
-    integer(number.unwrap_or_else(|| bug!("link {} has no pose", link.index())))
+impl Expression for LinkId {
+    fn expression(&self, emitter: &Emitter<'_>) -> TokenStream {
+        let number = emitter.link_number(*self);
+        let number = integer(number.unwrap_or_else(|| bug!("link {} has no pose", self.index())));
+        quote!(#number)
+    }
+}
+
+impl Expression for Spot {
+    fn expression(&self, emitter: &Emitter<'_>) -> TokenStream {
+        let (link, at) = (self.link.expression(emitter), self.at.expression(emitter));
+        quote!(Spot { link: #link, at: #at })
+    }
+}
+
+impl<E: Expression> Expression for [E; 2] {
+    fn expression(&self, emitter: &Emitter<'_>) -> TokenStream {
+        let [a, b] = self.each_ref().map(|part| part.expression(emitter));
+        quote!([#a, #b])
+    }
+}
+
+/// The variants of an enum with the names of their parts, each of which is an expression.
+macro_rules! expressions {
+    ($enum:ident: $($variant:ident $(($part:ident))? $({ $($field:ident),* })?),*) => {
+        impl Expression for $enum {
+            fn expression(&self, emitter: &Emitter<'_>) -> TokenStream {
+                match self {
+                    $($enum::$variant $(($part))? $({ $($field),* })? => {
+                        $(let $part = $part.expression(emitter);)?
+                        $($(let $field = $field.expression(emitter);)*)?
+                        quote!($enum::$variant $((#$part))? $({ $($field: #$field),* })?)
+                    })*
+                }
+            }
+        }
+    };
+}
+
+expressions! {
+    Symbol:
+    Bar { link, ends },
+    Mark(at),
+    Wheel { center, radius },
+    Belt { centers, radii },
+    Rack { pinion, radius, bar, along },
+    Line { at, along },
+    Point(at),
+    Slide { guide, along, block },
+    Weld(at),
+    Pivot(at),
+    Spring { ends, beside },
+    Damper { ends, beside },
+    TorsionSpring(at),
+    TorsionDamper(at),
+    Cam(at),
+    Wedge { at, along },
+    RotaryMotor(at),
+    LinearMotor { block, guide, along }
 }

@@ -3,13 +3,13 @@
 use super::declared::{FACE, bar, eye};
 use super::footprint::Footprint;
 use super::hull::hull;
-use super::outline::{Measure, Outline, Place, fixed, place_of};
+use super::outline::{Outline, fixed};
 use super::rolling;
 use super::scene::{Mount, Scene};
 use super::slide::Slide;
 use super::tooth::Side;
 use super::wheel::Wheels;
-use crate::model::{Axis, LinkId};
+use crate::model::{Axis, LinkId, Measure, Place};
 use mech_core::colors::{INK, PAPER, darker, lighter};
 use nalgebra::{Point2, Rotation2, Vector2};
 use std::f64::consts::TAU;
@@ -240,7 +240,7 @@ impl Builder<'_, '_> {
     fn block_places(&self) -> Vec<Place> {
         let slides = self.slides(false).into_iter();
         let blocks = slides.filter(|slide| self.scene.cylinder(*slide).is_none());
-        let places = blocks.map(|slide| place_of(self.scene.model.axis(slide.block)));
+        let places = blocks.map(|slide| self.scene.model.axis(slide.block).place());
         places.collect()
     }
 

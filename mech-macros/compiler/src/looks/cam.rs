@@ -1,8 +1,8 @@
 //! Cam discs, from the laws of their followers.
 
-use super::outline::{Measure, Outline, Place, fixed};
+use super::outline::{Outline, fixed};
 use super::scene::Scene;
-use crate::model::{AxisId, JointId, JointKind, Law, LinkId, Model};
+use crate::model::{AxisId, JointId, JointKind, Law, LinkId, Measure, Model, Place};
 use mech_core::colors::{EYE, INK, darker, lighter};
 use nalgebra::{Isometry2, Point2, Rotation2, Vector2};
 use std::f64::consts::TAU;

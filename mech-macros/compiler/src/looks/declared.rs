@@ -1,8 +1,8 @@
 //! The outlines of declared shapes.
 
-use super::outline::{Measure, Outline, Painted, Place, painted};
+use super::outline::{Outline, Painted, painted};
 use crate::bug::bug;
-use crate::model::{LinkId, Shape, ShapeKind};
+use crate::model::{LinkId, Measure, Place, Shape, ShapeKind};
 use mech_core::colors::{EYE, INK, darker};
 
 /// A bar's face, and the pins and eyes on it, as parts of its width.

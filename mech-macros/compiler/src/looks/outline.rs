@@ -1,60 +1,11 @@
-//! Outlines as constants of the generated code, or as expressions where params change them.
+//! Outlines.
 
-use crate::model::{Axis, FormulaId, LinkId};
+use crate::model::{LinkId, Measure, Place};
 use mech_core::wheel::{fill_ring, fill_wheel};
-
-/// A number of an outline: a share of another, which may depend on params.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Measure {
-    /// What it is a share of, at the start.
-    pub value: f64,
-    /// How that is computed, if it depends on params.
-    pub formula: Option<FormulaId>,
-    /// The share.
-    pub share: f64,
-}
-
-/// A place in the frame of a link, in scene units.
-pub type Place = [Measure; 2];
-
-impl Measure {
-    /// A number that does not change.
-    pub(super) fn fixed(value: f64) -> Self {
-        Self::new(value, None)
-    }
-
-    /// A number that may depend on params.
-    pub(super) fn new(value: f64, formula: Option<FormulaId>) -> Self {
-        let share = 1.0;
-        Self {
-            value,
-            formula,
-            share,
-        }
-    }
-
-    /// So many times this number.
-    pub(super) fn times(self, share: f64) -> Self {
-        let share = self.share * share;
-        Self { share, ..self }
-    }
-
-    /// The number at the start.
-    #[must_use]
-    pub fn at_start(self) -> f64 {
-        self.share * self.value
-    }
-}
 
 /// A place that does not change.
 pub(super) fn fixed(place: [f64; 2]) -> Place {
     place.map(Measure::fixed)
-}
-
-/// The place of an axis.
-pub(super) fn place_of(axis: &Axis) -> Place {
-    let [x, y] = [0, 1].map(|part| Measure::new(axis.at[part], axis.formulas[part]));
-    [x, y]
 }
 
 /// What is filled, in the frame of a link.

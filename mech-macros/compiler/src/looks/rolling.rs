@@ -1,10 +1,10 @@
 //! What wheels, racks and belts look like.
 
-use super::outline::{Measure, Outline, Toothed, fixed};
+use super::outline::{Outline, Toothed, fixed};
 use super::scene::Scene;
 use super::tooth::{Side, rack_teeth, root_radius, tooth};
 use super::wheel::{Rack, Wheel, Wheels, angle, hub_on};
-use crate::model::{JointKind, LinkId};
+use crate::model::{JointKind, LinkId, Measure};
 use crate::structure::RollingEnd;
 use mech_core::colors::{INK, darker, lighter};
 use nalgebra::{Point2, Vector2, distance};
