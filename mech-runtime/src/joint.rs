@@ -2,7 +2,6 @@
 
 use crate::Pose;
 use crate::Scalar;
-use crate::pose::pose_of;
 
 /// A joint as it was declared: an entry of [`Mechanism::JOINTS`](crate::Mechanism::JOINTS).
 ///
@@ -147,13 +146,13 @@ impl<T: Scalar> Anchor<T> {
     /// pose among them.
     #[must_use]
     pub fn place(&self, poses: &[Pose<T>]) -> Option<[T; 2]> {
-        Some(pose_of(self.link?, poses)?.apply(self.at))
+        Some(Pose::of_link(self.link?, poses)?.apply(self.at))
     }
 
     /// Its direction in the scene, of length one, when the links have these [`poses`](crate::Mechanism::poses). `None` if its link has no
     /// pose among them.
     #[must_use]
     pub fn direction(&self, poses: &[Pose<T>]) -> Option<[T; 2]> {
-        Some(pose_of(self.link?, poses)?.turn(self.along))
+        Some(Pose::of_link(self.link?, poses)?.turn(self.along))
     }
 }

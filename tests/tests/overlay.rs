@@ -57,11 +57,8 @@ impl Moment {
     }
 
     fn pose(&self, time: usize, link: LinkId) -> Pose<f64> {
-        let [cos, sin, x, y] = match self.stored.binary_search(&link) {
-            Ok(place) => self.poses[time][place],
-            Err(_) => [1.0, 0.0, 0.0, 0.0],
-        };
-        Pose { cos, sin, x, y }
+        let place = self.stored.binary_search(&link);
+        place.map_or(Pose::identity(), |place| self.poses[time][place].into())
     }
 
     fn place(&self, spot: Spot) -> Vector {
@@ -69,16 +66,13 @@ impl Moment {
     }
 
     /// A direction of a link, in the scene.
-    fn direction(&self, link: LinkId, [u, v]: Vector) -> Vector {
-        let pose = self.pose(1, link);
-        [pose.cos * u - pose.sin * v, pose.sin * u + pose.cos * v]
+    fn direction(&self, link: LinkId, direction: Vector) -> Vector {
+        self.pose(1, link).turn(direction)
     }
 
     /// The velocity of the point of a link that is at a place in the scene.
-    fn velocity(&self, link: LinkId, [x, y]: Vector) -> Vector {
-        let pose = self.pose(1, link);
-        let [x, y] = [x - pose.x, y - pose.y];
-        let own = [pose.cos * x + pose.sin * y, pose.cos * y - pose.sin * x];
+    fn velocity(&self, link: LinkId, place: Vector) -> Vector {
+        let own = self.pose(1, link).relative(place);
         let [before, after] = [0, 2].map(|time| self.pose(time, link).apply(own));
         [0, 1].map(|part| (after[part] - before[part]) / (2.0 * self.step))
     }

@@ -19,7 +19,9 @@ pub mod journey;
 mod kernel;
 pub mod limit;
 pub mod motors;
+mod outline;
 mod phase;
+mod pose;
 mod power;
 mod real;
 mod reduction;
@@ -30,6 +32,8 @@ mod turns;
 pub mod wheel;
 
 pub use cost::Cost;
+pub use outline::{Outline, Shape};
 pub use phase::Phase;
+pub use pose::Pose;
 pub use real::Real;
 pub use symbol::{Spot, Symbol};

@@ -3,7 +3,6 @@
 use super::arrow::{head, turn};
 use super::elastic;
 use super::pen::{self, BOLD, MEDIUM, Pen, THIN};
-use crate::pose::pose_of;
 use crate::{Canvas, Pose, Real, Scalar};
 use mech_core::{Spot, Symbol};
 
@@ -32,12 +31,12 @@ const HATCH: f32 = 5.0;
 
 /// The place of a spot in the scene.
 fn place<T: Scalar>(spot: Spot<T>, poses: &[Pose<T>]) -> Option<[T; 2]> {
-    Some(pose_of(spot.link, poses)?.apply(spot.at))
+    Some(Pose::of_link(spot.link, poses)?.apply(spot.at))
 }
 
 /// The place of a spot and a direction of its link, in the scene.
 fn directed<T: Scalar>(spot: Spot<T>, along: [T; 2], poses: &[Pose<T>]) -> Option<pen::Spot<T>> {
-    let pose = pose_of(spot.link, poses)?;
+    let pose = Pose::of_link(spot.link, poses)?;
     let at = pose.apply(spot.at);
     let along = pose.turn(along);
     Some(pen::Spot { at, along })
@@ -74,7 +73,7 @@ pub(super) fn draw<T: Scalar>(
 ) -> Option<()> {
     match *symbol {
         Symbol::Bar { link, ends } => {
-            let pose = pose_of(link, poses)?;
+            let pose = Pose::of_link(link, poses)?;
             pen.line(canvas, ends.map(|end| pose.apply(end)), BOLD);
         }
         Symbol::Mark(spot) => pen.dot(canvas, place(spot, poses)?, 3.0),
@@ -157,7 +156,7 @@ pub(super) fn draw<T: Scalar>(
             guide,
             along,
         } => {
-            let along = pose_of(guide, poses)?.turn(along);
+            let along = Pose::of_link(guide, poses)?.turn(along);
             let at = place(block, poses)?;
             slide_arrow(pen, canvas, pen::Spot { at, along });
         }

@@ -1,13 +1,13 @@
 //! Mechanisms that the interpreter moves, painted as their generated code would paint them.
 
-mod outline;
-
 use crate::motion::Paths;
 use mech_compiler::model::{LinkId, Look, Measure, Model};
-use mech_compiler::{Compiled, Symbols, looks, symbols};
+use mech_compiler::{Compiled, Points, Symbols, looks, symbols};
 use mech_runtime::overlay::{Overlay, Symbol};
 use mech_runtime::{Canvas, Outline, Pose, View};
-use outline::Shape;
+
+/// An outline of a link, with its colour and its own points.
+type Shape = mech_core::Shape<f64, Vec<[f64; 2]>>;
 
 /// What is painted of a mechanism.
 pub(crate) struct Painting {
@@ -30,8 +30,11 @@ impl Painting {
         let looks = looks(model, compiled);
         let number = |link| number_of(compiled, link);
         let shapes = looks.painted.iter().filter_map(|painted| {
-            let link = number(painted.link)?;
-            Some(Shape::new(link, painted))
+            Some(Shape {
+                link: number(painted.link)?,
+                outline: painted.outline.map(Measure::at_start, Points::at_start),
+                color: painted.color,
+            })
         });
         let mut traces: Vec<(usize, usize)> = model
             .traces
@@ -116,7 +119,8 @@ impl Painting {
 
     /// All outlines from the farthest to the nearest, each with the number of its link.
     pub(crate) fn outlines(&self) -> impl Iterator<Item = (usize, Outline<'_, f64>)> {
-        self.shapes.iter().map(|shape| (shape.link, shape.filled()))
+        let shapes = self.shapes.iter();
+        shapes.map(|shape| (shape.link, shape.outline.borrowed()))
     }
 
     /// Paints a position: for each moving link its pose, as the interpreter has it.
@@ -138,8 +142,10 @@ impl Painting {
             while let Some(&(trace, _)) = traces.next_if(|(_, behind)| *behind == number) {
                 paths.draw(trace, canvas, self.colors_of_traces[trace]);
             }
-            if let Some(shape) = self.shapes.get(number) {
-                shape.paint(poses, canvas);
+            if let Some(shape) = self.shapes.get(number)
+                && let Some(pose) = Pose::of_link(shape.link, poses)
+            {
+                canvas.fill(shape.outline.borrowed(), pose, shape.color);
             }
         }
         if let Some((symbols, unit)) = &self.symbols {
@@ -167,10 +173,7 @@ impl Painting {
 
 /// Poses as the interpreter has them, for the rasteriser.
 pub(crate) fn poses_of(poses: &[[f64; 4]]) -> Vec<Pose<f64>> {
-    let poses = poses.iter();
-    poses
-        .map(|&[cos, sin, x, y]| Pose { cos, sin, x, y })
-        .collect()
+    poses.iter().copied().map(Pose::from).collect()
 }
 
 /// The number of a link in a table: 0 is the ground; none if its pose is not known.

@@ -477,10 +477,7 @@ impl Mechanism {
 fn pose_in(position: &Position<f64>, link: usize) -> Option<Pose<f64>> {
     match link.checked_sub(1) {
         None => Some(Pose::identity()),
-        Some(moving) => {
-            let &[cos, sin, x, y] = position.poses.get(moving)?;
-            Some(Pose { cos, sin, x, y })
-        }
+        Some(moving) => position.poses.get(moving).copied().map(Pose::from),
     }
 }
 

@@ -1,9 +1,9 @@
 //! The methods that draw a mechanism's diagram and arrows.
 
 use super::emitter::Emitter;
+use super::expression::Expression as _;
 use super::parts::Parts;
 use super::step::outcome_type;
-use super::symbols::Expression as _;
 use super::tokens::{integer, option};
 use crate::model::{Axis, JointId, JointKind, LoadKind};
 use crate::program::Program;

@@ -201,11 +201,11 @@ impl Builder<'_, '_> {
             .find(|wheel| wheel.side == Side::Inside);
         let hole = hole.map(|wheel| (wheel.center, rolling::rim(wheel)));
         let mut around: Vec<Place> = corners.iter().map(|&corner| places[corner]).collect();
-        let filled = Outline::Polygon(with_hole(around.clone(), hole));
+        let filled = Outline::Polygon(with_hole(around.clone(), hole).into());
         around.push(around[0]);
         for (share, color) in [(1.0, darker(self.color)), (FACE, self.color)] {
             let edge = Outline::Line {
-                points: around.clone(),
+                points: around.clone().into(),
                 width: self.width().times(share),
             };
             self.paint(edge, color);
@@ -214,7 +214,7 @@ impl Builder<'_, '_> {
         let corners: Vec<Point2<f64>> = corners.iter().map(|&corner| points[corner]).collect();
         if let Some(inset) = inset(&corners, INSET * self.scene.width) {
             self.paint(
-                Outline::Polygon(with_hole(inset, hole)),
+                Outline::Polygon(with_hole(inset, hole).into()),
                 lighter(self.color),
             );
         }
@@ -316,7 +316,13 @@ impl Builder<'_, '_> {
     fn line(&mut self, ends: [Point2<f64>; 2], width: f64, color: u8) {
         let points = ends.map(|end| fixed([end.x, end.y])).to_vec();
         let width = Measure::fixed(width);
-        self.paint(Outline::Line { points, width }, color);
+        self.paint(
+            Outline::Line {
+                points: points.into(),
+                width,
+            },
+            color,
+        );
     }
 
     /// Joins a guide with the pins of its link.

@@ -138,10 +138,13 @@ impl CamBody {
         let mut edge = corners.clone();
         edge.extend(corners.first().copied());
         let line = Outline::Line {
-            points: edge,
+            points: edge.into(),
             width: Measure::fixed(0.16 * scene.width),
         };
-        vec![(Outline::Polygon(corners), color), (line, darker(color))]
+        vec![
+            (Outline::Polygon(corners.into()), color),
+            (line, darker(color)),
+        ]
     }
 
     /// The middle of the disc, and the radius of a circle within it.

@@ -138,7 +138,7 @@ pub(super) fn stand(
     let base = hatched([-BASE, BASE], height);
     let base = base.into_iter().map(|[ahead, below]| at(ahead, below));
     vec![
-        (Outline::Polygon(body.to_vec()), color),
+        (Outline::Polygon(body.into_iter().collect()), color),
         (
             Outline::Circle {
                 center: place,

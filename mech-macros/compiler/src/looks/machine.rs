@@ -6,7 +6,7 @@ use super::cam::{CamBody, cams};
 use super::color::Colors;
 use super::declared::eye;
 use super::ground::{rails, stands};
-use super::outline::{Grid, Outline, Painted, painted};
+use super::outline::{Grid, Outline, Painted, painted, rounded};
 use super::planes::{INSIDE, LAID, Order, Pair, order};
 use super::rolling;
 use super::scene::Scene;
@@ -36,7 +36,7 @@ pub(super) fn machine(scene: &Scene<'_>, wheels: &Wheels) -> (Vec<Painted>, Opti
     all.extend(belts(scene, wheels, &arrangement));
     all.extend(arrangement.painted());
     for painted in &mut all {
-        painted.outline = painted.outline.clone().rounded(grid);
+        painted.outline = rounded(&painted.outline, grid);
     }
     (all, elastic)
 }

@@ -28,7 +28,7 @@ use crate::compiled::Compiled;
 use crate::model::{LinkId, Look, Measure, Model, Shape, ShapeKind};
 use crate::motion::extent::extent;
 use crate::symbols::{Symbol, spots};
-pub use outline::{Outline, Painted, Toothed};
+pub use outline::{Outline, Painted, Points, Toothed};
 use scene::Scene;
 use wheel::Wheels;
 
