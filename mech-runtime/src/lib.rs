@@ -38,7 +38,7 @@ pub use blocked::{Blocked, Cause, Place, Reached, Values};
 pub use columns::{BlockedAt, Columns};
 pub use force::{Forces, Reaction};
 pub use gauss_legendre::GaussLegendre;
-pub use joint::{Anchor, Coordinate, JointInfo, JointKind};
+pub use joint::{Anchor, JointInfo};
 /// The number of operations that a position takes, as generated. An operation whose result is never needed is not counted. An iteration
 /// counts once for each round. Where a loop iterates until it closes, three rounds are counted.
 ///
@@ -70,6 +70,8 @@ pub use mech_core::Cost;
 /// ```
 #[doc(inline)]
 pub use mech_core::Pose;
+#[doc(inline)]
+pub use mech_core::{Coordinate, JointKind};
 pub use mech_core::{Phase, Real};
 pub use mechanism::{BlockedOf, Mechanism};
 pub use nalgebra::{Isometry2, Point2, Vector2};

@@ -158,13 +158,13 @@ impl Mechanism {
         shown.collect()
     }
 
-    /// The present pose of each link of the model: cosine, sine, x and y; none of a link that is not shown.
+    /// The present pose of each link of the model; none of a link that is not shown.
     #[must_use]
-    pub fn poses(&self) -> Vec<Option<[f64; 4]>> {
+    pub fn poses(&self) -> Vec<Option<Pose<f64>>> {
         let links = self.model.link_ids();
         let pose = |link| {
             let place = self.compiled.program.place_of(link)?;
-            self.position.poses.get(place).copied()
+            self.position.poses.get(place).copied().map(Pose::from)
         };
         links.map(pose).collect()
     }

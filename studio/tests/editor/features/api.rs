@@ -23,7 +23,7 @@ pub(super) fn generated() -> Vec<String> {
 pub(super) fn runtime() -> Vec<String> {
     let mut found = BTreeSet::new();
     let files = |folder: &str| files_in(&format!("mech-runtime/{folder}"), ".rs");
-    let core = "outline.rs phase pose.rs real.rs symbol.rs".split(' ');
+    let core = "joint.rs outline.rs phase pose.rs real.rs symbol.rs".split(' ');
     let core = core.flat_map(|file| files(&format!("core/src/{file}")));
     for path in files("src").into_iter().chain(core) {
         let tokens = text_of(&path).parse().expect("tokens");
