@@ -2,7 +2,7 @@
 
 use crate::Pose;
 use crate::Scalar;
-use crate::pose::pose_of;
+use mech_core::{Coordinate, JointKind};
 
 /// A joint as it was declared: an entry of [`Mechanism::JOINTS`](crate::Mechanism::JOINTS).
 ///
@@ -53,52 +53,6 @@ pub struct JointInfo<T> {
     pub coordinate: Option<Coordinate>,
 }
 
-/// The kind of a joint.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum JointKind {
-    /// Two links turn about a common point.
-    Revolute,
-    /// Two links slide along a common line.
-    Prismatic,
-    /// A pin of the second link turns and slides in a slot of the first.
-    Slot,
-    /// Two links are one.
-    Weld,
-    /// Two toothed wheels roll on each other.
-    Gear,
-    /// A belt runs over two wheels.
-    Belt,
-    /// A wheel rolls on a toothed bar.
-    Rack,
-    /// The second link follows the cam of the first.
-    Cam,
-}
-
-/// The kind of a coordinate: its unit, and whether it counts whole turns.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Coordinate {
-    /// A length in scene units.
-    Length,
-    /// An angle in radians between −π and π, by an arc tangent. `continuous` in the declaration makes it [`Turns`](Self::Turns).
-    Angle,
-    /// An angle in radians that counts whole turns: of a motor, of a link that motors turn by gears and belts, or declared
-    /// `continuous`.
-    Turns,
-}
-
-impl Coordinate {
-    /// The name of its unit: `rad` or `scene units`.
-    #[must_use]
-    pub const fn unit(self) -> &'static str {
-        match self {
-            Self::Length => "scene units",
-            Self::Angle | Self::Turns => "rad",
-        }
-    }
-}
-
 /// The place of a joint in the frame of one of its links, with the params as declared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -147,13 +101,13 @@ impl<T: Scalar> Anchor<T> {
     /// pose among them.
     #[must_use]
     pub fn place(&self, poses: &[Pose<T>]) -> Option<[T; 2]> {
-        Some(pose_of(self.link?, poses)?.apply(self.at))
+        Some(Pose::of_link(self.link?, poses)?.apply(self.at))
     }
 
     /// Its direction in the scene, of length one, when the links have these [`poses`](crate::Mechanism::poses). `None` if its link has no
     /// pose among them.
     #[must_use]
     pub fn direction(&self, poses: &[Pose<T>]) -> Option<[T; 2]> {
-        Some(pose_of(self.link?, poses)?.turn(self.along))
+        Some(Pose::of_link(self.link?, poses)?.turn(self.along))
     }
 }

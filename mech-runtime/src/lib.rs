@@ -28,19 +28,17 @@ pub mod language;
 mod mechanism;
 pub mod overlay;
 pub mod parts;
-mod pose;
 mod range;
 pub mod raster;
 mod rate;
 mod scalar;
-mod shape;
 mod trace;
 
 pub use blocked::{Blocked, Cause, Place, Reached, Values};
 pub use columns::{BlockedAt, Columns};
 pub use force::{Forces, Reaction};
 pub use gauss_legendre::GaussLegendre;
-pub use joint::{Anchor, Coordinate, JointInfo, JointKind};
+pub use joint::{Anchor, JointInfo};
 /// The number of operations that a position takes, as generated. An operation whose result is never needed is not counted. An iteration
 /// counts once for each round. Where a loop iterates until it closes, three rounds are counted.
 ///
@@ -56,19 +54,45 @@ pub use joint::{Anchor, Coordinate, JointInfo, JointKind};
 /// ```
 #[doc(inline)]
 pub use mech_core::Cost;
+/// Where a link is.
+///
+/// `From` converts it to nalgebra's isometry and back. Places and directions, which are arrays here, convert to points and vectors:
+///
+/// ```
+/// use mech_runtime::{Isometry2, Point2, Pose};
+///
+/// let pose = Pose { cos: 0.0, sin: 1.0, x: 2.0, y: 3.0 };
+/// let isometry = Isometry2::from(pose);
+/// assert_eq!(Pose::from(isometry), pose);
+/// let point = Point2::new(1.0, 0.0);
+/// assert_eq!(Point2::from(pose.apply(point.into())), Point2::new(2.0, 4.0));
+/// assert_eq!(isometry * point, Point2::new(2.0, 4.0));
+/// ```
+#[doc(inline)]
+pub use mech_core::Pose;
+#[doc(inline)]
+pub use mech_core::{Coordinate, JointKind};
 pub use mech_core::{Phase, Real};
 pub use mechanism::{BlockedOf, Mechanism};
 pub use nalgebra::{Isometry2, Point2, Vector2};
 pub use overlay::Overlay;
-pub use pose::Pose;
 pub use range::InRange;
 pub use raster::{Canvas, Frame, Palette, Smooth, Stage, View};
 #[cfg(feature = "std")]
 pub use raster::{HeapFrame, HeapSmooth, HeapStage};
 pub use rate::{Acceleration, Velocity};
 pub use scalar::Scalar;
-pub use shape::{Outline, Shape};
 pub use trace::Trace;
+
+/// The outline of a shape, in scene units. Its points are borrowed.
+pub type Outline<'p, T> = mech_core::Outline<T, &'p [[T; 2]]>;
+
+/// An outline with points of its own, for who stores it: [`map`](mech_core::Outline::map) makes one, `borrowed` lends it to a canvas.
+#[cfg(feature = "std")]
+pub type OwnedOutline<T> = mech_core::Outline<T, std::vec::Vec<[T; 2]>>;
+
+/// A coloured outline in the frame of a link.
+pub type Shape<T> = mech_core::Shape<T, &'static [[T; 2]]>;
 
 #[doc(hidden)]
 pub use mech_macros::mechanism as expand_mechanism;

@@ -3,7 +3,7 @@
 use core::fmt::Display;
 use core::ops::{AddAssign, DivAssign, MulAssign, SubAssign};
 use mech_core::Real;
-use nalgebra::{Complex, ComplexField, Isometry2, Translation2, Unit};
+use nalgebra::ComplexField;
 
 mod sealed {
     pub trait Sealed {}
@@ -39,10 +39,6 @@ pub trait Scalar:
     #[doc(hidden)]
     fn from_f32(value: f32) -> Self;
 
-    /// nalgebra's isometry of a cosine, a sine and a translation. nalgebra makes isometries of types that it knows only.
-    #[doc(hidden)]
-    fn isometry(direction: [Self; 2], origin: [Self; 2]) -> Isometry2<Self>;
-
     /// 2⁴⁰ times the number, rounded towards zero. Too large a number saturates; NaN gives zero.
     #[doc(hidden)]
     fn to_fixed(self) -> i64;
@@ -69,12 +65,6 @@ macro_rules! scalar {
             #[allow(clippy::useless_conversion, reason = "of an `f32` it is itself")]
             fn from_f32(value: f32) -> Self {
                 Self::from(value)
-            }
-
-            #[inline]
-            fn isometry([cos, sin]: [Self; 2], [x, y]: [Self; 2]) -> Isometry2<Self> {
-                let rotation = Unit::new_unchecked(Complex::new(cos, sin));
-                Isometry2::from_parts(Translation2::new(x, y), rotation)
             }
 
             #[inline]

@@ -1,66 +1,43 @@
 //! What is painted in parts looks as though it were painted whole.
 
-use mech_runtime::{Canvas, Frame, Outline, Pose, Stage, Trace, View};
+use crate::outlines::Any;
+use mech_runtime::{Canvas, Frame, Outline, OwnedOutline, Pose, Stage, Trace, View};
 use proptest::prelude::*;
 
 /// Something to be painted, in pixels around the middle.
-#[derive(Clone, Debug)]
-enum Thing {
-    Polygon(Vec<[f64; 2]>),
-    Winding(Vec<[f64; 2]>),
-    Circle([f64; 2], f64),
-    Ring([f64; 2], f64),
-    Line(Vec<[f64; 2]>, f64),
-    Arc([f64; 2], [f64; 2], f64),
-    Text([f64; 2], String),
-}
-
-impl Thing {
-    fn paint(&self, canvas: &mut impl Canvas<f64>, color: u8, angle: f64) {
-        let (sin, cos) = angle.sin_cos();
-        let (x, y) = (8.0 * sin, 5.0 * cos);
-        let pose = Pose { cos, sin, x, y };
-        let outline = match self {
-            Self::Polygon(corners) => Outline::Polygon(corners),
-            Self::Winding(corners) => Outline::Winding(corners),
-            Self::Circle(center, radius) => Outline::Circle {
-                center: *center,
-                radius: *radius,
-            },
-            Self::Ring(center, radius) => Outline::Ring {
-                center: *center,
-                radius: *radius,
-                hole: 0.6 * radius,
-            },
-            Self::Line(points, width) => Outline::Line {
-                points,
-                width: *width,
-            },
-            Self::Arc(center, start, angle) => Outline::Arc {
-                center: *center,
-                start: *start,
-                angle: *angle,
-                width: 2.5,
-            },
-            Self::Text(place, text) => return canvas.text(pose.apply(*place), text, color),
-        };
-        canvas.fill(outline, pose, color);
-    }
-}
-
-fn thing() -> impl Strategy<Value = Thing> {
+fn thing() -> impl Strategy<Value = Any> {
     let place = || [-50.0..50.0, -40.0..40.0];
     let places = |least| prop::collection::vec(place(), least..7_usize);
+    let ring = |(center, radius)| OwnedOutline::Ring {
+        center,
+        radius,
+        hole: 0.6 * radius,
+    };
+    let arc = |(center, start, angle)| OwnedOutline::Arc {
+        center,
+        start,
+        angle,
+        width: 2.5,
+    };
+    let outline = prop_oneof![
+        places(0).prop_map(OwnedOutline::Polygon),
+        places(3).prop_map(OwnedOutline::Winding),
+        (place(), 0.5..25.0).prop_map(|(center, radius)| OwnedOutline::Circle { center, radius }),
+        (place(), 2.0..25.0).prop_map(ring),
+        (places(1), 0.5..6.0).prop_map(|(points, width)| OwnedOutline::Line { points, width }),
+        (place(), place(), -7.0..7.0).prop_map(arc),
+    ];
     prop_oneof![
-        places(0).prop_map(Thing::Polygon),
-        places(3).prop_map(Thing::Winding),
-        (place(), 0.5..25.0).prop_map(|(center, radius)| Thing::Circle(center, radius)),
-        (place(), 2.0..25.0).prop_map(|(center, radius)| Thing::Ring(center, radius)),
-        (places(1), 0.5..6.0).prop_map(|(points, width)| Thing::Line(points, width)),
-        (place(), place(), -7.0..7.0)
-            .prop_map(|(center, start, angle)| Thing::Arc(center, start, angle)),
-        (place(), "[a-zA-Z°]{0,7}").prop_map(|(place, text)| Thing::Text(place, text)),
+        6 => outline.prop_map(Any::Outline),
+        1 => (place(), "[a-zA-Z°]{0,7}").prop_map(|(place, text)| Any::Text(place, text)),
     ]
+}
+
+/// Paints a thing turned by an angle.
+fn paint(thing: &Any, canvas: &mut impl Canvas<f64>, color: u8, angle: f64) {
+    let (sin, cos) = angle.sin_cos();
+    let (x, y) = (8.0 * sin, 5.0 * cos);
+    thing.draw_at(Pose { cos, sin, x, y }, canvas, color);
 }
 
 /// How far each thing has turned; one that is not finite is not seen.
@@ -88,11 +65,11 @@ proptest! {
             }
             let things = || (1..).zip(things.iter().zip(angles)).take(*seen);
             let before = stage.frame().clone();
-            stage.show(|canvas| things().for_each(|(color, (thing, angle))| thing.paint(canvas, color, *angle)));
-            small.show(|canvas| things().for_each(|(color, (thing, angle))| thing.paint(canvas, color, *angle)));
-            none.show(|canvas| things().for_each(|(color, (thing, angle))| thing.paint(canvas, color, *angle)));
+            stage.show(|canvas| things().for_each(|(color, (thing, angle))| paint(thing, canvas, color, *angle)));
+            small.show(|canvas| things().for_each(|(color, (thing, angle))| paint(thing, canvas, color, *angle)));
+            none.show(|canvas| things().for_each(|(color, (thing, angle))| paint(thing, canvas, color, *angle)));
             frame.clear();
-            things().for_each(|(color, (thing, angle))| thing.paint(&mut frame, color, *angle));
+            things().for_each(|(color, (thing, angle))| paint(thing, &mut frame, color, *angle));
             prop_assert!(stage.frame() == &frame, "at moment {number}");
             prop_assert!(small.frame() == &frame, "at moment {number}");
             prop_assert!(none.frame() == &frame, "at moment {number}");

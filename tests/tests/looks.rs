@@ -4,9 +4,9 @@ use i_overlay::core::fill_rule::FillRule;
 use i_overlay::core::overlay_rule::OverlayRule;
 use i_overlay::float::single::SingleFloatOverlay;
 use mech_compiler::evaluate::Machine;
-use mech_compiler::model::{JointKind, LinkId, Model, StartValue};
+use mech_compiler::model::{JointKind, LinkId, Measure, Model, StartValue};
 use mech_compiler::structure::Pin;
-use mech_compiler::{Compiled, Looks, Measure, Outline, Painted, compile, looks};
+use mech_compiler::{Compiled, Looks, Outline, Painted, compile, looks};
 use mech_runtime::Palette;
 use mech_test_support::{Sample, cases, for_all, model, painted_outside, samples};
 use nalgebra::{Complex, Isometry2, Point2, Translation2, UnitComplex};
@@ -43,12 +43,11 @@ pub(crate) fn frame(
 fn toothed(looks: &Looks, compiled: &Compiled, poses: &[[f64; 4]]) -> Vec<Vec<[f64; 2]>> {
     let outlines = looks.painted.iter().filter_map(|painted| {
         let corners = match &painted.outline {
-            Outline::Toothed(wheel) => wheel.corners(),
-            Outline::Polygon(corners) if corners.len() > 40 && painted.link != LinkId::GROUND => {
-                corners
-                    .iter()
-                    .map(|place| place.map(Measure::at_start))
-                    .collect()
+            Outline::Polygon(corners)
+                if corners.wheel.is_some()
+                    || (corners.len() > 40 && painted.link != LinkId::GROUND) =>
+            {
+                corners.at_start()
             }
             _ => return None,
         };
@@ -104,13 +103,10 @@ fn do_not_overlap(text: &str, turns: &[f64]) {
 
 /// The module of the teeth: the pitch diameter by their number. A tooth reaches seven tenths of it beyond the pitch circle.
 fn module(looks: &Looks) -> f64 {
-    let wheels = looks
-        .painted
-        .iter()
-        .filter_map(|painted| match &painted.outline {
-            Outline::Toothed(wheel) if wheel.rim.is_none() => Some(wheel),
-            _ => None,
-        });
+    let outlines = looks.painted.iter().map(|painted| &painted.outline);
+    let points = outlines.filter_map(|outline| outline.points());
+    let wheels = points.filter_map(|points| points.wheel.as_ref());
+    let wheels = wheels.filter(|wheel| wheel.rim.is_none());
     let modules = wheels.map(|wheel| {
         let reach = wheel.tooth.iter().map(|corner| corner[0].hypot(corner[1]));
         2.0 * reach.fold(0.0, f64::max) / (f64::from(wheel.count) + 1.4)
@@ -203,10 +199,8 @@ proptest! {
 pub(crate) fn covers(painted: &Painted, place: Point2<f64>) -> bool {
     match &painted.outline {
         Outline::Line { points, width } => {
-            let points: Vec<Point2<f64>> = points
-                .iter()
-                .map(|point| Point2::from(point.map(Measure::at_start)))
-                .collect();
+            let points = points.at_start().into_iter().map(Point2::from);
+            let points: Vec<Point2<f64>> = points.collect();
             points.windows(2).any(|ends| {
                 let along = ends[1] - ends[0];
                 let part = (place - ends[0]).dot(&along) / along.norm_squared();
@@ -215,10 +209,12 @@ pub(crate) fn covers(painted: &Painted, place: Point2<f64>) -> bool {
             })
         }
         Outline::Polygon(corners) => {
-            let corners: Vec<[f64; 2]> = corners
-                .iter()
-                .map(|corner| corner.map(Measure::at_start))
-                .collect();
+            if let Some(wheel) = &corners.wheel {
+                let root = wheel.tooth.iter().map(|corner| corner[0].hypot(corner[1]));
+                let away = (place - Point2::from(wheel.center)).norm();
+                return wheel.rim.is_none() && away < root.fold(f64::INFINITY, f64::min);
+            }
+            let corners = corners.at_start();
             let edges = corners.iter().zip(corners.iter().cycle().skip(1));
             let crossed = edges.filter(|([x, y], [u, v])| {
                 let spans = (*y > place.y) != (*v > place.y);
@@ -229,10 +225,6 @@ pub(crate) fn covers(painted: &Painted, place: Point2<f64>) -> bool {
         Outline::Circle { center, radius } => {
             let center = Point2::from(center.map(Measure::at_start));
             (place - center).norm() < radius.at_start()
-        }
-        Outline::Toothed(wheel) if wheel.rim.is_none() => {
-            let root = wheel.tooth.iter().map(|corner| corner[0].hypot(corner[1]));
-            (place - Point2::from(wheel.center)).norm() < root.fold(f64::INFINITY, f64::min)
         }
         _ => false,
     }

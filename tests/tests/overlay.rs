@@ -2,13 +2,22 @@
 
 use mech_compiler::Compiled;
 use mech_compiler::evaluate::Machine;
-use mech_compiler::model::{LinkId, Model};
-use mech_compiler::symbols::{Spot, Symbol, moving_points, symbols};
-use mech_runtime::overlay::Arrows;
+use mech_compiler::model::{LinkId, Measure, Model};
+use mech_compiler::symbols::{moving_points, symbols};
+use mech_runtime::overlay::{self, Arrows};
 use mech_runtime::{Canvas, Outline, Overlay, Pose, mechanism};
 use mech_test_support::{SOURCES, mechanisms};
 
 type Vector = [f64; 2];
+type Spot = overlay::Spot<f64, LinkId>;
+type Symbol = overlay::Symbol<f64, LinkId>;
+
+/// The diagram of a mechanism at its start.
+fn diagram(model: &Model, compiled: &Compiled) -> Vec<Symbol> {
+    let symbols = symbols(model, &compiled.structure, |_| true);
+    let at_start = |symbol: mech_compiler::symbols::Symbol| symbol.try_map(Measure::at_start, Some);
+    symbols.into_iter().filter_map(at_start).collect()
+}
 
 /// All mechanisms of the zoo.
 fn zoo() -> Vec<(Model, Compiled)> {
@@ -48,11 +57,8 @@ impl Moment {
     }
 
     fn pose(&self, time: usize, link: LinkId) -> Pose<f64> {
-        let [cos, sin, x, y] = match self.stored.binary_search(&link) {
-            Ok(place) => self.poses[time][place],
-            Err(_) => [1.0, 0.0, 0.0, 0.0],
-        };
-        Pose { cos, sin, x, y }
+        let place = self.stored.binary_search(&link);
+        place.map_or(Pose::identity(), |place| self.poses[time][place].into())
     }
 
     fn place(&self, spot: Spot) -> Vector {
@@ -60,16 +66,13 @@ impl Moment {
     }
 
     /// A direction of a link, in the scene.
-    fn direction(&self, link: LinkId, [u, v]: Vector) -> Vector {
-        let pose = self.pose(1, link);
-        [pose.cos * u - pose.sin * v, pose.sin * u + pose.cos * v]
+    fn direction(&self, link: LinkId, direction: Vector) -> Vector {
+        self.pose(1, link).turn(direction)
     }
 
     /// The velocity of the point of a link that is at a place in the scene.
-    fn velocity(&self, link: LinkId, [x, y]: Vector) -> Vector {
-        let pose = self.pose(1, link);
-        let [x, y] = [x - pose.x, y - pose.y];
-        let own = [pose.cos * x + pose.sin * y, pose.cos * y - pose.sin * x];
+    fn velocity(&self, link: LinkId, place: Vector) -> Vector {
+        let own = self.pose(1, link).relative(place);
         let [before, after] = [0, 2].map(|time| self.pose(time, link).apply(own));
         [0, 1].map(|part| (after[part] - before[part]) / (2.0 * self.step))
     }
@@ -153,7 +156,7 @@ fn what_rolls_in_a_diagram_does_not_slip() {
     for (model, compiled) in zoo() {
         let name = &model.name;
         let moment = Moment::of(&compiled);
-        let symbols = symbols(&model, &compiled.structure, |_| true);
+        let symbols = diagram(&model, &compiled);
         let rolling: Vec<&Symbol> = symbols
             .iter()
             .filter(|symbol| {
@@ -204,12 +207,7 @@ fn what_rolls_in_a_diagram_does_not_slip() {
                         more @ ..,
                     ],
                 ) => {
-                    racks_mesh(
-                        name,
-                        &moment,
-                        (*pinion, *radius),
-                        (*bar, model.axis(*along).direction),
-                    );
+                    racks_mesh(name, &moment, (*pinion, *radius), (*bar, *along));
                     racks += 1;
                     remaining = more;
                 }
@@ -228,7 +226,7 @@ fn every_pin_has_one_symbol_and_every_moving_one_an_arrow() {
     for (model, compiled) in zoo() {
         let name = &model.name;
         let moment = Moment::of(&compiled);
-        let symbols = symbols(&model, &compiled.structure, |_| true);
+        let symbols = diagram(&model, &compiled);
         let pivots: Vec<Spot> = symbols
             .iter()
             .filter_map(|symbol| match symbol {
@@ -244,11 +242,7 @@ fn every_pin_has_one_symbol_and_every_moving_one_an_arrow() {
             for (link, axis) in &pin.members {
                 let at = model.axis(*axis).at;
                 if model.link(*link).die.is_none() {
-                    let found = moment.place(Spot {
-                        link: *link,
-                        at,
-                        axis: *axis,
-                    });
+                    let found = moment.place(Spot { link: *link, at });
                     assert!(near(found, place), "{name}: {found:?}, {place:?}");
                 }
             }
@@ -257,7 +251,7 @@ fn every_pin_has_one_symbol_and_every_moving_one_an_arrow() {
             let of_pin = arrows.iter().filter(|spot| {
                 pin.members
                     .iter()
-                    .any(|(link, axis)| spot.link == *link && spot.at == model.axis(*axis).at)
+                    .any(|(link, axis)| spot.link == *link && spot.at == model.axis(*axis).place())
             });
             assert_eq!(of_pin.count(), usize::from(!fixed), "{name}");
         }
@@ -281,7 +275,7 @@ fn blocks_lie_on_the_lines_of_their_guides() {
     let mut count = 0;
     for (model, compiled) in zoo() {
         let moment = Moment::of(&compiled);
-        for symbol in symbols(&model, &compiled.structure, |_| true) {
+        for symbol in diagram(&model, &compiled) {
             if let Symbol::Slide {
                 guide,
                 along,
@@ -289,7 +283,7 @@ fn blocks_lie_on_the_lines_of_their_guides() {
             } = symbol
             {
                 let (from, to) = (moment.place(guide), moment.place(block));
-                let [u, v] = moment.direction(guide.link, model.axis(along).direction);
+                let [u, v] = moment.direction(guide.link, along);
                 near(
                     dot([to[0] - from[0], to[1] - from[1]], [-v, u]),
                     0.0,

@@ -32,7 +32,8 @@ fn written_out(path: &str) -> Vec<String> {
 fn named(recipe: &str) -> BTreeSet<PathBuf> {
     let quoted = recipe.split('`').skip(1).step_by(2);
     let paths = quoted.filter(|text| {
-        let is_path = text.contains('/') || text.ends_with(".rs") || text.ends_with(".md");
+        let ending = Path::new(text).extension();
+        let is_path = text.contains('/') || ending.is_some_and(|end| end == "rs" || end == "md");
         is_path && !text.contains([' ', '*', '\n'])
     });
     let paths = paths.flat_map(written_out);

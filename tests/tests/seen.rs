@@ -2,9 +2,11 @@
 
 use crate::looks::{compiled, covers, frame};
 use mech_compiler::evaluate::Machine;
-use mech_compiler::model::{Axis, AxisId, JointId, JointKind, LinkId, Model, Shape, ShapeKind};
+use mech_compiler::model::{
+    Axis, AxisId, JointId, JointKind, LinkId, Measure, Model, Place, Shape, ShapeKind,
+};
 use mech_compiler::structure::{Pin, Rolling};
-use mech_compiler::{Compiled, Looks, Measure, Outline, Painted, Place, compile, looks};
+use mech_compiler::{Compiled, Looks, Outline, Painted, compile, looks};
 use mech_runtime::Palette;
 use mech_test_support::{Sample, for_all, model, samples};
 use nalgebra::Point2;
@@ -32,10 +34,8 @@ impl Picture<'_> {
         };
         let own = frame.inverse() * place;
         match &painted.outline {
-            Outline::Toothed(wheel) => {
-                let corners = wheel.corners().into_iter();
-                let corners = corners.map(|corner| corner.map(measure)).collect();
-                let outline = Outline::Polygon(corners);
+            Outline::Polygon(corners) if corners.wheel.is_some() => {
+                let outline = Outline::Polygon(corners.to_vec().into());
                 covers(
                     &Painted {
                         outline,
@@ -71,15 +71,6 @@ impl Picture<'_> {
         all.filter(|(_, painted)| is(painted))
             .map(|(number, _)| number)
             .collect()
-    }
-}
-
-/// A number that depends on no param.
-fn measure(value: f64) -> Measure {
-    Measure {
-        value,
-        formula: None,
-        share: 1.0,
     }
 }
 
@@ -210,7 +201,7 @@ impl Picture<'_> {
     fn shows_teeth(&self, link: LinkId) -> bool {
         let teeth = self.numbers(|painted| {
             let corners = match &painted.outline {
-                Outline::Toothed(_) => usize::MAX,
+                Outline::Polygon(corners) if corners.wheel.is_some() => usize::MAX,
                 Outline::Polygon(corners) => corners.len(),
                 // Without teeth: the edge of a pulley.
                 Outline::Circle { .. } => 20,
@@ -230,16 +221,8 @@ impl Picture<'_> {
     /// Places of an outline in the scene; none of a ring.
     fn places(&self, number: usize) -> Vec<Point2<f64>> {
         let painted = &self.looks.painted[number];
-        let at_start = |places: &[Place]| {
-            places
-                .iter()
-                .map(|place| place.map(Measure::at_start))
-                .collect()
-        };
         let corners: Vec<[f64; 2]> = match &painted.outline {
-            Outline::Toothed(wheel) => wheel.corners(),
-            Outline::Polygon(corners) => at_start(corners),
-            Outline::Line { points, .. } => at_start(points),
+            Outline::Polygon(points) | Outline::Line { points, .. } => points.at_start(),
             Outline::Circle { center, radius } => {
                 let [x, y] = center.map(Measure::at_start);
                 disc(Point2::new(x, y), radius.at_start())
@@ -380,7 +363,9 @@ fn rails(looks: &Looks, line: &Axis) -> Vec<Rail> {
         [x * u + y * v, x * v - y * u]
     };
     let rail = |painted: &Painted| match &painted.outline {
-        Outline::Polygon(corners) if painted.link == LinkId::GROUND && corners.len() > 7 => {
+        Outline::Polygon(corners)
+            if painted.link == LinkId::GROUND && corners.len() > 7 && corners.wheel.is_none() =>
+        {
             // Its upper edge, and its thickness.
             let [from, to, below] = [0, 1, 2].map(|corner| from_line(&corners[corner]));
             let width = (to[1] - below[1]).abs() / 0.24;

@@ -2,7 +2,8 @@
 
 use crate::bug::bug;
 use crate::model::{AxisId, JointId, JointKind, LinkId, Model};
-use nalgebra::{Complex, Isometry2, Point2, Translation2, UnitComplex, Vector2};
+use mech_core::Pose;
+use nalgebra::{Isometry2, Point2, Vector2};
 
 /// The frames of all links at a position.
 pub(crate) struct LinkFrames<'m> {
@@ -13,7 +14,10 @@ pub(crate) struct LinkFrames<'m> {
 impl<'m> LinkFrames<'m> {
     /// The frames of links with these poses: cosine, sine, x and y of every link, the ground first.
     pub(crate) fn new(model: &'m Model, poses: &[[f64; 4]]) -> Self {
-        let frames = poses.iter().copied().map(frame).collect();
+        let frames = poses
+            .iter()
+            .map(|pose| Pose::from(*pose).isometry())
+            .collect();
         Self { model, frames }
     }
 
@@ -23,12 +27,13 @@ impl<'m> LinkFrames<'m> {
         let mut all = Self::new(model, &vec![[f64::NAN; 4]; model.links.len()]);
         all.frames[LinkId::GROUND.index()] = Isometry2::identity();
         for (link, pose) in links.iter().zip(poses) {
-            all.frames[link.index()] = frame(*pose);
+            all.frames[link.index()] = Pose::from(*pose).isometry();
         }
         for (number, link) in model.links.iter().enumerate() {
             if let Some((pin, guide)) = link.die {
                 let (place, direction) = (all.place(pin), all.direction(guide));
-                all.frames[number] = frame([direction.x, direction.y, place.x, place.y]);
+                let pose = Pose::from([direction.x, direction.y, place.x, place.y]);
+                all.frames[number] = pose.isometry();
             }
         }
         all
@@ -101,10 +106,4 @@ impl<'m> LinkFrames<'m> {
         });
         far.fold(0.0, f64::max)
     }
-}
-
-/// The frame of a link with this pose: cosine, sine, x and y.
-pub(crate) fn frame([cos, sin, x, y]: [f64; 4]) -> Isometry2<f64> {
-    let rotation = UnitComplex::new_unchecked(Complex::new(cos, sin));
-    Isometry2::from_parts(Translation2::new(x, y), rotation)
 }

@@ -36,4 +36,4 @@ pub use bug::catch;
 pub use compile::compile;
 pub use compiled::{Compiled, ForcePrograms};
 pub use expand::{Import, PartText, expand, expand_part, macro_calls, write};
-pub use looks::{Looks, Measure, Outline, Painted, Place, Symbols, Toothed, looks};
+pub use looks::{Looks, Outline, Painted, Points, Symbols, Toothed, looks};

@@ -42,7 +42,6 @@ const ROOMS: &[(&str, &[&str])] = &[
         &[
             "bug",
             "compiled",
-            "kinematics",
             "model",
             "motion",
             "plan",

@@ -1,7 +1,7 @@
-//! Numerics that generated code and the compiler's interpreter share, so that both compute the same bits.
+//! What generated code, its compiler and the studio share: numerics, so that all compute the same bits, and what is drawn of a mechanism.
 //!
 //! [`trig`] has the sine and cosine of an angle in radians, in portable code that compilers can vectorise. [`Phase`] is an angle that a
-//! motor may turn through for years without losing a bit.
+//! motor may turn through for years without losing a bit. [`Symbol`] and [`Outline`] are what is drawn, over any numbers.
 //!
 //! The crate is `no_std`, needs no allocator, has no `unsafe` code and never panics. Its results are the same bits on every machine with
 //! floats of IEEE 754: no operation is fused, and none depends on the processor's features.
@@ -15,19 +15,27 @@ pub mod contraction;
 mod cost;
 pub mod dense;
 pub mod font;
+mod joint;
 pub mod journey;
 mod kernel;
 pub mod limit;
 pub mod motors;
+mod outline;
 mod phase;
+mod pose;
 mod power;
 mod real;
 mod reduction;
 pub mod root;
+mod symbol;
 pub mod trig;
 mod turns;
 pub mod wheel;
 
 pub use cost::Cost;
+pub use joint::{Coordinate, JointKind};
+pub use outline::{Outline, Shape};
 pub use phase::Phase;
+pub use pose::Pose;
 pub use real::Real;
+pub use symbol::{Spot, Symbol};

@@ -16,6 +16,7 @@ pub trait Real:
     + Mul<Output = Self>
     + Div<Output = Self>
     + Neg<Output = Self>
+    + 'static
 {
     /// The distance from one to the next greater number.
     const EPSILON: f64;

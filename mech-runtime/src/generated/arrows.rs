@@ -1,7 +1,6 @@
 //! Arrows at the points of a mechanism.
 
 use crate::overlay::{Arrows, Spot};
-use crate::pose::pose_of;
 use crate::{Acceleration, Canvas, Pose, Reaction, Scalar, Velocity};
 
 /// Draws the velocities of points of moving links.
@@ -62,7 +61,7 @@ pub fn draw_force<T: Scalar, const LINKS: usize>(
     arrows: &Arrows<T>,
     canvas: &mut impl Canvas<T>,
 ) {
-    if let Some(pose) = pose_of(point.link, poses) {
+    if let Some(pose) = Pose::of_link(point.link, poses) {
         arrows.draw(canvas, pose.apply(point.at), force);
     }
 }

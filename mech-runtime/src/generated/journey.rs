@@ -1,7 +1,7 @@
 //! Moves as journeys of `mech_core::journey`.
 
 use super::{Motors, MoveLimits, Position, Stepping, Stop, Watched};
-use crate::{Blocked, Cause, Pose, Scalar};
+use crate::{Blocked, Cause, Scalar};
 use mech_core::journey::{AtZero, Growth, Journey, Standing, Turn, Watch};
 use mech_core::motors;
 
@@ -212,9 +212,7 @@ where
     fn beyond(&self, before: &Self::Position, at: &Self::Position) -> Self::Position {
         let mut beyond = *at;
         for (pose, before) in beyond.poses.iter_mut().zip(before.poses) {
-            let parts = |pose: Pose<T>| [pose.cos, pose.sin, pose.x, pose.y];
-            let [cos, sin, x, y] = motors::mirrored_pose(parts(before), parts(*pose));
-            *pose = Pose { cos, sin, x, y };
+            *pose = motors::mirrored_pose(before.into(), (*pose).into()).into();
         }
         let watched = self.limits.watched.iter();
         let watched = watched.map(|watched| [watched.sine, watched.rounding_square]);

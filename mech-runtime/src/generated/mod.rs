@@ -64,7 +64,6 @@ pub use core::option::Option::{self, None, Some};
 pub use core::primitive::{f32, f64, str, usize};
 pub use core::result::Result::{self, Err, Ok};
 
-use crate::pose::pose_of;
 use crate::{Cause, Scalar};
 
 /// The cause and the place of an error.
@@ -93,7 +92,7 @@ pub trait Traced {
 /// Paints shapes that are already in painting order.
 pub fn paint<T: Scalar>(shapes: &[Shape<T>], poses: &[Pose<T>], canvas: &mut impl Canvas<T>) {
     for shape in shapes {
-        if let Some(pose) = pose_of(shape.link, poses) {
+        if let Some(pose) = Pose::of_link(shape.link, poses) {
             canvas.fill(shape.outline, pose, shape.color);
         }
     }

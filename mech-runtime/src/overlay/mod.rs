@@ -50,7 +50,8 @@ mod pen;
 mod symbol;
 
 pub use arrow::{Arrows, arrow, moment};
-pub use symbol::{Spot, Symbol};
+#[doc(inline)]
+pub use mech_core::{Spot, Symbol};
 
 use crate::{Canvas, Palette, Pose, Scalar};
 use pen::Pen;
@@ -131,9 +132,9 @@ impl Overlay {
     ) {
         let pen = Pen::new(canvas, self.size, self.ink, self.paper);
         for symbol in symbols {
-            if self.wanted.get(symbol.kind() as usize) == Some(&true) {
+            if self.wanted.get(symbol::kind(symbol) as usize) == Some(&true) {
                 // A symbol on a link without a pose is left out.
-                let _ = symbol.draw(poses, &pen, canvas);
+                let _ = symbol::draw(symbol, poses, &pen, canvas);
             }
         }
     }

@@ -3,116 +3,8 @@
 use super::arrow::{head, turn};
 use super::elastic;
 use super::pen::{self, BOLD, MEDIUM, Pen, THIN};
-use crate::pose::pose_of;
 use crate::{Canvas, Pose, Real, Scalar};
-
-/// A place on a link.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spot<T> {
-    /// The link: 0 is the ground, `n + 1` the moving link whose pose is `poses()[n]`.
-    pub link: usize,
-    /// The place in its frame, in scene units.
-    pub at: [T; 2],
-}
-
-/// A symbol of a mechanism. Lengths are in scene units. Directions have length one.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Symbol<T> {
-    /// A side of a link, from one of its joints to the next.
-    Bar {
-        /// The link, numbered as in [`Spot`].
-        link: usize,
-        /// Both ends, in its frame.
-        ends: [[T; 2]; 2],
-    },
-    /// A named point of a link without a joint.
-    Mark(Spot<T>),
-    /// The pitch circle of a wheel.
-    Wheel {
-        /// The centre.
-        center: Spot<T>,
-        /// The radius.
-        radius: T,
-    },
-    /// The strands of a belt between two wheels.
-    Belt {
-        /// The centres of the wheels.
-        centers: [Spot<T>; 2],
-        /// Their radii.
-        radii: [T; 2],
-    },
-    /// The pitch line of a toothed bar.
-    Rack {
-        /// The centre of the pinion.
-        pinion: Spot<T>,
-        /// The pinion's pitch radius; negative if the bar is on its other side.
-        radius: T,
-        /// The bar, at the origin of the line along which it slides.
-        bar: Spot<T>,
-        /// The direction of that line, in the bar's frame.
-        along: [T; 2],
-    },
-    /// A line along which something slides.
-    Line {
-        /// The origin.
-        at: Spot<T>,
-        /// The direction, in the link's frame.
-        along: [T; 2],
-    },
-    /// A point about which something turns.
-    Point(Spot<T>),
-    /// A prismatic joint, or that of a slot.
-    Slide {
-        /// The part with the guide, at the origin of its line.
-        guide: Spot<T>,
-        /// The direction of the guide, in its link's frame.
-        along: [T; 2],
-        /// The part that slides.
-        block: Spot<T>,
-    },
-    /// A weld.
-    Weld(Spot<T>),
-    /// A revolute joint; on the ground, a fixed pivot.
-    Pivot(Spot<T>),
-    /// A spring between two points.
-    Spring {
-        /// Its ends.
-        ends: [Spot<T>; 2],
-        /// How many pixels to the left of the line between them it is drawn.
-        beside: f32,
-    },
-    /// A damper between two points.
-    Damper {
-        /// Its ends.
-        ends: [Spot<T>; 2],
-        /// How many pixels to the left of the line between them it is drawn.
-        beside: f32,
-    },
-    /// A torsional spring at a joint.
-    TorsionSpring(Spot<T>),
-    /// A torsional damper at a joint.
-    TorsionDamper(Spot<T>),
-    /// A cam that turns, at its shaft.
-    Cam(Spot<T>),
-    /// A cam that slides.
-    Wedge {
-        /// Its place.
-        at: Spot<T>,
-        /// The direction in which it slides, in its link's frame.
-        along: [T; 2],
-    },
-    /// A motor that turns.
-    RotaryMotor(Spot<T>),
-    /// A motor that slides.
-    LinearMotor {
-        /// The link that it moves.
-        block: Spot<T>,
-        /// The link with the guide, numbered as in [`Spot`].
-        guide: usize,
-        /// The guide's direction, in that link's frame.
-        along: [T; 2],
-    },
-}
+use mech_core::{Spot, Symbol};
 
 /// The kinds of symbols that are drawn or left out together.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -137,143 +29,139 @@ const RAIL: f32 = 36.0;
 /// The distance between strokes of hatching.
 const HATCH: f32 = 5.0;
 
-impl<T: Scalar> Spot<T> {
-    /// The place in the scene.
-    fn place(self, poses: &[Pose<T>]) -> Option<[T; 2]> {
-        Some(pose_of(self.link, poses)?.apply(self.at))
-    }
+/// The place of a spot in the scene.
+fn place<T: Scalar>(spot: Spot<T>, poses: &[Pose<T>]) -> Option<[T; 2]> {
+    Some(Pose::of_link(spot.link, poses)?.apply(spot.at))
+}
 
-    /// The place and a direction of its link, in the scene.
-    fn with(self, along: [T; 2], poses: &[Pose<T>]) -> Option<pen::Spot<T>> {
-        let pose = pose_of(self.link, poses)?;
-        let at = pose.apply(self.at);
-        let along = pose.turn(along);
-        Some(pen::Spot { at, along })
+/// The place of a spot and a direction of its link, in the scene.
+fn directed<T: Scalar>(spot: Spot<T>, along: [T; 2], poses: &[Pose<T>]) -> Option<pen::Spot<T>> {
+    let pose = Pose::of_link(spot.link, poses)?;
+    let at = pose.apply(spot.at);
+    let along = pose.turn(along);
+    Some(pen::Spot { at, along })
+}
+
+/// The kind of a symbol.
+pub(super) const fn kind<T>(symbol: &Symbol<T>) -> Kind {
+    match symbol {
+        Symbol::Bar { .. }
+        | Symbol::Mark(_)
+        | Symbol::Wheel { .. }
+        | Symbol::Belt { .. }
+        | Symbol::Rack { .. }
+        | Symbol::Cam(_)
+        | Symbol::Wedge { .. } => Kind::Link,
+        Symbol::Slide { .. }
+        | Symbol::Weld(_)
+        | Symbol::Pivot(_)
+        | Symbol::Spring { .. }
+        | Symbol::Damper { .. }
+        | Symbol::TorsionSpring(_)
+        | Symbol::TorsionDamper(_) => Kind::Joint,
+        Symbol::RotaryMotor(_) | Symbol::LinearMotor { .. } => Kind::Motor,
+        Symbol::Line { .. } | Symbol::Point(_) => Kind::Axis,
     }
 }
 
-impl<T: Scalar> Symbol<T> {
-    /// The kind.
-    pub(super) const fn kind(&self) -> Kind {
-        match self {
-            Self::Bar { .. }
-            | Self::Mark(_)
-            | Self::Wheel { .. }
-            | Self::Belt { .. }
-            | Self::Rack { .. }
-            | Self::Cam(_)
-            | Self::Wedge { .. } => Kind::Link,
-            Self::Slide { .. }
-            | Self::Weld(_)
-            | Self::Pivot(_)
-            | Self::Spring { .. }
-            | Self::Damper { .. }
-            | Self::TorsionSpring(_)
-            | Self::TorsionDamper(_) => Kind::Joint,
-            Self::RotaryMotor(_) | Self::LinearMotor { .. } => Kind::Motor,
-            Self::Line { .. } | Self::Point(_) => Kind::Axis,
+/// Draws a symbol, if the poses of its links are known.
+pub(super) fn draw<T: Scalar>(
+    symbol: &Symbol<T>,
+    poses: &[Pose<T>],
+    pen: &Pen<T>,
+    canvas: &mut impl Canvas<T>,
+) -> Option<()> {
+    match *symbol {
+        Symbol::Bar { link, ends } => {
+            let pose = Pose::of_link(link, poses)?;
+            pen.line(canvas, ends.map(|end| pose.apply(end)), BOLD);
         }
-    }
-
-    /// Draws it, if the poses of its links are known.
-    pub(super) fn draw(
-        &self,
-        poses: &[Pose<T>],
-        pen: &Pen<T>,
-        canvas: &mut impl Canvas<T>,
-    ) -> Option<()> {
-        match *self {
-            Self::Bar { link, ends } => {
-                let pose = pose_of(link, poses)?;
-                pen.line(canvas, ends.map(|end| pose.apply(end)), BOLD);
+        Symbol::Mark(spot) => pen.dot(canvas, place(spot, poses)?, 3.0),
+        Symbol::Wheel { center, radius } => {
+            let spot = directed(center, [T::ONE, T::ZERO], poses)?;
+            wheel(pen, canvas, spot, radius);
+        }
+        Symbol::Belt { centers, radii } => {
+            let [a, b] = centers;
+            belt(pen, canvas, [place(a, poses)?, place(b, poses)?], radii);
+        }
+        Symbol::Rack {
+            pinion,
+            radius,
+            bar,
+            along,
+        } => {
+            let bar = directed(bar, along, poses)?;
+            rack(pen, canvas, place(pinion, poses)?, radius, bar);
+        }
+        Symbol::Line { at, along } => {
+            let spot = directed(at, along, poses)?;
+            for dash in [-34.0_f32, -19.0, -4.0, 11.0, 26.0] {
+                pen.stroke(canvas, spot, [[dash, 0.0], [dash + 8.0, 0.0]], THIN);
             }
-            Self::Mark(spot) => pen.dot(canvas, spot.place(poses)?, 3.0),
-            Self::Wheel { center, radius } => {
-                let spot = center.with([T::ONE, T::ZERO], poses)?;
-                wheel(pen, canvas, spot, radius);
-            }
-            Self::Belt { centers, radii } => {
-                let [a, b] = centers;
-                belt(pen, canvas, [a.place(poses)?, b.place(poses)?], radii);
-            }
-            Self::Rack {
-                pinion,
-                radius,
-                bar,
-                along,
-            } => {
-                let bar = bar.with(along, poses)?;
-                rack(pen, canvas, pinion.place(poses)?, radius, bar);
-            }
-            Self::Line { at, along } => {
-                let spot = at.with(along, poses)?;
-                for dash in [-34.0_f32, -19.0, -4.0, 11.0, 26.0] {
-                    pen.stroke(canvas, spot, [[dash, 0.0], [dash + 8.0, 0.0]], THIN);
-                }
-                for dot in [-22.5_f32, -7.5, 7.5, 22.5] {
-                    pen.stroke(canvas, spot, [[dot - 0.5, 0.0], [dot + 0.5, 0.0]], THIN);
-                }
-            }
-            Self::Point(spot) => {
-                let spot = pen::Spot::upright(spot.place(poses)?);
-                pen.stroke(canvas, spot, [[-7.0, 0.0], [7.0, 0.0]], THIN);
-                pen.stroke(canvas, spot, [[0.0, -7.0], [0.0, 7.0]], THIN);
-            }
-            Self::Slide {
-                guide,
-                along,
-                block,
-            } => {
-                let (rail, at) = (guide.with(along, poses)?, block.place(poses)?);
-                slide(pen, canvas, rail, at, guide.link == 0);
-            }
-            Self::Weld(spot) => {
-                let spot = spot.with([T::ONE, T::ZERO], poses)?;
-                let corners = [[-4.5, -4.5], [4.5, -4.5], [4.5, 4.5], [-4.5, 4.5]];
-                pen.fill(canvas, spot, corners, pen.ink());
-            }
-            Self::Pivot(spot) => {
-                let at = spot.place(poses)?;
-                if spot.link == 0 {
-                    stand(pen, canvas, at);
-                }
-                pen.eye(canvas, at, PIVOT);
-            }
-            Self::Spring {
-                ends: [a, b],
-                beside,
-            } => elastic::spring(pen, canvas, [a.place(poses)?, b.place(poses)?], beside),
-            Self::Damper {
-                ends: [a, b],
-                beside,
-            } => elastic::damper(pen, canvas, [a.place(poses)?, b.place(poses)?], beside),
-            Self::TorsionSpring(spot) => elastic::torsion_spring(pen, canvas, spot.place(poses)?),
-            Self::TorsionDamper(spot) => elastic::torsion_damper(pen, canvas, spot.place(poses)?),
-            Self::Cam(spot) => {
-                let spot = spot.with([T::ONE, T::ZERO], poses)?;
-                let center = spot.offset(pen.pixels(CAM[0]), T::ZERO);
-                let start = spot.offset(pen.pixels(CAM[0] + CAM[1]), T::ZERO);
-                pen.arc(canvas, center, start, <T as Real>::TURN, MEDIUM);
-            }
-            Self::Wedge { at, along } => {
-                let spot = at.with(along, poses)?;
-                let [half, height] = WEDGE;
-                let corners = [[-half, -height], [half, -height], [half, height]];
-                pen.path(canvas, spot, corners.into_iter().chain([[-half, -height]]));
-            }
-            Self::RotaryMotor(spot) => turn(pen, canvas, spot.place(poses)?, true, 16.0),
-            Self::LinearMotor {
-                block,
-                guide,
-                along,
-            } => {
-                let along = pose_of(guide, poses)?.turn(along);
-                let at = block.place(poses)?;
-                slide_arrow(pen, canvas, pen::Spot { at, along });
+            for dot in [-22.5_f32, -7.5, 7.5, 22.5] {
+                pen.stroke(canvas, spot, [[dot - 0.5, 0.0], [dot + 0.5, 0.0]], THIN);
             }
         }
-        Some(())
+        Symbol::Point(spot) => {
+            let spot = pen::Spot::upright(place(spot, poses)?);
+            pen.stroke(canvas, spot, [[-7.0, 0.0], [7.0, 0.0]], THIN);
+            pen.stroke(canvas, spot, [[0.0, -7.0], [0.0, 7.0]], THIN);
+        }
+        Symbol::Slide {
+            guide,
+            along,
+            block,
+        } => {
+            let (rail, at) = (directed(guide, along, poses)?, place(block, poses)?);
+            slide(pen, canvas, rail, at, guide.link == 0);
+        }
+        Symbol::Weld(spot) => {
+            let spot = directed(spot, [T::ONE, T::ZERO], poses)?;
+            let corners = [[-4.5, -4.5], [4.5, -4.5], [4.5, 4.5], [-4.5, 4.5]];
+            pen.fill(canvas, spot, corners, pen.ink());
+        }
+        Symbol::Pivot(spot) => {
+            let at = place(spot, poses)?;
+            if spot.link == 0 {
+                stand(pen, canvas, at);
+            }
+            pen.eye(canvas, at, PIVOT);
+        }
+        Symbol::Spring {
+            ends: [a, b],
+            beside,
+        } => elastic::spring(pen, canvas, [place(a, poses)?, place(b, poses)?], beside),
+        Symbol::Damper {
+            ends: [a, b],
+            beside,
+        } => elastic::damper(pen, canvas, [place(a, poses)?, place(b, poses)?], beside),
+        Symbol::TorsionSpring(spot) => elastic::torsion_spring(pen, canvas, place(spot, poses)?),
+        Symbol::TorsionDamper(spot) => elastic::torsion_damper(pen, canvas, place(spot, poses)?),
+        Symbol::Cam(spot) => {
+            let spot = directed(spot, [T::ONE, T::ZERO], poses)?;
+            let center = spot.offset(pen.pixels(CAM[0]), T::ZERO);
+            let start = spot.offset(pen.pixels(CAM[0] + CAM[1]), T::ZERO);
+            pen.arc(canvas, center, start, <T as Real>::TURN, MEDIUM);
+        }
+        Symbol::Wedge { at, along } => {
+            let spot = directed(at, along, poses)?;
+            let [half, height] = WEDGE;
+            let corners = [[-half, -height], [half, -height], [half, height]];
+            pen.path(canvas, spot, corners.into_iter().chain([[-half, -height]]));
+        }
+        Symbol::RotaryMotor(spot) => turn(pen, canvas, place(spot, poses)?, true, 16.0),
+        Symbol::LinearMotor {
+            block,
+            guide,
+            along,
+        } => {
+            let along = Pose::of_link(guide, poses)?.turn(along);
+            let at = place(block, poses)?;
+            slide_arrow(pen, canvas, pen::Spot { at, along });
+        }
     }
+    Some(())
 }
 
 /// The triangle and the hatched base of a fixed pivot.

@@ -6,15 +6,26 @@ use embedded_graphics::image::ImageDrawable;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use mech_runtime::raster::embedded::{Screen, rgb};
-use mech_runtime::{Frame, View};
+use mech_runtime::{Frame, OwnedOutline, View};
 use proptest::prelude::*;
 
 fn shapes() -> [Any; 4] {
     [
-        Any::Ring([0.0, 0.0], 60.0, 30.0),
-        Any::Polygon(vec![[-90.0, -90.0], [0.0, 80.0], [70.0, -60.0]]),
+        Any::Outline(OwnedOutline::Ring {
+            center: [0.0, 0.0],
+            radius: 60.0,
+            hole: 30.0,
+        }),
+        Any::Outline(OwnedOutline::Polygon(vec![
+            [-90.0, -90.0],
+            [0.0, 80.0],
+            [70.0, -60.0],
+        ])),
         Any::Text([-50.0, 10.0], "what fails".to_string()),
-        Any::Line(vec![[-90.0, 50.0], [80.0, 70.0]], 5.0),
+        Any::Outline(OwnedOutline::Line {
+            points: vec![[-90.0, 50.0], [80.0, 70.0]],
+            width: 5.0,
+        }),
     ]
 }
 

@@ -2,40 +2,16 @@
 
 use crate::outlines::{Any, any as outline};
 use mech_runtime::{
-    Canvas, Frame, HeapFrame, HeapSmooth, HeapStage, Outline, Palette, Pose, Smooth, Stage, View,
+    Canvas, Frame, HeapFrame, HeapSmooth, HeapStage, Palette, Pose, Smooth, Stage, View,
 };
 use proptest::prelude::*;
-
-/// Paints everything moved.
-struct Moved<'c, C> {
-    canvas: &'c mut C,
-    pose: Pose<f64>,
-}
-
-impl<C: Canvas<f64>> Canvas<f64> for Moved<'_, C> {
-    fn fill(&mut self, outline: Outline<'_, f64>, _: Pose<f64>, color: u8) {
-        self.canvas.fill(outline, self.pose, color);
-    }
-
-    fn text(&mut self, place: [f64; 2], text: &str, color: u8) {
-        self.canvas.text(self.pose.apply(place), text, color);
-    }
-
-    fn scale(&self) -> f64 {
-        self.canvas.scale()
-    }
-}
 
 /// A shape, where it is, and its colour.
 type Thing = (Any, Pose<f64>, u8);
 
 fn paint(canvas: &mut impl Canvas<f64>, things: &[Thing]) {
     for (outline, pose, color) in things {
-        let mut canvas = Moved {
-            canvas: &mut *canvas,
-            pose: *pose,
-        };
-        outline.draw(&mut canvas, *color);
+        outline.draw_at(*pose, canvas, *color);
     }
 }
 

@@ -4,7 +4,7 @@
 
 use super::drawing::Drawing;
 use super::path::Path;
-use super::pose::{Pose, SCENE, relative};
+use super::pose::{Pose, SCENE};
 use super::worker::{Hold, Led};
 use super::{Gesture, Item};
 use crate::edit::{Command, Dragged, Follower, Refusal};
@@ -130,7 +130,9 @@ impl Dragging {
         // In the frame of a link that is turned, places have many digits; those that nobody sees are left out.
         let to = match self.frame {
             SCENE => place,
-            pose => relative(pose, place).map(|part| rounded(part, self.tolerance)),
+            pose => pose
+                .relative(place)
+                .map(|part| rounded(part, self.tolerance)),
         };
         if self.wanted == Some(to) {
             return None;
@@ -144,8 +146,9 @@ impl Dragging {
         self.answered = Some(led.to);
         match led.outcome {
             Ok((dragged, commands)) => {
-                let poses = dragged.poses.clone();
-                self.drawing = Some(self.before.with_numbers(dragged.model.clone(), poses));
+                let poses = dragged.poses.iter().map(|pose| pose.map(Pose::from));
+                let (model, poses) = (dragged.model.clone(), poses.collect());
+                self.drawing = Some(self.before.with_numbers(model, poses));
                 self.dragged = Some(dragged);
                 self.commands = commands;
                 self.refusal = None;
@@ -178,9 +181,7 @@ impl Dragging {
 }
 
 /// The turn from one frame to another, as a direction.
-fn turn([cos, sin, ..]: Pose, [other_cos, other_sin, ..]: Pose) -> [f64; 2] {
-    [
-        cos * other_cos + sin * other_sin,
-        sin * other_cos - cos * other_sin,
-    ]
+fn turn(pose: Pose, other: Pose) -> [f64; 2] {
+    let (x, y) = (0.0, 0.0);
+    Pose { x, y, ..other }.relative([pose.cos, pose.sin])
 }

@@ -3,7 +3,7 @@
 use super::Item;
 use super::index::{self, HandleKind, Index};
 use super::placement::{closed, ends, placed};
-use super::pose::{Pose, SCENE, apply, relative};
+use super::pose::{Pose, SCENE};
 use mech_compiler::model::{AxisId, Between, JointId, JointKind, LinkId, Model};
 use mech_compiler::plan::have_same_steps;
 use std::sync::Arc;
@@ -112,25 +112,25 @@ impl Drawing {
     /// Whether coordinates of a link are those of the scene.
     pub(crate) fn is_in_scene(&self, link: LinkId) -> bool {
         let near = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-9;
-        self.pose(link).iter().zip(&SCENE).all(near)
+        let parts = <[f64; 4]>::from;
+        parts(self.pose(link)).iter().zip(&parts(SCENE)).all(near)
     }
 
     /// Where an axis is in the scene.
     pub(crate) fn place(&self, axis: AxisId) -> [f64; 2] {
         let axis = self.model.axis(axis);
-        apply(self.pose(axis.link), axis.at)
+        self.pose(axis.link).apply(axis.at)
     }
 
     /// The direction of an axis in the scene.
     pub(crate) fn direction(&self, axis: AxisId) -> [f64; 2] {
         let axis = self.model.axis(axis);
-        let [cos, sin, ..] = self.pose(axis.link);
-        apply([cos, sin, 0.0, 0.0], axis.direction)
+        self.pose(axis.link).turn(axis.direction)
     }
 
     /// A place of the scene in the frame of a link.
     pub(crate) fn in_frame(&self, link: LinkId, place: [f64; 2]) -> [f64; 2] {
-        relative(self.pose(link), place)
+        self.pose(link).relative(place)
     }
 
     /// The link of this name.

@@ -1,6 +1,6 @@
 //! Where links are drawn while nothing moves them: as far as it goes, where their joints want them.
 
-use super::pose::{Pose, SCENE, apply, relative};
+use super::pose::{Pose, SCENE};
 use mech_compiler::model::{AxisId, Joint, JointKind, LinkId, Model};
 
 /// The pose of each link: as known, or as its joints to those that are known want it, or that of the scene.
@@ -97,7 +97,6 @@ fn next(model: &Model, known: &[Option<Pose>]) -> Option<(LinkId, Pose)> {
 
 /// The pose of the link of an axis that coincides with one that is placed.
 fn beside(model: &Model, (fixed, pose): (AxisId, Pose), axis: AxisId, turns: bool) -> Pose {
-    let [x, y] = apply(pose, model.axis(fixed).at);
     let [cos, sin] = if turns {
         near(model, model.axis(axis).link)
     } else {
@@ -107,8 +106,14 @@ fn beside(model: &Model, (fixed, pose): (AxisId, Pose), axis: AxisId, turns: boo
             model.axis(axis).direction,
         )
     };
-    let [left, up] = apply([cos, sin, 0.0, 0.0], model.axis(axis).at);
-    [cos, sin, x - left, y - up]
+    let place = pose.apply(model.axis(fixed).at);
+    moved([cos, sin], model.axis(axis).at, place)
+}
+
+/// The pose of this direction that takes a place to another.
+fn moved([cos, sin]: [f64; 2], from: [f64; 2], to: [f64; 2]) -> Pose {
+    let [x, y] = Pose { cos, sin, ..SCENE }.turn(from);
+    Pose::from([cos, sin, to[0] - x, to[1] - y])
 }
 
 /// The shortest motion of the second link of a joint that closes it.
@@ -121,21 +126,18 @@ struct Jump {
 
 impl Jump {
     /// Where it takes a pose.
-    fn carry(&self, [cos, sin, x, y]: Pose) -> Pose {
-        let [turn_cos, turn_sin, ..] = self.pose;
-        let [cos, sin] = apply([turn_cos, turn_sin, 0.0, 0.0], [cos, sin]);
-        let [x, y] = apply(self.pose, [x, y]);
-        [cos, sin, x, y]
+    fn carry(&self, pose: Pose) -> Pose {
+        let [cos, sin] = self.pose.turn([pose.cos, pose.sin]);
+        let [x, y] = self.pose.apply([pose.x, pose.y]);
+        Pose { cos, sin, x, y }
     }
 
     /// The motion of the first link that closes the joint.
     fn back(&self) -> Self {
-        let [cos, sin, ..] = self.pose;
-        let [x, y] = relative(self.pose, [0.0, 0.0]);
-        Self {
-            pose: [cos, -sin, x, y],
-            gap: self.gap,
-        }
+        let Pose { cos, sin, .. } = self.pose;
+        let [x, y] = self.pose.relative([0.0, 0.0]);
+        let pose = Pose::from([cos, -sin, x, y]);
+        Self { pose, ..*self }
     }
 
     /// Whether the joint is closed already.
@@ -149,9 +151,7 @@ fn jump(model: &Model, poses: &[Pose], joint: &Joint) -> Option<Jump> {
     let [(to, onto), (from, of)] = joint.kind.axes()?.map(|axis| {
         let axis = model.axis(axis);
         let pose = poses[axis.link.index()];
-        let [cos, sin, ..] = pose;
-        let direction = apply([cos, sin, 0.0, 0.0], axis.direction);
-        (apply(pose, axis.at), direction)
+        (pose.apply(axis.at), pose.turn(axis.direction))
     });
     let [cos, sin] = match joint.kind {
         JointKind::Revolute(..) => [1.0, 0.0],
@@ -162,9 +162,8 @@ fn jump(model: &Model, poses: &[Pose], joint: &Joint) -> Option<Jump> {
         let along = way[0] * onto[0] + way[1] * onto[1];
         way = [way[0] - along * onto[0], way[1] - along * onto[1]];
     }
-    let [x, y] = apply([cos, sin, 0.0, 0.0], from);
     Some(Jump {
-        pose: [cos, sin, from[0] + way[0] - x, from[1] + way[1] - y],
+        pose: moved([cos, sin], from, [from[0] + way[0], from[1] + way[1]]),
         gap: [way[0].hypot(way[1]), (cos - 1.0).hypot(sin)],
     })
 }
@@ -172,8 +171,8 @@ fn jump(model: &Model, poses: &[Pose], joint: &Joint) -> Option<Jump> {
 /// Where the ends of a joint are drawn: of its first link, or the nearest on its line, and of its second.
 pub(super) fn ends(model: &Model, poses: &[Pose], joint: &Joint) -> Option<[[f64; 2]; 2]> {
     let axis = model.axis(joint.kind.axes()?[1]);
-    let second = apply(poses[axis.link.index()], axis.at);
-    let first = apply(jump(model, poses, joint)?.pose, second);
+    let second = poses[axis.link.index()].apply(axis.at);
+    let first = jump(model, poses, joint)?.pose.apply(second);
     Some([first, second])
 }
 
@@ -184,7 +183,7 @@ fn near(model: &Model, link: LinkId) -> [f64; 2] {
 }
 
 /// The turn that brings a direction of one link onto that of another.
-fn turn([cos, sin, ..]: Pose, of: [f64; 2], onto: [f64; 2]) -> [f64; 2] {
-    let [u, v] = apply([cos, sin, 0.0, 0.0], of);
+fn turn(pose: Pose, of: [f64; 2], onto: [f64; 2]) -> [f64; 2] {
+    let [u, v] = pose.turn(of);
     [u * onto[0] + v * onto[1], v * onto[0] - u * onto[1]]
 }

@@ -173,6 +173,6 @@ fn starts(model: &Model, compiled: &Compiled) -> Vec<Option<Pose>> {
     let start = &compiled.program.start.poses;
     let links = model.link_ids();
     links
-        .map(|link| start.get(compiled.program.place_of(link)?).copied())
+        .map(|link| Some(start[compiled.program.place_of(link)?].into()))
         .collect()
 }

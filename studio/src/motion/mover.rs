@@ -4,7 +4,7 @@ use mech_compiler::Compiled;
 use mech_compiler::evaluate::{LinkRates, Machine, Prepared, Stop};
 use mech_compiler::model::{Model, Precision};
 use mech_compiler::program::{Forces, Position, Program};
-use mech_core::Real;
+use mech_core::{Pose, Real};
 
 /// A mechanism that moves as its generated code does, in the precision of its text. What it is given and what it tells is in double precision,
 /// which holds the numbers of both.
@@ -144,6 +144,6 @@ pub(crate) fn place_of(precision: Precision, pose: [f64; 4], point: [f64; 2]) ->
 }
 
 fn place_in<T: Real>(pose: [f64; 4], point: [f64; 2]) -> [f64; 2] {
-    let ([cos, sin, x, y], [a, b]) = (pose.map(T::from_f64), point.map(T::from_f64));
-    [x + cos * a - sin * b, y + sin * a + cos * b].map(Real::to_f64)
+    let place = Pose::from(pose.map(T::from_f64)).apply(point.map(T::from_f64));
+    place.map(Real::to_f64)
 }

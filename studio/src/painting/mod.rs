@@ -1,14 +1,13 @@
 //! Mechanisms that the interpreter moves, painted as their generated code would paint them.
 
-mod outline;
-mod symbol;
-
 use crate::motion::Paths;
-use mech_compiler::model::{LinkId, Look, Model};
-use mech_compiler::{Compiled, Symbols, looks, symbols};
+use mech_compiler::model::{LinkId, Look, Measure, Model};
+use mech_compiler::{Compiled, Points, Symbols, looks, symbols};
 use mech_runtime::overlay::{Overlay, Symbol};
 use mech_runtime::{Canvas, Outline, Pose, View};
-use outline::Shape;
+
+/// An outline of a link, with its colour and its own points.
+type Shape = mech_core::Shape<f64, Vec<[f64; 2]>>;
 
 /// What is painted of a mechanism.
 pub(crate) struct Painting {
@@ -31,8 +30,11 @@ impl Painting {
         let looks = looks(model, compiled);
         let number = |link| number_of(compiled, link);
         let shapes = looks.painted.iter().filter_map(|painted| {
-            let link = number(painted.link)?;
-            Some(Shape::new(link, painted))
+            Some(Shape {
+                link: number(painted.link)?,
+                outline: painted.outline.map(Measure::at_start, Points::at_start),
+                color: painted.color,
+            })
         });
         let mut traces: Vec<(usize, usize)> = model
             .traces
@@ -41,12 +43,14 @@ impl Painting {
             .map(|(index, trace)| (index, looks.behind(trace.plane)))
             .collect();
         traces.sort_by_key(|(_, behind)| *behind);
+        let drawn = |symbols: &[symbols::Symbol]| {
+            let drawn = symbols.iter();
+            let drawn = drawn.filter_map(|symbol| symbol.try_map(Measure::at_start, number));
+            drawn.collect::<Vec<_>>()
+        };
         let diagram = || {
             let has_pose = |link| compiled.program.place_of(link).is_some();
-            let all = symbols::symbols(model, &compiled.structure, has_pose);
-            all.iter()
-                .filter_map(|one| symbol::symbol(model, compiled, one))
-                .collect::<Vec<_>>()
+            drawn(&symbols::symbols(model, &compiled.structure, has_pose))
         };
         Self {
             shapes: shapes.collect(),
@@ -55,11 +59,7 @@ impl Painting {
             symbols: match &looks.symbols {
                 None => None,
                 Some(Symbols::Diagram) => Some((diagram(), None)),
-                Some(Symbols::Elastic { symbols, unit }) => {
-                    let found = symbols.iter();
-                    let found = found.filter_map(|one| symbol::symbol(model, compiled, one));
-                    Some((found.collect(), Some(*unit)))
-                }
+                Some(Symbols::Elastic { symbols, unit }) => Some((drawn(symbols), Some(*unit))),
             },
             diagram: has_diagram.then(diagram),
             extent: looks.extent(model, compiled),
@@ -119,7 +119,8 @@ impl Painting {
 
     /// All outlines from the farthest to the nearest, each with the number of its link.
     pub(crate) fn outlines(&self) -> impl Iterator<Item = (usize, Outline<'_, f64>)> {
-        self.shapes.iter().map(|shape| (shape.link, shape.filled()))
+        let shapes = self.shapes.iter();
+        shapes.map(|shape| (shape.link, shape.outline.borrowed()))
     }
 
     /// Paints a position: for each moving link its pose, as the interpreter has it.
@@ -141,8 +142,10 @@ impl Painting {
             while let Some(&(trace, _)) = traces.next_if(|(_, behind)| *behind == number) {
                 paths.draw(trace, canvas, self.colors_of_traces[trace]);
             }
-            if let Some(shape) = self.shapes.get(number) {
-                shape.paint(poses, canvas);
+            if let Some(shape) = self.shapes.get(number)
+                && let Some(pose) = Pose::of_link(shape.link, poses)
+            {
+                canvas.fill(shape.outline.borrowed(), pose, shape.color);
             }
         }
         if let Some((symbols, unit)) = &self.symbols {
@@ -170,10 +173,7 @@ impl Painting {
 
 /// Poses as the interpreter has them, for the rasteriser.
 pub(crate) fn poses_of(poses: &[[f64; 4]]) -> Vec<Pose<f64>> {
-    let poses = poses.iter();
-    poses
-        .map(|&[cos, sin, x, y]| Pose { cos, sin, x, y })
-        .collect()
+    poses.iter().copied().map(Pose::from).collect()
 }
 
 /// The number of a link in a table: 0 is the ground; none if its pose is not known.

@@ -10,7 +10,7 @@ use crate::motion::{
 };
 use crate::painting::{Painting, number_of, poses_of};
 use mech_compiler::evaluate::Stop;
-use mech_compiler::model::{JointId, Look, Model, MotorId};
+use mech_compiler::model::{JointId, Look, Measure, Model, MotorId};
 use mech_compiler::program::{Forces, Position};
 use mech_compiler::{Compiled, compile, symbols};
 use mech_runtime::overlay::{Arrows, Spot};
@@ -55,10 +55,9 @@ impl Mechanism {
         let size = (high[0] - low[0]).max(high[1] - low[1]);
         let has_pose = |link| compiled.program.place_of(link).is_some();
         let points = symbols::moving_points(&model, &compiled.structure, has_pose);
-        let points = points.iter().filter_map(|point| {
-            let link = number_of(&compiled, point.link)?;
-            Some(Spot { link, at: point.at })
-        });
+        let number = |link| number_of(&compiled, link);
+        let points = points.iter();
+        let points = points.filter_map(|point| point.try_map(Measure::at_start, number));
         Ok(Self {
             with_rates: OnceCell::new(),
             with_forces: OnceCell::new(),
@@ -159,13 +158,13 @@ impl Mechanism {
         shown.collect()
     }
 
-    /// The present pose of each link of the model: cosine, sine, x and y; none of a link that is not shown.
+    /// The present pose of each link of the model; none of a link that is not shown.
     #[must_use]
-    pub fn poses(&self) -> Vec<Option<[f64; 4]>> {
+    pub fn poses(&self) -> Vec<Option<Pose<f64>>> {
         let links = self.model.link_ids();
         let pose = |link| {
             let place = self.compiled.program.place_of(link)?;
-            self.position.poses.get(place).copied()
+            self.position.poses.get(place).copied().map(Pose::from)
         };
         links.map(pose).collect()
     }
@@ -478,10 +477,7 @@ impl Mechanism {
 fn pose_in(position: &Position<f64>, link: usize) -> Option<Pose<f64>> {
     match link.checked_sub(1) {
         None => Some(Pose::identity()),
-        Some(moving) => {
-            let &[cos, sin, x, y] = position.poses.get(moving)?;
-            Some(Pose { cos, sin, x, y })
-        }
+        Some(moving) => position.poses.get(moving).copied().map(Pose::from),
     }
 }
 

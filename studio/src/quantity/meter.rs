@@ -11,6 +11,7 @@ use mech_compiler::evaluate::Stop;
 use mech_compiler::model::{AxisId, JointId, JointKind, LinkId, Model, Precision};
 use mech_compiler::program::{self, Forces};
 use mech_compiler::{Compiled, compile};
+use mech_runtime::{Acceleration, Velocity};
 use std::ops::Range;
 
 /// What was measured: a row for each position.
@@ -345,27 +346,21 @@ impl<'a> Meter<'a> {
         let axis = self.model.axis(point);
         let pose = at.pose(self.compiled, axis.link)?;
         if order == Order::Place {
-            return Some(place_of(self.model.precision, pose, axis.at));
+            return Some(place_of(self.model.precision, pose.into(), axis.at));
         }
-        let [cos, sin, ..] = pose;
-        let arm = turned([cos, sin], axis.at);
-        let [turning, u, v] = self.rate(at, axis.link, Order::Velocity)?;
+        let [turning, x, y] = self.rate(at, axis.link, Order::Velocity)?;
+        let angular = turning;
         if order == Order::Velocity {
-            return Some([u - turning * arm[1], v + turning * arm[0]]);
+            return Some(Velocity { angular, x, y }.of_point(pose, axis.at));
         }
-        let [change, u, v] = self.rate(at, axis.link, Order::Acceleration)?;
-        let square = turning * turning;
-        Some([
-            u - change * arm[1] - square * arm[0],
-            v + change * arm[0] - square * arm[1],
-        ])
+        let [angular, x, y] = self.rate(at, axis.link, Order::Acceleration)?;
+        Some(Acceleration { angular, x, y }.of_point(pose, turning, axis.at))
     }
 
     /// The direction of an axis in the scene.
     fn direction(&self, at: &Position, id: AxisId) -> Option<[f64; 2]> {
         let axis = self.model.axis(id);
-        let [cos, sin, ..] = at.pose(self.compiled, axis.link)?;
-        Some(turned([cos, sin], axis.direction))
+        Some(at.pose(self.compiled, axis.link)?.turn(axis.direction))
     }
 
     fn coordinate(&self, at: &Position, joint: JointId) -> Option<f64> {
@@ -436,10 +431,6 @@ fn part_of([x, y]: [f64; 2], part: Part) -> f64 {
         Part::Y => y,
         Part::Norm => x.hypot(y),
     }
-}
-
-fn turned([cos, sin]: [f64; 2], [x, y]: [f64; 2]) -> [f64; 2] {
-    [cos * x - sin * y, sin * x + cos * y]
 }
 
 fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {

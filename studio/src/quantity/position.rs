@@ -4,6 +4,7 @@ use mech_compiler::Compiled;
 use mech_compiler::evaluate::LinkRates;
 use mech_compiler::model::LinkId;
 use mech_compiler::program::{self, Inertia, InverseDynamics};
+use mech_runtime::Pose;
 use std::f64::consts::TAU;
 
 /// All that is known where a mechanism is.
@@ -44,18 +45,18 @@ impl Position {
     }
 
     /// The pose of a link.
-    pub(super) fn pose(&self, compiled: &Compiled, link: LinkId) -> Option<[f64; 4]> {
+    pub(super) fn pose(&self, compiled: &Compiled, link: LinkId) -> Option<Pose<f64>> {
         if link == LinkId::GROUND {
-            return Some([1.0, 0.0, 0.0, 0.0]);
+            return Some(Pose::identity());
         }
         let place = compiled.program.place_of(link)?;
-        self.poses.get(place).copied()
+        self.poses.get(place).copied().map(Pose::from)
     }
 
     /// The angle of a link in the scene, between −π and π.
     pub(super) fn heading(&self, compiled: &Compiled, link: LinkId) -> Option<f64> {
-        let [cos, sin, ..] = self.pose(compiled, link)?;
-        Some(sin.atan2(cos))
+        let pose = self.pose(compiled, link)?;
+        Some(pose.sin.atan2(pose.cos))
     }
 }
 

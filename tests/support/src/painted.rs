@@ -2,9 +2,10 @@
 
 use crate::Dice;
 use mech_compiler::evaluate::Machine;
-use mech_compiler::model::{JointKind, Model};
+use mech_compiler::model::{JointKind, Measure, Model};
 use mech_compiler::program::Position;
-use mech_compiler::{Compiled, Looks, Outline, looks};
+use mech_compiler::{Compiled, Looks, Points, looks};
+use mech_runtime::{OwnedOutline, Pose};
 use std::f64::consts::TAU;
 use std::time::{Duration, Instant};
 
@@ -103,9 +104,8 @@ fn beyond(
 ) -> [f64; 4] {
     let mut sides = [f64::NEG_INFINITY; 4];
     for &(link, [u, v], radius) in seen {
-        let place = link.checked_sub(1).map(|link| position.poses[link]);
-        let [cos, sin, x, y] = place.unwrap_or([1.0, 0.0, 0.0, 0.0]);
-        let at = [x + cos * u - sin * v, y + sin * u + cos * v];
+        let pose = link.checked_sub(1).map(|link| position.poses[link].into());
+        let at = pose.unwrap_or(Pose::identity()).apply([u, v]);
         for part in 0..2 {
             sides[part] = sides[part].max(low[part] - (at[part] - radius));
             sides[2 + part] = sides[2 + part].max(at[part] + radius - high[part]);
@@ -119,20 +119,17 @@ fn places(looks: &Looks) -> Vec<(usize, [f64; 2], f64)> {
     let mut all = Vec::new();
     for painted in &looks.painted {
         let link = painted.link.index();
-        let start =
-            |place: &[mech_compiler::Measure; 2]| place.map(mech_compiler::Measure::at_start);
-        match &painted.outline {
-            Outline::Circle { center, radius } | Outline::Ring { center, radius, .. } => {
-                all.push((link, start(center), radius.at_start()));
+        match painted.outline.map(Measure::at_start, Points::at_start) {
+            OwnedOutline::Circle { center, radius } | OwnedOutline::Ring { center, radius, .. } => {
+                all.push((link, center, radius));
             }
-            Outline::Polygon(corners) => {
-                all.extend(corners.iter().map(|corner| (link, start(corner), 0.0)));
+            OwnedOutline::Polygon(corners) | OwnedOutline::Winding(corners) => {
+                all.extend(corners.into_iter().map(|corner| (link, corner, 0.0)));
             }
-            Outline::Line { points, width } => {
-                let half = 0.5 * width.at_start();
-                all.extend(points.iter().map(|point| (link, start(point), half)));
+            OwnedOutline::Line { points, width } => {
+                all.extend(points.into_iter().map(|point| (link, point, 0.5 * width)));
             }
-            Outline::Arc {
+            OwnedOutline::Arc {
                 center,
                 start,
                 angle,
@@ -145,12 +142,6 @@ fn places(looks: &Looks) -> Vec<(usize, [f64; 2], f64)> {
                     (link, at, 0.5 * width)
                 }));
             }
-            Outline::Toothed(wheel) => all.extend(
-                wheel
-                    .corners()
-                    .into_iter()
-                    .map(|corner| (link, corner, 0.0)),
-            ),
         }
     }
     all

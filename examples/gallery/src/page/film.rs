@@ -1,6 +1,6 @@
 //! Films: motions, scene by scene, without the type of the mechanism.
 
-use mech_runtime::{Blocked, Canvas, Outline, Pose};
+use mech_runtime::{Blocked, Canvas, Outline, OwnedOutline, Pose};
 use std::fmt;
 
 /// All figures of one moment, from back to front.
@@ -15,69 +15,16 @@ pub struct Scene {
 #[derive(Clone, Debug)]
 enum Spot {
     /// A shape, and its pose.
-    Shape(Form, Pose<f64>, u8),
+    Shape(OwnedOutline<f64>, Pose<f64>, u8),
     /// A text, and its lower left corner.
     Text([f64; 2], String, u8),
-}
-
-/// An outline that is stored.
-#[derive(Clone, Debug)]
-enum Form {
-    /// An outline without a list of points.
-    Plain(Outline<'static, f64>),
-    Polygon(Vec<[f64; 2]>),
-    Winding(Vec<[f64; 2]>),
-    Line(Vec<[f64; 2]>, f64),
-}
-
-impl Form {
-    fn of(outline: Outline<'_, f64>) -> Self {
-        match outline {
-            Outline::Polygon(corners) => Self::Polygon(corners.to_vec()),
-            Outline::Winding(corners) => Self::Winding(corners.to_vec()),
-            Outline::Line { points, width } => Self::Line(points.to_vec(), width),
-            Outline::Circle { center, radius } => Self::Plain(Outline::Circle { center, radius }),
-            Outline::Ring {
-                center,
-                radius,
-                hole,
-            } => Self::Plain(Outline::Ring {
-                center,
-                radius,
-                hole,
-            }),
-            Outline::Arc {
-                center,
-                start,
-                angle,
-                width,
-            } => Self::Plain(Outline::Arc {
-                center,
-                start,
-                angle,
-                width,
-            }),
-        }
-    }
-
-    fn outline(&self) -> Outline<'_, f64> {
-        match self {
-            Self::Plain(outline) => *outline,
-            Self::Polygon(corners) => Outline::Polygon(corners),
-            Self::Winding(corners) => Outline::Winding(corners),
-            Self::Line(points, width) => Outline::Line {
-                points,
-                width: *width,
-            },
-        }
-    }
 }
 
 impl Spot {
     /// The smallest upright box around it.
     fn bounds(&self) -> [[f64; 2]; 2] {
         match self {
-            Self::Shape(form, pose, _) => form.outline().bounds(*pose).into(),
+            Self::Shape(outline, pose, _) => outline.bounds(*pose).into(),
             Self::Text(place, ..) => [*place; 2],
         }
     }
@@ -95,7 +42,7 @@ impl Scene {
     pub fn draw(&self, canvas: &mut impl Canvas<f64>) {
         for spot in &self.spots {
             match spot {
-                Spot::Shape(form, pose, color) => canvas.fill(form.outline(), *pose, *color),
+                Spot::Shape(outline, pose, color) => canvas.fill(outline.borrowed(), *pose, *color),
                 Spot::Text(place, text, color) => canvas.text(*place, text, *color),
             }
         }
@@ -104,7 +51,8 @@ impl Scene {
 
 impl Canvas<f64> for Scene {
     fn fill(&mut self, outline: Outline<'_, f64>, pose: Pose<f64>, color: u8) {
-        self.spots.push(Spot::Shape(Form::of(outline), pose, color));
+        let outline = outline.map(|number| number, |points| points.to_vec());
+        self.spots.push(Spot::Shape(outline, pose, color));
     }
 
     fn text(&mut self, place: [f64; 2], text: &str, color: u8) {

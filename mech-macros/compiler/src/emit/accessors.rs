@@ -1,6 +1,6 @@
 //! A method for each link, named point and joint that is shown.
 
-use super::coordinate::coordinate;
+use super::coordinate::{coordinate, unit};
 use super::emitter::Emitter;
 use super::parts::Parts;
 use super::shown::{shown_links, shown_points};
@@ -35,7 +35,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
         let joint = model.joint(id);
         if let Some(coordinate) = coordinate(emitter, id) {
             let name = emitter.ident(&joint.name, joint.origin);
-            let unit = coordinate.measure.unit();
+            let unit = unit(coordinate.measure);
             let doc = format!(" The coordinate of joint `{}`, in {unit}.", joint.name);
             methods.extend(emitter.accessor(&name, &doc, scalar, &coordinate.value));
         }

@@ -4,6 +4,7 @@ use super::emitter::Emitter;
 use super::tokens::integer;
 use crate::model::{AxisId, JointId, JointKind, Model};
 use crate::plan::{Mesh, Plan, Rational, Source, Step, float_of};
+use mech_core::Coordinate as Measure;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -33,25 +34,12 @@ impl CoordinateAxes {
     }
 }
 
-/// The unit of a coordinate, and whether it counts whole turns.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Measure {
-    /// Scene units.
-    Length,
-    /// Radians between −π and π.
-    Angle,
-    /// Radians with whole turns.
-    Turns,
-}
-
-impl Measure {
-    /// The unit, as the documentation of an accessor names it.
-    pub(super) fn unit(self) -> &'static str {
-        match self {
-            Self::Length => "scene units",
-            Self::Angle => "radians, between −π and π; `continuous` lets it count whole turns",
-            Self::Turns => "radians, whole turns since the start included",
-        }
+/// The unit of a coordinate, as the documentation of an accessor names it.
+pub(super) fn unit(measure: Measure) -> &'static str {
+    match measure {
+        Measure::Length => "scene units",
+        Measure::Angle => "radians, between −π and π; `continuous` lets it count whole turns",
+        _ => "radians, whole turns since the start included",
     }
 }
 

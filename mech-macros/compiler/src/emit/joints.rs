@@ -1,11 +1,12 @@
 //! The table of joints, and the method that returns all their coordinates.
 
 use super::MANY;
-use super::coordinate::{Measure, coordinate as coordinate_of};
+use super::coordinate::coordinate as coordinate_of;
 use super::emitter::Emitter;
 use super::parts::Parts;
 use super::tokens::{integer, option};
-use crate::model::{AxisId, FORWARD, JointId, JointKind, Model};
+use crate::model::{AxisId, FORWARD, JointId, JointKind};
+use mech_core::Coordinate as Measure;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
@@ -113,7 +114,12 @@ fn pin(emitter: &Emitter<'_>, id: JointId, measure: Option<Measure>) -> Option<T
 /// The entry of a joint in the table.
 fn info(emitter: &Emitter<'_>, id: JointId, measure: Option<Measure>) -> TokenStream {
     let model = emitter.model;
-    let (joint, kind) = (model.joint(id), kind(model, id));
+    let joint = model.joint(id);
+    let kind = match joint.kind {
+        JointKind::Prismatic(_, b) if model.seen_axis(b) != b => mech_core::JointKind::Slot,
+        kind => kind.plain(),
+    };
+    let kind = format_ident!("{kind:?}");
     let name = &joint.name;
     let axes = joint.kind.axes();
     let axes = axes.map(|axes| axes.map(|axis| model.seen_axis(axis)));
@@ -135,20 +141,6 @@ fn info(emitter: &Emitter<'_>, id: JointId, measure: Option<Measure>) -> TokenSt
         quote!(Coordinate::#measure)
     }));
     quote!(JointInfo::new(#name, JointKind::#kind, [#first, #second], #anchors, #motor, #coordinate))
-}
-
-/// The variant of the runtime's `JointKind`.
-fn kind(model: &Model, joint: JointId) -> TokenStream {
-    match model.joint(joint).kind {
-        JointKind::Revolute(..) => quote!(Revolute),
-        JointKind::Prismatic(_, b) if model.seen_axis(b) != b => quote!(Slot),
-        JointKind::Prismatic(..) => quote!(Prismatic),
-        JointKind::Weld(..) => quote!(Weld),
-        JointKind::Gear { .. } => quote!(Gear),
-        JointKind::Belt { .. } => quote!(Belt),
-        JointKind::Rack { .. } => quote!(Rack),
-        JointKind::Cam { .. } => quote!(Cam),
-    }
 }
 
 /// The anchor of a joint on one of its links.

@@ -9,6 +9,7 @@ mod coordinate;
 mod costs;
 mod drawing;
 mod emitter;
+mod expression;
 mod forces;
 mod instance_methods;
 mod items;

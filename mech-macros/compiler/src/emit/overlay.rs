@@ -1,13 +1,13 @@
 //! The methods that draw a mechanism's diagram and arrows.
 
 use super::emitter::Emitter;
+use super::expression::Expression as _;
 use super::parts::Parts;
 use super::step::outcome_type;
-use super::symbols::{spot, symbol};
 use super::tokens::{integer, option};
 use crate::model::{Axis, JointId, JointKind, LoadKind};
 use crate::program::Program;
-use crate::symbols::{self, Spot};
+use crate::symbols::{self, Spot, spot};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
@@ -64,7 +64,7 @@ fn rates(emitter: &Emitter<'_>) -> Parts {
     let (visibility, scalar) = (emitter.visibility, &emitter.scalar);
     let has_pose = |link| emitter.has_pose(link);
     let points = symbols::moving_points(emitter.model, &emitter.compiled.structure, has_pose);
-    let points = points.into_iter().map(|point| spot(emitter, point));
+    let points = points.iter().map(|point| point.expression(emitter));
     let table = Table {
         name: "MOVING_POINTS",
         doc: " The points whose velocities are drawn.",
@@ -100,7 +100,7 @@ fn forces(emitter: &Emitter<'_>, inverse_dynamics: &Program) -> Parts {
     let (visibility, scalar, model) = (emitter.visibility, &emitter.scalar, emitter.model);
     let points = model.declared_joints().map(|joint| {
         let point = joint_spot(emitter, joint);
-        option(point.map(|point| spot(emitter, point)))
+        option(point.map(|point| point.expression(emitter)))
     });
     let points: Vec<TokenStream> = points.collect();
     let count = integer(points.len());
@@ -115,7 +115,7 @@ fn forces(emitter: &Emitter<'_>, inverse_dynamics: &Program) -> Parts {
         let LoadKind::Force(point) = load.kind else {
             return None;
         };
-        let point = spot(emitter, Spot::of(model, point));
+        let point = spot(model, point).expression(emitter);
         let [x, y] = [first, first + 1].map(integer);
         Some(quote!(generated::draw_force(&#point, &self.position.poses, [self.loads[#x], self.loads[#y]], arrows, canvas);))
     });
@@ -150,7 +150,7 @@ fn joint_spot(emitter: &Emitter<'_>, joint: JointId) -> Option<Spot> {
         JointKind::Prismatic(_, b) => b,
         _ => return None,
     };
-    let spot = Spot::of(model, model.seen_axis(axis));
+    let spot = spot(model, model.seen_axis(axis));
     emitter.has_pose(spot.link).then_some(spot)
 }
 
@@ -168,7 +168,7 @@ impl Table {
         (name, doc): (&'static str, &'static str),
         symbols: &[symbols::Symbol],
     ) -> Self {
-        let symbols = symbols.iter().map(|symbol| self::symbol(emitter, symbol));
+        let symbols = symbols.iter().map(|symbol| symbol.expression(emitter));
         let scalar = &emitter.scalar;
         Self {
             name,

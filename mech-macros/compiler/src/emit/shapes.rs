@@ -2,15 +2,30 @@
 
 use super::MANY;
 use super::emitter::Emitter;
+use super::expression::{Expression, expressions};
 use super::tokens::integer;
 use crate::bug::bug;
-use crate::looks::{Measure, Outline, Painted, Toothed};
+use crate::looks::{self, Painted, Points, Toothed};
+use crate::model::Measure;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
+/// An outline whose parts are expressions.
+type Outline = mech_core::Outline<TokenStream, TokenStream>;
+
+expressions! {
+    Outline:
+    Circle { center, radius },
+    Ring { center, radius, hole },
+    Polygon(corners),
+    Winding(corners),
+    Line { points, width },
+    Arc { center, start, angle, width }
+}
+
 /// The statement that paints an outline as params have it; none if they do not change it.
 pub(super) fn fill(emitter: &Emitter<'_>, painted: &Painted) -> Option<TokenStream> {
-    if !painted.outline.varies() {
+    if !painted.varies() {
         return None;
     }
     let now = |measure: Measure| {
@@ -22,7 +37,7 @@ pub(super) fn fill(emitter: &Emitter<'_>, painted: &Painted) -> Option<TokenStre
         quote!(#share * #value)
     };
     // No wheel depends on a param.
-    let outline = outline(emitter, &[], &painted.outline, now);
+    let outline = outline(emitter, &[], painted, now);
     let (pose, color) = (emitter.pose(painted.link), color(painted));
     Some(quote!(Canvas::fill(canvas, #outline, #pose, #color);))
 }
@@ -35,63 +50,28 @@ fn color(painted: &Painted) -> Literal {
 fn outline(
     emitter: &Emitter<'_>,
     wheels: &[&Toothed],
-    outline: &Outline,
+    painted: &Painted,
     measure: impl Fn(Measure) -> TokenStream,
 ) -> TokenStream {
-    let point = |place: &[Measure; 2]| {
-        let [x, y] = place.map(&measure);
-        quote!([#x, #y])
-    };
-    let points = |places: &[[Measure; 2]]| {
-        let points = places.iter().map(point);
+    let points = |points: &Points| {
+        if let Some(wheel) = &points.wheel {
+            let name = wheel_name(wheels, wheel);
+            return quote!(&#name);
+        }
+        let points = points
+            .iter()
+            .map(|place| place.map(&measure).expression(emitter));
         quote!(&[#(#points),*])
     };
-    match outline {
-        Outline::Circle { center, radius } => {
-            let (center, radius) = (point(center), measure(*radius));
-            quote!(Outline::Circle { center: #center, radius: #radius })
-        }
-        Outline::Ring {
-            center,
-            radius,
-            hole,
-        } => {
-            let (center, radius, hole) = (point(center), measure(*radius), measure(*hole));
-            quote!(Outline::Ring { center: #center, radius: #radius, hole: #hole })
-        }
-        Outline::Polygon(corners) => {
-            let corners = points(corners);
-            quote!(Outline::Polygon(#corners))
-        }
-        Outline::Line {
-            points: places,
-            width,
-        } => {
-            let (points, width) = (points(places), measure(*width));
-            quote!(Outline::Line { points: #points, width: #width })
-        }
-        Outline::Arc {
-            center,
-            start,
-            angle,
-            width,
-        } => {
-            let [center, start] = [*center, *start].map(|pair| emitter.pair(pair));
-            let [angle, width] = [*angle, *width].map(|value| emitter.number(value));
-            quote!(Outline::Arc { center: #center, start: #start, angle: #angle, width: #width })
-        }
-        Outline::Toothed(wheel) => {
-            let name = wheel_name(wheels, wheel);
-            quote!(Outline::Polygon(&#name))
-        }
-    }
+    painted.outline.map(&measure, points).expression(emitter)
 }
 
 /// The wheels with teeth, each once.
 fn wheels<'a>(emitter: &'a Emitter<'_>) -> Vec<&'a Toothed> {
     let mut all: Vec<&Toothed> = Vec::new();
     for painted in &emitter.looks.painted {
-        if let Outline::Toothed(wheel) = &painted.outline
+        let points = painted.outline.points();
+        if let Some(wheel) = points.and_then(|points| points.wheel.as_ref())
             && !all.contains(&wheel)
         {
             all.push(wheel);
@@ -171,7 +151,7 @@ fn shape_list(emitter: &Emitter<'_>, wheels: &[&Toothed]) -> TokenStream {
     let entries = emitter.looks.painted.iter().map(|painted| {
         let at_start = |measure: Measure| emitter.number(measure.at_start());
         let (link, color) = (link_number(emitter, painted), color(painted));
-        let outline = outline(emitter, wheels, &painted.outline, at_start);
+        let outline = outline(emitter, wheels, painted, at_start);
         quote!(Shape { link: #link, outline: #outline, color: #color })
     });
     quote!(pub(super) const SHAPES: &[Shape<#scalar>] = &[#(#entries),*];)
@@ -180,48 +160,23 @@ fn shape_list(emitter: &Emitter<'_>, wheels: &[&Toothed]) -> TokenStream {
 /// The constant `SHAPES` as a table, which the Rust compiler reads sooner: `generated::shapes` has the meaning of its rows.
 fn shape_table(emitter: &Emitter<'_>, wheels: &[&Toothed]) -> TokenStream {
     let (mut rows, mut numbers, mut points) = (Vec::new(), Vec::new(), Vec::new());
-    let n = |measure: &Measure| emitter.number(measure.at_start());
-    let point = |place: &[Measure; 2]| {
-        let [x, y] = place.each_ref().map(n);
-        quote!([#x, #y])
-    };
+    let number = |measure: Measure| emitter.number(measure.at_start());
     for painted in &emitter.looks.painted {
-        let (kind, count) = match &painted.outline {
-            Outline::Circle { center, radius } => {
-                numbers.extend(center.iter().chain([radius]).map(n));
-                (0, 0)
-            }
-            Outline::Ring {
-                center,
-                radius,
-                hole,
-            } => {
-                numbers.extend(center.iter().chain([radius, hole]).map(n));
-                (1, 0)
-            }
-            Outline::Polygon(corners) => {
-                points.extend(corners.iter().map(point));
-                (2, corners.len())
-            }
-            Outline::Line {
-                points: places,
-                width,
-            } => {
-                numbers.push(n(width));
-                points.extend(places.iter().map(point));
-                (3, places.len())
-            }
-            Outline::Arc {
-                center,
-                start,
-                angle,
-                width,
-            } => {
-                let all = center.iter().chain(start).chain([angle, width]);
-                numbers.extend(all.map(|number| emitter.number(*number)));
-                (4, 0)
-            }
-            Outline::Toothed(wheel) => (5, wheel_number(wheels, wheel)),
+        numbers.extend(painted.outline.numbers().map(number));
+        let list = painted.outline.points();
+        let wheel = list.and_then(|list| list.wheel.as_ref());
+        let places = list.filter(|_| wheel.is_none()).into_iter();
+        let places = places.flat_map(|places| places.iter());
+        let before = points.len();
+        points.extend(places.map(|place| place.map(number).expression(emitter)));
+        let count = points.len() - before;
+        let (kind, count) = match (&painted.outline, wheel) {
+            (_, Some(wheel)) => (5, wheel_number(wheels, wheel)),
+            (looks::Outline::Circle { .. }, _) => (0, 0),
+            (looks::Outline::Ring { .. }, _) => (1, 0),
+            (looks::Outline::Polygon(_) | looks::Outline::Winding(_), _) => (2, count),
+            (looks::Outline::Line { .. }, _) => (3, count),
+            (looks::Outline::Arc { .. }, _) => (4, 0),
         };
         let (link, color) = (link_number(emitter, painted), color(painted));
         let [kind, count] = [kind, count].map(integer);

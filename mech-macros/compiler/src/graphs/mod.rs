@@ -5,7 +5,7 @@ mod driver;
 #[cfg(test)]
 mod tests;
 
-use crate::model::{JointId, JointKind, LinkId, Model};
+use crate::model::{JointId, LinkId, Model};
 use crate::plan::{Loop, Plan};
 use crate::structure::Structure;
 
@@ -103,7 +103,7 @@ pub fn kinematic(model: &Model, structure: &Structure) -> Graph {
                 EdgeKind::Trunk
             },
             name: model.joint(id).name.clone(),
-            detail: word(model.joint(id).kind).to_owned(),
+            detail: model.joint(id).kind.plain().word().to_owned(),
             motor: model.motor_of(id).is_some(),
         }
     });
@@ -221,19 +221,6 @@ fn names(model: &Model, joints: impl IntoIterator<Item = JointId>) -> String {
         .map(|id| model.joint(id).name.as_str())
         .collect::<Vec<_>>();
     names.join(" ")
-}
-
-/// The word by which a joint of this kind is declared.
-fn word(kind: JointKind) -> &'static str {
-    match kind {
-        JointKind::Revolute(..) => "revolute",
-        JointKind::Prismatic(..) => "prismatic",
-        JointKind::Weld(..) => "weld",
-        JointKind::Gear { .. } => "gear",
-        JointKind::Belt { .. } => "belt",
-        JointKind::Rack { .. } => "rack",
-        JointKind::Cam { .. } => "cam",
-    }
 }
 
 /// The distance of each link from the ground in joints: the number of links, if no joints lead to it.

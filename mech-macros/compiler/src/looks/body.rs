@@ -3,13 +3,13 @@
 use super::declared::{FACE, bar, eye};
 use super::footprint::Footprint;
 use super::hull::hull;
-use super::outline::{Measure, Outline, Place, fixed, place_of};
+use super::outline::{Outline, fixed};
 use super::rolling;
 use super::scene::{Mount, Scene};
 use super::slide::Slide;
 use super::tooth::Side;
 use super::wheel::Wheels;
-use crate::model::{Axis, LinkId};
+use crate::model::{Axis, LinkId, Measure, Place};
 use mech_core::colors::{INK, PAPER, darker, lighter};
 use nalgebra::{Point2, Rotation2, Vector2};
 use std::f64::consts::TAU;
@@ -202,11 +202,11 @@ impl Builder<'_, '_> {
             .find(|wheel| wheel.side == Side::Inside);
         let hole = hole.map(|wheel| (wheel.center, rolling::rim(wheel)));
         let mut around: Vec<Place> = corners.iter().map(|&corner| places[corner]).collect();
-        let filled = Outline::Polygon(with_hole(around.clone(), hole));
+        let filled = Outline::Polygon(with_hole(around.clone(), hole).into());
         around.push(around[0]);
         for (share, color) in [(1.0, darker(self.color)), (FACE, self.color)] {
             let edge = Outline::Line {
-                points: around.clone(),
+                points: around.clone().into(),
                 width: self.width().times(share),
             };
             self.paint(edge, color);
@@ -215,7 +215,7 @@ impl Builder<'_, '_> {
         let corners: Vec<Point2<f64>> = corners.iter().map(|&corner| points[corner]).collect();
         if let Some(inset) = inset(&corners, INSET * self.scene.width) {
             self.paint(
-                Outline::Polygon(with_hole(inset, hole)),
+                Outline::Polygon(with_hole(inset, hole).into()),
                 lighter(self.color),
             );
         }
@@ -241,7 +241,7 @@ impl Builder<'_, '_> {
     fn block_places(&self) -> Vec<Place> {
         let slides = self.slides(false).into_iter();
         let blocks = slides.filter(|slide| self.scene.cylinder(*slide).is_none());
-        let places = blocks.map(|slide| place_of(self.scene.model.axis(slide.block)));
+        let places = blocks.map(|slide| self.scene.model.axis(slide.block).place());
         places.collect()
     }
 
@@ -317,7 +317,13 @@ impl Builder<'_, '_> {
     fn line(&mut self, ends: [Point2<f64>; 2], width: f64, color: u8) {
         let points = ends.map(|end| fixed([end.x, end.y])).to_vec();
         let width = Measure::fixed(width);
-        self.paint(Outline::Line { points, width }, color);
+        self.paint(
+            Outline::Line {
+                points: points.into(),
+                width,
+            },
+            color,
+        );
     }
 
     /// Joins a guide with the pins of its link.

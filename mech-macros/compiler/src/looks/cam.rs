@@ -1,8 +1,8 @@
 //! Cam discs, from the laws of their followers.
 
-use super::outline::{Measure, Outline, Place, fixed};
+use super::outline::{Outline, fixed};
 use super::scene::Scene;
-use crate::model::{AxisId, JointId, JointKind, Law, LinkId, Model};
+use crate::model::{AxisId, JointId, JointKind, Law, LinkId, Measure, Model, Place};
 use mech_core::colors::{EYE, INK, darker, lighter};
 use nalgebra::{Isometry2, Point2, Rotation2, Vector2};
 use std::f64::consts::TAU;
@@ -138,10 +138,13 @@ impl CamBody {
         let mut edge = corners.clone();
         edge.extend(corners.first().copied());
         let line = Outline::Line {
-            points: edge,
+            points: edge.into(),
             width: Measure::fixed(0.16 * scene.width),
         };
-        vec![(Outline::Polygon(corners), color), (line, darker(color))]
+        vec![
+            (Outline::Polygon(corners.into()), color),
+            (line, darker(color)),
+        ]
     }
 
     /// The middle of the disc, and the radius of a circle within it.

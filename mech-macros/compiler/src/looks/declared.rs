@@ -1,8 +1,8 @@
 //! The outlines of declared shapes.
 
-use super::outline::{Measure, Outline, Painted, Place, painted};
+use super::outline::{Outline, Painted, painted};
 use crate::bug::bug;
-use crate::model::{LinkId, Shape, ShapeKind};
+use crate::model::{LinkId, Measure, Place, Shape, ShapeKind};
 use mech_core::colors::{EYE, INK, darker};
 
 /// A bar's face, and the pins and eyes on it, as parts of its width.
@@ -16,7 +16,6 @@ pub(super) fn outlines(link: LinkId, shape: &Shape) -> Vec<Painted> {
     let measure = |index: usize| Measure::new(values[index], shape.formulas[index]);
     let count = shape.kind.reach().0.len();
     let point = |index: usize| [measure(2 * index), measure(2 * index + 1)];
-    let points = || (0..count).map(point).collect::<Vec<_>>();
     let length = |index: usize| measure(2 * count + index);
     let outline = match shape.kind {
         ShapeKind::Circle { .. } => Outline::Circle {
@@ -28,12 +27,13 @@ pub(super) fn outlines(link: LinkId, shape: &Shape) -> Vec<Painted> {
             radius: length(0),
             hole: length(1),
         },
-        ShapeKind::Polygon(_) => Outline::Polygon(points()),
+        ShapeKind::Polygon(_) => Outline::Polygon((0..count).map(point).collect()),
         ShapeKind::Figure(_) => {
             bug!("a figure is painted before it is known how the mechanism moves")
         }
         ShapeKind::Bar { .. } => {
-            let all = bar(&points(), length(0), shape.color);
+            let pins: Vec<Place> = (0..count).map(point).collect();
+            let all = bar(&pins, length(0), shape.color);
             return painted(link, shape.plane, all).collect();
         }
     };
@@ -44,7 +44,7 @@ pub(super) fn outlines(link: LinkId, shape: &Shape) -> Vec<Painted> {
 /// front.
 pub(super) fn bar(pins: &[Place], width: Measure, color: u8) -> Vec<(Outline, u8)> {
     let line = |share: f64| Outline::Line {
-        points: pins.to_vec(),
+        points: pins.to_vec().into(),
         width: width.times(share),
     };
     let mut all = vec![(line(1.0), darker(color)), (line(FACE), color)];

@@ -2,12 +2,12 @@
 
 use super::ground;
 use super::lettering::lettering;
-use super::outline::{Measure, Outline, Painted, fixed, painted};
+use super::outline::{Outline, Painted, fixed, painted};
 use super::rolling;
 use super::scene::Scene;
 use super::tooth::Side;
 use super::wheel::{Wheel, Wheels};
-use crate::model::{Figure, LinkId, Shape};
+use crate::model::{Figure, LinkId, Measure, Shape};
 use nalgebra::{Point2, Rotation2, Vector2};
 
 /// Coils of a drawn spring, and its wire as a part of its width.

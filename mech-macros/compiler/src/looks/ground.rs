@@ -1,10 +1,10 @@
 //! What the ground looks like: stands under fixed pivots, and rails under what slides.
 
-use super::outline::{Measure, Outline, Place, fixed, place_of};
+use super::outline::{Outline, fixed};
 use super::scene::Scene;
 use super::slide::Slide;
 use super::wheel::{Wheel, Wheels};
-use crate::model::LinkId;
+use crate::model::{LinkId, Measure, Place};
 use mech_core::colors::{GROUND, darker};
 use nalgebra::{Point2, Vector2, distance};
 
@@ -95,7 +95,7 @@ fn pivots(scene: &Scene<'_>, wheels: &Wheels) -> Vec<Stand> {
             let radii = wheels.all.iter().filter(on_pivot).map(|wheel| wheel.radius);
             let radius = radii.fold(0.0, f64::max);
             all.push(Stand {
-                place: place_of(axis),
+                place: axis.place(),
                 at,
                 hangs: hangs(scene, at, &movers),
                 height: (HEIGHT * scene.width).max(radius + BEHIND * scene.width),
@@ -138,7 +138,7 @@ pub(super) fn stand(
     let base = hatched([-BASE, BASE], height);
     let base = base.into_iter().map(|[ahead, below]| at(ahead, below));
     vec![
-        (Outline::Polygon(body.to_vec()), color),
+        (Outline::Polygon(body.into_iter().collect()), color),
         (
             Outline::Circle {
                 center: place,

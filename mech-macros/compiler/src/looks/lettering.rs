@@ -1,6 +1,7 @@
 //! Texts as outlines: the dots of the font of labels, in the frame of a link.
 
-use super::outline::{Outline, Place, fixed};
+use super::outline::{Outline, fixed};
+use crate::model::Place;
 use mech_core::font::{ADVANCE, HEIGHT, glyph};
 use nalgebra::{Point2, Rotation2, Vector2};
 

@@ -6,14 +6,14 @@ use super::cam::{CamBody, cams};
 use super::color::Colors;
 use super::declared::eye;
 use super::ground::{rails, stands};
-use super::outline::{Grid, Measure, Outline, Painted, painted, place_of};
+use super::outline::{Grid, Outline, Painted, painted, rounded};
 use super::planes::{INSIDE, LAID, Order, Pair, order};
 use super::rolling;
 use super::scene::Scene;
 use super::wheel::Wheels;
 use crate::bug::bug;
-use crate::model::LinkId;
-use crate::symbols::{Symbol, elastic_symbols};
+use crate::model::{LinkId, Measure};
+use crate::symbols::{elastic_symbols, spots};
 use mech_core::colors::GROUND;
 use nalgebra::Point2;
 
@@ -37,7 +37,7 @@ pub(super) fn machine(scene: &Scene<'_>, wheels: &Wheels) -> (Vec<Painted>, Opti
     all.extend(belts(scene, wheels, &arrangement));
     all.extend(arrangement.painted());
     for painted in &mut all {
-        painted.outline = painted.outline.clone().rounded(grid);
+        painted.outline = rounded(&painted.outline, grid);
     }
     (all, elastic)
 }
@@ -187,7 +187,7 @@ fn slot_pins(scene: &Scene<'_>, arrangement: &Arrangement) -> Vec<Painted> {
     let seen = slots.filter(|(slide, _)| scene.is_shown(scene.ends(*slide)[1]));
     let pins = seen.flat_map(|(slide, pin)| {
         let axis = scene.model.axis(pin);
-        let outlines = eye(place_of(axis), Measure::fixed(scene.width));
+        let outlines = eye(axis.place(), Measure::fixed(scene.width));
         painted(axis.link, arrangement.top(scene.ends(slide)), outlines)
     });
     pins.collect()
@@ -206,10 +206,7 @@ fn hidden_pins(scene: &Scene<'_>, arrangement: &Arrangement) -> Vec<Painted> {
             .max_by_key(|member| arrangement.plane(member.0))?;
         let place = scene.survey.start().place(scene.model, axis)?;
         let is_hidden = arrangement.covers(scene, place, arrangement.plane(link));
-        let eye = eye(
-            place_of(scene.model.axis(axis)),
-            Measure::fixed(scene.width),
-        );
+        let eye = eye(scene.model.axis(axis).place(), Measure::fixed(scene.width));
         is_hidden.then(|| painted(link, front.unwrap_or(GROUND_PLANE), eye))
     });
     pins.flatten().collect()
@@ -246,10 +243,10 @@ fn anchors(scene: &Scene<'_>, elastic: Option<&Symbols>) -> Vec<(Outline, u8)> {
     let Some(Symbols::Elastic { symbols, .. }) = elastic else {
         return Vec::new();
     };
-    let ends = symbols.iter().flat_map(Symbol::spots);
+    let ends = symbols.iter().flat_map(spots);
     let on_ground = ends.filter(|end| end.link == LinkId::GROUND);
     let anchors = on_ground.flat_map(|end| {
-        let center = place_of(scene.model.axis(end.axis));
+        let center = end.at;
         let radius = Measure::fixed(ANCHOR * scene.width);
         let disc = (Outline::Circle { center, radius }, GROUND);
         std::iter::once(disc).chain(eye(center, Measure::fixed(scene.width)))

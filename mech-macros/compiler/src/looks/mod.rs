@@ -25,10 +25,10 @@ mod tooth;
 mod wheel;
 
 use crate::compiled::Compiled;
-use crate::model::{LinkId, Look, Model, Shape, ShapeKind};
+use crate::model::{LinkId, Look, Measure, Model, Shape, ShapeKind};
 use crate::motion::extent::extent;
-use crate::symbols::Symbol;
-pub use outline::{Measure, Outline, Painted, Place, Toothed};
+use crate::symbols::{Symbol, spots};
+pub use outline::{Outline, Painted, Points, Toothed};
 use scene::Scene;
 use wheel::Wheels;
 
@@ -91,8 +91,8 @@ impl Looks {
             all[point.link.index()].push((point.at, 0.0));
         }
         if let Some(Symbols::Elastic { symbols, unit }) = &self.symbols {
-            for spot in symbols.iter().flat_map(Symbol::spots) {
-                all[spot.link.index()].push((spot.at, BESIDE_PIXELS * unit));
+            for spot in symbols.iter().flat_map(spots) {
+                all[spot.link.index()].push((spot.at.map(Measure::at_start), BESIDE_PIXELS * unit));
             }
         }
         all

@@ -1,103 +1,63 @@
-//! Outlines as constants of the generated code, or as expressions where params change them.
+//! Outlines.
 
-use crate::model::{Axis, FormulaId, LinkId};
+use crate::model::{LinkId, Measure, Place};
 use mech_core::wheel::{fill_ring, fill_wheel};
-
-/// A number of an outline: a share of another, which may depend on params.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Measure {
-    /// What it is a share of, at the start.
-    pub value: f64,
-    /// How that is computed, if it depends on params.
-    pub formula: Option<FormulaId>,
-    /// The share.
-    pub share: f64,
-}
-
-/// A place in the frame of a link, in scene units.
-pub type Place = [Measure; 2];
-
-impl Measure {
-    /// A number that does not change.
-    pub(super) fn fixed(value: f64) -> Self {
-        Self::new(value, None)
-    }
-
-    /// A number that may depend on params.
-    pub(super) fn new(value: f64, formula: Option<FormulaId>) -> Self {
-        let share = 1.0;
-        Self {
-            value,
-            formula,
-            share,
-        }
-    }
-
-    /// So many times this number.
-    pub(super) fn times(self, share: f64) -> Self {
-        let share = self.share * share;
-        Self { share, ..self }
-    }
-
-    /// The number at the start.
-    #[must_use]
-    pub fn at_start(self) -> f64 {
-        self.share * self.value
-    }
-}
+use std::ops::Deref;
 
 /// A place that does not change.
 pub(super) fn fixed(place: [f64; 2]) -> Place {
     place.map(Measure::fixed)
 }
 
-/// The place of an axis.
-pub(super) fn place_of(axis: &Axis) -> Place {
-    let [x, y] = [0, 1].map(|part| Measure::new(axis.at[part], axis.formulas[part]));
-    [x, y]
+/// What is filled, in the frame of a link.
+pub type Outline = mech_core::Outline<Measure, Points>;
+
+/// A list of points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Points {
+    /// The points.
+    places: Vec<Place>,
+    /// The toothed wheel whose corners they are, if they are; it depends on no param.
+    pub wheel: Option<Toothed>,
 }
 
-/// What is filled, in the frame of a link.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Outline {
-    /// A disc.
-    Circle {
-        /// Its centre.
-        center: Place,
-        /// Its radius.
-        radius: Measure,
-    },
-    /// A disc with a hole of the same centre.
-    Ring {
-        /// Its centre.
-        center: Place,
-        /// Its radius.
-        radius: Measure,
-        /// The radius of its hole.
-        hole: Measure,
-    },
-    /// A polygon, by the even-odd rule.
-    Polygon(Vec<Place>),
-    /// A thick line with round ends and joins.
-    Line {
-        /// Its corners.
-        points: Vec<Place>,
-        /// Its width.
-        width: Measure,
-    },
-    /// A thick arc with round ends.
-    Arc {
-        /// Its centre.
-        center: [f64; 2],
-        /// The start of its middle line.
-        start: [f64; 2],
-        /// Its angle, in radians, counter-clockwise.
-        angle: f64,
-        /// Its width.
-        width: f64,
-    },
-    /// A toothed wheel.
-    Toothed(Toothed),
+impl Points {
+    /// The points at the start.
+    #[must_use]
+    pub fn at_start(&self) -> Vec<[f64; 2]> {
+        let places = self.places.iter();
+        places.map(|place| place.map(Measure::at_start)).collect()
+    }
+}
+
+impl Deref for Points {
+    type Target = [Place];
+
+    fn deref(&self) -> &[Place] {
+        &self.places
+    }
+}
+
+impl From<Vec<Place>> for Points {
+    fn from(places: Vec<Place>) -> Self {
+        let wheel = None;
+        Self { places, wheel }
+    }
+}
+
+impl From<Toothed> for Points {
+    fn from(wheel: Toothed) -> Self {
+        Self {
+            places: wheel.corners().into_iter().map(fixed).collect(),
+            wheel: Some(wheel),
+        }
+    }
+}
+
+impl FromIterator<Place> for Points {
+    fn from_iter<I: IntoIterator<Item = Place>>(places: I) -> Self {
+        places.into_iter().collect::<Vec<_>>().into()
+    }
 }
 
 /// The outline of a toothed wheel: one tooth, repeated around a centre.
@@ -144,94 +104,33 @@ impl Toothed {
     }
 }
 
-impl Outline {
-    /// All its numbers that may depend on params.
-    fn measures(&self) -> Vec<Measure> {
-        match self {
-            Self::Circle { center, radius } => [&center[..], &[*radius]].concat(),
-            Self::Ring {
-                center,
-                radius,
-                hole,
-            } => [&center[..], &[*radius, *hole]].concat(),
-            Self::Polygon(corners) => corners.concat(),
-            Self::Line { points, width } => [&points.concat()[..], &[*width]].concat(),
-            Self::Arc { .. } | Self::Toothed(_) => Vec::new(),
-        }
-    }
-
-    /// The same with all numbers that do not vary rounded, and no shares of them: short numbers are easier to read.
-    pub(super) fn rounded(self, grid: Grid) -> Self {
-        let number = |measure: Measure| match measure.formula {
-            None => Measure::fixed(grid.round(measure.at_start())),
-            Some(_) => measure,
-        };
-        let place = |place: Place| place.map(number);
-        let places = |places: Vec<Place>| places.into_iter().map(place).collect();
-        match self {
-            Self::Circle { center, radius } => Self::Circle {
-                center: place(center),
-                radius: number(radius),
-            },
-            Self::Ring {
-                center,
-                radius,
-                hole,
-            } => Self::Ring {
-                center: place(center),
-                radius: number(radius),
-                hole: number(hole),
-            },
-            Self::Polygon(corners) => Self::Polygon(places(corners)),
-            Self::Line { points, width } => Self::Line {
-                points: places(points),
-                width: number(width),
-            },
-            Self::Arc {
-                center,
-                start,
-                angle,
-                width,
-            } => Self::Arc {
-                center: center.map(|part| grid.round(part)),
-                start: start.map(|part| grid.round(part)),
-                angle,
-                width: grid.round(width),
-            },
-            // Teeth have to fit.
-            Self::Toothed(wheel) => Self::Toothed(wheel),
-        }
-    }
-
-    /// Whether it depends on a param.
-    #[must_use]
-    pub fn varies(&self) -> bool {
-        self.measures().iter().any(|one| one.formula.is_some())
-    }
-
-    /// Some of its points at the start, and how far it reaches around them.
-    fn reach(&self) -> (Vec<[f64; 2]>, f64) {
-        let start = |place: &Place| place.map(Measure::at_start);
-        match self {
-            Self::Circle { center, radius } | Self::Ring { center, radius, .. } => {
-                (vec![start(center)], radius.at_start())
-            }
-            Self::Polygon(corners) => (corners.iter().map(start).collect(), 0.0),
-            Self::Line { points, width } => (
-                points.iter().map(start).collect(),
-                width.times(0.5).at_start(),
-            ),
-            Self::Arc {
+/// The same with all numbers that do not vary rounded, and no shares of them: short numbers are easier to read.
+pub(super) fn rounded(outline: &Outline, grid: Grid) -> Outline {
+    let number = |measure: Measure| match measure.formula {
+        None => Measure::fixed(grid.round(measure.at_start())),
+        Some(_) => measure,
+    };
+    let points = |points: &Points| match points.wheel {
+        None => points.iter().map(|place| place.map(number)).collect(),
+        // Teeth have to fit.
+        Some(_) => points.clone(),
+    };
+    match (outline.map(number, points), outline) {
+        (
+            Outline::Arc {
                 center,
                 start,
                 width,
                 ..
-            } => {
-                let radius = (start[0] - center[0]).hypot(start[1] - center[1]);
-                (vec![*center], radius + 0.5 * width)
-            }
-            Self::Toothed(wheel) => (vec![wheel.center], wheel.reach()),
-        }
+            },
+            &Outline::Arc { angle, .. },
+        ) => Outline::Arc {
+            center,
+            start,
+            angle,
+            width,
+        },
+        (rounded, _) => rounded,
     }
 }
 
@@ -283,9 +182,38 @@ pub(super) fn painted(
 }
 
 impl Painted {
+    /// Whether it depends on a param.
+    #[must_use]
+    pub fn varies(&self) -> bool {
+        let points = self.outline.points().into_iter();
+        let points = points.flat_map(|points| points.iter().flatten().copied());
+        let mut numbers = self.outline.numbers().chain(points);
+        numbers.any(|number| number.formula.is_some())
+    }
+
     /// Some of its points at the start, each with how far it reaches around it.
     pub(crate) fn points(&self) -> impl Iterator<Item = ([f64; 2], f64)> {
-        let (points, reach) = self.outline.reach();
+        let at_start = |place: &Place| place.map(Measure::at_start);
+        let (points, reach) = match &self.outline {
+            Outline::Circle { center, radius } | Outline::Ring { center, radius, .. } => {
+                (vec![at_start(center)], radius.at_start())
+            }
+            Outline::Polygon(points) | Outline::Winding(points) => match &points.wheel {
+                Some(wheel) => (vec![wheel.center], wheel.reach()),
+                None => (points.at_start(), 0.0),
+            },
+            Outline::Line { points, width } => (points.at_start(), 0.5 * width.at_start()),
+            Outline::Arc {
+                center,
+                start,
+                width,
+                ..
+            } => {
+                let [center, start] = [center, start].map(at_start);
+                let radius = (start[0] - center[0]).hypot(start[1] - center[1]);
+                (vec![center], radius + 0.5 * width.at_start())
+            }
+        };
         points.into_iter().map(move |point| (point, reach))
     }
 }

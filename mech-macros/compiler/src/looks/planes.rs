@@ -7,6 +7,7 @@ use super::scene::Scene;
 use super::survey::Frames;
 use crate::model::LinkId;
 use crate::structure::Pin;
+use mech_core::Pose;
 use nalgebra::Point2;
 
 /// So many comparisons of a link with a pin are made at most, over all positions.
@@ -268,8 +269,8 @@ fn find_crossings(scene: &Scene<'_>, links: &[LinkId], bodies: &[Body]) -> Vec<(
     let checks = scene.survey.positions.len() * pins.len() * links.len();
     let step = checks.div_ceil(CHECKS).max(1);
     for frames in scene.survey.positions.iter().step_by(step) {
-        let into = links.iter().map(|&link| Into::of(frames, link));
-        let into: Vec<Option<Into>> = into.collect();
+        let poses = links.iter().map(|&link| frames.frame(link).map(Pose::from));
+        let poses: Vec<Option<Pose<f64>>> = poses.collect();
         for (number, pin) in pins.iter().enumerate() {
             let Some(place) = place(scene, frames, pin) else {
                 continue;
@@ -279,8 +280,8 @@ fn find_crossings(scene: &Scene<'_>, links: &[LinkId], bodies: &[Body]) -> Vec<(
                 if carried[number][link] || *weight == WITHIN {
                     continue;
                 }
-                if let Some(into) = &into[link]
-                    && let Some(own) = into.near(place, reaches[link])
+                if let Some(pose) = poses[link]
+                    && let Some(own) = near(pose, place, reaches[link])
                     && is_near_box(own, bounds[link], radius)
                 {
                     *weight = weight_of(&bodies[link].footprint, own, radius).max(*weight);
@@ -314,35 +315,15 @@ fn weight_of(footprint: &Footprint, own: Point2<f64>, radius: f64) -> usize {
     }
 }
 
-/// The way from the scene into a link at a position. By numbers, as macros are mostly built without optimisation.
-struct Into {
-    origin: [f64; 2],
-    cos: f64,
-    sin: f64,
-}
-
-impl Into {
-    fn of(frames: &Frames, link: LinkId) -> Option<Self> {
-        let frame = frames.frame(link)?;
-        Some(Self {
-            origin: frame.translation.vector.into(),
-            cos: frame.rotation.re,
-            sin: frame.rotation.im,
-        })
+/// A place of the scene in the frame of a link; none if it is farther from the link's origin than `reach`. By numbers, as macros are mostly built without optimisation.
+fn near(link: Pose<f64>, place: Point2<f64>, reach: f64) -> Option<Point2<f64>> {
+    // Most are far away, which is seen sooner than how far in the link. Rounding is less than what is left between.
+    let spare = SPARE * (place.x.abs() + place.y.abs() + link.x.abs() + link.y.abs());
+    let [x, y] = [place.x - link.x, place.y - link.y];
+    if x.abs() > reach + spare || y.abs() > reach + spare || x * x + y * y > reach * reach {
+        return None;
     }
-
-    /// A place of the scene in the frame of the link; none if it is farther from the link's origin than `reach`.
-    fn near(&self, place: Point2<f64>, reach: f64) -> Option<Point2<f64>> {
-        let ([x, y], [u, v]) = (<[f64; 2]>::from(place), self.origin);
-        // Most are far away, which is seen sooner than how far in the link. Rounding is less than what is left between.
-        let spare = SPARE * (x.abs() + y.abs() + u.abs() + v.abs());
-        let [x, y] = [x - u, y - v];
-        if x.abs() > reach + spare || y.abs() > reach + spare || x * x + y * y > reach * reach {
-            return None;
-        }
-        let own = [self.cos * x + self.sin * y, self.cos * y - self.sin * x];
-        Some(own.into())
-    }
+    Some(link.relative(place.into()).into())
 }
 
 /// Whether a link is on a pin, or has the slot in which it slides.

@@ -1,10 +1,10 @@
 //! What wheels, racks and belts look like.
 
-use super::outline::{Measure, Outline, Toothed, fixed};
+use super::outline::{Outline, Toothed, fixed};
 use super::scene::Scene;
 use super::tooth::{Side, rack_teeth, root_radius, tooth};
 use super::wheel::{Rack, Wheel, Wheels, angle, hub_on};
-use crate::model::{JointKind, LinkId};
+use crate::model::{JointKind, LinkId, Measure};
 use crate::structure::RollingEnd;
 use mech_core::colors::{INK, darker, lighter};
 use nalgebra::{Point2, Vector2, distance};
@@ -41,13 +41,13 @@ pub(super) fn wheel(scene: &Scene<'_>, wheel: &Wheel, color: u8) -> Vec<(Outline
         all.extend(web(scene, GROOVE * wheel.radius, color, disc));
         return all;
     };
-    let toothed = Outline::Toothed(Toothed {
+    let toothed = Toothed {
         center: [wheel.center.x, wheel.center.y],
         tooth: tooth(wheel.radius, teeth, wheel.side, wheel.phase),
         count: teeth,
         rim: (wheel.side == Side::Inside).then_some(rim(wheel)),
-    });
-    let mut all = vec![(toothed, color)];
+    };
+    let mut all = vec![(Outline::Polygon(toothed.into()), color)];
     if wheel.side == Side::Outside {
         all.extend(web(scene, root_radius(wheel.radius, teeth), color, disc));
     }
@@ -154,11 +154,16 @@ pub(super) fn rack(
             (ends[1], height[1]),
             (ends[0], height[1]),
         ];
-        Outline::Polygon(corners.map(|(ahead, height)| place(ahead, height)).to_vec())
+        Outline::Polygon(
+            corners
+                .into_iter()
+                .map(|(ahead, height)| place(ahead, height))
+                .collect(),
+        )
     };
     corners.extend(ends.map(|ahead| place(ahead, back)));
     Some(vec![
-        (Outline::Polygon(corners), color),
+        (Outline::Polygon(corners.into()), color),
         (strip([back, 0.7 * back]), darker(color)),
     ])
 }
@@ -188,14 +193,17 @@ pub(super) fn belt(
     };
     let width = BELT * scene.width;
     let strand = |direction: f64| Outline::Line {
-        points: vec![fixed(touch(0, direction)), fixed(touch(1, direction))],
+        points: [0, 1]
+            .map(|end| fixed(touch(end, direction)))
+            .into_iter()
+            .collect(),
         width: Measure::fixed(width),
     };
     let arc = |end: usize, from: f64, angle: f64| Outline::Arc {
-        center: [centers[end].x, centers[end].y],
-        start: touch(end, from),
-        angle,
-        width,
+        center: fixed([centers[end].x, centers[end].y]),
+        start: fixed(touch(end, from)),
+        angle: Measure::fixed(angle),
+        width: Measure::fixed(width),
     };
     let outlines = [
         arc(0, middle + half, TAU - 2.0 * half),

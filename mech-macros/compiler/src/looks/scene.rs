@@ -1,11 +1,10 @@
 //! What is known of a mechanism when its links are given bodies.
 
 use super::cover::covers;
-use super::outline::{Place, place_of};
 use super::slide::Slide;
 use super::survey::Survey;
 use crate::compiled::Compiled;
-use crate::model::{AxisId, AxisKind, JointKind, LinkId, Model, ShapeKind};
+use crate::model::{AxisId, AxisKind, JointKind, LinkId, Model, Place, ShapeKind};
 use crate::structure::Structure;
 use nalgebra::{Point2, distance};
 
@@ -170,7 +169,7 @@ fn mounts(model: &Model, structure: &Structure) -> Vec<Vec<Mount>> {
         if !own.iter().any(is_near) {
             own.push(Mount {
                 at,
-                place: place_of(axis),
+                place: axis.place(),
                 is_joint,
             });
         }

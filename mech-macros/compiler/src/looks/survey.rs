@@ -1,12 +1,12 @@
 //! Where the links of a mechanism come to when its motors move.
 
 use super::slide::Slide;
-use crate::kinematics;
 use crate::model::{AxisId, JointKind, LinkId, Model};
 use crate::motion::sweep::{MostTurns, Sweep, interpolate, sweep_each, sweep_together};
 use crate::motion::walk::{Arrival, Walker};
 use crate::plan::Plan;
 use crate::program::{Position, Program};
+use mech_core::Pose;
 use nalgebra::{Isometry2, Point2, Vector2};
 use std::f64::consts::{PI, TAU};
 use std::rc::Rc;
@@ -45,7 +45,7 @@ impl Frames {
             if link == LinkId::GROUND {
                 return Some(Isometry2::identity());
             }
-            Some(kinematics::frame(poses[program.place_of(link)?]))
+            Some(Pose::from(poses[program.place_of(link)?]).isometry())
         };
         Self(model.link_ids().map(frame).collect())
     }

@@ -72,6 +72,21 @@ pub enum JointKind {
 }
 
 impl JointKind {
+    /// The same without what it joins; a slot is a slide.
+    #[must_use]
+    pub fn plain(self) -> mech_core::JointKind {
+        use mech_core::JointKind as Plain;
+        match self {
+            Self::Revolute(..) => Plain::Revolute,
+            Self::Prismatic(..) => Plain::Prismatic,
+            Self::Weld(..) => Plain::Weld,
+            Self::Gear { .. } => Plain::Gear,
+            Self::Belt { .. } => Plain::Belt,
+            Self::Rack { .. } => Plain::Rack,
+            Self::Cam { .. } => Plain::Cam,
+        }
+    }
+
     /// Whether it ties two coordinates and has none of its own: something that rolls, or a cam.
     #[must_use]
     pub fn ties(self) -> bool {

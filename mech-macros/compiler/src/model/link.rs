@@ -1,6 +1,6 @@
 //! Links, and what is rigidly fixed to them.
 
-use super::{AxisId, FormulaId, LinkId, Mass, Origin, Shape};
+use super::{AxisId, FormulaId, LinkId, Mass, Measure, Origin, Place, Shape};
 use crate::bug::bug;
 
 /// A rigid body that moves in planes parallel to the screen.
@@ -60,6 +60,17 @@ pub struct Axis {
 }
 
 impl Axis {
+    /// Its origin in the frame of its link.
+    #[must_use]
+    pub fn place(&self) -> Place {
+        [0, 1].map(|part| Measure::new(self.at[part], self.formulas[part]))
+    }
+
+    /// Both parts of its direction.
+    pub(crate) fn along(&self) -> [Measure; 2] {
+        [0, 1].map(|part| Measure::new(self.direction[part], self.direction_formulas[part]))
+    }
+
     /// Its name, where only what has one is spoken of.
     pub(crate) fn own_name(&self) -> &str {
         let Some(name) = &self.name else {

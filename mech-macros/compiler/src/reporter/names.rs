@@ -119,11 +119,7 @@ impl Words<'_> {
 
     /// What rolls here, in the word of the language.
     pub(super) fn rolling(&self, id: JointId) -> &'static str {
-        match self.model.joint(id).kind {
-            JointKind::Belt { .. } => "belt",
-            JointKind::Rack { .. } => "rack",
-            _ => "gear",
-        }
+        self.model.joint(id).kind.plain().word()
     }
 
     /// Whether this joint was placed in the drawing.

@@ -1,7 +1,7 @@
 //! The symbols of a diagram, one method for each kind.
 
-use super::{Spot, Symbol};
-use crate::model::{AxisId, AxisKind, JointId, JointKind, LinkId, Model};
+use super::{Spot, Symbol, spot};
+use crate::model::{AxisId, AxisKind, JointId, JointKind, LinkId, Measure, Model};
 use crate::structure::{Pin, Structure};
 
 /// The diagram of a coherent mechanism, in the order in which it is drawn. Only the ground and links for which `has_pose` holds are
@@ -78,8 +78,8 @@ pub fn moving_points(
             pin.axis_of(LinkId::GROUND).is_none()
                 && members.next().is_some_and(|member| member.1 == id)
         });
-        let spot = Spot::of(model, id);
-        let is_new = !spots.iter().any(|known| known.coincides_with(&spot, model));
+        let spot = spot(model, id);
+        let is_new = !spots.contains(&spot);
         if is_point && is_declared && is_first && has_pose(axis.link) && is_new {
             spots.push(spot);
         }
@@ -100,7 +100,12 @@ pub(super) struct Diagram<'m> {
 
 impl Diagram<'_> {
     pub(super) fn spot(&self, axis: AxisId) -> Spot {
-        Spot::of(self.model, axis)
+        spot(self.model, axis)
+    }
+
+    /// The direction of a line.
+    pub(super) fn along(&self, line: AxisId) -> [Measure; 2] {
+        self.model.axis(line).along()
     }
 
     /// The first of these axes, all in one place, whose link has a pose.
@@ -123,7 +128,7 @@ impl Diagram<'_> {
         let (at, block) = (self.first_visible(&[guide])?, self.first_visible(&[block])?);
         Some(Symbol::Slide {
             guide: at,
-            along: guide,
+            along: self.along(guide),
             block,
         })
     }
@@ -138,7 +143,10 @@ impl Diagram<'_> {
         let at = self.first_visible(&[own])?;
         Some(match self.model.axis(own).kind {
             AxisKind::Point => Symbol::Cam(at),
-            AxisKind::Line => Symbol::Wedge { at, along: own },
+            AxisKind::Line => Symbol::Wedge {
+                at,
+                along: self.along(own),
+            },
         })
     }
 
@@ -160,14 +168,14 @@ impl Diagram<'_> {
         let mut corners: Vec<Spot> = Vec::new();
         for axis in pins.chain(slides).chain(points) {
             let spot = self.spot(axis);
-            if !corners
-                .iter()
-                .any(|known| known.coincides_with(&spot, self.model))
-            {
+            if !corners.contains(&spot) {
                 corners.push(spot);
             }
         }
-        let bar = |ends: [Spot; 2]| Symbol::Bar { link, ends };
+        let bar = |ends: [Spot; 2]| {
+            let ends = ends.map(|end| end.at);
+            Symbol::Bar { link, ends }
+        };
         match corners[..] {
             [] | [_] => Vec::new(),
             [one, other] => vec![bar([one, other])],
@@ -191,8 +199,8 @@ impl Diagram<'_> {
             let spot = self.spot(axis);
             let mut pins = self.structure.pins.iter();
             pins.any(|pin| {
-                pin.axis_of(spot.link)
-                    .is_some_and(|pin| self.spot(pin).coincides_with(&spot, self.model))
+                let pin = pin.axis_of(spot.link);
+                pin.is_some_and(|pin| self.spot(pin) == spot)
             })
         };
         let points = axis_ids(self.model).filter(|&axis| {
@@ -215,7 +223,7 @@ impl Diagram<'_> {
             AxisKind::Point => Symbol::Point(self.spot(axis)),
             AxisKind::Line => Symbol::Line {
                 at: self.spot(axis),
-                along: axis,
+                along: self.along(axis),
             },
         };
         declared.map(symbol).collect()
@@ -248,11 +256,13 @@ impl Diagram<'_> {
 fn sort_around_center(corners: &mut [Spot]) {
     #[expect(clippy::cast_precision_loss, reason = "a few corners")]
     let share = 1.0 / corners.len() as f64;
-    let center = corners.iter().fold([0.0, 0.0], |[x, y], corner| {
-        [x + corner.at[0] * share, y + corner.at[1] * share]
-    });
+    let at = |corner: &Spot| corner.at.map(Measure::at_start);
+    let center = corners
+        .iter()
+        .map(at)
+        .fold([0.0, 0.0], |[x, y], [u, v]| [x + u * share, y + v * share]);
     corners.sort_by(|one, other| {
         let angle = |[x, y]: [f64; 2]| libm::atan2(y - center[1], x - center[0]);
-        angle(one.at).total_cmp(&angle(other.at))
+        angle(at(one)).total_cmp(&angle(at(other)))
     });
 }

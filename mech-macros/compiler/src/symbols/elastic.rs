@@ -1,8 +1,13 @@
 //! The symbols of springs and dampers.
 
 use super::diagram::Diagram;
-use super::{Side, Spot, Symbol};
+use super::{Spot, Symbol};
 use crate::model::{AxisId, Between, JointId};
+
+/// How many pixels to the left of the line between its ends a spring or damper is drawn: beside it, another lies between the same points.
+const MIDDLE: f32 = 0.0;
+const LEFT: f32 = 8.0;
+const RIGHT: f32 = -8.0;
 
 impl Diagram<'_> {
     /// The symbols of all springs and dampers whose ends have poses.
@@ -16,13 +21,9 @@ impl Diagram<'_> {
             };
             match spring.between {
                 Between::Points(a, b) => {
-                    let side = if is_beside([a, b]) {
-                        Side::Left
-                    } else {
-                        Side::Middle
-                    };
+                    let beside = if is_beside([a, b]) { LEFT } else { MIDDLE };
                     let ends = self.ends([a, b])?;
-                    Some(Symbol::Spring { ends, side })
+                    Some(Symbol::Spring { ends, beside })
                 }
                 Between::Joint(joint) => self.joint_spot(joint).map(Symbol::TorsionSpring),
             }
@@ -35,15 +36,15 @@ impl Diagram<'_> {
             match damper.between {
                 Between::Points(a, b) => {
                     // The spring is to the left of the line from its own first end.
-                    let side = if has_spring(Between::Points(a, b)) {
-                        Side::Right
+                    let beside = if has_spring(Between::Points(a, b)) {
+                        RIGHT
                     } else if has_spring(Between::Points(b, a)) {
-                        Side::Left
+                        LEFT
                     } else {
-                        Side::Middle
+                        MIDDLE
                     };
                     let ends = self.ends([a, b])?;
-                    Some(Symbol::Damper { ends, side })
+                    Some(Symbol::Damper { ends, beside })
                 }
                 Between::Joint(joint) => self.joint_spot(joint).map(Symbol::TorsionDamper),
             }

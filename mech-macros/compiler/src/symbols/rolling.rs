@@ -2,7 +2,7 @@
 
 use super::diagram::Diagram;
 use super::{Spot, Symbol};
-use crate::model::{JointId, JointKind, LinkId, Ratio};
+use crate::model::{JointId, JointKind, LinkId, Measure, Ratio};
 use crate::structure::{Rolling, RollingEnd};
 
 /// The hub of a wheel.
@@ -53,13 +53,13 @@ impl Diagram<'_> {
         let line = if forwards { b } else { a };
         let wheel = Symbol::Wheel {
             center: pinion,
-            radius: radius.abs(),
+            radius: Measure::fixed(radius.abs()),
         };
         let rack = self.first_visible(&[line]).map(|bar| Symbol::Rack {
             pinion,
-            radius,
+            radius: Measure::fixed(radius),
             bar,
-            along: line,
+            along: self.along(line),
         });
         Some([wheel].into_iter().chain(rack).collect())
     }
@@ -80,6 +80,7 @@ fn gear(hubs: [Hub; 2], ratio: Ratio) -> Vec<Symbol> {
     let radii = ratio.pitch_radii(distance(&hubs));
     let wheels = hubs.into_iter().zip(radii).filter_map(|(hub, radius)| {
         let center = hub.spot.filter(|_| radius.is_finite() && radius > 0.0)?;
+        let radius = Measure::fixed(radius);
         Some(Symbol::Wheel { center, radius })
     });
     wheels.collect()
@@ -88,7 +89,7 @@ fn gear(hubs: [Hub; 2], ratio: Ratio) -> Vec<Symbol> {
 /// Two wheels and their belt; none unless both have poses.
 fn belt(hubs: &[Hub; 2], ratio: Ratio) -> Option<Vec<Symbol>> {
     let centers = [hubs[0].spot?, hubs[1].spot?];
-    let radii = ratio.pulley_radii(distance(hubs));
+    let radii = ratio.pulley_radii(distance(hubs)).map(Measure::fixed);
     let wheels = centers.into_iter().zip(radii);
     let wheels = wheels.map(|(center, radius)| Symbol::Wheel { center, radius });
     Some(wheels.chain([Symbol::Belt { centers, radii }]).collect())

@@ -5,6 +5,7 @@ use crate::edit::{Assembly, Command, JointForm, Kind, Pair};
 use crate::editor::Gesture;
 use crate::editor::drawing::{Drawing, Hit, distance};
 use crate::editor::names::Names;
+use crate::editor::pose::Pose;
 use crate::text::shortest;
 use mech_compiler::model::{AxisId, JointKind, LinkId};
 
@@ -314,7 +315,7 @@ pub(super) fn written(value: f64) -> String {
 }
 
 /// A direction of the scene, `30 deg`, in the frame of a pose.
-fn turned(along: &str, [cos, sin, ..]: [f64; 4]) -> String {
+fn turned(along: &str, Pose { cos, sin, .. }: Pose) -> String {
     let degrees = along
         .strip_suffix(" deg")
         .and_then(|text| text.parse::<f64>().ok());

@@ -22,9 +22,10 @@ pub(super) fn generated() -> Vec<String> {
 /// What is public in the sources of the runtime, with what it shows of its core.
 pub(super) fn runtime() -> Vec<String> {
     let mut found = BTreeSet::new();
-    let folders = ["src", "core/src/phase", "core/src/real.rs"];
-    let paths = folders.map(|folder| files_in(&format!("mech-runtime/{folder}"), ".rs"));
-    for path in paths.concat() {
+    let files = |folder: &str| files_in(&format!("mech-runtime/{folder}"), ".rs");
+    let core = "joint.rs outline.rs phase pose.rs real.rs symbol.rs".split(' ');
+    let core = core.flat_map(|file| files(&format!("core/src/{file}")));
+    for path in files("src").into_iter().chain(core) {
         let tokens = text_of(&path).parse().expect("tokens");
         if !path.contains("/generated/") {
             add_public(tokens, "", "mod", &mut found);

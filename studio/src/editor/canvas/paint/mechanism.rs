@@ -5,7 +5,6 @@ use super::handle::PIN;
 use crate::editor::Item;
 use crate::editor::colors::distinct;
 use crate::editor::drawing::Drawing;
-use crate::editor::pose::apply;
 use crate::editor::range::Basis;
 use eframe::egui;
 use eframe::egui::{Color32, Painter, Pos2, Stroke, Vec2};
@@ -65,7 +64,7 @@ impl Paint<'_> {
         color: Color32,
     ) {
         let pose = drawing.pose(link);
-        let pixel = |place: &[f64; 2]| self.shown.pixel(apply(pose, *place));
+        let pixel = |place: &[f64; 2]| self.shown.pixel(pose.apply(*place));
         for shape in &drawing.model.link(link).shapes {
             match &shape.kind {
                 ShapeKind::Circle { center, radius } => {

@@ -1,22 +1,9 @@
 //! Poses of links.
 
-use crate::Scalar;
-use nalgebra::Isometry2;
+use crate::Real;
+use nalgebra::{Complex, Isometry2, Translation2, Unit};
 
 /// The pose of a link's frame in the scene: a direction of length one, and a translation in scene units.
-///
-/// `From` converts it to nalgebra's isometry and back. Places and directions, which are arrays here, convert to points and vectors:
-///
-/// ```
-/// use mech_runtime::{Isometry2, Point2, Pose};
-///
-/// let pose = Pose { cos: 0.0, sin: 1.0, x: 2.0, y: 3.0 };
-/// let isometry = Isometry2::from(pose);
-/// assert_eq!(Pose::from(isometry), pose);
-/// let point = Point2::new(1.0, 0.0);
-/// assert_eq!(Point2::from(pose.apply(point.into())), Point2::new(2.0, 4.0));
-/// assert_eq!(isometry * point, Point2::new(2.0, 4.0));
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose<T> {
     /// The cosine of the angle from the scene's x axis to the link's.
@@ -29,15 +16,20 @@ pub struct Pose<T> {
     pub y: T,
 }
 
-impl<T: Scalar> Pose<T> {
+impl<T: Real> Pose<T> {
     /// The pose of the ground.
     #[must_use]
     pub fn identity() -> Self {
-        Self {
-            cos: T::ONE,
-            sin: T::ZERO,
-            x: T::ZERO,
-            y: T::ZERO,
+        [T::ONE, T::ZERO, T::ZERO, T::ZERO].into()
+    }
+
+    /// The pose of a link by its number, of which 0 is the ground and `n + 1` the moving link with the pose `poses[n]`. `None` if there are
+    /// not so many.
+    #[must_use]
+    pub fn of_link(link: usize, poses: &[Self]) -> Option<Self> {
+        match link.checked_sub(1) {
+            None => Some(Self::identity()),
+            Some(moving) => poses.get(moving).copied(),
         }
     }
 
@@ -53,7 +45,7 @@ impl<T: Scalar> Pose<T> {
     /// The direction in the scene of a direction of the link.
     #[must_use]
     #[inline]
-    pub(crate) fn turn(self, [x, y]: [T; 2]) -> [T; 2] {
+    pub fn turn(self, [x, y]: [T; 2]) -> [T; 2] {
         [self.cos * x - self.sin * y, self.sin * x + self.cos * y]
     }
 
@@ -67,18 +59,35 @@ impl<T: Scalar> Pose<T> {
     /// The same pose as a nalgebra isometry.
     #[must_use]
     pub fn isometry(self) -> Isometry2<T> {
-        T::isometry([self.cos, self.sin], [self.x, self.y])
+        Isometry2 {
+            rotation: Unit::new_unchecked(Complex::new(self.cos, self.sin)),
+            translation: Translation2::new(self.x, self.y),
+        }
     }
 }
 
-impl<T: Scalar> From<Pose<T>> for Isometry2<T> {
+/// Of the cosine, the sine, x and y.
+impl<T> From<[T; 4]> for Pose<T> {
+    fn from([cos, sin, x, y]: [T; 4]) -> Self {
+        Self { cos, sin, x, y }
+    }
+}
+
+/// The cosine, the sine, x and y.
+impl<T> From<Pose<T>> for [T; 4] {
+    fn from(pose: Pose<T>) -> Self {
+        [pose.cos, pose.sin, pose.x, pose.y]
+    }
+}
+
+impl<T: Real> From<Pose<T>> for Isometry2<T> {
     fn from(pose: Pose<T>) -> Self {
         pose.isometry()
     }
 }
 
 /// The pose of an isometry, with the same bits.
-impl<T: Scalar> From<Isometry2<T>> for Pose<T> {
+impl<T: Real> From<Isometry2<T>> for Pose<T> {
     fn from(isometry: Isometry2<T>) -> Self {
         let Isometry2 {
             rotation,
@@ -90,13 +99,5 @@ impl<T: Scalar> From<Isometry2<T>> for Pose<T> {
             x: translation.vector[0],
             y: translation.vector[1],
         }
-    }
-}
-
-/// The pose of a link by its number, of which 0 is the ground and `n + 1` the moving link with the pose `poses[n]`.
-pub(crate) fn pose_of<T: Scalar>(link: usize, poses: &[Pose<T>]) -> Option<Pose<T>> {
-    match link.checked_sub(1) {
-        None => Some(Pose::identity()),
-        Some(moving) => poses.get(moving).copied(),
     }
 }
