@@ -87,7 +87,7 @@ pub use trace::Trace;
 /// The outline of a shape, in scene units. Its points are borrowed.
 pub type Outline<'p, T> = mech_core::Outline<T, &'p [[T; 2]]>;
 
-/// An outline with points of its own, for who stores it: [`map`](mech_core::Outline::map) makes one, `borrowed` lends it to a canvas.
+/// An outline with points of its own, for whoever stores it: [`map`](mech_core::Outline::map) makes one, `borrowed` lends it to a canvas.
 #[cfg(feature = "std")]
 pub type OwnedOutline<T> = mech_core::Outline<T, std::vec::Vec<[T; 2]>>;
 

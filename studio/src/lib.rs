@@ -13,6 +13,7 @@
 
 #[cfg(target_arch = "wasm32")]
 mod browser;
+#[cfg(not(target_arch = "wasm32"))]
 mod chart;
 mod check;
 #[cfg(not(target_arch = "wasm32"))]

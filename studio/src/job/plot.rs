@@ -1,6 +1,7 @@
 //! Charts of what is measured.
 
 use super::{Analysed, Measure, StillKind};
+#[cfg(not(target_arch = "wasm32"))]
 use crate::chart::Chart;
 use crate::failure::Failure;
 
@@ -14,6 +15,15 @@ pub(crate) struct Plot {
 }
 
 impl Plot {
+    /// The letters of charts are not in a page.
+    #[cfg(target_arch = "wasm32")]
+    pub(super) fn run(&self, _: &Analysed) -> Result<Vec<u8>, Failure> {
+        Err(Failure::file(
+            "a page in a browser draws no charts; export the table, or use `mech plot` on a computer",
+        ))
+    }
+
+    #[cfg(not(target_arch = "wasm32"))]
     pub(super) fn run(&self, analysed: &Analysed) -> Result<Vec<u8>, Failure> {
         let table = self.measure.table(analysed)?;
         let title = self.title.as_deref().unwrap_or(&analysed.model.name);
