@@ -20,13 +20,17 @@ use token::Token;
 
 /// The tokens of a text one after the other, brackets among them.
 #[derive(Clone, Debug)]
-pub struct Tokens(Vec<Token>);
+pub struct Tokens {
+    all: Vec<Token>,
+    /// Where the statements are among them.
+    statements: Vec<Range<usize>>,
+}
 
 impl Tokens {
     /// The tokens of a stream.
     #[must_use]
     pub fn of(stream: TokenStream) -> Self {
-        Self(token::flat(stream))
+        Self::new(token::flat(stream))
     }
 
     /// The tokens of a text.
@@ -34,23 +38,32 @@ impl Tokens {
     /// # Errors
     /// If a quote or a bracket is without its partner.
     pub fn read(text: &str) -> Result<Self, LexError> {
-        token::read(text).map(Self)
+        token::read(text).map(Self::new)
+    }
+
+    fn new(all: Vec<Token>) -> Self {
+        let statements = statement::split(&all, 0..all.len());
+        let statements = statements.iter().map(StatementText::range).collect();
+        Self { all, statements }
     }
 
     /// The statements, the `struct` line among them.
     #[must_use]
     pub fn statements(&self) -> Vec<StatementText<'_>> {
-        statement::split(&self.0, 0..self.0.len())
+        let ranges = self.statements.iter();
+        ranges
+            .map(|range| StatementText::new(&self.all, range.clone()))
+            .collect()
     }
 
     /// Where each token stands.
     pub fn places(&self) -> impl Iterator<Item = Place> {
-        self.0.iter().map(|token| Place::at(token.span()))
+        self.all.iter().map(|token| Place::at(token.span()))
     }
 
     /// The words, numbers, marks and brackets themselves.
     pub fn words(&self) -> impl Iterator<Item = &str> {
-        self.0.iter().map(|token| &*token.text)
+        self.all.iter().map(|token| &*token.text)
     }
 
     /// The tokens of a statement with these changes in it, which stand in the order of their places.
@@ -62,11 +75,11 @@ impl Tokens {
             if range.start < at || statement.end < range.end {
                 return None;
             }
-            tokens.extend_from_slice(&self.0[at..range.start]);
+            tokens.extend_from_slice(&self.all[at..range.start]);
             tokens.extend(token::read(by).ok()?);
             at = range.end;
         }
-        tokens.extend_from_slice(&self.0[at..statement.end]);
+        tokens.extend_from_slice(&self.all[at..statement.end]);
         Some(tokens)
     }
 }

@@ -29,10 +29,7 @@ pub(super) fn split(tokens: &[Token], range: Range<usize>) -> Vec<StatementText<
         };
         if depth == 0 && ends || next == range.end {
             let begin = after_attributes(tokens, first..next);
-            found.push(StatementText {
-                tokens,
-                range: begin..next,
-            });
+            found.push(StatementText::new(tokens, begin..next));
             first = next;
         }
     }
@@ -61,6 +58,10 @@ fn after_attributes(tokens: &[Token], range: Range<usize>) -> usize {
 }
 
 impl<'s> StatementText<'s> {
+    pub(super) fn new(tokens: &'s [Token], range: Range<usize>) -> Self {
+        Self { tokens, range }
+    }
+
     /// The numbers of its tokens in the text.
     #[must_use]
     pub fn range(&self) -> Range<usize> {
@@ -122,7 +123,7 @@ impl<'s> StatementText<'s> {
     /// Whether what it declares, after its first word, has this name.
     #[must_use]
     pub fn declares(&self, word: &str, name: &str) -> bool {
-        self.is(word) && self.path(1).0 == name
+        self.is(word) && name.starts_with(self.word(1)) && self.path(1).0 == name
     }
 
     /// Whether some path in it is this one, or begins with it.
