@@ -31,7 +31,7 @@ struct Repair<'a> {
     text: &'a str,
     /// What is left to do after it: `nothing`, `other start` or `other faults`.
     remainder: &'static str,
-    /// What is to be replaced by what; null if a change of this text alone cannot make it.
+    /// The replacements that make it, in the order of their places.
     edits: Vec<Edit>,
 }
 

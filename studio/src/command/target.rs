@@ -67,19 +67,12 @@ pub(super) fn coherent(
     declaration: &Declaration,
     console: &mut Console,
 ) -> Result<Analysed, Failure> {
-    let reading = document.analyse(declaration)?;
-    match reading.result {
-        Ok(compiled) => Ok(Analysed {
-            model: reading.model,
-            compiled: *compiled,
-        }),
-        Err(faults) => {
-            console.complain(&render(
-                document.source(),
-                &faults.messages,
-                console.has_colors(),
-            ));
-            Err(Failure::reported(FailureKind::Mechanism))
-        }
-    }
+    Analysed::of(document.analyse(declaration)?).map_err(|faults| {
+        console.complain(&render(
+            document.source(),
+            &faults.messages,
+            console.has_colors(),
+        ));
+        Failure::reported(FailureKind::Mechanism)
+    })
 }

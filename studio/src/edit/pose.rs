@@ -57,10 +57,7 @@ fn posed<'c>(
     if motors.iter().any(|(_, value)| !value.is_finite()) {
         return Err(Refusal::of("the value of a motor is finite"));
     }
-    let settings = motors.iter().map(|(motor, value)| Setting {
-        motor: motor.clone(),
-        value: (*value).into(),
-    });
+    let settings = motors.iter().cloned().map(Setting::from);
     let settings: Vec<Setting> = settings.collect();
     Ok(motion::posed(
         Mover::exact(compiled),

@@ -73,10 +73,7 @@ fn measured(
         let found = quantity::only_quantity(model, &dyads, name);
         found.map_err(|failure| missing.push(failure)).ok()
     });
-    let settings = wanted.others.iter().map(|(motor, value)| Setting {
-        motor: motor.clone(),
-        value: (*value).into(),
-    });
+    let settings = wanted.others.iter().cloned().map(Setting::from);
     let settings: Vec<Setting> = settings.collect();
     let motor = wanted.motor.as_deref();
     let drive = Drive::new(model, compiled, motor, Span::default(), &settings)?;

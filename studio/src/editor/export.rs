@@ -53,7 +53,8 @@ impl Editor {
     /// What makes a file of this kind; none for the text itself.
     fn job(&self, kind: Export) -> Option<Job> {
         let draw = |kind| {
-            let at = settings(self.seen_at().unwrap_or_default());
+            let seen = self.seen_at().unwrap_or_default();
+            let at = seen.into_iter().map(Setting::from).collect();
             let picture = Picture {
                 at,
                 ..Picture::default()
@@ -97,7 +98,7 @@ impl Editor {
             Some(wanted) => Measure {
                 over: wanted.over,
                 motor: wanted.motor,
-                at: settings(wanted.others),
+                at: wanted.others.into_iter().map(Setting::from).collect(),
                 loads: wanted.loads,
                 ..measure
             },
@@ -120,13 +121,4 @@ fn is_same(one: &Path, other: &Path) -> bool {
         (Ok(one), Ok(other)) => one == other,
         _ => one == other,
     }
-}
-
-/// Where motors stand, as jobs have it.
-fn settings(motors: Vec<(String, f64)>) -> Vec<Setting> {
-    let setting = |(motor, value): (String, f64)| Setting {
-        motor,
-        value: value.into(),
-    };
-    motors.into_iter().map(setting).collect()
 }

@@ -1,7 +1,7 @@
 //! Files that `mech` writes from the window: their kinds, and how they are written beside it.
 
 use crate::check::render;
-use crate::document::{Document, Reading, in_rust};
+use crate::document::{Document, in_rust};
 use crate::failure::Failure;
 use crate::job::{Analysed, Job, Listener};
 use crate::output;
@@ -132,16 +132,10 @@ impl Order {
         let declaration = self.document.declarations().get(self.index);
         let declaration =
             declaration.ok_or_else(|| Failure::mechanism("there is no mechanism yet"))?;
-        let Reading { model, result, .. } = self.document.analyse(declaration)?;
-        match result {
-            Ok(compiled) => Ok(Analysed {
-                model,
-                compiled: *compiled,
-            }),
-            Err(faults) => {
-                let text = render(self.document.source(), &faults.messages, false);
-                Err(Failure::mechanism(text))
-            }
-        }
+        let analysed = Analysed::of(self.document.analyse(declaration)?);
+        analysed.map_err(|faults| {
+            let text = render(self.document.source(), &faults.messages, false);
+            Failure::mechanism(text)
+        })
     }
 }

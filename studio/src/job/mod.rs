@@ -16,6 +16,7 @@ pub(crate) use measure::Measure;
 pub(crate) use picture::{Picture, Size};
 pub(crate) use plot::Plot;
 
+use crate::document::{Faults, Reading};
 use crate::failure::Failure;
 use mech_compiler::Compiled;
 use mech_compiler::model::Model;
@@ -41,6 +42,14 @@ pub(crate) enum Job {
 pub(crate) struct Analysed {
     pub(crate) model: Model,
     pub(crate) compiled: Compiled,
+}
+
+impl Analysed {
+    /// What was read, if it is coherent.
+    pub(crate) fn of(Reading { model, result, .. }: Reading) -> Result<Self, Faults> {
+        let compiled = *result?;
+        Ok(Self { model, compiled })
+    }
 }
 
 /// Two kinds of still pictures.

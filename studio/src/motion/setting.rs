@@ -15,6 +15,14 @@ pub(crate) struct Setting {
     pub(crate) value: Typed,
 }
 
+/// A motor by the name of its joint, and its value in degrees or scene units.
+impl From<(String, f64)> for Setting {
+    fn from((motor, value): (String, f64)) -> Self {
+        let value = value.into();
+        Self { motor, value }
+    }
+}
+
 /// The value of a motor, as it is typed: in degrees, which may be said, or in scene units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Typed {

@@ -61,11 +61,6 @@ impl Tokens {
         self.all.iter().map(|token| Place::at(token.span()))
     }
 
-    /// The words, numbers, marks and brackets themselves.
-    pub fn words(&self) -> impl Iterator<Item = &str> {
-        self.all.iter().map(|token| &*token.text)
-    }
-
     /// The tokens of a statement with these changes in it, which stand in the order of their places.
     fn changed(&self, statement: &Range<usize>, changes: &[&Edit]) -> Option<Vec<Token>> {
         let mut tokens = Vec::new();
