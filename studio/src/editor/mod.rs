@@ -13,7 +13,7 @@ mod clipboard;
 mod colors;
 mod curves;
 mod desk;
-mod dragging;
+mod drag;
 mod drawing;
 mod dropped;
 mod example;

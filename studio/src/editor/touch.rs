@@ -1,6 +1,6 @@
 //! What the user does to what is seen: selecting, holding, dragging, copying.
 
-use super::dragging::Dragging;
+use super::drag::Drag;
 use super::drawing::Drawing;
 use super::ghost::Ghost;
 use super::names::Names;
@@ -20,32 +20,27 @@ const MOST_BODIES: usize = 200;
 impl Editor {
     /// What is seen: while something is dragged, the mechanism as it is then.
     pub(super) fn seen_drawing(&self) -> Option<&Drawing> {
-        let dragged = self
-            .dragging
-            .as_ref()
-            .and_then(|dragging| dragging.drawing.as_ref());
-        dragged.or(self.drawing.as_ref())
+        let stay = self.drag.stay().map(|stay| &stay.drawing);
+        stay.or(self.drawing.as_ref())
     }
 
     /// What is painted: while something is dragged, the mechanism as it is then, as soon as that is known.
     pub(super) fn seen_player(&self) -> Option<&Player> {
-        match &self.dragging {
-            Some(dragging) if dragging.drawing.is_some() => dragging.preview.player.as_ref(),
-            _ => self.player.as_ref(),
+        match self.drag.stay() {
+            Some(stay) => stay.preview.player.as_ref(),
+            None => self.player.as_ref(),
         }
     }
 
     /// The whole paths of traced points, as they are known.
     pub(super) fn seen_paths(&self) -> &[Path] {
-        match &self.dragging {
-            Some(dragging) if dragging.drawing.is_some() => &dragging.preview.paths,
-            _ => &self.paths,
-        }
+        let stay = self.drag.stay().map(|stay| &stay.preview.paths);
+        stay.unwrap_or(&self.paths)
     }
 
     /// Whether the bodies of links are seen, and not the schematic.
     pub(super) fn shows_bodies(&self) -> bool {
-        (self.held().is_none() || self.shows_bodies_of_drag())
+        (self.drag.held().is_none() || self.shows_bodies_of_drag())
             && self.settings.shows(Visible::Bodies)
             && self.seen_player().is_some()
     }
@@ -105,7 +100,7 @@ impl Editor {
             return;
         };
         // What was let go comes to rest first.
-        if self.dragging.as_ref().is_some_and(Dragging::is_awaited) {
+        if self.drag.is_awaited() {
             return;
         }
         let is_held = |item: &Item| self.desk.is_locked(item);
@@ -133,7 +128,7 @@ impl Editor {
         };
         let pose = self.seen_at();
         let number = self.pending.number();
-        let (dragging, hold) = match Dragging::begin(number, drawing, items, pose) {
+        let (drag, hold) = match Drag::begin(number, drawing, items, pose) {
             Ok(begun) => begun,
             Err(refusal) => {
                 self.refuse(refusal);
@@ -146,7 +141,7 @@ impl Editor {
         } else {
             Held::Text(self.workspace().document(), self.workspace().index())
         };
-        self.dragging = Some(dragging);
+        self.drag = drag;
         self.give(Task::Hold(Box::new(hold), text));
         if let Some(to) = to {
             self.drag_to(to);
@@ -193,70 +188,26 @@ impl Editor {
         Some((free, drawing.place(axis)))
     }
 
-    /// What the pointer holds.
-    pub(super) fn held(&self) -> Option<&Dragging> {
-        self.dragging
-            .as_ref()
-            .filter(|dragging| !dragging.is_released)
-    }
-
     /// Moves what is dragged to a place of the scene.
     pub fn drag_to(&mut self, place: [f64; 2]) {
-        let held = self
-            .dragging
-            .as_mut()
-            .filter(|dragging| !dragging.is_released);
-        let Some(dragging) = held else {
-            return;
-        };
-        let number = dragging.number;
-        if let Some(to) = dragging.lead(place) {
+        if let Some((number, to)) = self.drag.lead(place) {
             self.give(Task::Lead { number, to });
         }
     }
 
     /// Takes over where what is dragged was led.
     pub(super) fn take_led(&mut self, led: Led) {
-        let number = led.number;
-        let mut dragged = self.dragging.as_mut();
-        let Some(dragging) = dragged.take_if(|dragging| dragging.number == number) else {
-            return;
-        };
-        dragging.take(led);
-        let (is_released, is_awaited) = (dragging.is_released, dragging.is_awaited());
-        self.tell_drag();
-        if !is_released {
-            self.give_preview();
-        } else if !is_awaited {
-            self.leave_dragged();
-        }
-    }
-
-    /// Tells where what is dragged is, or why it cannot go there.
-    fn tell_drag(&mut self) {
-        let Some(dragging) = &self.dragging else {
-            return;
-        };
-        if let Some(refusal) = &dragging.refusal {
-            let why = refusal.to_string();
-            self.refuse(why);
+        if !self.drag.take(led) {
             return;
         }
-        let notes = dragging
-            .dragged
-            .as_ref()
-            .map(|dragged| dragged.notes.join("; "));
-        let place = dragging.pointer.unwrap_or_default();
-        let [x, y] = place.map(|part| crate::text::shortest(part, 1e-6));
-        let items: Vec<String> = dragging.items.iter().map(ToString::to_string).collect();
-        let told = format!(
-            "{} to ({x}, {y}) {}",
-            items.join(", "),
-            notes.unwrap_or_default()
-        );
-        match dragging.preview.fault.clone() {
-            Some(fault) => self.refuse(format!("{told}: {fault}")),
-            None => self.tell(told),
+        match self.drag.told() {
+            Some(Ok(told)) => self.tell(told),
+            Some(Err(why)) => self.refuse(why),
+            None => {}
+        }
+        self.give_preview();
+        if let Some(gesture) = self.drag.come_to_rest() {
+            self.perform(gesture);
         }
     }
 
@@ -269,11 +220,7 @@ impl Editor {
     /// Has the text read as it is while something is dragged, unless one is being read.
     pub(super) fn give_preview(&mut self) {
         let has_bodies = self.shows_bodies_of_drag();
-        let Some(dragging) = &mut self.dragging else {
-            return;
-        };
-        let number = dragging.number;
-        if let Some(edits) = dragging.unread() {
+        if let Some((number, edits)) = self.drag.unread() {
             let text = written(self.session.workspace.text(), &edits);
             let source = Source::new(self.workspace().path(), text);
             let task = Task::Preview {
@@ -288,12 +235,9 @@ impl Editor {
 
     /// Takes over what the compiler makes of a text while something is dragged.
     pub(super) fn take_preview(&mut self, previewed: Previewed) {
-        let number = previewed.number;
-        let mut dragged = self.dragging.as_mut();
-        let Some(dragging) = dragged.take_if(|dragging| dragging.number == number) else {
+        let Some(preview) = self.drag.preview_mut(previewed.number) else {
             return;
         };
-        let preview = &mut dragging.preview;
         preview.is_awaited = false;
         preview.fault = previewed.fault;
         preview.paths = previewed.paths;
@@ -305,28 +249,13 @@ impl Editor {
             }
             player
         });
-        if self.held().is_some() {
-            self.give_preview();
-        }
+        self.give_preview();
     }
 
     /// Lets what is dragged go where it is, as one step: as soon as it is known whether it can stay there.
     pub fn end_drag(&mut self) {
-        let held = self.dragging.as_mut();
-        let Some(dragging) = held.filter(|dragging| !dragging.is_released) else {
-            return;
-        };
-        dragging.is_released = true;
-        if !dragging.is_awaited() {
-            self.leave_dragged();
-        }
-    }
-
-    /// Leaves what is dragged where it could go last. It is seen there until the text says the same.
-    fn leave_dragged(&mut self) {
-        match self.dragging.as_ref().and_then(Dragging::gesture) {
-            Some(gesture) => self.perform(gesture),
-            None => self.dragging = None,
+        if let Some(gesture) = self.drag.release() {
+            self.perform(gesture);
         }
     }
 

@@ -172,7 +172,7 @@ impl Canvas {
         shown: &Shown,
         ui: &egui::Ui,
     ) {
-        let Some(moved) = editor.held().map(|dragging| dragging.items.clone()) else {
+        let Some(moved) = editor.drag.held().map(<[Item]>::to_vec) else {
             return;
         };
         let is_alt = ui.input(|input| input.modifiers.alt);

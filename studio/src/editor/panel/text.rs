@@ -44,7 +44,7 @@ impl TextPanel {
         if shown != self.seen {
             forget_typing(field, ui.ctx());
         }
-        let is_dragged = editor.held().is_some();
+        let is_dragged = editor.drag.held().is_some();
         let mut layouter = |ui: &egui::Ui, buffer: &dyn egui::TextBuffer, _: f32| {
             let job = self.color(buffer.as_str(), &marks, ui.visuals());
             ui.fonts_mut(|fonts| fonts.layout_job(job))
@@ -272,19 +272,15 @@ impl Editor {
     /// The text as it is seen: while something is dragged, with the numbers as they are there.
     pub(in crate::editor) fn shown_text(&self) -> String {
         let text = self.workspace().text();
-        let dragged = self
-            .dragging
-            .as_ref()
-            .and_then(|dragging| dragging.dragged.as_ref());
-        match dragged {
-            Some(dragged) => crate::text::written(text, &dragged.edits),
+        match self.drag.stay() {
+            Some(stay) => crate::text::written(text, &stay.edits),
             None => text.to_owned(),
         }
     }
 
     /// Where something is named in the text, or where a number of it stands.
     pub(in crate::editor) fn places_of(&self, item: &Item) -> Vec<Range<usize>> {
-        if self.dragging.is_some() {
+        if !self.drag.is_nothing() {
             return Vec::new();
         }
         let listing = &self.snapshot.listing;

@@ -4,7 +4,7 @@ use super::Editor;
 use super::pending::{Pending, Waiting};
 use crate::dialogue::{Request, Turn, request};
 use crate::edit::{Command, Kind, Saving, Workspace};
-use crate::editor::dragging::Dragging;
+use crate::editor::drag::Drag;
 use crate::editor::drawing::distance;
 use crate::editor::question::Ending;
 use crate::editor::settings::{Settings, View};
@@ -25,7 +25,7 @@ impl Editor {
         self.tool = tool;
         self.picks.clear();
         // What was let go already stays where it was let go.
-        self.dragging.take_if(|dragging| !dragging.is_released);
+        self.drag.give_up_if(|drag| drag.held().is_some());
         self.notice = None;
     }
 
@@ -49,8 +49,10 @@ impl Editor {
 
     /// Goes back by a step, or gives up a gesture that was not made yet, or takes back what was moved by hand since the last step.
     pub fn undo(&mut self) {
-        let is_let_go = |dragging: &mut Dragging| dragging.is_released && dragging.is_awaited();
-        if self.dragging.take_if(is_let_go).is_some() {
+        if self
+            .drag
+            .give_up_if(|drag| matches!(drag, Drag::Released(_)))
+        {
             self.tell("given up: the drag");
             return;
         }

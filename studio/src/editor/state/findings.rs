@@ -3,7 +3,7 @@
 use super::Editor;
 use super::pending::Waiting;
 use crate::edit::{Applied, Command, Refusal};
-use crate::editor::dragging::Dragging;
+use crate::editor::drag::Drag;
 use crate::editor::settings::View;
 use crate::editor::snap::CLOSE;
 use crate::editor::snapshot::Snapshot;
@@ -131,11 +131,7 @@ impl Editor {
                 }
             }
             Finding::NotHeld(number, refusal) => {
-                if self
-                    .dragging
-                    .take_if(|dragging| dragging.number == number)
-                    .is_some()
-                {
+                if self.drag.give_up_if(|drag| drag.number() == Some(number)) {
                     self.refuse(refusal);
                 }
             }
@@ -176,16 +172,15 @@ impl Editor {
         if let Undone::Follow | Undone::All = undone {
             self.is_mending = false;
         }
-        let is_it = |dragging: &mut Dragging| match undone {
-            Undone::Drag(number) => dragging.number == number,
+        self.drag.give_up_if(|drag| match undone {
+            Undone::Drag(number) => drag.number() == Some(number),
             Undone::All => true,
             _ => false,
-        };
-        self.dragging.take_if(is_it);
-        if let (Undone::Preview(number), Some(dragging)) = (undone, &mut self.dragging)
-            && dragging.number == number
+        });
+        if let Undone::Preview(number) = undone
+            && let Some(preview) = self.drag.preview_mut(number)
         {
-            dragging.preview.is_awaited = false;
+            preview.is_awaited = false;
         }
         self.refuse(failure);
     }
@@ -212,16 +207,14 @@ impl Editor {
         }
         match tried {
             Ok((applied, snapshot)) => {
-                let dragged = self.dragging.as_ref().and_then(Dragging::gesture);
-                let is_of_drag = dragged.as_ref() == Some(&before.gesture);
-                self.accept(&applied, snapshot, is_of_drag);
+                self.accept(&applied, snapshot, &before.gesture);
             }
             Err(refusal) => self.reject(&refusal),
         }
     }
 
-    /// Takes over what a gesture does: that which leaves what is dragged, or another.
-    fn accept(&mut self, applied: &Applied, snapshot: Arc<Snapshot>, is_of_drag: bool) {
+    /// Takes over what a gesture does.
+    fn accept(&mut self, applied: &Applied, snapshot: Arc<Snapshot>, gesture: &Gesture) {
         let text = applied.document.source().text();
         self.session.workspace.push(applied.title.as_str(), text);
         let notes = applied.notes.join("; ");
@@ -230,21 +223,21 @@ impl Editor {
         } else {
             format!("{}: {notes}", applied.title)
         });
-        // What was begun meanwhile goes on in the new text.
-        let dragging = self.dragging.take();
+        let mut drag = std::mem::take(&mut self.drag);
         self.show(snapshot);
-        match dragging {
+        if drag.left().is_some() {
             // Its own gesture waits for its turn: until then it is seen where it was let go.
-            Some(dragging) if dragging.is_released && !dragging.is_awaited() => {
-                self.dragging = Some(dragging).filter(|_| !is_of_drag);
+            drag.give_up_if(|drag| drag.left() == Some(gesture));
+            self.drag = drag;
+            return;
+        }
+        // What was begun meanwhile goes on in the new text.
+        let is_released = matches!(drag, Drag::Released(_));
+        if let Some((items, pointer)) = drag.under_way() {
+            self.drag_on(items, pointer);
+            if is_released {
+                self.end_drag();
             }
-            Some(dragging) => {
-                self.drag_on(dragging.items, dragging.pointer);
-                if dragging.is_released {
-                    self.end_drag();
-                }
-            }
-            None => {}
         }
     }
 
@@ -256,13 +249,12 @@ impl Editor {
 
     /// Forgets what was dragged and let go, and whose gesture is not made.
     fn drop_left(&mut self) {
-        self.dragging
-            .take_if(|dragging| dragging.is_released && !dragging.is_awaited());
+        self.drag.give_up_if(|drag| drag.left().is_some());
     }
 
     /// Lets go of what was begun in an earlier text.
     pub(in crate::editor) fn let_go(&mut self) {
-        self.dragging = None;
+        self.drag = Drag::Nothing;
         self.picks.clear();
     }
 

@@ -7,7 +7,7 @@ mod playing;
 
 use super::by_hand::ByHand;
 use super::desk::Desk;
-use super::dragging::Dragging;
+use super::drag::Drag;
 use super::drawing::Drawing;
 use super::ghost::Ghost;
 use super::journal::Journal;
@@ -66,7 +66,7 @@ pub struct Editor {
     pub(in crate::editor) selection: BTreeSet<Item>,
     pub(in crate::editor) tool: Tool,
     pub(in crate::editor) picks: Vec<Pick>,
-    pub(in crate::editor) dragging: Option<Dragging>,
+    pub(in crate::editor) drag: Drag,
     pub(in crate::editor) camera: Camera,
     pub(in crate::editor) notice: Option<Notice>,
     pub(in crate::editor) settings: Settings,
@@ -141,7 +141,7 @@ impl Editor {
             selection: BTreeSet::new(),
             tool: Tool::Select,
             picks: Vec::new(),
-            dragging: None,
+            drag: Drag::default(),
             camera: Camera::new(bounds_of(None), SIZE),
             notice: None,
             settings: Settings {
@@ -228,20 +228,20 @@ impl Editor {
     /// Whether the analysis is not done yet.
     #[must_use]
     pub fn is_busy(&self) -> bool {
-        let is_let_go = self.dragging.is_some() && self.held().is_none();
+        let is_let_go = !self.drag.is_nothing() && self.drag.held().is_none();
         let is_unread = !self.is_present(&self.snapshot);
         is_let_go || is_unread || !self.pending.is_empty() || self.is_mending
     }
 
     /// Whether nothing is under way that would be lost if the text became another one.
     pub(in crate::editor) fn is_at_rest(&self) -> bool {
-        self.dragging.is_none() && self.pending.is_empty()
+        self.drag.is_nothing() && self.pending.is_empty()
     }
 
     /// Whether something is lost if the text is left as it is.
     #[must_use]
     pub fn has_work(&self) -> bool {
-        self.dragging.is_some() || !self.pending.is_empty() || self.workspace().has_work()
+        !self.drag.is_nothing() || !self.pending.is_empty() || self.workspace().has_work()
     }
 
     /// Tells something.

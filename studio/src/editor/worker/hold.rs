@@ -2,6 +2,7 @@
 
 use crate::document::Document;
 use crate::edit::{Command, Drag, Dragged, Follower, Refusal};
+use crate::editor::Gesture;
 use crate::editor::snapshot::Snapshot;
 use std::sync::Arc;
 
@@ -34,7 +35,7 @@ pub(in crate::editor) struct Led {
     /// The place, as the drag counts.
     pub(in crate::editor) to: [f64; 2],
     /// What came of it, and what leaves it there; or why it cannot go there.
-    pub(in crate::editor) outcome: Result<(Dragged, Vec<Command>), Refusal>,
+    pub(in crate::editor) outcome: Result<(Dragged, Gesture), Refusal>,
 }
 
 impl Hold {
@@ -65,11 +66,14 @@ impl Hold {
 impl Led {
     /// Leads what is held to a place.
     pub(super) fn of(number: u64, drag: &Drag, to: [f64; 2]) -> Self {
-        let outcome = drag.move_to(to);
+        let commands = drag.commands(to);
+        let title = commands.first().map(Command::title).unwrap_or_default();
+        let gesture = Gesture::new(title, commands);
+        let outcome = drag.move_to(to).map(|dragged| (dragged, gesture));
         Self {
             number,
             to,
-            outcome: outcome.map(|dragged| (dragged, drag.commands(to))),
+            outcome,
         }
     }
 }

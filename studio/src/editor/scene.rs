@@ -97,7 +97,7 @@ impl Editor {
 
     /// Lets time pass, in seconds.
     pub fn advance(&mut self, seconds: f64) {
-        if self.dragging.is_none()
+        if self.drag.is_nothing()
             && let Some(player) = &mut self.player
         {
             player.advance(seconds);
