@@ -38,7 +38,7 @@ impl Editor {
     pub(super) fn group_of(&self, item: Item) -> BTreeSet<Item> {
         let mut group = self.desk.group_of(item);
         if group.len() > 1 {
-            let drawing = self.drawing.as_ref();
+            let drawing = self.scene.drawing();
             group.retain(|item| drawing.is_some_and(|drawing| drawing.has(item)));
         }
         group
@@ -46,7 +46,7 @@ impl Editor {
 
     /// What is selected, with all that has to be moved so that it moves.
     fn selected_with_handles(&self) -> BTreeSet<Item> {
-        let drawing = self.drawing.iter();
+        let drawing = self.scene.drawing().into_iter();
         let handles = drawing.flat_map(|drawing: &Drawing| {
             let selected = self.selection.iter();
             selected.flat_map(|item| drawing.handles_of(item))
@@ -106,8 +106,8 @@ impl Editor {
     /// # Errors
     /// If the bytes are no picture that can be read.
     pub(super) fn set_backdrop(&mut self, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-        let view = self.camera.view();
-        let [width, height] = self.camera.extent();
+        let view = self.scene.camera.view();
+        let [width, height] = self.scene.camera.extent();
         let backdrop = Backdrop::read(path, bytes)?;
         let extent = [width, height].map(|side| 0.8 * side / view.scale());
         self.desk.backdrop = Some(backdrop.within(view.center(), extent));
@@ -142,7 +142,7 @@ impl Editor {
 
     /// The places of the two handles that are selected, if there are two.
     pub(super) fn selected_places(&self) -> Option<[[f64; 2]; 2]> {
-        let handles = self.drawing.as_ref()?.handles();
+        let handles = self.scene.drawing()?.handles();
         let selected = handles.filter(|handle| self.selection.contains(handle.item));
         let places: Vec<[f64; 2]> = selected.map(|handle| handle.place).collect();
         <[[f64; 2]; 2]>::try_from(places)

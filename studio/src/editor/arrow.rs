@@ -38,7 +38,8 @@ impl Editor {
     /// The arrows that are wanted, at the present pose.
     #[must_use]
     pub fn arrows(&self) -> Vec<Arrow> {
-        let (Some(player), Some((motor, _))) = (self.seen_player(), self.plotted_motor()) else {
+        let (Some(player), Some((motor, _))) = (self.scene.seen_player(), self.plotted_motor())
+        else {
             return Vec::new();
         };
         let mechanism = player.mechanism();

@@ -53,7 +53,7 @@ impl Editor {
     /// What makes a file of this kind; none for the text itself.
     fn job(&self, kind: Export) -> Option<Job> {
         let draw = |kind| {
-            let seen = self.seen_at().unwrap_or_default();
+            let seen = self.scene.playing.seen_at().unwrap_or_default();
             let at = seen.into_iter().map(Setting::from).collect();
             let picture = Picture {
                 at,

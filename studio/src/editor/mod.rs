@@ -7,7 +7,6 @@
 mod action;
 mod arranging;
 mod arrow;
-mod by_hand;
 mod canvas;
 mod clipboard;
 mod colors;
@@ -33,11 +32,13 @@ mod order;
 mod panel;
 mod path;
 mod placement;
+mod playing;
 mod plotted;
 mod plotting;
 mod pose;
 mod question;
 mod range;
+mod scene;
 mod settings;
 mod snap;
 mod snapshot;
@@ -53,25 +54,7 @@ pub use example::first_example;
 pub use gesture::Gesture;
 pub use index::HandleKind;
 pub use item::Item;
+pub use scene::Scene;
 pub use state::{Editor, Notice};
 pub use studio::Studio;
 pub use tool::Tool;
-
-/// The box in which something is seen: of the drawing, or of what may become one.
-fn bounds_of(drawing: Option<&Drawing>) -> [[f64; 2]; 2] {
-    const EMPTY: [[f64; 2]; 2] = [[-5.0, -4.0], [5.0, 4.0]];
-    let places = drawing.into_iter().flat_map(Drawing::handles);
-    let bounds = places.fold(None, |bounds: Option<[[f64; 2]; 2]>, handle| {
-        let [x, y] = handle.place;
-        let [low, high] = bounds.unwrap_or([[x, y]; 2]);
-        Some([
-            [low[0].min(x), low[1].min(y)],
-            [high[0].max(x), high[1].max(y)],
-        ])
-    });
-    match bounds {
-        Some([low, high]) if low[0] < high[0] || low[1] < high[1] => [low, high],
-        Some([[x, y], _]) => [[x - 5.0, y - 4.0], [x + 5.0, y + 4.0]],
-        None => EMPTY,
-    }
-}

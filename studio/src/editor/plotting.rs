@@ -31,7 +31,9 @@ impl Editor {
     /// The motor that moves through its range in plots, by its number and its name.
     pub(super) fn plotted_motor(&self) -> Option<(usize, &str)> {
         let names = || {
-            self.ranges
+            self.scene
+                .playing
+                .ranges
                 .iter()
                 .map(|range| range.name.as_str())
                 .enumerate()
@@ -55,7 +57,7 @@ impl Editor {
 
     /// What has to be measured so that the plots fit what is seen.
     pub(super) fn wanted_curves(&self) -> Option<Wanted> {
-        let mechanism = self.player.as_ref()?.mechanism();
+        let mechanism = self.scene.player()?.mechanism();
         let (_, motor) = self.plotted_motor()?;
         let others = mechanism
             .shown_motors()
@@ -83,9 +85,13 @@ impl Editor {
             .curves
             .as_ref()
             .is_some_and(|known| self.fit_curves(known, &wanted));
-        let plays = self.player.as_ref().is_some_and(crate::play::Player::plays);
+        let plays = self.scene.player().is_some_and(crate::play::Player::plays);
         let waits = plays && !wanted.others.is_empty() && self.plotted.curves.is_some();
-        if is_known || waits || self.plotted.asked.is_some() || !self.is_played_present() {
+        if is_known
+            || waits
+            || self.plotted.asked.is_some()
+            || !self.scene.playing.is_of(&self.snapshot)
+        {
             return;
         }
         let snapshot = self.snapshot.clone();

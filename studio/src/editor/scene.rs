@@ -1,104 +1,153 @@
-//! The mechanism in motion, and how it is seen.
+//! What is seen: a mechanism as it is drawn, as it plays, and as it is while it is dragged.
 
-use super::Editor;
-use crate::editor::bounds_of;
-use crate::editor::by_hand::Hand;
-use crate::editor::drawing::Drawing;
-use crate::editor::path::Path;
-use crate::editor::range::MotorRange;
-use crate::editor::settings::View;
-use crate::play::{Camera, Control, Mechanism, Player};
+use super::drag::Drag;
+use super::drawing::Drawing;
+use super::path::Path;
+use super::playing::{Hand, Playing};
+use super::range::MotorRange;
+use super::settings::{Settings, Visible};
+use super::snapshot::Snapshot;
+use crate::play::{Camera, Control, Mechanism, Player, SIZE};
 use std::sync::Arc;
 
-impl Editor {
-    /// Plays the mechanism of the present text, with its motors where they were.
-    pub(super) fn play(&mut self, mechanism: Mechanism, ranges: Vec<MotorRange>, paths: Vec<Path>) {
-        if let Some(player) = &mut self.player {
-            player.replace(mechanism);
-        } else {
-            let mut player = Player::new(mechanism, Vec::new(), self.camera.size());
-            player.obey(Control::PlayOrPause);
-            self.player = Some(player);
+/// How many bodies are painted while something is dragged.
+const MOST_BODIES: usize = 200;
+
+/// What is seen, and how.
+pub struct Scene {
+    /// What the compiler made of the last text that could be read, and how that is drawn.
+    drawn: Option<(Arc<Snapshot>, Drawing)>,
+    pub(super) playing: Playing,
+    pub(super) drag: Drag,
+    pub(super) camera: Camera,
+    view: View,
+}
+
+/// Whose the view is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum View {
+    /// It is to show everything that will be there.
+    Ours,
+    /// It shows everything as it starts, and is to show all of its motion when that is known.
+    Started,
+    /// It stays as the user has it.
+    Users,
+}
+
+impl Scene {
+    /// An empty one. Whether everything that comes is to be seen, or what the user looks at.
+    pub(super) fn new(is_ours: bool) -> Self {
+        Self {
+            drawn: None,
+            playing: Playing::default(),
+            drag: Drag::default(),
+            camera: Camera::new(bounds_of(None), SIZE),
+            view: if is_ours { View::Ours } else { View::Users },
         }
-        self.ranges = ranges;
-        self.paths = paths;
-        self.pose();
-        if self.settings.view == View::Started {
-            self.settings.view = View::Users;
+    }
+
+    /// What is drawn, if anything is.
+    pub(super) fn drawing(&self) -> Option<&Drawing> {
+        self.drawn.as_ref().map(|(_, drawing)| drawing)
+    }
+
+    /// What moves, if the mechanism does.
+    pub(super) const fn player(&self) -> Option<&Player> {
+        self.playing.player.as_ref()
+    }
+
+    /// How it is seen.
+    #[must_use]
+    pub const fn camera(&self) -> &Camera {
+        &self.camera
+    }
+
+    /// Pixels in a scene unit.
+    pub(super) fn scale(&self) -> f64 {
+        self.camera.view().scale()
+    }
+
+    /// Shows what can be read of a text. It goes on to move when its mechanism is there.
+    pub(super) fn draw(&mut self, snapshot: &Arc<Snapshot>) {
+        let was_empty = self.drawn.is_none();
+        if snapshot.compiled().is_none() {
+            self.playing.stop();
+        }
+        let is_moved = self.playing.seen_at().is_some();
+        let drawing = snapshot.drawing(self.drawing(), is_moved);
+        self.drawn = drawing.map(|drawing| (snapshot.clone(), drawing));
+        if was_empty && self.view == View::Ours {
+            self.view = View::Started;
             self.fit();
         }
     }
 
-    /// Plays no more.
-    pub(super) fn stop(&mut self) {
-        self.player = None;
-        self.ranges.clear();
-        self.paths.clear();
-        self.by_hand.clear();
+    /// Shows nothing: the text is empty.
+    pub(super) fn clear(&mut self) {
+        self.drawn = None;
+        self.playing.stop();
     }
 
-    /// Notes where the motors are, before somebody moves them by hand.
-    fn note_motors(&mut self, hand: Hand) {
-        if let Some(player) = &self.player {
-            self.by_hand.note(hand, player.motors());
+    /// Shows nothing until another mechanism is known, and all of that.
+    pub(super) fn make_way(&mut self) {
+        self.drawn = None;
+        self.playing.player = None;
+        self.view = View::Ours;
+    }
+
+    /// Plays the mechanism of the present text, with its motors where they were.
+    pub(super) fn play(
+        &mut self,
+        snapshot: Arc<Snapshot>,
+        (mechanism, ranges, paths): (Mechanism, Vec<MotorRange>, Vec<Path>),
+    ) {
+        let playing = &mut self.playing;
+        if let Some(player) = &mut playing.player {
+            player.replace(mechanism);
+        } else {
+            let mut player = Player::new(mechanism, Vec::new(), self.camera.size());
+            player.obey(Control::PlayOrPause);
+            playing.player = Some(player);
+        }
+        playing.snapshot = Some(snapshot);
+        (playing.ranges, playing.paths) = (ranges, paths);
+        self.pose();
+        if self.view == View::Started {
+            self.view = View::Users;
+            self.fit();
         }
     }
 
     /// Takes the link under a pixel of the canvas, so that it follows the pointer.
-    pub(in crate::editor) fn hold(&mut self, pixel: [f64; 2]) {
-        self.note_motors(Hand::Link);
-        if let Some(player) = &mut self.player {
+    pub(super) fn hold(&mut self, pixel: [f64; 2]) {
+        self.playing.note(Hand::Link);
+        if let Some(player) = &mut self.playing.player {
             player.look(&self.camera);
         }
         self.obey(Control::Press(pixel));
     }
 
-    /// Whether something was moved by hand since the text changed.
-    pub(in crate::editor) fn is_moved_by_hand(&self) -> bool {
-        !self.by_hand.is_empty()
-    }
-
     /// Takes back the last motion by hand since the text changed. Returns whether there was one.
     pub(super) fn take_back_motion(&mut self) -> bool {
         self.obey(Control::Release);
-        while let (Some(before), Some(player)) = (self.by_hand.pop(), &mut self.player) {
-            if before == player.motors() {
-                continue;
-            }
-            for (motor, value) in before.into_iter().enumerate() {
-                player.drive(motor, value);
-            }
-            self.pose();
-            return true;
-        }
-        false
-    }
-
-    /// Whether the player has the mechanism of the present text.
-    pub(in crate::editor) fn is_played_present(&self) -> bool {
-        self.played
-            .as_ref()
-            .is_some_and(|played| Arc::ptr_eq(played, &self.snapshot))
+        let is_taken_back = self.playing.take_back();
+        self.pose();
+        is_taken_back
     }
 
     /// Puts the links of the drawing where the player has them.
-    pub(in crate::editor) fn pose(&mut self) {
-        let is_played = |drawn| {
-            self.played
-                .as_ref()
-                .is_some_and(|played| Arc::ptr_eq(played, drawn))
-        };
-        if let (Some(player), Some(drawing)) = (&self.player, &mut self.drawing)
-            && self.drawn.as_ref().is_some_and(is_played)
+    fn pose(&mut self) {
+        if let (Some(player), Some((snapshot, drawing))) = (&self.playing.player, &mut self.drawn)
+            && self.playing.is_of(snapshot)
         {
             drawing.set_poses(player.mechanism().poses());
         }
     }
 
     /// Lets time pass, in seconds.
-    pub fn advance(&mut self, seconds: f64) {
+    pub(super) fn advance(&mut self, seconds: f64) {
         if self.drag.is_nothing()
-            && let Some(player) = &mut self.player
+            && let Some(player) = &mut self.playing.player
         {
             player.advance(seconds);
             self.pose();
@@ -107,7 +156,7 @@ impl Editor {
 
     /// Gives the player a control.
     pub fn obey(&mut self, control: Control) {
-        if let Some(player) = &mut self.player {
+        if let Some(player) = &mut self.playing.player {
             player.obey(control);
             self.pose();
         }
@@ -115,37 +164,78 @@ impl Editor {
 
     /// Moves a motor, by its number, to a value in radians or scene units.
     pub fn scrub(&mut self, motor: usize, value: f64) {
-        self.note_motors(Hand::Motor(motor));
-        if let Some(player) = &mut self.player {
+        self.playing.note(Hand::Motor(motor));
+        if let Some(player) = &mut self.playing.player {
             player.drive(motor, value);
             self.pose();
         }
     }
 
-    /// The values of motors at which the mechanism is seen, in degrees or scene units; none at the start.
-    pub(in crate::editor) fn seen_at(&self) -> Option<Vec<(String, f64)>> {
-        let mechanism = self.player.as_ref()?.mechanism();
-        if mechanism.is_at_start() {
-            return None;
-        }
-        Some(mechanism.shown_motors())
-    }
-
     /// Sees everything.
     pub fn fit(&mut self) {
-        let moving = self
-            .player
-            .as_ref()
-            .map(|player| player.mechanism().bounds());
+        self.camera = Camera::new(self.bounds(), self.camera.size());
+    }
+
+    /// The box of everything.
+    fn bounds(&self) -> [[f64; 2]; 2] {
+        let moving = self.player().map(|player| player.mechanism().bounds());
         // A single pivot is seen with room around it.
-        let mut places = self
-            .drawing
-            .iter()
-            .flat_map(Drawing::handles)
-            .map(|handle| handle.place);
+        let handles = self.drawing().into_iter().flat_map(Drawing::handles);
+        let mut places = handles.map(|handle| handle.place);
         let first = places.next();
         let moving = moving.filter(|_| places.any(|place| Some(place) != first));
-        let bounds = moving.unwrap_or_else(|| bounds_of(self.drawing.as_ref()));
-        self.camera = Camera::new(bounds, self.camera.size());
+        moving.unwrap_or_else(|| bounds_of(self.drawing()))
+    }
+
+    /// What is seen: while something is dragged, the mechanism as it is then.
+    pub(super) fn seen_drawing(&self) -> Option<&Drawing> {
+        let stay = self.drag.stay().map(|stay| &stay.drawing);
+        stay.or(self.drawing())
+    }
+
+    /// What is painted: while something is dragged, the mechanism as it is then, as soon as that is known.
+    pub(super) fn seen_player(&self) -> Option<&Player> {
+        match self.drag.stay() {
+            Some(stay) => stay.preview.player.as_ref(),
+            None => self.player(),
+        }
+    }
+
+    /// The whole paths of traced points, as they are known.
+    pub(super) fn seen_paths(&self) -> &[Path] {
+        let stay = self.drag.stay().map(|stay| &stay.preview.paths);
+        stay.unwrap_or(&self.playing.paths)
+    }
+
+    /// Whether the bodies of links are seen, and not the schematic.
+    pub(super) fn shows_bodies(&self, settings: &Settings) -> bool {
+        (self.drag.held().is_none() || self.shows_bodies_of_drag())
+            && settings.shows(Visible::Bodies)
+            && self.seen_player().is_some()
+    }
+
+    /// Whether bodies are seen while something is dragged: very many take longer to be painted than a frame may.
+    pub(super) fn shows_bodies_of_drag(&self) -> bool {
+        let drawing = self.drawing();
+        drawing.is_some_and(|drawing| drawing.model.links.len() <= MOST_BODIES)
+    }
+}
+
+/// The box in which something is seen: of the drawing, or of what may become one.
+fn bounds_of(drawing: Option<&Drawing>) -> [[f64; 2]; 2] {
+    const EMPTY: [[f64; 2]; 2] = [[-5.0, -4.0], [5.0, 4.0]];
+    let places = drawing.into_iter().flat_map(Drawing::handles);
+    let bounds = places.fold(None, |bounds: Option<[[f64; 2]; 2]>, handle| {
+        let [x, y] = handle.place;
+        let [low, high] = bounds.unwrap_or([[x, y]; 2]);
+        Some([
+            [low[0].min(x), low[1].min(y)],
+            [high[0].max(x), high[1].max(y)],
+        ])
+    });
+    match bounds {
+        Some([low, high]) if low[0] < high[0] || low[1] < high[1] => [low, high],
+        Some([[x, y], _]) => [[x - 5.0, y - 4.0], [x + 5.0, y + 4.0]],
+        None => EMPTY,
     }
 }

@@ -2,17 +2,6 @@
 
 use std::collections::BTreeSet;
 
-/// Whose the view of the drawing is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum View {
-    /// It is to show everything that will be there.
-    Ours,
-    /// It shows everything as it starts, and is to show all of its motion when that is known.
-    Started,
-    /// It stays as the user has it.
-    Users,
-}
-
 /// Something in the drawing that can be hidden.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Visible {
@@ -41,8 +30,6 @@ pub(crate) struct Settings {
     pub(crate) visible: BTreeSet<Visible>,
     /// The panel beside the drawing; none if all are closed.
     pub(crate) panel: Option<Panel>,
-    /// Whose the view is.
-    pub(crate) view: View,
     /// Whether the window is dark.
     pub(crate) is_dark: bool,
 }
@@ -73,7 +60,6 @@ impl Default for Settings {
             ]
             .into(),
             panel: Some(Panel::Text),
-            view: View::Ours,
             is_dark: false,
         }
     }

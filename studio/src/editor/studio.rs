@@ -85,7 +85,9 @@ impl Studio {
         };
         ui.ctx().set_theme(theme);
         let context = ui.ctx().clone();
-        editor.advance(f64::from(context.input(|input| input.stable_dt.min(0.1))));
+        editor
+            .scene
+            .advance(f64::from(context.input(|input| input.stable_dt.min(0.1))));
         if editor.player().is_some_and(crate::play::Player::plays) {
             context.request_repaint();
         }

@@ -4,8 +4,6 @@ use super::drag::Drag;
 use super::drawing::Drawing;
 use super::ghost::Ghost;
 use super::names::Names;
-use super::path::Path;
-use super::settings::Visible;
 use super::worker::{Held, Led, Previewed, Task};
 use super::{Editor, Item};
 use crate::document::{Document, PartOffer, Source};
@@ -14,37 +12,7 @@ use crate::play::{Control, Player};
 use crate::text::written;
 use mech_compiler::model::LinkId;
 
-/// How many bodies are painted while something is dragged.
-const MOST_BODIES: usize = 200;
-
 impl Editor {
-    /// What is seen: while something is dragged, the mechanism as it is then.
-    pub(super) fn seen_drawing(&self) -> Option<&Drawing> {
-        let stay = self.drag.stay().map(|stay| &stay.drawing);
-        stay.or(self.drawing.as_ref())
-    }
-
-    /// What is painted: while something is dragged, the mechanism as it is then, as soon as that is known.
-    pub(super) fn seen_player(&self) -> Option<&Player> {
-        match self.drag.stay() {
-            Some(stay) => stay.preview.player.as_ref(),
-            None => self.player.as_ref(),
-        }
-    }
-
-    /// The whole paths of traced points, as they are known.
-    pub(super) fn seen_paths(&self) -> &[Path] {
-        let stay = self.drag.stay().map(|stay| &stay.preview.paths);
-        stay.unwrap_or(&self.paths)
-    }
-
-    /// Whether the bodies of links are seen, and not the schematic.
-    pub(super) fn shows_bodies(&self) -> bool {
-        (self.drag.held().is_none() || self.shows_bodies_of_drag())
-            && self.settings.shows(Visible::Bodies)
-            && self.seen_player().is_some()
-    }
-
     /// Selects something, or adds it to what is selected, or takes it out of that.
     pub fn select(&mut self, item: Option<Item>, adds: bool) {
         match item {
@@ -70,13 +38,13 @@ impl Editor {
             _ => None,
         });
         let links: Vec<String> = std::iter::once("ground".to_owned()).chain(links).collect();
-        let name = Names::of(self.drawing.as_ref()).numbered(&offer.name.to_lowercase());
+        let name = Names::of(self.scene.drawing()).numbered(&offer.name.to_lowercase());
         self.proposed = Some(format!("use {}", offer.use_as(&name, &links)));
     }
 
     /// Selects all links.
     pub(super) fn select_all(&mut self) {
-        if let Some(drawing) = &self.drawing {
+        if let Some(drawing) = self.scene.drawing() {
             let links = drawing.model.declared_links();
             let links = links.map(|link| Item::Link(drawing.model.link(link).name.clone()));
             self.selection = links.collect();
@@ -88,7 +56,11 @@ impl Editor {
         let is_within = |place: [f64; 2]| {
             (0..2).all(|part| (a[part].min(b[part])..=a[part].max(b[part])).contains(&place[part]))
         };
-        let handles = self.seen_drawing().into_iter().flat_map(Drawing::handles);
+        let handles = self
+            .scene
+            .seen_drawing()
+            .into_iter()
+            .flat_map(Drawing::handles);
         let inside = handles.filter(|handle| is_within(handle.place));
         let inside: Vec<Item> = inside.map(|handle| handle.item.clone()).collect();
         self.selection.extend(inside);
@@ -96,11 +68,11 @@ impl Editor {
 
     /// Takes hold of a joint or a point, to put it elsewhere. Other joints on the same pin go with it, unless it is to go alone.
     pub fn begin_drag(&mut self, item: &Item, is_alone: bool) {
-        let Some(drawing) = &self.drawing else {
+        let Some(drawing) = self.scene.drawing() else {
             return;
         };
         // What was let go comes to rest first.
-        if self.drag.is_awaited() {
+        if self.scene.drag.is_awaited() {
             return;
         }
         let is_held = |item: &Item| self.desk.is_locked(item);
@@ -108,25 +80,25 @@ impl Editor {
             self.refuse(format!("{item} is locked; Edit > Unlock frees it"));
             return;
         }
-        if let Some(player) = &mut self.player
-            && player.plays()
-        {
-            player.obey(Control::PlayOrPause);
-        }
         let items = if is_alone {
             vec![item.clone()]
         } else {
             self.going_with(drawing, item)
         };
+        if let Some(player) = &mut self.scene.playing.player
+            && player.plays()
+        {
+            player.obey(Control::PlayOrPause);
+        }
         self.drag_on(items, None);
     }
 
     /// Takes hold of the first of some joints and points, with which the others go, and leads it to where the pointer is.
     pub(super) fn drag_on(&mut self, items: Vec<Item>, to: Option<[f64; 2]>) {
-        let Some(drawing) = &self.drawing else {
+        let Some(drawing) = self.scene.drawing() else {
             return;
         };
-        let pose = self.seen_at();
+        let pose = self.scene.playing.seen_at();
         let number = self.pending.number();
         let (drag, hold) = match Drag::begin(number, drawing, items, pose) {
             Ok(begun) => begun,
@@ -141,7 +113,7 @@ impl Editor {
         } else {
             Held::Text(self.workspace().document(), self.workspace().index())
         };
-        self.drag = drag;
+        self.scene.drag = drag;
         self.give(Task::Hold(Box::new(hold), text));
         if let Some(to) = to {
             self.drag_to(to);
@@ -169,13 +141,13 @@ impl Editor {
             let mut selected = self.selection.iter();
             selected.any(|one| drawing.handles_of(one).contains(item))
         };
-        let is_among = self.selection.len() > 1 && self.drawing.as_ref().is_some_and(of_link);
+        let is_among = self.selection.len() > 1 && self.scene.drawing().is_some_and(of_link);
         self.selection.contains(item) || is_among
     }
 
     /// What of a link can be taken hold of to drag it with all that is selected, and where that is; none if it is not selected with others.
     pub(super) fn handle_of_selected(&self, link: LinkId) -> Option<(Item, [f64; 2])> {
-        let drawing = self.drawing.as_ref()?;
+        let drawing = self.scene.drawing()?;
         let item = Item::Link(drawing.model.link(link).name.clone());
         if self.selection.len() < 2 || !self.selection.contains(&item) {
             return None;
@@ -190,37 +162,31 @@ impl Editor {
 
     /// Moves what is dragged to a place of the scene.
     pub fn drag_to(&mut self, place: [f64; 2]) {
-        if let Some((number, to)) = self.drag.lead(place) {
+        if let Some((number, to)) = self.scene.drag.lead(place) {
             self.give(Task::Lead { number, to });
         }
     }
 
     /// Takes over where what is dragged was led.
     pub(super) fn take_led(&mut self, led: Led) {
-        if !self.drag.take(led) {
+        if !self.scene.drag.take(led) {
             return;
         }
-        match self.drag.told() {
+        match self.scene.drag.told() {
             Some(Ok(told)) => self.tell(told),
             Some(Err(why)) => self.refuse(why),
             None => {}
         }
         self.give_preview();
-        if let Some(gesture) = self.drag.come_to_rest() {
+        if let Some(gesture) = self.scene.drag.come_to_rest() {
             self.perform(gesture);
         }
     }
 
-    /// Whether bodies are seen while something is dragged: very many take longer to be painted than a frame may.
-    fn shows_bodies_of_drag(&self) -> bool {
-        let drawing = self.drawing.as_ref();
-        drawing.is_some_and(|drawing| drawing.model.links.len() <= MOST_BODIES)
-    }
-
     /// Has the text read as it is while something is dragged, unless one is being read.
     pub(super) fn give_preview(&mut self) {
-        let has_bodies = self.shows_bodies_of_drag();
-        if let Some((number, edits)) = self.drag.unread() {
+        let has_bodies = self.scene.shows_bodies_of_drag();
+        if let Some((number, edits)) = self.scene.drag.unread() {
             let text = written(self.session.workspace.text(), &edits);
             let source = Source::new(self.workspace().path(), text);
             let task = Task::Preview {
@@ -235,15 +201,15 @@ impl Editor {
 
     /// Takes over what the compiler makes of a text while something is dragged.
     pub(super) fn take_preview(&mut self, previewed: Previewed) {
-        let Some(preview) = self.drag.preview_mut(previewed.number) else {
+        let Some(preview) = self.scene.drag.preview_mut(previewed.number) else {
             return;
         };
         preview.is_awaited = false;
         preview.fault = previewed.fault;
         preview.paths = previewed.paths;
         preview.player = previewed.mechanism.map(|mechanism| {
-            let mut player = Player::new(mechanism, Vec::new(), self.camera.size());
-            if let Some(before) = &self.player {
+            let mut player = Player::new(mechanism, Vec::new(), self.scene.camera.size());
+            if let Some(before) = &self.scene.playing.player {
                 player.stand_as(before.mechanism());
                 player.show_layers(before.layers());
             }
@@ -254,7 +220,7 @@ impl Editor {
 
     /// Lets what is dragged go where it is, as one step: as soon as it is known whether it can stay there.
     pub fn end_drag(&mut self) {
-        if let Some(gesture) = self.drag.release() {
+        if let Some(gesture) = self.scene.drag.release() {
             self.perform(gesture);
         }
     }
@@ -272,7 +238,7 @@ impl Editor {
                 mending,
                 document.path(),
                 self.snapshot.index,
-                self.drawing.as_ref(),
+                self.scene.drawing(),
             )
         });
     }

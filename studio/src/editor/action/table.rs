@@ -88,7 +88,7 @@ pub(super) const ACTIONS: &[Action] = &[
         key: Some(with_command(Key::Z)),
         is_possible: |editor| {
             !editor.is_at_rest()
-                || editor.is_moved_by_hand()
+                || editor.scene.playing.is_moved_by_hand()
                 || !editor.workspace().history().made().is_empty()
         },
         perform: Editor::undo,
@@ -192,7 +192,7 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "fits the whole motion into the window",
         key: Some(alone(Key::Home)),
         is_possible: ALWAYS,
-        perform: Editor::fit,
+        perform: |editor| editor.scene.fit(),
     },
     Action {
         menu: Menu::View,
@@ -280,7 +280,7 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "lets the motors move",
         key: Some(alone(Key::Space)),
         is_possible: MOVES,
-        perform: |editor| editor.obey(Control::PlayOrPause),
+        perform: |editor| editor.scene.obey(Control::PlayOrPause),
     },
     Action {
         menu: Menu::Play,
@@ -288,7 +288,7 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "moves by one step",
         key: Some(alone(Key::Period)),
         is_possible: MOVES,
-        perform: |editor| editor.obey(Control::Step(1.0)),
+        perform: |editor| editor.scene.obey(Control::Step(1.0)),
     },
     Action {
         menu: Menu::Play,
@@ -296,7 +296,7 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "moves back by one step",
         key: Some(alone(Key::Comma)),
         is_possible: MOVES,
-        perform: |editor| editor.obey(Control::Step(-1.0)),
+        perform: |editor| editor.scene.obey(Control::Step(-1.0)),
     },
     Action {
         menu: Menu::Play,
@@ -304,7 +304,7 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "plays the other way",
         key: Some(alone(Key::Backspace)),
         is_possible: MOVES,
-        perform: |editor| editor.obey(Control::Reverse),
+        perform: |editor| editor.scene.obey(Control::Reverse),
     },
     Action {
         menu: Menu::Play,
@@ -312,7 +312,7 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "plays the next motor alone; after the last, all",
         key: Some(alone(Key::Plus)),
         is_possible: MOVES,
-        perform: |editor| editor.obey(Control::NextMotor),
+        perform: |editor| editor.scene.obey(Control::NextMotor),
     },
     Action {
         menu: Menu::Play,
@@ -320,6 +320,6 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "puts all motors where they start",
         key: Some(alone(Key::Num0)),
         is_possible: MOVES,
-        perform: |editor| editor.obey(Control::Reset),
+        perform: |editor| editor.scene.obey(Control::Reset),
     },
 ];

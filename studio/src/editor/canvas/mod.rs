@@ -51,17 +51,17 @@ impl Canvas {
         let rect = ui.available_rect_before_wrap();
         let background = ui.allocate_rect(rect, Sense::click_and_drag());
         background.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "drawing"));
-        editor.camera.resize(size_of(rect));
+        editor.scene.camera.resize(size_of(rect));
         zoom(editor, &background, ui);
         if ui.input(|input| input.pointer.any_pressed()) {
             self.pressed_with = editor.tool;
         }
         let shown = Shown {
             rect,
-            camera: editor.camera.clone(),
+            camera: editor.scene.camera.clone(),
         };
         self.picture.show(editor, &shown, ui);
-        let drawing = editor.seen_drawing().cloned();
+        let drawing = editor.scene.seen_drawing().cloned();
         let handles = drawing.iter().flat_map(Drawing::handles);
         Paint {
             editor,
@@ -114,6 +114,7 @@ impl Canvas {
         {
             let place = shown.place(pointer);
             let item = editor
+                .scene
                 .seen_drawing()
                 .and_then(|drawing| drawing.item_at(place, REACH / shown.scale()));
             editor.select(item, modifiers.shift || modifiers.command);
@@ -138,10 +139,12 @@ impl Canvas {
             return;
         };
         match self.holds {
-            Holds::Link => editor.obey(Control::Point(within(shown.rect, pointer))),
+            Holds::Link => editor
+                .scene
+                .obey(Control::Point(within(shown.rect, pointer))),
             Holds::Paper => {
                 let moved = response.drag_delta();
-                editor.camera.pan([moved.x, moved.y].map(f64::from));
+                editor.scene.camera.pan([moved.x, moved.y].map(f64::from));
             }
             Holds::Thing(away) => self.lead(editor, pointer, away, shown, ui),
             Holds::Frame(_) | Holds::Nothing => {}
@@ -150,7 +153,7 @@ impl Canvas {
             return;
         }
         match std::mem::take(&mut self.holds) {
-            Holds::Link => editor.obey(Control::Release),
+            Holds::Link => editor.scene.obey(Control::Release),
             Holds::Frame(corner) => {
                 let ends = [corner, pointer].map(|end| shown.place(end));
                 editor.select_within(ends);
@@ -172,12 +175,12 @@ impl Canvas {
         shown: &Shown,
         ui: &egui::Ui,
     ) {
-        let Some(moved) = editor.drag.held().map(<[Item]>::to_vec) else {
+        let Some(moved) = editor.scene.drag.held().map(<[Item]>::to_vec) else {
             return;
         };
         let is_alt = ui.input(|input| input.modifiers.alt);
         let snapping = Snapping {
-            drawing: editor.drawing.as_ref(),
+            drawing: editor.scene.drawing(),
             scale: shown.scale(),
             is_on: editor.settings.snaps != is_alt,
             angles_from: None,
@@ -266,7 +269,7 @@ impl Canvas {
         let modifiers = ui.input(|input| input.modifiers);
         let meant = |editor: &Editor, place: [f64; 2]| {
             let snapping = Snapping {
-                drawing: editor.drawing.as_ref(),
+                drawing: editor.scene.drawing(),
                 scale: shown.scale(),
                 is_on: editor.settings.snaps != modifiers.alt,
                 angles_from: editor
@@ -328,7 +331,7 @@ fn take_hold(
         let own = handle.filter(|handle| area(shown.pixel(handle.place), ui).contains(origin));
         let thing = own.map(|handle| handle.item.clone());
         let near = |reach: f64| {
-            let drawing = editor.seen_drawing()?;
+            let drawing = editor.scene.seen_drawing()?;
             let hit = drawing.hit(place, reach / shown.scale());
             Some((drawing.item_of(&hit), hit))
         };
@@ -349,8 +352,8 @@ fn take_hold(
                 editor.begin_drag(&item, false);
                 return Holds::Thing([at[0] - place[0], at[1] - place[1]]);
             }
-            if editor.player.is_some() {
-                editor.hold(within(shown.rect, origin));
+            if editor.player().is_some() {
+                editor.scene.hold(within(shown.rect, origin));
                 return Holds::Link;
             }
         }
@@ -395,10 +398,11 @@ fn zoom(editor: &mut Editor, background: &Response, ui: &egui::Ui) {
     let factor = f64::from(factor) * f64::from(scrolled.y / 200.0).exp();
     if factor != 1.0 {
         let [x, y] = within(background.rect, pointer);
-        editor.camera.zoom([x, y], factor);
+        editor.scene.camera.zoom([x, y], factor);
     }
     if let Some(touch) = ui.input(egui::InputState::multi_touch) {
         editor
+            .scene
             .camera
             .pan([touch.translation_delta.x, touch.translation_delta.y].map(f64::from));
     }
@@ -409,7 +413,7 @@ fn menu(editor: &mut Editor, handle: Handle, ui: &mut egui::Ui) {
     ui.strong(handle.item.to_string());
     let choose = |editor: &mut Editor, tool: Tool| {
         let place = handle.place;
-        let drawing = editor.drawing.as_ref();
+        let drawing = editor.scene.drawing();
         let hit = drawing.and_then(|drawing| drawing.hit_of(handle.item));
         let hit = hit.unwrap_or(Hit::Paper);
         editor.choose(tool);

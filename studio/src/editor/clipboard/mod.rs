@@ -52,7 +52,7 @@ impl Editor {
     /// Declares statements that were copied, as one step. The copies are selected.
     pub(super) fn paste_now(&mut self, copied: &str) {
         let (document, index) = (self.workspace().document(), self.workspace().index());
-        let step = grid(self.camera.view().scale());
+        let step = grid(self.scene.scale());
         match pasting::pasted(&document, index, copied, [step, -step]) {
             Ok((text, links)) => {
                 let title = match links.len() {
@@ -92,7 +92,7 @@ impl Editor {
 
     /// What declares links once more, each under a name that is free.
     fn copies(&self, links: &[String]) -> Vec<(String, Vec<Command>)> {
-        let mut names = Names::of(self.drawing.as_ref());
+        let mut names = Names::of(self.scene.drawing());
         let copies = links.iter().map(|name| {
             let copy = names.numbered(name.trim_end_matches(|last: char| last.is_ascii_digit()));
             let duplicate = Command::Duplicate {
@@ -107,7 +107,7 @@ impl Editor {
 
     /// Points where a link is joined, for its copy, which no joint gives a place. A link that nothing else gives one is copied beside itself.
     fn points_of_copy(&self, name: &str, copy: &str) -> Vec<Command> {
-        let drawn = self.drawing.as_ref().and_then(|drawing| {
+        let drawn = self.scene.drawing().and_then(|drawing| {
             let link = drawing.link(name)?;
             drawing.model.link(link).drawn.then_some((drawing, link))
         });
@@ -119,7 +119,7 @@ impl Editor {
             .partition(|axis| drawing.path(*axis).is_some());
         let is_free = own.is_empty() && drawing.model.link(link).shapes.is_empty();
         let beside = if is_free {
-            grid(self.camera.view().scale())
+            grid(self.scene.scale())
         } else {
             0.0
         };

@@ -15,7 +15,12 @@ pub(super) fn motor(editor: &Editor, joint: &str, ui: &mut egui::Ui, gestures: &
     }
     ui.strong("Motor");
     if editor.snapshot.listing.number(joint, "low").is_none() {
-        let range = editor.ranges.iter().find(|range| range.name == joint);
+        let range = editor
+            .scene
+            .playing
+            .ranges
+            .iter()
+            .find(|range| range.name == joint);
         let walked = range.filter(|range| range.basis == Basis::Walked);
         let hint = walked.map_or_else(
             || "0 deg ..= 90 deg".to_owned(),

@@ -47,7 +47,7 @@ pub(in crate::editor) fn play(editor: &mut Editor, ui: &mut egui::Ui) {
         ui.colored_label(ui.visuals().error_fg_color, limit);
     }
     if let Some(control) = control {
-        editor.obey(control);
+        editor.scene.obey(control);
     }
 }
 
@@ -60,7 +60,7 @@ fn motors(editor: &mut Editor, ui: &mut egui::Ui) {
     let driven = player.selection();
     let mut moved = None;
     let mut next = false;
-    for (motor, (range, value)) in editor.ranges.iter().zip(values).enumerate() {
+    for (motor, (range, value)) in editor.scene.playing.ranges.iter().zip(values).enumerate() {
         if driven == Selection::Motor(motor) {
             ui.strong(">");
         }
@@ -103,7 +103,7 @@ fn motors(editor: &mut Editor, ui: &mut egui::Ui) {
             ));
         }
     }
-    if editor.ranges.len() > 1
+    if editor.scene.playing.ranges.len() > 1
         && ui
             .button("Next motor")
             .on_hover_text("plays the next motor alone; after the last, all")
@@ -112,10 +112,10 @@ fn motors(editor: &mut Editor, ui: &mut egui::Ui) {
         next = true;
     }
     if let Some((motor, value)) = moved {
-        editor.scrub(motor, value);
+        editor.scene.scrub(motor, value);
     }
     if next {
-        editor.obey(Control::NextMotor);
+        editor.scene.obey(Control::NextMotor);
     }
 }
 
@@ -143,6 +143,6 @@ fn layers(editor: &mut Editor, ui: &mut egui::Ui) {
         }
     });
     if let Some(layer) = toggled {
-        editor.obey(Control::Toggle(layer));
+        editor.scene.obey(Control::Toggle(layer));
     }
 }

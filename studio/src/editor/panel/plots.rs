@@ -159,7 +159,7 @@ fn remove(editor: &mut Editor, ui: &mut egui::Ui) {
 
 /// Chooses the motor over which is plotted, if there are several.
 fn motor(editor: &mut Editor, ui: &mut egui::Ui) {
-    if editor.ranges.len() < 2 {
+    if editor.scene.playing.ranges.len() < 2 {
         return;
     }
     let Some((_, chosen)) = editor.plotted_motor() else {
@@ -169,7 +169,7 @@ fn motor(editor: &mut Editor, ui: &mut egui::Ui) {
     egui::ComboBox::from_label("moved motor")
         .selected_text(&chosen)
         .show_ui(ui, |ui| {
-            for range in &editor.ranges {
+            for range in &editor.scene.playing.ranges {
                 ui.selectable_value(&mut chosen, range.name.clone(), &range.name);
             }
         });
@@ -199,7 +199,7 @@ fn warnings(curves: &Curves, is_present: bool, moves: bool, ui: &mut egui::Ui) {
 fn cursor(editor: &Editor) -> Option<f64> {
     let (motor, _) = editor.plotted_motor()?;
     let value = *editor.player()?.motors().get(motor)?;
-    let range = editor.ranges.get(motor)?;
+    let range = editor.scene.playing.ranges.get(motor)?;
     Some(shown(range, value - whole_turns(range, value)))
 }
 
@@ -228,7 +228,7 @@ fn scrub(editor: &mut Editor, at: f64) {
         return;
     };
     let (Some(range), Some(now)) = (
-        editor.ranges.get(motor),
+        editor.scene.playing.ranges.get(motor),
         editor
             .player()
             .and_then(|player| player.motors().get(motor)),
@@ -238,7 +238,7 @@ fn scrub(editor: &mut Editor, at: f64) {
     let [low, high] = range.ends;
     let value = if range.turns { at.to_radians() } else { at };
     let value = value.clamp(low, high) + whole_turns(range, *now);
-    editor.scrub(motor, value);
+    editor.scene.scrub(motor, value);
 }
 
 /// A graph for each unit, one below the other. The value of the motor is given to which a press on one leads.

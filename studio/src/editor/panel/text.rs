@@ -44,7 +44,7 @@ impl TextPanel {
         if shown != self.seen {
             forget_typing(field, ui.ctx());
         }
-        let is_dragged = editor.drag.held().is_some();
+        let is_dragged = editor.scene.drag.held().is_some();
         let mut layouter = |ui: &egui::Ui, buffer: &dyn egui::TextBuffer, _: f32| {
             let job = self.color(buffer.as_str(), &marks, ui.visuals());
             ui.fonts_mut(|fonts| fonts.layout_job(job))
@@ -272,7 +272,7 @@ impl Editor {
     /// The text as it is seen: while something is dragged, with the numbers as they are there.
     pub(in crate::editor) fn shown_text(&self) -> String {
         let text = self.workspace().text();
-        match self.drag.stay() {
+        match self.scene.drag.stay() {
             Some(stay) => crate::text::written(text, &stay.edits),
             None => text.to_owned(),
         }
@@ -280,7 +280,7 @@ impl Editor {
 
     /// Where something is named in the text, or where a number of it stands.
     pub(in crate::editor) fn places_of(&self, item: &Item) -> Vec<Range<usize>> {
-        if !self.drag.is_nothing() {
+        if !self.scene.drag.is_nothing() {
             return Vec::new();
         }
         let listing = &self.snapshot.listing;
@@ -296,7 +296,7 @@ impl Editor {
 
     /// What a place in the text is about.
     fn item_at(&self, byte: usize) -> Option<Item> {
-        let drawing = self.drawing.as_ref()?;
+        let drawing = self.scene.drawing()?;
         let listing = &self.snapshot.listing;
         let within = |place: &Range<usize>| place.start <= byte && byte <= place.end;
         let number = listing

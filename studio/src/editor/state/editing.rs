@@ -7,7 +7,6 @@ use crate::edit::{Command, Kind, Saving, Workspace};
 use crate::editor::drag::Drag;
 use crate::editor::drawing::distance;
 use crate::editor::question::Ending;
-use crate::editor::settings::{Settings, View};
 use crate::editor::tool::{Pick, Tool};
 use crate::editor::worker::Worker;
 use crate::editor::{Gesture, Item};
@@ -21,11 +20,11 @@ use std::path::Path;
 impl Editor {
     /// Chooses a tool.
     pub fn choose(&mut self, tool: Tool) {
-        self.obey(Control::Release);
+        self.scene.obey(Control::Release);
         self.tool = tool;
         self.picks.clear();
         // What was let go already stays where it was let go.
-        self.drag.give_up_if(|drag| drag.held().is_some());
+        self.scene.drag.give_up_if(|drag| drag.held().is_some());
         self.notice = None;
     }
 
@@ -41,7 +40,7 @@ impl Editor {
             self.wait(Waiting::Picks(self.tool, picks));
             return;
         }
-        match self.tool.gesture(self.drawing.as_ref(), &picks) {
+        match self.tool.gesture(self.scene.drawing(), &picks) {
             Ok(gesture) => self.perform(gesture),
             Err(why) => self.refuse(why),
         }
@@ -50,6 +49,7 @@ impl Editor {
     /// Goes back by a step, or gives up a gesture that was not made yet, or takes back what was moved by hand since the last step.
     pub fn undo(&mut self) {
         if self
+            .scene
             .drag
             .give_up_if(|drag| matches!(drag, Drag::Released(_)))
         {
@@ -61,7 +61,7 @@ impl Editor {
             self.tell(format!("given up: {title}"));
             return;
         }
-        if self.take_back_motion() {
+        if self.scene.take_back_motion() {
             self.tell("taken back: the motion by hand");
             return;
         }
@@ -125,7 +125,7 @@ impl Editor {
 
     /// Points where links are joined by what is selected and nothing else: without it these are free ends.
     fn ends_that_stay(&self) -> Vec<Command> {
-        let Some(drawing) = &self.drawing else {
+        let Some(drawing) = self.scene.drawing() else {
             return Vec::new();
         };
         let model = &drawing.model;
@@ -182,11 +182,9 @@ impl Editor {
         self.pending.clear();
         self.mendings.clear();
         self.ghost = None;
-        self.player = None;
-        self.drawing = None;
+        self.scene.make_way();
         self.selection.clear();
         self.let_go();
-        self.settings.view = View::Ours;
         self.read();
     }
 
@@ -195,7 +193,7 @@ impl Editor {
         match request(line) {
             Ok(Some(Request::Ask(words))) if words.first().is_some_and(|word| word == "play") => {
                 self.journal.note(line, []);
-                self.obey(Control::PlayOrPause);
+                self.scene.obey(Control::PlayOrPause);
             }
             Ok(Some(Request::Quit)) => {
                 self.journal.note(line, []);
@@ -241,17 +239,14 @@ impl Editor {
     /// Edits another text.
     pub fn open(&mut self, workspace: Workspace) {
         let worker = std::mem::replace(&mut self.worker, Worker::immediate());
-        let (settings, size) = (self.settings.clone(), self.camera.size());
+        let (settings, size) = (self.settings.clone(), self.scene.camera.size());
         let pending = Pending::after(&self.pending);
         let copied = std::mem::take(&mut self.copied);
         *self = Self::with(workspace, worker, pending);
-        self.settings = Settings {
-            view: self.settings.view,
-            ..settings
-        };
+        self.settings = settings;
         self.copied = copied;
-        self.camera.resize(size);
-        self.fit();
+        self.scene.camera.resize(size);
+        self.scene.fit();
     }
 
     /// Writes the text.

@@ -4,7 +4,6 @@ use super::Editor;
 use super::pending::Waiting;
 use crate::edit::{Applied, Command, Refusal};
 use crate::editor::drag::Drag;
-use crate::editor::settings::View;
 use crate::editor::snap::CLOSE;
 use crate::editor::snapshot::Snapshot;
 use crate::editor::tool::{NamedPick, Pick, Tool};
@@ -64,15 +63,15 @@ impl Editor {
 
     /// The gesture of a tool, with what is by now where it was picked.
     fn gesture_of(&self, tool: Tool, picks: &[NamedPick]) -> Result<Gesture, String> {
-        tool.gesture(self.drawing.as_ref(), &self.picked(picks))
+        let picks = self.picked(picks, CLOSE / self.scene.scale());
+        tool.gesture(self.scene.drawing(), &picks)
     }
 
     /// What is by now where something was picked.
-    fn picked(&self, picks: &[NamedPick]) -> Vec<Pick> {
-        let reach = CLOSE / self.camera.view().scale();
+    fn picked(&self, picks: &[NamedPick], reach: f64) -> Vec<Pick> {
         let picks = picks.iter();
         picks
-            .map(|pick| pick.within(self.drawing.as_ref(), reach))
+            .map(|pick| pick.within(self.scene.drawing(), reach))
             .collect()
     }
 
@@ -80,7 +79,7 @@ impl Editor {
     pub(super) fn named(&self, picks: &[Pick]) -> Vec<NamedPick> {
         let picks = picks.iter();
         picks
-            .map(|pick| NamedPick::of(pick, self.drawing.as_ref()))
+            .map(|pick| NamedPick::of(pick, self.scene.drawing()))
             .collect()
     }
 
@@ -131,7 +130,11 @@ impl Editor {
                 }
             }
             Finding::NotHeld(number, refusal) => {
-                if self.drag.give_up_if(|drag| drag.number() == Some(number)) {
+                if self
+                    .scene
+                    .drag
+                    .give_up_if(|drag| drag.number() == Some(number))
+                {
                     self.refuse(refusal);
                 }
             }
@@ -140,10 +143,7 @@ impl Editor {
             Finding::Moves(snapshot, made) => {
                 if Arc::ptr_eq(&snapshot, &self.snapshot) {
                     match *made {
-                        Ok((mechanism, ranges, paths)) => {
-                            self.played = Some(snapshot);
-                            self.play(mechanism, ranges, paths);
-                        }
+                        Ok(played) => self.scene.play(snapshot, played),
                         Err(failure) => self.refuse(failure),
                     }
                 }
@@ -172,13 +172,13 @@ impl Editor {
         if let Undone::Follow | Undone::All = undone {
             self.is_mending = false;
         }
-        self.drag.give_up_if(|drag| match undone {
+        self.scene.drag.give_up_if(|drag| match undone {
             Undone::Drag(number) => drag.number() == Some(number),
             Undone::All => true,
             _ => false,
         });
         if let Undone::Preview(number) = undone
-            && let Some(preview) = self.drag.preview_mut(number)
+            && let Some(preview) = self.scene.drag.preview_mut(number)
         {
             preview.is_awaited = false;
         }
@@ -223,12 +223,12 @@ impl Editor {
         } else {
             format!("{}: {notes}", applied.title)
         });
-        let mut drag = std::mem::take(&mut self.drag);
+        let mut drag = std::mem::take(&mut self.scene.drag);
         self.show(snapshot);
         if drag.left().is_some() {
             // Its own gesture waits for its turn: until then it is seen where it was let go.
             drag.give_up_if(|drag| drag.left() == Some(gesture));
-            self.drag = drag;
+            self.scene.drag = drag;
             return;
         }
         // What was begun meanwhile goes on in the new text.
@@ -249,12 +249,12 @@ impl Editor {
 
     /// Forgets what was dragged and let go, and whose gesture is not made.
     fn drop_left(&mut self) {
-        self.drag.give_up_if(|drag| drag.left().is_some());
+        self.scene.drag.give_up_if(|drag| drag.left().is_some());
     }
 
     /// Lets go of what was begun in an earlier text.
     pub(in crate::editor) fn let_go(&mut self) {
-        self.drag = Drag::Nothing;
+        self.scene.drag = Drag::Nothing;
         self.picks.clear();
     }
 
@@ -270,26 +270,16 @@ impl Editor {
         self.mendings.clear();
         self.ghost = None;
         self.is_mending = true;
-        self.by_hand.clear();
+        self.scene.playing.settle();
+        let reach = CLOSE / self.scene.scale();
         if snapshot.is_readable() {
-            let was_empty = self.drawing.is_none();
-            if snapshot.compiled().is_none() {
-                self.stop();
-            }
-            self.drawing = snapshot.drawing(self.drawing.as_ref(), self.seen_at().is_some());
-            self.drawn = Some(snapshot.clone());
+            self.scene.draw(&snapshot);
             self.forget_what_is_gone();
-            self.picks = self.picked(&picks);
-            if was_empty && self.settings.view == View::Ours {
-                self.settings.view = View::Started;
-                self.fit();
-            }
+            self.picks = self.picked(&picks, reach);
         } else if self.workspace().text().trim().is_empty() {
-            self.drawn = None;
-            self.drawing = None;
-            self.stop();
+            self.scene.clear();
             self.selection.clear();
-            self.picks = self.picked(&picks);
+            self.picks = self.picked(&picks, reach);
         }
         if snapshot.reading.is_none() {
             self.is_mending = false;
@@ -302,7 +292,7 @@ impl Editor {
 
     /// Takes what is not there any more out of the selection.
     fn forget_what_is_gone(&mut self) {
-        let drawing = self.drawing.as_ref();
+        let drawing = self.scene.drawing();
         let has = |item: &Item| drawing.is_some_and(|drawing| drawing.has(item));
         self.selection.retain(has);
     }

@@ -3,30 +3,26 @@
 mod editing;
 mod findings;
 mod pending;
-mod playing;
 
-use super::by_hand::ByHand;
+use super::Item;
 use super::desk::Desk;
-use super::drag::Drag;
 use super::drawing::Drawing;
 use super::ghost::Ghost;
 use super::journal::Journal;
-use super::path::Path;
 use super::plotted::Plotted;
 use super::question::{Dialog, Ending};
-use super::range::MotorRange;
-use super::settings::{Settings, View};
+use super::scene::Scene;
+use super::settings::Settings;
 use super::snapshot::Snapshot;
 use super::tool::{Pick, Tool};
 use super::worker::Worker;
-use super::{Item, bounds_of};
 use crate::check::verdict_line;
 use crate::dialogue::Session;
 use crate::document::{Document, Source};
 use crate::edit::Workspace;
 use crate::failure::Failure;
 use crate::mend::Mending;
-use crate::play::{Camera, Player, SIZE};
+use crate::play::Player;
 use pending::Pending;
 pub(super) use pending::Waiting;
 use std::collections::BTreeSet;
@@ -49,25 +45,13 @@ pub struct Editor {
     pub(in crate::editor) pending: Pending,
     /// What the compiler makes of the present text; of an earlier one, while it works.
     pub(in crate::editor) snapshot: Arc<Snapshot>,
-    /// What the compiler made of the last text that could be read, and how that is drawn.
-    drawn: Option<Arc<Snapshot>>,
-    pub(in crate::editor) drawing: Option<Drawing>,
-    /// What the compiler made of the text of the mechanism that the player has.
-    played: Option<Arc<Snapshot>>,
-    /// What moves, if the text that is drawn moves.
-    pub(in crate::editor) player: Option<Player>,
-    /// What was moved by hand since the text changed.
-    pub(in crate::editor) by_hand: ByHand,
-    pub(in crate::editor) ranges: Vec<MotorRange>,
-    pub(in crate::editor) paths: Vec<Path>,
+    pub(in crate::editor) scene: Scene,
     pub(in crate::editor) mendings: Vec<Mending>,
     /// Whether repairs are still looked for.
     pub(in crate::editor) is_mending: bool,
     pub(in crate::editor) selection: BTreeSet<Item>,
     pub(in crate::editor) tool: Tool,
     pub(in crate::editor) picks: Vec<Pick>,
-    pub(in crate::editor) drag: Drag,
-    pub(in crate::editor) camera: Camera,
     pub(in crate::editor) notice: Option<Notice>,
     pub(in crate::editor) settings: Settings,
     /// What is asked in a window of its own.
@@ -129,29 +113,14 @@ impl Editor {
             journal: Journal::default(),
             worker,
             pending,
-            drawn: None,
-            drawing: None,
-            played: None,
-            player: None,
-            by_hand: ByHand::default(),
-            ranges: Vec::new(),
-            paths: Vec::new(),
+            scene: Scene::new(!workspace_is_empty),
             mendings: Vec::new(),
             is_mending: false,
             selection: BTreeSet::new(),
             tool: Tool::Select,
             picks: Vec::new(),
-            drag: Drag::default(),
-            camera: Camera::new(bounds_of(None), SIZE),
             notice: None,
-            settings: Settings {
-                view: if workspace_is_empty {
-                    View::Users
-                } else {
-                    View::Ours
-                },
-                ..Settings::default()
-            },
+            settings: Settings::default(),
             dialog: None,
             copied: String::new(),
             proposed: None,
@@ -178,20 +147,25 @@ impl Editor {
 
     /// What is drawn, if anything is.
     #[must_use]
-    pub const fn drawing(&self) -> Option<&Drawing> {
-        self.drawing.as_ref()
+    pub fn drawing(&self) -> Option<&Drawing> {
+        self.scene.drawing()
     }
 
     /// What moves, if the mechanism does.
     #[must_use]
     pub const fn player(&self) -> Option<&Player> {
-        self.player.as_ref()
+        self.scene.player()
     }
 
-    /// How the scene is seen.
+    /// What is seen, and how.
     #[must_use]
-    pub const fn camera(&self) -> &Camera {
-        &self.camera
+    pub const fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// What is seen, to be looked at and moved otherwise.
+    pub const fn scene_mut(&mut self) -> &mut Scene {
+        &mut self.scene
     }
 
     /// What is selected.
@@ -228,20 +202,20 @@ impl Editor {
     /// Whether the analysis is not done yet.
     #[must_use]
     pub fn is_busy(&self) -> bool {
-        let is_let_go = !self.drag.is_nothing() && self.drag.held().is_none();
+        let is_let_go = !self.scene.drag.is_nothing() && self.scene.drag.held().is_none();
         let is_unread = !self.is_present(&self.snapshot);
         is_let_go || is_unread || !self.pending.is_empty() || self.is_mending
     }
 
     /// Whether nothing is under way that would be lost if the text became another one.
     pub(in crate::editor) fn is_at_rest(&self) -> bool {
-        self.drag.is_nothing() && self.pending.is_empty()
+        self.scene.drag.is_nothing() && self.pending.is_empty()
     }
 
     /// Whether something is lost if the text is left as it is.
     #[must_use]
     pub fn has_work(&self) -> bool {
-        !self.drag.is_nothing() || !self.pending.is_empty() || self.workspace().has_work()
+        !self.scene.drag.is_nothing() || !self.pending.is_empty() || self.workspace().has_work()
     }
 
     /// Tells something.

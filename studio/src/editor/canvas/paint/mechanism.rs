@@ -132,7 +132,14 @@ impl Paint<'_> {
 
     /// A green arc about each motor that turns, over the range in which it can.
     pub(super) fn ranges(&self, painter: &Painter, drawing: &Drawing) {
-        for range in self.editor.ranges.iter().filter(|range| range.turns) {
+        for range in self
+            .editor
+            .scene
+            .playing
+            .ranges
+            .iter()
+            .filter(|range| range.turns)
+        {
             let center = drawing
                 .joint(&range.name)
                 .and_then(|joint| drawing.axis_of_joint(joint));

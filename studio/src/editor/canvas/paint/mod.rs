@@ -31,8 +31,8 @@ impl Paint<'_> {
         if settings.shows(Visible::Paths) {
             self.paths(&painter);
         }
-        if let Some(drawing) = self.editor.seen_drawing() {
-            if !self.editor.shows_bodies() {
+        if let Some(drawing) = self.editor.scene.seen_drawing() {
+            if !self.editor.scene.shows_bodies(&self.editor.settings) {
                 self.schematic(&painter, drawing, 1.0);
             }
             self.actions(&painter, drawing, ui.visuals());
@@ -42,7 +42,7 @@ impl Paint<'_> {
         if let Some(ghost) = &self.editor.ghost {
             self.schematic(&painter, &ghost.drawing, 0.45);
         }
-        if !self.editor.is_readable() && self.editor.drawing.is_some() {
+        if !self.editor.is_readable() && self.editor.drawing().is_some() {
             let veil = ui.visuals().panel_fill.gamma_multiply(0.6);
             painter.rect_filled(self.shown.rect, 0.0, veil);
         }
@@ -106,7 +106,7 @@ impl Paint<'_> {
 
     /// The whole paths of traced points; while something is dragged, as they are then.
     fn paths(&self, painter: &Painter) {
-        for path in self.editor.seen_paths() {
+        for path in self.editor.scene.seen_paths() {
             let points: Vec<Pos2> = path.iter().map(|place| self.shown.pixel(*place)).collect();
             painter.line(points, Stroke::new(1.5, Color32::from_rgb(180, 40, 120)));
         }
@@ -136,7 +136,7 @@ impl Paint<'_> {
     }
 
     fn selected_links(&self, painter: &Painter, visuals: &egui::Visuals) {
-        let Some(drawing) = self.editor.seen_drawing() else {
+        let Some(drawing) = self.editor.scene.seen_drawing() else {
             return;
         };
         let chosen = self.editor.selection.iter().chain(&self.editor.hovered);
