@@ -188,6 +188,26 @@ impl Workspace {
         self.is_named
     }
 
+    /// Writes the text as `save_to` says; or over a file, whatever text that has by now. Gives the file.
+    ///
+    /// # Errors
+    /// If nobody has said which file, or if it cannot be written. It then counts as not written.
+    #[cfg(feature = "editor")]
+    pub(crate) fn save(&mut self, path: Option<&Path>, over_any: bool) -> Result<PathBuf, Failure> {
+        let before = self.clone();
+        let saving = self.save_to(path)?;
+        let saving = if over_any {
+            saving.over_any()
+        } else {
+            Ok(saving)
+        };
+        let saved = saving.and_then(Saving::write);
+        if saved.is_err() {
+            *self = before;
+        }
+        saved
+    }
+
     /// What writes the text: over the file from which it was read, or to one that is not there yet. From then on it counts as written.
     ///
     /// # Errors
@@ -221,7 +241,7 @@ impl Saving {
     /// # Errors
     /// If that cannot be read.
     #[cfg(feature = "editor")]
-    pub(crate) fn over_any(self) -> Result<Self, Failure> {
+    fn over_any(self) -> Result<Self, Failure> {
         let over = Some(Source::read(&self.path)?);
         Ok(Self { over, ..self })
     }

@@ -1,7 +1,9 @@
 //! Arrows over the drawing: velocities, accelerations and forces at the present pose.
 
-use super::Editor;
-use super::settings::Visible;
+use super::plotted::Plotted;
+use super::scene::Scene;
+use super::settings::{Settings, Visible};
+use super::snapshot::Snapshot;
 use crate::play::{Mechanism, Rates};
 use crate::quantity::load_numbers;
 
@@ -34,51 +36,53 @@ const RATE: f64 = 0.5;
 /// The length of the longest arrow of its kind, at most, as a part of the size of the mechanism.
 const LONGEST: f64 = 0.3;
 
-impl Editor {
-    /// The arrows that are wanted, at the present pose.
-    #[must_use]
-    pub fn arrows(&self) -> Vec<Arrow> {
-        let (Some(player), Some((motor, _))) = (self.scene.seen_player(), self.plotted_motor())
-        else {
-            return Vec::new();
-        };
-        let mechanism = player.mechanism();
-        let mut first = vec![0.0; mechanism.motors().len()];
-        if let Some(rate) = first.get_mut(motor) {
-            *rate = 1.0;
-        }
-        let rates = Rates {
-            first,
-            second: Vec::new(),
-        };
-        let settings = &self.settings;
-        let mut arrows = Vec::new();
-        if settings.shows(Visible::Velocities) || settings.shows(Visible::Accelerations) {
-            let points = mechanism.point_rates(&rates);
-            if settings.shows(Visible::Velocities) {
-                let vectors = points.iter().map(|point| (point.place, point.velocity));
-                arrows.extend(scaled(ArrowKind::Velocity, vectors.collect(), mechanism));
-            }
-            if settings.shows(Visible::Accelerations) {
-                let vectors = points
-                    .iter()
-                    .filter_map(|point| Some((point.place, point.acceleration?)));
-                arrows.extend(scaled(
-                    ArrowKind::Acceleration,
-                    vectors.collect(),
-                    mechanism,
-                ));
-            }
-        }
-        if settings.shows(Visible::Forces) {
-            let reading = self.snapshot.reading.as_ref();
-            let loads = reading.and_then(|it| load_numbers(&it.model, &self.loads()).ok());
-            let loads = loads.unwrap_or_default();
-            let reactions = mechanism.reactions(&rates, &loads);
-            arrows.extend(scaled(ArrowKind::Force, reactions, mechanism));
-        }
-        arrows
+/// The arrows that are wanted, at the present pose.
+pub(super) fn arrows(
+    scene: &Scene,
+    snapshot: &Snapshot,
+    plotted: &Plotted,
+    settings: &Settings,
+) -> Vec<Arrow> {
+    let (Some(player), Some((motor, _))) =
+        (scene.seen_player(), plotted.motor_of(&scene.playing.ranges))
+    else {
+        return Vec::new();
+    };
+    let mechanism = player.mechanism();
+    let mut first = vec![0.0; mechanism.motors().len()];
+    if let Some(rate) = first.get_mut(motor) {
+        *rate = 1.0;
     }
+    let rates = Rates {
+        first,
+        second: Vec::new(),
+    };
+    let mut arrows = Vec::new();
+    if settings.shows(Visible::Velocities) || settings.shows(Visible::Accelerations) {
+        let points = mechanism.point_rates(&rates);
+        if settings.shows(Visible::Velocities) {
+            let vectors = points.iter().map(|point| (point.place, point.velocity));
+            arrows.extend(scaled(ArrowKind::Velocity, vectors.collect(), mechanism));
+        }
+        if settings.shows(Visible::Accelerations) {
+            let vectors = points
+                .iter()
+                .filter_map(|point| Some((point.place, point.acceleration?)));
+            arrows.extend(scaled(
+                ArrowKind::Acceleration,
+                vectors.collect(),
+                mechanism,
+            ));
+        }
+    }
+    if settings.shows(Visible::Forces) {
+        let reading = snapshot.reading.as_ref();
+        let loads = reading.and_then(|it| load_numbers(&it.model, &plotted.loads(snapshot)).ok());
+        let loads = loads.unwrap_or_default();
+        let reactions = mechanism.reactions(&rates, &loads);
+        arrows.extend(scaled(ArrowKind::Force, reactions, mechanism));
+    }
+    arrows
 }
 
 /// Arrows of one kind. Those of rates have a fixed scale, as long as they fit; forces have units of their own, so that the longest counts.

@@ -5,7 +5,7 @@
 use super::drawing::Drawing;
 use super::path::Path;
 use super::pose::{Pose, SCENE};
-use super::worker::{Hold, Led};
+use super::worker::{Hold, Led, Undone};
 use super::{Gesture, Item};
 use crate::edit::{Follower, Refusal};
 use crate::play::Player;
@@ -288,6 +288,21 @@ impl Drag {
                 Some((following.grabbed.items, Some(following.pointer)))
             }
         }
+    }
+
+    /// Waits no more for what was not done.
+    pub(crate) fn take_undone(&mut self, undone: Undone) {
+        if let Undone::Preview(number) = undone
+            && let Some(preview) = self.preview_mut(number)
+        {
+            preview.is_awaited = false;
+        }
+        self.give_up_if(|drag| match undone {
+            Undone::Try => drag.left().is_some(),
+            Undone::Drag(number) => drag.number() == Some(number),
+            Undone::All => true,
+            _ => false,
+        });
     }
 
     /// Forgets the drag, if it is in such a state. Returns whether it was.

@@ -143,6 +143,12 @@ impl Drawing {
         links.find(is_it)
     }
 
+    /// The links that the text declares, by their names.
+    pub(crate) fn declared_links(&self) -> impl Iterator<Item = String> {
+        let links = self.model.declared_links();
+        links.map(|link| self.model.link(link).name.clone())
+    }
+
     /// The joint of this name that is shown.
     pub(crate) fn joint(&self, name: &str) -> Option<JointId> {
         self.index.joints.get(name).copied()

@@ -1,11 +1,9 @@
 //! Files that are dropped on the window, or that the page was given by its browser.
 
 use super::Editor;
-use super::desk::is_picture;
-use super::question::Destination;
 use eframe::egui;
 use eframe::egui::DroppedFileHandle;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// A file with its bytes, or why they cannot be read.
@@ -25,16 +23,20 @@ impl Dropped {
         match &dropped[..] {
             [] => {}
             _ if context.memory(|memory| memory.top_modal_layer().is_some()) => {
-                editor.refuse("answer the question first, and then drop the file");
+                editor
+                    .talk
+                    .refuse("answer the question first, and then drop the file");
             }
             [file] => read(file, &self.0, context),
-            _ => editor.refuse("drop one file at a time"),
+            _ => editor.talk.refuse("drop one file at a time"),
         }
         let read = std::mem::take(&mut *self.0.lock().unwrap_or_else(PoisonError::into_inner));
         for (path, bytes) in read {
             match bytes {
                 Ok(bytes) => editor.take_file(&path, bytes),
-                Err(error) => editor.refuse(format!("cannot read `{}`: {error}", path.display())),
+                Err(error) => editor
+                    .talk
+                    .refuse(format!("cannot read `{}`: {error}", path.display())),
             }
         }
     }
@@ -55,19 +57,4 @@ fn read(file: &DroppedFileHandle, to: &Inbox, context: &egui::Context) {
         to.lock().unwrap_or_else(PoisonError::into_inner).push(read);
         context.request_repaint();
     });
-}
-
-impl Editor {
-    /// Takes a file: a picture goes behind the drawing, a text is edited, if the present one may be left.
-    pub fn take_file(&mut self, path: &Path, bytes: Vec<u8>) {
-        if is_picture(path) {
-            let shown = self.set_backdrop(path, &bytes);
-            self.refuse_failed(shown);
-            return;
-        }
-        match String::from_utf8(bytes) {
-            Ok(text) => self.leave_for(Destination::text(path, text)),
-            Err(_) => self.refuse(format!("`{}` is not a text file", path.display())),
-        }
-    }
 }

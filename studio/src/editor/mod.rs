@@ -5,7 +5,7 @@
 //! the editor by egui; every handle in the drawing is an accessible node, so that tests and screen readers find what the mouse does.
 
 mod action;
-mod arranging;
+mod analysis;
 mod arrow;
 mod canvas;
 mod clipboard;
@@ -16,7 +16,6 @@ mod drag;
 mod drawing;
 mod dropped;
 mod example;
-mod export;
 #[cfg(not(target_arch = "wasm32"))]
 mod files;
 mod gesture;
@@ -31,21 +30,23 @@ mod opening;
 mod order;
 mod panel;
 mod path;
+mod pending;
 mod placement;
 mod playing;
 mod plotted;
-mod plotting;
 mod pose;
 mod question;
 mod range;
+mod removing;
 mod scene;
+mod selection;
 mod settings;
 mod snap;
 mod snapshot;
 mod state;
 mod studio;
+mod talk;
 mod tool;
-mod touch;
 mod worker;
 
 pub use arrow::{Arrow, ArrowKind};
@@ -55,6 +56,7 @@ pub use gesture::Gesture;
 pub use index::HandleKind;
 pub use item::Item;
 pub use scene::Scene;
-pub use state::{Editor, Notice};
+pub use state::Editor;
 pub use studio::Studio;
+pub use talk::Notice;
 pub use tool::Tool;

@@ -1,95 +1,39 @@
 //! What is opened: files of the language, and what other programs wrote.
 
-use super::Editor;
-use super::example::Example;
-use super::question::{Destination, Dialog, Ending};
+use super::question::Destination;
 use crate::document::Source;
 use crate::edit::Workspace;
 use crate::failure::Failure;
 use crate::import::{self, FileKind, Written};
 use std::path::{Path, PathBuf};
 
-/// A text to be edited, and what was lost when it was imported, if it was.
-type Opened = (Workspace, Option<Vec<String>>);
+/// A text to be edited.
+#[derive(Default)]
+pub(super) struct Opened {
+    pub(super) workspace: Workspace,
+    /// What was lost when it was imported, for the journal.
+    pub(super) losses: String,
+    /// What is told of it.
+    pub(super) told: Option<String>,
+}
 
-impl Editor {
-    /// Edits another text. If the present one has changes, the user is asked first.
-    pub(super) fn leave_for(&mut self, to: Destination) {
-        if self.has_work() {
-            self.dialog = Some(Dialog::Leave(to));
-        } else {
-            self.arrive(to);
-        }
-    }
-
-    /// Edits another text, whatever becomes of the present one.
-    pub(super) fn arrive(&mut self, to: Destination) {
-        let opened = match to {
-            Destination::Empty => Ok((Workspace::default(), None)),
-            Destination::File(name) => opened(name.trim()),
-            #[cfg(target_arch = "wasm32")]
-            Destination::Text(path, text) => taken(Source::new(path, text)),
-            Destination::Example(example) => {
-                self.open_example(example);
-                return;
-            }
-            Destination::Away => {
-                self.ending = Ending::Granted;
-                return;
-            }
-        };
-        match opened {
-            Ok((workspace, losses)) => {
-                let file = workspace.path().display().to_string();
-                self.open(workspace);
-                if let Some(losses) = losses {
-                    self.tell_losses(&file, &losses);
-                }
-            }
-            Err(failure) => self.refuse(failure),
-        }
-    }
-
-    /// Edits another text, if one is wanted and the present one was saved.
-    pub(super) fn arrive_if_done(&mut self, saved: Result<(), Failure>, to: Option<Destination>) {
-        match saved {
-            Ok(()) => to.into_iter().for_each(|to| self.arrive(to)),
-            Err(failure) => self.refuse(failure),
-        }
-    }
-
-    /// Opens an example.
-    fn open_example(&mut self, example: &Example) {
-        match example.text() {
-            Ok(text) => {
-                self.open(Workspace::proposed(example.file, text));
-                self.tell(format!("{}: {}", example.name, example.help));
-            }
-            Err(failure) => self.refuse(failure),
-        }
-    }
-
-    /// Tells what could not be carried over: how much of it, and all of it in the journal.
-    fn tell_losses(&mut self, file: &str, losses: &[String]) {
-        for loss in losses {
-            self.journal.text += &format!("not carried over: {loss}\n");
-        }
-        let told = match losses {
-            [] => "everything was carried over".to_owned(),
-            [only] => format!("not carried over: {only}"),
-            [first, others @ ..] => {
-                format!(
-                    "not carried over: {first}; and {} more, see Journal",
-                    others.len()
-                )
-            }
-        };
-        self.tell(format!("imported as `{file}`; {told}"));
+/// What the user wants to go on with.
+pub(super) fn opened(to: Destination) -> Result<Opened, Failure> {
+    match to {
+        Destination::Empty | Destination::Away => Ok(Opened::default()),
+        Destination::File(name) => read(name.trim()),
+        #[cfg(target_arch = "wasm32")]
+        Destination::Text(path, text) => taken(Source::new(path, text)),
+        Destination::Example(example) => Ok(Opened {
+            workspace: Workspace::proposed(example.file, example.text()?),
+            losses: String::new(),
+            told: Some(format!("{}: {}", example.name, example.help)),
+        }),
     }
 }
 
 /// A file, or what a link of PMKS+ holds.
-fn opened(name: &str) -> Result<Opened, Failure> {
+fn read(name: &str) -> Result<Opened, Failure> {
     let path = Path::new(name);
     if import::is_link(name) {
         let source = Source::new("link", name);
@@ -102,7 +46,15 @@ fn opened(name: &str) -> Result<Opened, Failure> {
     } else if is_of_linkage(path) {
         taken(Source::read_foreign(path)?)
     } else {
-        Ok((Workspace::of(Source::read(path)?), None))
+        Ok(own(Source::read(path)?))
+    }
+}
+
+/// A file of the language.
+fn own(source: Source) -> Opened {
+    Opened {
+        workspace: Workspace::of(source),
+        ..Opened::default()
     }
 }
 
@@ -110,7 +62,7 @@ fn opened(name: &str) -> Result<Opened, Failure> {
 fn taken(source: Source) -> Result<Opened, Failure> {
     let path = source.path();
     if !is_of_linkage(path) {
-        return Ok((Workspace::of(source), None));
+        return Ok(own(source));
     }
     let part = |part: Option<&std::ffi::OsStr>| {
         let part = part.map(|part| part.to_string_lossy().into_owned());
@@ -129,6 +81,21 @@ fn imported(source: &Source, title: &str, wish: &str, file: PathBuf) -> Result<O
     let found = import::read(source).map_err(|message| Failure::file(message.text))?;
     let name = import::type_name(wish)?;
     let Written { text, omissions } = found.written(title, &name, FileKind::Mechanism)?;
-    let losses = omissions.iter().map(ToString::to_string).collect();
-    Ok((Workspace::proposed(file, text), Some(losses)))
+    let losses: Vec<String> = omissions.iter().map(ToString::to_string).collect();
+    let told = match &losses[..] {
+        [] => "everything was carried over".to_owned(),
+        [only] => format!("not carried over: {only}"),
+        [first, others @ ..] => {
+            let count = others.len();
+            format!("not carried over: {first}; and {count} more, see Journal")
+        }
+    };
+    let lines = losses.iter();
+    Ok(Opened {
+        told: Some(format!("imported as `{}`; {told}", file.display())),
+        losses: lines
+            .map(|loss| format!("not carried over: {loss}\n"))
+            .collect(),
+        workspace: Workspace::proposed(file, text),
+    })
 }

@@ -2,8 +2,12 @@
 
 use crate::check::render;
 use crate::document::{Document, in_rust};
+use crate::edit::Workspace;
 use crate::failure::Failure;
-use crate::job::{Analysed, Job, Listener};
+use crate::job::{
+    Analysed, Draw, Film, FilmKind, GraphKind, Job, Listener, Measure, Picture, Plot, StillKind,
+};
+use crate::motion::Setting;
 use crate::output;
 use std::path::Path;
 
@@ -73,7 +77,7 @@ impl Export {
     }
 
     /// What tells its file from others with the same ending.
-    pub(super) const fn suffix(self) -> &'static str {
+    const fn suffix(self) -> &'static str {
         match self {
             Self::Gif | Self::Apng | Self::MovingDrawing => "_film",
             Self::GraphDrawing | Self::GraphPicture => "_plots",
@@ -82,14 +86,55 @@ impl Export {
             _ => "",
         }
     }
+
+    /// A name for its file, beside that of the text.
+    pub(super) fn path(self, text: &Path) -> String {
+        let stem = text.file_stem().unwrap_or_default().to_string_lossy();
+        let name = format!("{stem}{}.{}", self.suffix(), self.endings()[0]);
+        text.with_file_name(name).display().to_string()
+    }
+
+    /// What makes it; none for the text itself. A picture shows the pose that is seen, a table or a graph what is measured.
+    pub(super) fn job(self, seen: &[(String, f64)], measure: &Measure) -> Option<Job> {
+        let draw = |kind| {
+            let at = seen.iter().cloned().map(Setting::from).collect();
+            let picture = Picture {
+                at,
+                ..Picture::default()
+            };
+            Job::Draw(Draw { picture, kind })
+        };
+        let film = |kind| Job::Film(Film::of_kind(kind));
+        let plot = |kind| {
+            Job::Plot(Plot {
+                measure: measure.clone(),
+                kind,
+                title: None,
+            })
+        };
+        Some(match self {
+            Self::Picture => draw(StillKind::Png),
+            Self::Drawing => draw(StillKind::Svg),
+            Self::Gif => film(FilmKind::Gif),
+            Self::Apng => film(FilmKind::Apng),
+            Self::MovingDrawing => film(FilmKind::Svg),
+            Self::Table => Job::Table(measure.clone()),
+            Self::GraphDrawing => plot(StillKind::Svg),
+            Self::GraphPicture => plot(StillKind::Png),
+            Self::Rust => return None,
+            Self::Report => Job::Report,
+            Self::LinkGraph => Job::Graph(GraphKind::Links),
+            Self::LoopGraph => Job::Graph(GraphKind::Loops),
+        })
+    }
 }
 
 /// What is to be written where.
 pub(super) struct Order {
     /// What is made; none for the text itself as Rust.
-    pub(super) job: Option<Job>,
-    pub(super) document: Document,
-    pub(super) index: usize,
+    job: Option<Job>,
+    document: Document,
+    index: usize,
     pub(super) path: String,
 }
 
@@ -106,6 +151,36 @@ impl Listener for Notes {
 }
 
 impl Order {
+    /// What is to be written to a file of this name; or why it cannot be.
+    pub(super) fn new(
+        kind: Export,
+        path: &str,
+        workspace: &Workspace,
+        job: Option<Job>,
+    ) -> Result<Self, String> {
+        let path = path.trim();
+        if path.is_empty() {
+            return Err("no file is named".to_owned());
+        }
+        let ending = Path::new(path).extension().unwrap_or_default();
+        let mut endings = kind.endings().iter();
+        if !endings.any(|known| ending.eq_ignore_ascii_case(known)) {
+            let ending = kind.endings()[0];
+            return Err(format!(
+                "`{path}` is no name for this: write `.{ending}` at its end"
+            ));
+        }
+        if is_same(Path::new(path), workspace.path()) {
+            return Err(format!("`{path}` is the file of the text; save it instead"));
+        }
+        Ok(Self {
+            job,
+            document: workspace.document(),
+            index: workspace.index(),
+            path: path.to_owned(),
+        })
+    }
+
     /// Writes it, and tells so.
     pub(super) fn fulfil(self) -> Result<String, Failure> {
         let mut notes = Notes::default();
@@ -137,5 +212,13 @@ impl Order {
             let text = render(self.document.source(), &faults.messages, false);
             Failure::mechanism(text)
         })
+    }
+}
+
+/// Whether two paths lead to the same file.
+fn is_same(one: &Path, other: &Path) -> bool {
+    match (one.canonicalize(), other.canonicalize()) {
+        (Ok(one), Ok(other)) => one == other,
+        _ => one == other,
     }
 }

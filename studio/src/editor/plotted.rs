@@ -1,7 +1,13 @@
 //! What is plotted: what the user wants to see, and what was measured last.
 
 use super::curves::{Curves, Wanted};
+use super::playing::Playing;
+use super::range::MotorRange;
 use super::snapshot::Snapshot;
+use super::worker::Task;
+use crate::job::Measure;
+use crate::motion::Setting;
+use crate::play::Player;
 use crate::quantity::Load;
 use mech_compiler::model::LoadKind;
 use std::collections::BTreeMap;
@@ -18,10 +24,109 @@ pub(super) struct Plotted {
     pub(super) motor: Option<String>,
     /// What is typed of the loads, by their names.
     pub(super) loads: BTreeMap<String, String>,
-    /// What is being measured.
-    pub(super) asked: Option<(Arc<Snapshot>, Wanted)>,
+    /// Whether something is being measured.
+    is_asked: bool,
     /// What was measured last.
     pub(super) curves: Option<Curves>,
+}
+
+impl Plotted {
+    /// Plots quantities too, as `mech plot` calls them.
+    pub(super) fn plot(&mut self, names: &str) {
+        for name in names.split_whitespace().map(ToOwned::to_owned) {
+            if !self.names.contains(&name) {
+                self.names.push(name);
+            }
+        }
+    }
+
+    /// The motor that moves through its range, by its number and its name.
+    pub(super) fn motor_of<'r>(&self, ranges: &'r [MotorRange]) -> Option<(usize, &'r str)> {
+        let names = ranges.iter().map(|range| range.name.as_str()).enumerate();
+        let chosen = self.motor.as_deref();
+        let mut all = names.clone();
+        all.find(|(_, name)| Some(*name) == chosen)
+            .or_else(|| names.into_iter().next())
+    }
+
+    /// The loads that somebody has given numbers, as far as these can be read. The others are zero.
+    pub(super) fn loads(&self, snapshot: &Snapshot) -> Vec<Load> {
+        let declared = snapshot.reading.iter();
+        let declared = declared.flat_map(|reading| &reading.model.actions.loads);
+        let given = declared.filter_map(|load| {
+            let typed = self.loads.get(&load.name)?;
+            read_load(&load.name, load.kind, typed).ok().flatten()
+        });
+        given.collect()
+    }
+
+    /// What has to be measured so that the plots fit what is seen.
+    fn wanted(&self, playing: &Playing, snapshot: &Snapshot) -> Option<Wanted> {
+        let mechanism = playing.player.as_ref()?.mechanism();
+        let (_, motor) = self.motor_of(&playing.ranges)?;
+        let others = mechanism.shown_motors().into_iter();
+        let others = others.filter(|(name, _)| name != motor);
+        Some(Wanted {
+            names: self.names.clone(),
+            over: self.over.clone(),
+            motor: Some(motor.to_owned()),
+            others: others.collect(),
+            loads: self.loads(snapshot),
+        })
+    }
+
+    /// Measures the plots anew, if they do not fit any more. While several motors play, they wait.
+    pub(super) fn renew(&mut self, playing: &Playing, snapshot: &Arc<Snapshot>) -> Option<Task> {
+        let wanted = self.wanted(playing, snapshot)?;
+        let plays = playing.player.as_ref().is_some_and(Player::plays);
+        let waits = plays && !wanted.others.is_empty() && self.curves.is_some();
+        let is_idle = wanted.names.is_empty() || waits || self.is_asked;
+        if is_idle || self.fits(&wanted, snapshot) || !playing.is_of(snapshot) {
+            return None;
+        }
+        self.is_asked = true;
+        let snapshot = snapshot.clone();
+        Some(Task::Measure { snapshot, wanted })
+    }
+
+    /// Whether what was measured last is of what is seen.
+    pub(super) fn is_present(&self, playing: &Playing, snapshot: &Arc<Snapshot>) -> bool {
+        let wanted = self.wanted(playing, snapshot);
+        wanted.is_some_and(|wanted| self.fits(&wanted, snapshot))
+    }
+
+    fn fits(&self, wanted: &Wanted, snapshot: &Arc<Snapshot>) -> bool {
+        let curves = self.curves.as_ref();
+        curves.is_some_and(|curves| {
+            Arc::ptr_eq(&curves.snapshot, snapshot) && curves.wanted == *wanted
+        })
+    }
+
+    /// Takes over what was measured.
+    pub(super) fn take(&mut self, curves: Curves) {
+        self.is_asked = false;
+        self.curves = Some(curves);
+    }
+
+    /// What is plotted, to be measured for a file.
+    pub(super) fn measure(&self, playing: &Playing, snapshot: &Snapshot) -> Measure {
+        let wanted = self.wanted(playing, snapshot);
+        let wanted = wanted.filter(|wanted| !wanted.names.is_empty());
+        let measure = Measure {
+            quantities: self.names.clone(),
+            ..Measure::default()
+        };
+        match wanted {
+            Some(wanted) => Measure {
+                over: wanted.over,
+                motor: wanted.motor,
+                at: wanted.others.into_iter().map(Setting::from).collect(),
+                loads: wanted.loads,
+                ..measure
+            },
+            None => measure,
+        }
+    }
 }
 
 /// What is typed of a load: its numbers, or nothing for zero.

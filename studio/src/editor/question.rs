@@ -81,9 +81,10 @@ pub(crate) enum Destination {
 }
 
 /// Whether the window stays.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Ending {
     /// It does.
+    #[default]
     Stays,
     /// A line wants to close it.
     Wanted,

@@ -7,6 +7,7 @@ use super::playing::{Hand, Playing};
 use super::range::MotorRange;
 use super::settings::{Settings, Visible};
 use super::snapshot::Snapshot;
+use super::worker::Previewed;
 use crate::play::{Camera, Control, Mechanism, Player, SIZE};
 use std::sync::Arc;
 
@@ -205,6 +206,24 @@ impl Scene {
     pub(super) fn seen_paths(&self) -> &[Path] {
         let stay = self.drag.stay().map(|stay| &stay.preview.paths);
         stay.unwrap_or(&self.playing.paths)
+    }
+
+    /// Takes over what the compiler makes of a text while something is dragged.
+    pub(super) fn take_preview(&mut self, previewed: Previewed) {
+        let Some(preview) = self.drag.preview_mut(previewed.number) else {
+            return;
+        };
+        preview.is_awaited = false;
+        preview.fault = previewed.fault;
+        preview.paths = previewed.paths;
+        preview.player = previewed.mechanism.map(|mechanism| {
+            let mut player = Player::new(mechanism, Vec::new(), self.camera.size());
+            if let Some(before) = &self.playing.player {
+                player.stand_as(before.mechanism());
+                player.show_layers(before.layers());
+            }
+            player
+        });
     }
 
     /// Whether the bodies of links are seen, and not the schematic.

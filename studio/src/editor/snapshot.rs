@@ -4,8 +4,9 @@ use super::drawing::Drawing;
 use super::path::{Path, whole_paths};
 use super::pose::Pose;
 use super::range::{MotorRange, ranges};
+use crate::check::verdict_line;
 use crate::document::{Declaration, Document, Listing, Message, Reading};
-use crate::edit::Known;
+use crate::edit::{Known, Workspace};
 use crate::failure::Failure;
 use crate::mend::{Mending, mendings};
 use crate::play::Mechanism;
@@ -63,6 +64,11 @@ impl Snapshot {
         }
     }
 
+    /// Whether it is of this text, and of the same mechanism in it.
+    pub(crate) fn is_of(&self, workspace: &Workspace) -> bool {
+        self.index == workspace.index() && self.document.source().text() == workspace.text()
+    }
+
     /// Whether the text says what a mechanism is, even one that does not move yet.
     pub(crate) fn is_readable(&self) -> bool {
         self.reading
@@ -87,6 +93,19 @@ impl Snapshot {
     /// The compiled mechanism, if it moves.
     pub(crate) fn compiled(&self) -> Option<&Compiled> {
         self.reading.as_ref()?.result.as_deref().ok()
+    }
+
+    /// Whether the mechanism moves, in a line.
+    pub(crate) fn verdict(&self) -> String {
+        match (&self.reading, self.compiled()) {
+            (Some(reading), Some(compiled)) => verdict_line(&reading.model, compiled),
+            (Some(_), None) => {
+                let first = self.messages().first();
+                let line = first.and_then(|message| message.text.lines().next());
+                format!("not yet: {}", line.unwrap_or_default())
+            }
+            (None, _) => "Draw a bar, or open a file.".to_owned(),
+        }
     }
 
     /// What is wrong, at its places.

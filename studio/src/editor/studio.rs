@@ -75,7 +75,9 @@ impl Studio {
     pub fn show(&mut self, ui: &mut egui::Ui) {
         let editor = &mut self.editor;
         editor.look();
-        if editor.analyse_on() {
+        let is_more = editor.analysis.worker.go_on();
+        editor.look();
+        if is_more {
             ui.ctx().request_repaint();
         }
         let theme = if editor.settings.is_dark {
@@ -92,7 +94,7 @@ impl Studio {
             context.request_repaint();
         }
         self.dropped.take(editor, &context);
-        action::obey_keys(editor, &context);
+        action::obey_keys(editor, self.canvas.is_focused, &context);
         let title = title(editor.workspace());
         if title != self.title {
             self.title.clone_from(&title);
@@ -127,19 +129,21 @@ impl Studio {
         }
         egui::CentralPanel::no_frame().show(ui, |ui| self.canvas.show(editor, ui));
         action::dialogs(editor, &context);
-        if editor.ending == Ending::Wanted {
-            editor.ending = Ending::Stays;
+        if editor.talk.ending == Ending::Wanted {
+            editor.talk.ending = Ending::Stays;
             context.send_viewport_cmd(egui::ViewportCommand::Close);
         }
-        if let Some(text) = editor.to_clipboard.take() {
+        if let Some(text) = editor.clipboard.next.take() {
             context.copy_text(text);
         }
         #[cfg(not(target_arch = "wasm32"))]
         {
             self.guard.stand(editor, &context);
             // What is being moved is kept when it is let go.
-            if !context.input(|input| input.pointer.any_down()) {
-                editor.save_desk();
+            let workspace = &editor.session.workspace;
+            if !context.input(|input| input.pointer.any_down()) && workspace.saved().is_some() {
+                let saved = editor.desk.save(workspace.path());
+                editor.talk.refuse_failed(saved);
             }
         }
     }

@@ -2,7 +2,9 @@
 
 use super::unsaved::{Answer, ask_to_save};
 use crate::editor::Editor;
+use crate::editor::order::{Export, Order};
 use crate::editor::question::{Destination, Dialog, FileUse};
+use crate::editor::worker::Task;
 use eframe::egui;
 use eframe::egui::Key;
 use eframe::egui::text::{CCursor, CCursorRange};
@@ -10,23 +12,24 @@ use std::path::Path;
 
 /// Asks what has to be asked.
 pub(in crate::editor) fn dialogs(editor: &mut Editor, context: &egui::Context) {
-    match editor.dialog.take() {
+    match editor.talk.dialog.take() {
         None => {}
         Some(Dialog::File(purpose, path)) => ask_for_file(editor, purpose, path, context),
         Some(Dialog::Leave(to)) => match ask_to_save(editor, context) {
-            None => editor.dialog = Some(Dialog::Leave(to)),
+            None => editor.talk.dialog = Some(Dialog::Leave(to)),
             Some(Answer::Cancel) => {}
             Some(Answer::Discard) => editor.arrive(to),
             Some(Answer::Save) if !editor.is_at_rest() => {
-                editor.refuse("a gesture is still being tried; save in a moment");
-                editor.dialog = Some(Dialog::Leave(to));
+                editor
+                    .talk
+                    .refuse("a gesture is still being tried; save in a moment");
+                editor.talk.dialog = Some(Dialog::Leave(to));
             }
             Some(Answer::Save) if editor.workspace().is_named() => {
-                let saved = editor.save(None);
-                editor.arrive_if_done(saved, Some(to));
+                save(editor, None, false, Some(to));
             }
             Some(Answer::Save) => {
-                editor.dialog = Some(editor.file_dialog(FileUse::Save(Some(to))));
+                ask_for(editor, FileUse::Save(Some(to)));
             }
         },
     }
@@ -71,9 +74,9 @@ fn ask_for_file(editor: &mut Editor, purpose: FileUse, mut path: String, context
         });
     });
     if is_done {
-        editor.use_file(purpose, path.trim(), is_there);
+        use_file(editor, purpose, path.trim(), is_there);
     } else if !is_given_up {
-        editor.dialog = Some(Dialog::File(purpose, path));
+        editor.talk.dialog = Some(Dialog::File(purpose, path));
     }
 }
 
@@ -92,49 +95,67 @@ fn is_focus_in(ui: &egui::Ui) -> bool {
     focused.is_some_and(|focused| focused.layer_id == ui.layer_id())
 }
 
-impl Editor {
-    /// Lets the user say which file something is done with.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub(in crate::editor) fn ask_for_file(&mut self, purpose: FileUse) {
-        self.dialog = Some(self.file_dialog(purpose));
-    }
+/// The question which file something is done with. Where the text is saved, the name that it has is proposed.
+fn file_dialog(purpose: FileUse, text: &Path) -> Dialog {
+    let path = match purpose {
+        FileUse::Save(_) => text.display().to_string(),
+        FileUse::Export(kind) => kind.path(text),
+        FileUse::Open | FileUse::Picture => String::new(),
+    };
+    Dialog::File(purpose, path)
+}
 
-    /// The question which file something is done with. Where the text is saved, the name that it has is proposed.
-    pub(in crate::editor) fn file_dialog(&self, purpose: FileUse) -> Dialog {
-        let path = match purpose {
-            FileUse::Save(_) => self.workspace().path().display().to_string(),
-            FileUse::Export(kind) => self.export_path(kind),
-            FileUse::Open | FileUse::Picture => String::new(),
-        };
-        Dialog::File(purpose, path)
-    }
-
-    /// Lets the user say which file something is done with. A page reads what its browser gives it.
+/// Lets the user say which file something is done with. A page reads what its browser gives it.
+pub(super) fn ask_for(editor: &mut Editor, purpose: FileUse) {
     #[cfg(target_arch = "wasm32")]
-    pub(in crate::editor) fn ask_for_file(&mut self, purpose: FileUse) {
-        if purpose.writes() {
-            self.dialog = Some(self.file_dialog(purpose));
-        } else {
-            let asked = crate::browser::ask_for_file();
-            self.refuse_failed(asked);
-        }
+    if !purpose.writes() {
+        editor.talk.refuse_failed(crate::browser::ask_for_file());
+        return;
     }
+    editor.talk.dialog = Some(file_dialog(purpose, editor.workspace().path()));
+}
 
-    /// Does something with a file. One that is there is written over if the user has said so.
-    fn use_file(&mut self, purpose: FileUse, path: &str, is_there: bool) {
-        match purpose {
-            FileUse::Open => self.leave_for(Destination::File(path.to_owned())),
-            FileUse::Picture => self.show_picture(Path::new(path)),
-            FileUse::Export(kind) => self.export(kind, path),
-            FileUse::Save(to) => {
-                let path = Path::new(path);
-                let saved = if is_there {
-                    self.save_over(path)
-                } else {
-                    self.save(Some(path))
-                };
-                self.arrive_if_done(saved, to);
+/// Writes the text: to its own file, or to another, which is written over if the user has said so. Afterwards another text may be edited.
+pub(super) fn save(
+    editor: &mut Editor,
+    path: Option<&Path>,
+    is_there: bool,
+    to: Option<Destination>,
+) {
+    match editor.session.workspace.save(path, is_there) {
+        Ok(path) => {
+            editor.talk.tell(format!("saved `{}`", path.display()));
+            if let Some(to) = to {
+                editor.arrive(to);
             }
         }
+        Err(failure) => editor.talk.refuse(failure),
+    }
+}
+
+/// Does something with a file.
+fn use_file(editor: &mut Editor, purpose: FileUse, path: &str, is_there: bool) {
+    match purpose {
+        FileUse::Open => editor.leave_for(Destination::File(path.to_owned())),
+        FileUse::Picture => {
+            let shown = editor.desk.show_file(Path::new(path), &editor.scene.camera);
+            editor.talk.tell_done(shown);
+        }
+        FileUse::Export(kind) => export(editor, kind, path),
+        FileUse::Save(to) => save(editor, Some(Path::new(path)), is_there, to),
+    }
+}
+
+/// Writes a file of a kind, beside the window.
+fn export(editor: &mut Editor, kind: Export, path: &str) {
+    let playing = &editor.scene.playing;
+    let measure = editor.plotted.measure(playing, &editor.analysis.snapshot);
+    let job = kind.job(&playing.seen_at().unwrap_or_default(), &measure);
+    match Order::new(kind, path, editor.workspace(), job) {
+        Ok(order) => {
+            editor.talk.tell(format!("writing `{}`", order.path));
+            editor.give(Task::Export(Box::new(order)));
+        }
+        Err(why) => editor.talk.refuse(why),
     }
 }

@@ -1,6 +1,7 @@
 //! The keys.
 
 use super::Action;
+use super::clipboard::{copy, paste};
 use super::table::ACTIONS;
 use crate::editor::{Editor, Tool};
 use eframe::egui;
@@ -30,8 +31,12 @@ pub(in crate::editor) const fn key_of_tool(tool: Tool) -> KeyboardShortcut {
     KeyboardShortcut::new(Modifiers::NONE, key)
 }
 
-/// Does what the keys say, unless somebody types.
-pub(in crate::editor) fn obey_keys(editor: &mut Editor, context: &egui::Context) {
+/// Does what the keys say, unless somebody types. The drawing, or something in it, may have the focus.
+pub(in crate::editor) fn obey_keys(
+    editor: &mut Editor,
+    is_canvas_focused: bool,
+    context: &egui::Context,
+) {
     // While something is asked, keys answer it.
     if context.memory(|memory| memory.top_modal_layer().is_some()) {
         return;
@@ -58,7 +63,7 @@ pub(in crate::editor) fn obey_keys(editor: &mut Editor, context: &egui::Context)
         }
         // What a focused button does is its own affair.
         let is_of_button = key.logical_key == Key::Space
-            && !editor.is_canvas_focused
+            && !is_canvas_focused
             && context.memory(egui::Memory::focused).is_some();
         if !is_of_button
             && context.input_mut(|input| input.consume_shortcut(&key))
@@ -88,8 +93,8 @@ fn obey_clipboard(editor: &mut Editor, context: &egui::Context) {
     let events = context.input(|input| input.events.clone());
     for event in events {
         match event {
-            egui::Event::Copy if !editor.selection().is_empty() => editor.copy(),
-            egui::Event::Paste(text) => editor.paste(&text),
+            egui::Event::Copy if !editor.selection().is_empty() => copy(editor),
+            egui::Event::Paste(text) => paste(editor, &text),
             _ => {}
         }
     }

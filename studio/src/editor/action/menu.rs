@@ -1,10 +1,13 @@
 //! The row of menus.
 
+use super::dialog::ask_for;
 use super::table::ACTIONS;
 use super::{Action, Menu};
 use crate::document::PartOffer;
+use crate::edit::Command;
 use crate::editor::Editor;
 use crate::editor::example::EXAMPLES;
+use crate::editor::names::Names;
 use crate::editor::order::Export;
 use crate::editor::question::{Destination, FileUse};
 use eframe::egui;
@@ -50,15 +53,27 @@ fn parts(editor: &mut Editor, ui: &mut egui::Ui) {
             .on_hover_text(format!("needs links for: {ports}"))
             .clicked()
         {
-            editor.propose_part(&offer);
+            propose_part(editor, &offer);
             ui.close();
         }
     }
 }
 
+/// Writes a use of a part into the line, with the links that are selected, to be completed there.
+fn propose_part(editor: &mut Editor, offer: &PartOffer) {
+    let path = format!("mech_runtime::parts::{}", offer.name);
+    if !editor.workspace().text().contains(&path) {
+        editor.perform(Command::Use { body: path });
+    }
+    let ground = std::iter::once("ground".to_owned());
+    let links: Vec<String> = ground.chain(editor.selection.links()).collect();
+    let name = Names::of(editor.drawing()).numbered(&offer.name.to_lowercase());
+    editor.talk.proposed = Some(format!("use {}", offer.use_as(&name, &links)));
+}
+
 /// The mechanisms of the file, if there are several, to choose one.
 fn mechanisms(editor: &mut Editor, ui: &mut egui::Ui) {
-    let declarations = editor.snapshot.document.declarations();
+    let declarations = editor.analysis.snapshot.document.declarations();
     if declarations.len() < 2 {
         return;
     }
@@ -97,7 +112,7 @@ fn files(editor: &mut Editor, ui: &mut egui::Ui) {
     ui.menu_button("Export", |ui| {
         for kind in Export::ALL {
             if ui.button(kind.name()).clicked() {
-                editor.ask_for_file(FileUse::Export(kind));
+                ask_for(editor, FileUse::Export(kind));
                 ui.close();
             }
         }

@@ -1,5 +1,6 @@
 //! What can be done besides drawing: one table, from which come menus, keys, tooltips and help.
 
+mod clipboard;
 mod dialog;
 mod help;
 mod keys;

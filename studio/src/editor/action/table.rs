@@ -1,6 +1,9 @@
 //! The table.
 
+use super::clipboard::{copy, paste};
+use super::dialog::{ask_for, save};
 use super::{Action, Menu};
+use crate::editor::drawing::Drawing;
 use crate::editor::question::{Destination, FileUse};
 use crate::editor::settings::Panel;
 use crate::editor::settings::Visible;
@@ -39,7 +42,7 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "reads a file: of the language, of Linkage, or a link of PMKS+",
         key: Some(with_command(Key::O)),
         is_possible: ALWAYS,
-        perform: |editor| editor.ask_for_file(FileUse::Open),
+        perform: |editor| ask_for(editor, FileUse::Open),
     },
     Action {
         menu: Menu::File,
@@ -49,10 +52,9 @@ pub(super) const ACTIONS: &[Action] = &[
         is_possible: ALWAYS,
         perform: |editor| {
             if editor.workspace().is_named() {
-                let saved = editor.save(None);
-                editor.refuse_failed(saved);
+                save(editor, None, false, None);
             } else {
-                editor.ask_for_file(FileUse::Save(None));
+                ask_for(editor, FileUse::Save(None));
             }
         },
     },
@@ -62,7 +64,7 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "writes the text to a new file",
         key: Some(with_command_and_shift(Key::S)),
         is_possible: ALWAYS,
-        perform: |editor| editor.ask_for_file(FileUse::Save(None)),
+        perform: |editor| ask_for(editor, FileUse::Save(None)),
     },
     Action {
         menu: Menu::File,
@@ -70,7 +72,10 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "puts the text on the clipboard",
         key: None,
         is_possible: ALWAYS,
-        perform: Editor::copy_text,
+        perform: |editor| {
+            editor.clipboard.next = Some(editor.workspace().text().to_owned());
+            editor.talk.tell("copied the text");
+        },
     },
     #[cfg(target_arch = "wasm32")]
     Action {
@@ -79,7 +84,13 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "puts an address on the clipboard that opens this text",
         key: None,
         is_possible: ALWAYS,
-        perform: Editor::copy_link,
+        perform: |editor| match crate::browser::link_to(editor.workspace().text()) {
+            Ok(link) => {
+                editor.clipboard.next = Some(link);
+                editor.talk.tell("copied an address that opens this text");
+            }
+            Err(failure) => editor.talk.refuse(failure),
+        },
     },
     Action {
         menu: Menu::Edit,
@@ -117,7 +128,10 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "selects all links",
         key: Some(with_command(Key::A)),
         is_possible: |editor| editor.drawing().is_some(),
-        perform: Editor::select_all,
+        perform: |editor| {
+            let links = editor.scene.drawing().map(Drawing::declared_links);
+            editor.selection.select_links(links.into_iter().flatten());
+        },
     },
     Action {
         menu: Menu::Edit,
@@ -125,15 +139,15 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "notes the selected links with what joins them, to be pasted here or elsewhere",
         key: Some(with_command(Key::C)),
         is_possible: SELECTED,
-        perform: Editor::copy,
+        perform: copy,
     },
     Action {
         menu: Menu::Edit,
         name: "Paste",
         help: "declares what was copied, under names that are free",
         key: Some(with_command(Key::V)),
-        is_possible: |editor| !editor.copied.is_empty(),
-        perform: |editor| editor.paste(""),
+        is_possible: |editor| !editor.clipboard.copied.is_empty(),
+        perform: |editor| paste(editor, ""),
     },
     Action {
         menu: Menu::Edit,
@@ -141,7 +155,14 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "selects these together from now on",
         key: Some(with_command(Key::G)),
         is_possible: SELECTED,
-        perform: Editor::group_selected,
+        perform: |editor| {
+            let items = editor.selection.with_handles(editor.scene.drawing());
+            let grouped = editor.desk.group(items.clone());
+            if grouped.is_ok() {
+                editor.selection.items = items;
+            }
+            editor.talk.tell_done(grouped);
+        },
     },
     Action {
         menu: Menu::Edit,
@@ -149,7 +170,10 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "selects each of them alone again",
         key: Some(with_command_and_shift(Key::G)),
         is_possible: SELECTED,
-        perform: Editor::ungroup_selected,
+        perform: |editor| {
+            editor.desk.ungroup(&editor.selection.items);
+            editor.talk.tell("ungrouped");
+        },
     },
     Action {
         menu: Menu::Edit,
@@ -157,7 +181,7 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "keeps the pointer from moving what is selected",
         key: Some(with_command(Key::L)),
         is_possible: SELECTED,
-        perform: Editor::lock_selected,
+        perform: |editor| lock(editor, true),
     },
     Action {
         menu: Menu::Edit,
@@ -165,7 +189,7 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "lets the pointer move it again",
         key: Some(with_command_and_shift(Key::L)),
         is_possible: SELECTED,
-        perform: Editor::unlock_selected,
+        perform: |editor| lock(editor, false),
     },
     Action {
         menu: Menu::Edit,
@@ -175,7 +199,7 @@ pub(super) const ACTIONS: &[Action] = &[
         is_possible: ALWAYS,
         perform: |editor| {
             editor.choose(Tool::Select);
-            editor.selection.clear();
+            editor.selection.items.clear();
         },
     },
     Action {
@@ -184,7 +208,7 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "puts a picture behind the drawing, to be traced",
         key: None,
         is_possible: ALWAYS,
-        perform: |editor| editor.ask_for_file(FileUse::Picture),
+        perform: |editor| ask_for(editor, FileUse::Picture),
     },
     Action {
         menu: Menu::View,
@@ -323,3 +347,10 @@ pub(super) const ACTIONS: &[Action] = &[
         perform: |editor| editor.scene.obey(Control::Reset),
     },
 ];
+
+/// Keeps the pointer from moving what is selected, or lets it move that again.
+fn lock(editor: &mut Editor, is_locked: bool) {
+    let items = editor.selection.with_handles(editor.scene.drawing());
+    let told = editor.desk.lock(items, is_locked);
+    editor.talk.tell(told);
+}

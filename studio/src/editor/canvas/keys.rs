@@ -33,7 +33,7 @@ impl Canvas {
         .snap(self.cross);
         self.snapped = Some(pick.clone());
         if ui.input(|input| input.key_pressed(egui::Key::Enter)) {
-            if editor.tool == Tool::Select {
+            if editor.picking.tool == Tool::Select {
                 let found = editor.scene.seen_drawing();
                 let item =
                     found.and_then(|drawing| drawing.item_at(self.cross, REACH / shown.scale()));

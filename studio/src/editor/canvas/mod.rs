@@ -26,6 +26,8 @@ pub(super) struct Canvas {
     holds: Holds,
     /// Where the keyboard points, in the scene.
     cross: [f64; 2],
+    /// Whether the drawing, or something in it, has the focus of keys.
+    pub(super) is_focused: bool,
     /// The tool with which the pointer was pressed last: what it is released with may be another.
     pressed_with: Tool,
 }
@@ -54,7 +56,7 @@ impl Canvas {
         editor.scene.camera.resize(size_of(rect));
         zoom(editor, &background, ui);
         if ui.input(|input| input.pointer.any_pressed()) {
-            self.pressed_with = editor.tool;
+            self.pressed_with = editor.picking.tool;
         }
         let shown = Shown {
             rect,
@@ -70,7 +72,7 @@ impl Canvas {
         }
         .behind(ui);
         self.on_paper(editor, &background, &shown, ui);
-        editor.is_canvas_focused = background.has_focus();
+        self.is_focused = background.has_focus();
         if background.has_focus() {
             self.by_keys(editor, &background, &shown, ui);
         }
@@ -78,7 +80,8 @@ impl Canvas {
         for handle in handles.clone() {
             self.on_handle(editor, handle, &shown, ui, &mut hovered);
         }
-        editor.hovered = hovered.or_else(|| editor.under_text.clone());
+        let under_text = editor.selection.under_text.clone();
+        editor.selection.hovered = hovered.or(under_text);
         Paint {
             editor,
             shown: &shown,
@@ -102,7 +105,7 @@ impl Canvas {
     /// What the pointer does beside the handles.
     fn on_paper(&mut self, editor: &mut Editor, response: &Response, shown: &Shown, ui: &egui::Ui) {
         let modifiers = ui.input(|input| input.modifiers);
-        if editor.tool != Tool::Select {
+        if editor.picking.tool != Tool::Select {
             self.holds = Holds::Nothing;
             self.use_tool(editor, response, None, shown, ui);
             return;
@@ -156,7 +159,9 @@ impl Canvas {
             Holds::Link => editor.scene.obey(Control::Release),
             Holds::Frame(corner) => {
                 let ends = [corner, pointer].map(|end| shown.place(end));
-                editor.select_within(ends);
+                if let Some(drawing) = editor.scene.seen_drawing() {
+                    editor.selection.add_within(ends, drawing);
+                }
             }
             Holds::Thing(_) => {
                 self.snapped = None;
@@ -212,19 +217,19 @@ impl Canvas {
             return;
         }
         let response = ui.interact(area, id, Sense::click_and_drag());
-        let is_selected = editor.selection.contains(handle.item);
+        let is_selected = editor.selection.items.contains(handle.item);
         response.widget_info(|| {
             WidgetInfo::selected(Role::Button, true, is_selected, handle.item.to_string())
         });
         if response.hovered() || response.has_focus() {
             *hovered = Some(handle.item.clone());
         }
-        if editor.tool == Tool::Select {
+        if editor.picking.tool == Tool::Select {
             self.select_or_drag(editor, handle, &response, shown, ui);
         } else {
             self.use_tool(editor, &response, Some(handle), shown, ui);
         }
-        let is_locked = editor.is_locked(handle.item);
+        let is_locked = editor.desk.is_locked(handle.item);
         let response = response.on_hover_ui(|ui| {
             ui.label(describe(handle));
             if is_locked {
@@ -252,7 +257,7 @@ impl Canvas {
             response.request_focus();
         }
         if response.has_focus() {
-            editor.is_canvas_focused = true;
+            self.is_focused = true;
             step_by_keys(editor, handle, response, shown, ui);
         }
     }
@@ -273,6 +278,7 @@ impl Canvas {
                 scale: shown.scale(),
                 is_on: editor.settings.snaps != modifiers.alt,
                 angles_from: editor
+                    .picking
                     .picks
                     .last()
                     .filter(|_| modifiers.shift)
@@ -287,7 +293,7 @@ impl Canvas {
         {
             let pick = meant(editor, shown.place(origin)).pick;
             // What wants one place only takes the one where the pointer is released.
-            if editor.tool.picks().len() > 1 {
+            if editor.picking.tool.picks().len() > 1 {
                 editor.pick(pick);
             }
         }
@@ -296,7 +302,7 @@ impl Canvas {
             self.snapped = Some(meant(editor, shown.place(pointer)));
         }
         let is_by_pointer = response.drag_stopped() || response.clicked_by(PointerButton::Primary);
-        if is_by_pointer && self.pressed_with != editor.tool {
+        if is_by_pointer && self.pressed_with != editor.picking.tool {
             return;
         }
         if is_by_pointer || response.clicked() {
@@ -341,14 +347,16 @@ fn take_hold(
         });
         if let Some(item) = thing {
             // What is selected already goes on with all that is.
-            if !editor.is_selected_with(&item) {
+            if !editor.selection.moves(&item, editor.scene.drawing()) {
                 editor.select(Some(item.clone()), modifiers.shift);
             }
             editor.begin_drag(&item, modifiers.alt);
             return Holds::Thing([0.0; 2]);
         }
         if let Some((_, Hit::Link(link))) = near(REACH) {
-            if let Some((item, at)) = editor.handle_of_selected(link) {
+            let drawing = editor.scene.drawing();
+            let handle_of = |drawing| editor.selection.handle_of(link, drawing, &editor.desk);
+            if let Some((item, at)) = drawing.and_then(handle_of) {
                 editor.begin_drag(&item, false);
                 return Holds::Thing([at[0] - place[0], at[1] - place[1]]);
             }
@@ -418,7 +426,7 @@ fn menu(editor: &mut Editor, handle: Handle, ui: &mut egui::Ui) {
         let hit = hit.unwrap_or(Hit::Paper);
         editor.choose(tool);
         editor.pick(Pick { place, hit });
-        editor.tool = Tool::Select;
+        editor.picking.tool = Tool::Select;
     };
     for tool in [Tool::Motor, Tool::Pivot, Tool::Trace, Tool::Force] {
         if ui.button(tool.name()).on_hover_text(tool.help()).clicked() {

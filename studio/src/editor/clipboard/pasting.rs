@@ -34,7 +34,7 @@ pub(super) fn can_be_pasted(text: &str) -> bool {
 
 /// A text with statements that were copied, and the links that are new in it. What is in the scene stands so many steps beside where it was
 /// that it is not on what is there.
-pub(super) fn pasted(
+pub(in crate::editor) fn pasted(
     document: &Document,
     index: usize,
     copied: &str,

@@ -6,8 +6,12 @@ mod record;
 
 pub(super) use backdrop::{Backdrop, ENDINGS, is_picture};
 
-use super::Item;
+use super::drawing::Drawing;
+use super::item::Item;
+use crate::failure::Failure;
+use crate::play::Camera;
 use std::collections::BTreeSet;
+use std::path::Path;
 
 /// What stands around the text and is no part of it.
 #[derive(Default)]
@@ -29,10 +33,37 @@ impl Desk {
         self.locked.contains(item)
     }
 
-    /// What is selected with an item: its group, or the item alone.
-    pub(super) fn group_of(&self, item: Item) -> BTreeSet<Item> {
-        let group = self.groups.iter().find(|group| group.contains(&item));
-        group.cloned().unwrap_or_else(|| [item].into())
+    /// Keeps the pointer from moving items, or lets it move them again. Tells so.
+    pub(super) fn lock(&mut self, items: BTreeSet<Item>, is_locked: bool) -> &'static str {
+        if is_locked {
+            self.locked.extend(items);
+            "locked: the pointer does not move it"
+        } else {
+            self.locked.retain(|item| !items.contains(item));
+            "unlocked"
+        }
+    }
+
+    /// What is selected with an item: what is there of its group, or the item alone.
+    pub(super) fn group_of(&self, item: Item, drawing: Option<&Drawing>) -> BTreeSet<Item> {
+        let Some(group) = self.groups.iter().find(|group| group.contains(&item)) else {
+            return [item].into();
+        };
+        let is_there = |item: &&Item| drawing.is_some_and(|drawing| drawing.has(item));
+        group.iter().filter(is_there).cloned().collect()
+    }
+
+    /// Lets items be selected together from now on. Tells so, or why they cannot be.
+    pub(super) fn group(&mut self, items: BTreeSet<Item>) -> Result<String, &'static str> {
+        let count = items.len();
+        if count < 2 {
+            return Err(
+                "a group needs two things: hold Shift and click, or drag a frame around them",
+            );
+        }
+        self.ungroup(&items);
+        self.groups.push(items);
+        Ok(format!("a group of {count} things"))
     }
 
     /// Takes items out of the groups that they are in. A group of one is none.
@@ -41,5 +72,32 @@ impl Desk {
             group.retain(|item| !items.contains(item));
         }
         self.groups.retain(|group| group.len() > 1);
+    }
+
+    /// Puts the picture in a file behind the drawing, as wide as what is seen. Tells so.
+    pub(super) fn show_file(&mut self, path: &Path, camera: &Camera) -> Result<String, Failure> {
+        // It is found again from any folder.
+        let path = &std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+        let read = std::fs::read(path)
+            .map_err(|error| Failure::file(format!("cannot read `{}`: {error}", path.display())));
+        self.show(path, &read?, camera)
+    }
+
+    /// Puts a picture behind the drawing, as wide as what is seen. Tells so.
+    ///
+    /// # Errors
+    /// If the bytes are no picture that can be read.
+    pub(super) fn show(
+        &mut self,
+        path: &Path,
+        bytes: &[u8],
+        camera: &Camera,
+    ) -> Result<String, Failure> {
+        let view = camera.view();
+        let backdrop = Backdrop::read(path, bytes)?;
+        let extent = camera.extent().map(|side| 0.8 * side / view.scale());
+        self.backdrop = Some(backdrop.within(view.center(), extent));
+        let path = path.display();
+        Ok(format!("`{path}` is behind the drawing; see Properties"))
     }
 }

@@ -42,7 +42,7 @@ impl Autosave {
         let place = place_of(editor.workspace(), &self.unnamed);
         if place != self.place {
             let moved = self.move_to(place, editor.workspace());
-            editor.refuse_failed(moved);
+            editor.talk.refuse_failed(moved);
         }
         if !editor.workspace().has_work() {
             self.forget(editor);
@@ -58,7 +58,9 @@ impl Autosave {
             Err(_) if self.has_failed => {}
             Err(failure) => {
                 self.has_failed = true;
-                editor.refuse(format!("a crash would lose what is not saved: {failure}"));
+                editor
+                    .talk
+                    .refuse(format!("a crash would lose what is not saved: {failure}"));
             }
         }
     }
@@ -113,7 +115,7 @@ impl Autosave {
     /// Removes what is kept of the present text.
     pub(super) fn forget(&mut self, editor: &mut Editor) {
         let removed = self.remove_kept();
-        editor.refuse_failed(removed);
+        editor.talk.refuse_failed(removed);
     }
 
     fn remove_kept(&mut self) -> Result<(), Failure> {
@@ -133,15 +135,16 @@ impl Autosave {
         match bar("left", &question, ["Restore", "Discard"], ui) {
             Some(0) if editor.is_at_rest() => {
                 let text = first.text.clone();
-                editor.take_over("restored", &text);
+                editor.session.workspace.push("restored", text);
+                editor.take_over("restored");
                 if let Err(failure) = self.adopt() {
-                    editor.refuse(failure);
+                    editor.talk.refuse(failure);
                 }
             }
             Some(1) => {
                 let removed = remove(&first.path);
                 self.left.remove(0);
-                editor.refuse_failed(removed);
+                editor.talk.refuse_failed(removed);
             }
             _ => {}
         }

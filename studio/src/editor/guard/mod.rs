@@ -35,7 +35,7 @@ impl Guard {
     /// Asks what has to be asked: at the top of the window, or before it is closed.
     pub(super) fn ask(&mut self, editor: &mut Editor, ui: &mut egui::Ui) {
         let wants_to_close = ui.input(|input| input.viewport().close_requested());
-        if wants_to_close && editor.has_work() && editor.ending != Ending::Granted {
+        if wants_to_close && editor.has_work() && editor.talk.ending != Ending::Granted {
             ui.ctx().send_viewport_cmd(ViewportCommand::CancelClose);
             editor.leave_for(Destination::Away);
         }
@@ -53,7 +53,7 @@ impl Guard {
             watch.look(editor, context);
         }
         // What is given up is not kept again before the window is gone.
-        if editor.ending != Ending::Granted {
+        if editor.talk.ending != Ending::Granted {
             if let Some(autosave) = &mut self.autosave {
                 autosave.keep(editor);
             }
@@ -63,15 +63,5 @@ impl Guard {
             }
             context.send_viewport_cmd(ViewportCommand::Close);
         }
-    }
-}
-
-impl Editor {
-    /// Takes over a text from a file, as one step.
-    fn take_over(&mut self, title: &str, text: &str) {
-        self.session.workspace.push(title, text);
-        self.let_go();
-        self.read();
-        self.tell(title);
     }
 }

@@ -60,14 +60,16 @@ impl Watch {
             (self.theirs, self.deleted) = (None, None);
             if let Err(error) = self.begin() {
                 let path = self.path.display();
-                editor.refuse(format!("`{path}` is not watched: {error}"));
+                editor
+                    .talk
+                    .refuse(format!("`{path}` is not watched: {error}"));
             }
         }
         if !editor.is_at_rest() || !self.is_time(context) {
             return;
         }
         let looked = self.compare(editor);
-        editor.refuse_failed(looked);
+        editor.talk.refuse_failed(looked);
     }
 
     /// Watches nothing any more: the text has no file.
@@ -144,7 +146,9 @@ impl Watch {
                     self.deleted = Some(known.to_owned());
                     editor.session.workspace.note_file(None);
                     let path = self.path.display();
-                    editor.refuse(format!("`{path}` was deleted; saving writes it again"));
+                    editor
+                        .talk
+                        .refuse(format!("`{path}` was deleted; saving writes it again"));
                 }
                 return Ok(());
             }
@@ -173,7 +177,8 @@ impl Watch {
 /// Takes over what another program has written.
 fn take(editor: &mut Editor, theirs: &str) {
     editor.session.workspace.note_file(Some(theirs));
-    editor.take_over("changed on disk", theirs);
+    editor.session.workspace.push("changed on disk", theirs);
+    editor.take_over("changed on disk");
 }
 
 /// The text of a file; none if it is not there.

@@ -5,7 +5,7 @@ use eframe::egui;
 
 /// The picture behind the drawing, if there is one.
 pub(super) fn behind(editor: &mut Editor, ui: &mut egui::Ui) {
-    let places = editor.selected_places();
+    let places = editor.selection.places(editor.scene.drawing());
     let Some(backdrop) = &mut editor.desk.backdrop else {
         return;
     };
@@ -40,12 +40,12 @@ pub(super) fn behind(editor: &mut Editor, ui: &mut egui::Ui) {
     if !backdrop.place.is_sound() {
         backdrop.place = before;
     }
-    let distance = places.and_then(|places| distance_of(places, ui));
-    let is_removed = ui.button("Remove the picture").clicked();
-    if let Some(distance) = distance {
-        editor.scale_backdrop(distance);
+    if let Some([from, to]) = places
+        && let Some(factor) = factor_of(from, to, ui)
+    {
+        backdrop.place.scale_about(from, factor);
     }
-    if is_removed {
+    if ui.button("Remove the picture").clicked() {
         editor.desk.backdrop = None;
     }
 }
@@ -57,8 +57,8 @@ fn number(name: &str, field: egui::DragValue<'_>, ui: &mut egui::Ui) {
     ui.end_row();
 }
 
-/// Asks how far apart two places are in truth. Returns what the user says.
-fn distance_of([[x, y], [u, v]]: [[f64; 2]; 2], ui: &mut egui::Ui) -> Option<f64> {
+/// Asks how far apart two places are in truth. Returns by which factor they are farther apart.
+fn factor_of([x, y]: [f64; 2], [u, v]: [f64; 2], ui: &mut egui::Ui) -> Option<f64> {
     let drawn = (u - x).hypot(v - y);
     let mut value = drawn;
     ui.horizontal(|ui| {
@@ -72,5 +72,7 @@ fn distance_of([[x, y], [u, v]]: [[f64; 2]; 2], ui: &mut egui::Ui) -> Option<f64
             .labelled_by(label.id)
             .on_hover_text("how far apart the two selected places of the picture are in truth");
     });
-    ((value - drawn).abs() > 1e-6 * drawn).then_some(value)
+    let factor = value / drawn;
+    let is_changed = (value - drawn).abs() > 1e-6 * drawn;
+    (is_changed && factor.is_finite() && factor > 0.0).then_some(factor)
 }

@@ -1,26 +1,32 @@
 //! What is wrong, in the compiler's words, and what would mend it.
 
+use crate::edit::Command;
 use crate::editor::Editor;
 use crate::mend::Remainder;
 use eframe::egui;
 
 /// What is wrong, and the repairs as buttons.
 pub(in crate::editor) fn diagnoses(editor: &mut Editor, ui: &mut egui::Ui) {
-    let messages: Vec<_> = editor.snapshot.messages().to_vec();
+    let messages: Vec<_> = editor.analysis.snapshot.messages().to_vec();
     let mut chosen = None;
     let mut hovered = None;
     egui::ScrollArea::vertical()
         .auto_shrink(false)
         .show(ui, |ui| {
             if messages.is_empty() {
-                let line = editor.verdict();
+                let line = editor.analysis.snapshot.verdict();
                 ui.label(line);
                 return;
             }
             for message in &messages {
                 let mut lines = message.text.lines();
                 let first = lines.next().unwrap_or_default();
-                let spot = editor.snapshot.document.source().spot(message.place.start);
+                let spot = editor
+                    .analysis
+                    .snapshot
+                    .document
+                    .source()
+                    .spot(message.place.start);
                 ui.horizontal_wrapped(|ui| {
                     ui.colored_label(ui.visuals().error_fg_color, first);
                     ui.weak(format!("line {}", spot.line));
@@ -30,10 +36,10 @@ pub(in crate::editor) fn diagnoses(editor: &mut Editor, ui: &mut egui::Ui) {
                 }
                 ui.separator();
             }
-            if editor.is_mending {
+            if editor.analysis.is_mending() {
                 ui.weak("Looking for repairs");
             }
-            for (number, mending) in (1..).zip(&editor.mendings) {
+            for (number, mending) in (1..).zip(editor.mendings()) {
                 let note = match mending.remainder {
                     Remainder::Nothing => "",
                     Remainder::OtherStart => " (needs another start)",
@@ -50,8 +56,19 @@ pub(in crate::editor) fn diagnoses(editor: &mut Editor, ui: &mut egui::Ui) {
                 }
             }
         });
-    editor.preview_mending(hovered);
+    let drawing = editor.scene.drawing();
+    editor.analysis.preview_mending(hovered, drawing);
     if let Some(number) = chosen {
-        editor.mend(number);
+        mend(editor, number);
+    }
+}
+
+/// Makes a repair, by its number from 1.
+fn mend(editor: &mut Editor, number: usize) {
+    if editor.analysis.is_present(editor.workspace()) {
+        editor.perform(Command::Repair { number });
+    } else {
+        let why = "the text has changed since this repair was offered";
+        editor.talk.refuse(why);
     }
 }

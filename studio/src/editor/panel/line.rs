@@ -16,7 +16,7 @@ pub(in crate::editor) struct Line {
 impl Line {
     /// The line, what is told, and everything that was said so far, if that is wanted.
     pub(in crate::editor) fn show(&mut self, editor: &mut Editor, ui: &mut egui::Ui) {
-        let proposed = editor.proposed.take();
+        let proposed = editor.talk.proposed.take();
         let is_proposed = proposed.is_some();
         if let Some(proposed) = proposed {
             self.text = proposed;
@@ -26,7 +26,7 @@ impl Line {
                 .max_height(180.0)
                 .stick_to_bottom(true)
                 .auto_shrink([false, true])
-                .show(ui, |ui| ui.monospace(&editor.journal.text));
+                .show(ui, |ui| ui.monospace(&editor.talk.journal.text));
         }
         ui.horizontal(|ui| {
             ui.toggle_value(&mut self.shows_journal, "Journal")
@@ -62,7 +62,7 @@ impl Line {
     }
 
     fn recall(&mut self, editor: &Editor, back: usize) {
-        let lines = &editor.journal.lines;
+        let lines = &editor.talk.journal.lines;
         self.back = back.min(lines.len());
         self.text = match self.back {
             0 => String::new(),
@@ -72,7 +72,7 @@ impl Line {
 
     /// Completes the last word as far as all that fits agrees.
     fn complete(&mut self, editor: &Editor) {
-        let (start, words) = complete(&self.text, &editor.snapshot.listing);
+        let (start, words) = complete(&self.text, &editor.analysis.snapshot.listing);
         let Some(first) = words.first() else {
             return;
         };
@@ -95,7 +95,7 @@ impl Line {
 
 /// What is told; while a tool is used, what has to be picked.
 fn told(editor: &Editor, ui: &mut egui::Ui) {
-    if let Some(notice) = &editor.notice {
+    if let Some(notice) = &editor.talk.notice {
         let first = notice.text.lines().next().unwrap_or_default();
         let text = if notice.is_refusal {
             egui::RichText::new(first).color(ui.visuals().error_fg_color)
@@ -103,8 +103,10 @@ fn told(editor: &Editor, ui: &mut egui::Ui) {
             egui::RichText::new(first)
         };
         ui.add(egui::Label::new(text).truncate());
-    } else if let Some(wanted) = editor.tool.picks().get(editor.picks.len()) {
-        ui.add(egui::Label::new(format!("{}: pick {wanted}", editor.tool.name())).truncate());
+    } else if let Some(wanted) = editor.picking.wanted() {
+        ui.add(
+            egui::Label::new(format!("{}: pick {wanted}", editor.picking.tool.name())).truncate(),
+        );
     } else if let Some(player) = editor.player() {
         ui.add(egui::Label::new(player.status()).truncate());
     }

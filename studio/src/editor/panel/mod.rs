@@ -58,7 +58,7 @@ impl Panels {
 
 /// The names of all panels, to choose one.
 fn tabs(editor: &mut Editor, is_narrow: bool, ui: &mut egui::Ui) {
-    let count = editor.snapshot.messages().len();
+    let count = editor.analysis.snapshot.messages().len();
     ui.horizontal_wrapped(|ui| {
         for panel in Panel::ALL {
             let name = match panel {

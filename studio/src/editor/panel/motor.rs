@@ -14,7 +14,13 @@ pub(super) fn motor(editor: &Editor, joint: &str, ui: &mut egui::Ui, gestures: &
         return;
     }
     ui.strong("Motor");
-    if editor.snapshot.listing.number(joint, "low").is_none() {
+    if editor
+        .analysis
+        .snapshot
+        .listing
+        .number(joint, "low")
+        .is_none()
+    {
         let range = editor
             .scene
             .playing
@@ -69,7 +75,13 @@ pub(super) fn motor(editor: &Editor, joint: &str, ui: &mut egui::Ui, gestures: &
 
 /// Where a joint starts, if the text does not say it yet; else that is among its numbers.
 fn start(editor: &Editor, joint: &str, ui: &mut egui::Ui, gestures: &mut Vec<Gesture>) {
-    if editor.snapshot.listing.number(joint, "start").is_some() {
+    if editor
+        .analysis
+        .snapshot
+        .listing
+        .number(joint, "start")
+        .is_some()
+    {
         return;
     }
     field(ui, &format!("start of {joint}"), "start", "", |typed| {

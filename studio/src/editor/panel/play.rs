@@ -9,7 +9,7 @@ use eframe::egui;
 pub(in crate::editor) fn play(editor: &mut Editor, ui: &mut egui::Ui) {
     let Some(player) = editor.player() else {
         ui.horizontal_wrapped(|ui| {
-            let line = editor.verdict();
+            let line = editor.analysis.snapshot.verdict();
             ui.weak(line);
         });
         return;

@@ -5,7 +5,8 @@ use crate::editor::colors::distinct;
 use crate::editor::curves::Curves;
 use crate::editor::plotted::read_load;
 use crate::editor::range::{Basis, MotorRange};
-use crate::quantity::{Offer, Table, round_step, tick};
+use crate::editor::snapshot::Snapshot;
+use crate::quantity::{self, Offer, Table, round_step, tick};
 use eframe::egui;
 use eframe::egui::{Color32, Role, Sense, Stroke, Vec2, WidgetInfo};
 use egui_plot::{GridInput, GridMark, Line, Plot, PlotPoint, Points, VLine};
@@ -25,12 +26,16 @@ impl Plots {
     /// Shows the graphs, with a line at the present value of the motor.
     pub(in crate::editor) fn show(&mut self, editor: &mut Editor, ui: &mut egui::Ui) {
         self.choose(editor, ui);
-        editor.renew_curves();
+        let (playing, snapshot) = (&editor.scene.playing, &editor.analysis.snapshot);
+        if let Some(task) = editor.plotted.renew(playing, snapshot) {
+            editor.give(task);
+        }
         if editor.plotted.names.is_empty() {
             ui.weak("Add a quantity: a place, a rate or a force. It is drawn over the range of the motor, or over another quantity.");
             return;
         }
-        let is_present = editor.are_curves_present();
+        let (playing, snapshot) = (&editor.scene.playing, &editor.analysis.snapshot);
+        let is_present = editor.plotted.is_present(playing, snapshot);
         let mut scrubbed = None;
         if let Some(curves) = &editor.plotted.curves {
             warnings(curves, is_present, editor.player().is_some(), ui);
@@ -52,11 +57,11 @@ impl Plots {
 
     /// Chooses what is plotted, over which motor.
     fn choose(&mut self, editor: &mut Editor, ui: &mut egui::Ui) {
-        let offers = editor.offers();
+        let offers = offers(&editor.analysis.snapshot);
         ui.horizontal_wrapped(|ui| {
             ui.menu_button("Add", |ui| {
                 if let Some(name) = offered(&offers, ui) {
-                    editor.plot(name);
+                    editor.plotted.plot(name);
                 }
             })
             .response
@@ -69,12 +74,21 @@ impl Plots {
                 .desired_width(180.0);
             let response = ui.add(edit).labelled_by(label.id);
             if response.lost_focus() && ui.input(|input| input.key_pressed(egui::Key::Enter)) {
-                editor.plot(&std::mem::take(&mut self.typed));
+                editor.plotted.plot(&std::mem::take(&mut self.typed));
             }
             motor(editor, ui);
             loads(editor, ui);
         });
     }
+}
+
+/// Everything that can be measured of a mechanism that moves.
+fn offers(snapshot: &Snapshot) -> Vec<Offer> {
+    let (Some(reading), Some(compiled)) = (&snapshot.reading, snapshot.compiled()) else {
+        return Vec::new();
+    };
+    let dyads = quantity::dyads(&reading.model, &compiled.plan);
+    quantity::offers(&reading.model, &dyads)
 }
 
 /// The quantity that is chosen from a menu of all.
@@ -114,7 +128,7 @@ fn over(editor: &mut Editor, offers: &[Offer], ui: &mut egui::Ui) {
 
 /// Asks for the numbers of the loads that the text declares.
 fn loads(editor: &mut Editor, ui: &mut egui::Ui) {
-    let Some(reading) = editor.snapshot.reading.clone() else {
+    let Some(reading) = editor.analysis.snapshot.reading.clone() else {
         return;
     };
     for load in &reading.model.actions.loads {
@@ -162,7 +176,7 @@ fn motor(editor: &mut Editor, ui: &mut egui::Ui) {
     if editor.scene.playing.ranges.len() < 2 {
         return;
     }
-    let Some((_, chosen)) = editor.plotted_motor() else {
+    let Some((_, chosen)) = editor.plotted.motor_of(&editor.scene.playing.ranges) else {
         return;
     };
     let mut chosen = chosen.to_owned();
@@ -197,7 +211,7 @@ fn warnings(curves: &Curves, is_present: bool, moves: bool, ui: &mut egui::Ui) {
 
 /// The value of the motor over which is plotted, as graphs show it.
 fn cursor(editor: &Editor) -> Option<f64> {
-    let (motor, _) = editor.plotted_motor()?;
+    let (motor, _) = editor.plotted.motor_of(&editor.scene.playing.ranges)?;
     let value = *editor.player()?.motors().get(motor)?;
     let range = editor.scene.playing.ranges.get(motor)?;
     Some(shown(range, value - whole_turns(range, value)))
@@ -224,7 +238,7 @@ fn shown(range: &MotorRange, value: f64) -> f64 {
 
 /// Moves the motor to a value as graphs show it.
 fn scrub(editor: &mut Editor, at: f64) {
-    let Some((motor, _)) = editor.plotted_motor() else {
+    let Some((motor, _)) = editor.plotted.motor_of(&editor.scene.playing.ranges) else {
         return;
     };
     let (Some(range), Some(now)) = (

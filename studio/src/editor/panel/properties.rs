@@ -5,12 +5,13 @@ use super::field::field;
 use super::motor::motor;
 use super::shapes::shapes;
 use crate::edit::{Command, Kind};
+use crate::editor::pending::Waiting;
 use crate::editor::{Editor, Gesture, Item};
 use eframe::egui;
 
 /// The numbers of what is selected, with what can be done to it.
 pub(in crate::editor) fn properties(editor: &mut Editor, ui: &mut egui::Ui) {
-    let selected: Vec<Item> = editor.selection.iter().cloned().collect();
+    let selected: Vec<Item> = editor.selection.items.iter().cloned().collect();
     if selected.is_empty() {
         ui.weak("Nothing is selected. Click a link, a joint or a point.");
         whole(editor, ui);
@@ -47,6 +48,7 @@ fn whole(editor: &mut Editor, ui: &mut egui::Ui) {
     let mut gestures = Vec::new();
     ui.separator();
     let constants: Vec<String> = editor
+        .analysis
         .snapshot
         .listing
         .constants()
@@ -111,7 +113,7 @@ fn buttons(editor: &mut Editor, item: &Item, ui: &mut egui::Ui, gestures: &mut V
                     .on_hover_text("declares it once more")
                     .clicked()
                 {
-                    editor.declare_again(vec![name.clone()]);
+                    editor.wait(Waiting::Copies(vec![name.clone()]));
                 }
             }
             Item::Joint(_) => {
@@ -172,8 +174,8 @@ fn buttons(editor: &mut Editor, item: &Item, ui: &mut egui::Ui, gestures: &mut V
 
 /// The numbers of something, each as it stands in the text.
 fn numbers(editor: &Editor, owner: &str, ui: &mut egui::Ui, gestures: &mut Vec<Gesture>) {
-    let text = editor.snapshot.document.source().text();
-    let numbers = editor.snapshot.listing.numbers_of(owner);
+    let text = editor.analysis.snapshot.document.source().text();
+    let numbers = editor.analysis.snapshot.listing.numbers_of(owner);
     let numbers: Vec<(String, String)> = numbers
         .filter(|one| !one.is_pair)
         .filter_map(|one| Some((one.role.clone(), text.get(one.place.clone())?.to_owned())))
@@ -194,7 +196,13 @@ fn numbers(editor: &Editor, owner: &str, ui: &mut egui::Ui, gestures: &mut Vec<G
 
 /// The mass of a link, if it has none yet; else that is among its numbers.
 fn mass(editor: &Editor, link: &str, ui: &mut egui::Ui, gestures: &mut Vec<Gesture>) {
-    if editor.snapshot.listing.number(link, "mass").is_some() {
+    if editor
+        .analysis
+        .snapshot
+        .listing
+        .number(link, "mass")
+        .is_some()
+    {
         return;
     }
     field(ui, &format!("mass of {link}"), "mass", "", |typed| {

@@ -7,7 +7,7 @@ use mech_compiler::graphs;
 
 /// The report: how each loop is solved, what is proved, what it costs; with the graphs of links and of loops.
 pub(in crate::editor) fn report(editor: &Editor, ui: &mut egui::Ui) {
-    let snapshot = &editor.snapshot;
+    let snapshot = &editor.analysis.snapshot;
     let (Some(compiled), Some(reading)) = (snapshot.compiled(), &snapshot.reading) else {
         ui.weak("The mechanism does not move yet; see Diagnoses.");
         return;

@@ -1,7 +1,11 @@
 //! The text, beside the drawing, both ways: what is under the mouse lights up in both.
 
+use crate::document::Listing;
+use crate::editor::drag::Drag;
+use crate::editor::drawing::Drawing;
+use crate::editor::selection::Selection;
 use crate::editor::{Editor, Item};
-use crate::text::{Kind, Lexer};
+use crate::text::{Kind, Lexer, written};
 use eframe::egui;
 use eframe::egui::text::{LayoutJob, TextFormat};
 use mech_compiler::syntax::ListedNumber;
@@ -37,8 +41,13 @@ struct Colored {
 impl TextPanel {
     /// Shows the text, and takes what is typed.
     pub(in crate::editor) fn show(&mut self, editor: &mut Editor, ui: &mut egui::Ui) {
-        let marks = editor.marks();
-        let shown = editor.shown_text();
+        let marks = marks(editor);
+        let text = editor.workspace().text();
+        // While something is dragged, with the numbers as they are there.
+        let shown = match editor.scene.drag.stay() {
+            Some(stay) => written(text, &stay.edits),
+            None => text.to_owned(),
+        };
         let mut typed = shown.clone();
         let field = egui::Id::unique("text of the mechanism");
         if shown != self.seen {
@@ -82,7 +91,9 @@ impl TextPanel {
             editor.type_text(&typed);
         }
         self.seen = typed;
-        editor.under_text = under.and_then(|byte| editor.item_at(byte));
+        let listing = &editor.analysis.snapshot.listing;
+        let item = |byte| item_at(byte, listing, editor.scene.drawing()?);
+        editor.selection.under_text = under.and_then(item);
     }
 
     /// The text in colours: as it was before, if it is the same.
@@ -253,64 +264,48 @@ fn is_keyword(word: &str) -> bool {
     KEYWORDS.contains(&word)
 }
 
-impl Editor {
-    /// What is marked in the text.
-    fn marks(&self) -> Marks {
-        let places = |item| self.places_of(item);
-        Marks {
-            wrong: self
-                .snapshot
-                .messages()
-                .iter()
-                .map(|message| message.place.clone())
-                .collect(),
-            selected: self.selection.iter().flat_map(places).collect(),
-            hovered: self.hovered.iter().flat_map(places).collect(),
-        }
+/// What is marked in the text.
+fn marks(editor: &Editor) -> Marks {
+    let snapshot = &editor.analysis.snapshot;
+    let messages = snapshot.messages().iter();
+    let places = |item| match editor.scene.drag {
+        Drag::Nothing => places_of(item, &snapshot.listing),
+        _ => Vec::new(),
+    };
+    let Selection { items, hovered, .. } = &editor.selection;
+    Marks {
+        wrong: messages.map(|message| message.place.clone()).collect(),
+        selected: items.iter().flat_map(places).collect(),
+        hovered: hovered.iter().flat_map(places).collect(),
     }
+}
 
-    /// The text as it is seen: while something is dragged, with the numbers as they are there.
-    pub(in crate::editor) fn shown_text(&self) -> String {
-        let text = self.workspace().text();
-        match self.scene.drag.stay() {
-            Some(stay) => crate::text::written(text, &stay.edits),
-            None => text.to_owned(),
-        }
-    }
+/// Where something is named in the text, or where a number of it stands.
+fn places_of(item: &Item, listing: &Listing) -> Vec<Range<usize>> {
+    let name = item.name();
+    let names = listing
+        .names
+        .iter()
+        .filter(|one| one.part.is_none() && one.path == name);
+    let names = names.map(|one| one.place.clone());
+    let numbers = listing.numbers_of(name).map(|one| one.place.clone());
+    names.chain(numbers).collect()
+}
 
-    /// Where something is named in the text, or where a number of it stands.
-    pub(in crate::editor) fn places_of(&self, item: &Item) -> Vec<Range<usize>> {
-        if !self.scene.drag.is_nothing() {
-            return Vec::new();
-        }
-        let listing = &self.snapshot.listing;
-        let name = item.name();
-        let names = listing
-            .names
-            .iter()
-            .filter(|one| one.part.is_none() && one.path == name);
-        let names = names.map(|one| one.place.clone());
-        let numbers = listing.numbers_of(name).map(|one| one.place.clone());
-        names.chain(numbers).collect()
-    }
-
-    /// What a place in the text is about.
-    fn item_at(&self, byte: usize) -> Option<Item> {
-        let drawing = self.scene.drawing()?;
-        let listing = &self.snapshot.listing;
-        let within = |place: &Range<usize>| place.start <= byte && byte <= place.end;
-        let number = listing
-            .numbers
-            .iter()
-            .find(|one| !one.is_pair && within(&one.place));
-        let name = listing.names.iter().find(|one| within(&one.place));
-        let path = number
-            .map(ListedNumber::path)
-            .or_else(|| name.map(|one| one.path.clone()))?;
-        let kinds = [Item::Joint, Item::Axis, Item::Link, Item::Action];
-        kinds
-            .into_iter()
-            .map(|kind| kind(path.clone()))
-            .find(|item| drawing.has(item))
-    }
+/// What a place in the text is about.
+fn item_at(byte: usize, listing: &Listing, drawing: &Drawing) -> Option<Item> {
+    let within = |place: &Range<usize>| place.start <= byte && byte <= place.end;
+    let number = listing
+        .numbers
+        .iter()
+        .find(|one| !one.is_pair && within(&one.place));
+    let name = listing.names.iter().find(|one| within(&one.place));
+    let path = number
+        .map(ListedNumber::path)
+        .or_else(|| name.map(|one| one.path.clone()))?;
+    let kinds = [Item::Joint, Item::Axis, Item::Link, Item::Action];
+    kinds
+        .into_iter()
+        .map(|kind| kind(path.clone()))
+        .find(|item| drawing.has(item))
 }

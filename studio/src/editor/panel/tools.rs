@@ -20,7 +20,7 @@ pub(in crate::editor) fn tools(editor: &mut Editor, ui: &mut egui::Ui, is_row: b
 fn buttons(editor: &mut Editor, ui: &mut egui::Ui) {
     for tool in Tool::all() {
         let key = ui.ctx().format_shortcut(&key_of_tool(tool));
-        let response = ui.selectable_label(editor.tool == tool, tool.name());
+        let response = ui.selectable_label(editor.picking.tool == tool, tool.name());
         let response = response.on_hover_text(format!("{} ({key})", tool.help()));
         if response.clicked() {
             editor.choose(tool);

@@ -1,15 +1,15 @@
 //! What is given to the worker, and what is made of its findings.
 
 use super::Editor;
-use super::pending::Waiting;
-use crate::edit::{Applied, Command, Refusal};
+use crate::edit::Applied;
+use crate::editor::clipboard::{gesture_of_copies, pasted};
 use crate::editor::drag::Drag;
-use crate::editor::snap::CLOSE;
+use crate::editor::gesture::Gesture;
+use crate::editor::pending::Waiting;
+use crate::editor::snap::{CLOSE, grid};
 use crate::editor::snapshot::Snapshot;
-use crate::editor::tool::{NamedPick, Pick, Tool};
+use crate::editor::tool::NamedPick;
 use crate::editor::worker::{Finding, Task, Undone};
-use crate::editor::{Gesture, Item};
-use crate::failure::Failure;
 use std::sync::Arc;
 
 impl Editor {
@@ -20,78 +20,70 @@ impl Editor {
 
     /// Lets a gesture wait for those before it.
     pub(in crate::editor) fn wait(&mut self, waiting: Waiting) {
-        self.pending.push(waiting);
+        self.analysis.pending.push(waiting);
         self.go_on();
     }
 
     /// Tries the next gesture.
     fn go_on(&mut self) {
-        while let Some(waiting) = self.pending.pop() {
+        while let Some(waiting) = self.analysis.pending.pop() {
+            let (drawing, scale) = (self.scene.drawing(), self.scene.scale());
             let gesture = match waiting {
                 Waiting::Gesture(gesture) => gesture,
-                Waiting::Copies(links) => match self.gesture_of_copies(&links) {
-                    Some(gesture) => gesture,
+                Waiting::Copies(links) => match gesture_of_copies(&links, drawing, scale) {
+                    Some((gesture, copies)) => {
+                        self.selection.select_links(copies);
+                        gesture
+                    }
                     None => continue,
                 },
                 Waiting::Paste(copied) => {
-                    self.paste_now(&copied);
+                    self.paste(&copied);
                     continue;
                 }
-                Waiting::Picks(tool, picks) => match self.gesture_of(tool, &picks) {
-                    Ok(gesture) => gesture,
-                    Err(why) => {
-                        self.refuse(why);
-                        continue;
+                Waiting::Picks(tool, picks) => {
+                    let picks = NamedPick::picks(&picks, drawing, CLOSE / scale);
+                    match tool.gesture(drawing, &picks) {
+                        Ok(gesture) => gesture,
+                        Err(why) => {
+                            self.talk.refuse(why);
+                            continue;
+                        }
                     }
-                },
+                }
             };
-            self.try_out(gesture);
+            let task = self.analysis.begin(gesture, &self.session.workspace);
+            self.give(task);
         }
     }
 
-    fn try_out(&mut self, gesture: Gesture) {
-        let (text, index) = (self.session.workspace.text(), self.workspace().index());
-        let number = self.pending.begin(gesture.clone(), text, index);
-        let task = Task::Try {
-            number,
-            document: self.workspace().document(),
-            index,
-            gesture,
-        };
-        self.give(task);
-    }
-
-    /// The gesture of a tool, with what is by now where it was picked.
-    fn gesture_of(&self, tool: Tool, picks: &[NamedPick]) -> Result<Gesture, String> {
-        let picks = self.picked(picks, CLOSE / self.scene.scale());
-        tool.gesture(self.scene.drawing(), &picks)
-    }
-
-    /// What is by now where something was picked.
-    fn picked(&self, picks: &[NamedPick], reach: f64) -> Vec<Pick> {
-        let picks = picks.iter();
-        picks
-            .map(|pick| pick.within(self.scene.drawing(), reach))
-            .collect()
-    }
-
-    /// What was picked, by its names.
-    pub(super) fn named(&self, picks: &[Pick]) -> Vec<NamedPick> {
-        let picks = picks.iter();
-        picks
-            .map(|pick| NamedPick::of(pick, self.scene.drawing()))
-            .collect()
+    /// Declares statements that were copied, as one step. The copies are selected.
+    fn paste(&mut self, copied: &str) {
+        let (document, index) = (self.workspace().document(), self.workspace().index());
+        let step = grid(self.scene.scale());
+        match pasted(&document, index, copied, [step, -step]) {
+            Ok((text, links)) => {
+                let title = match links.len() {
+                    1 => "paste a link".to_owned(),
+                    count => format!("paste {count} links"),
+                };
+                self.session.workspace.push(title.as_str(), &text);
+                self.selection.select_links(links);
+                self.take_over(title);
+            }
+            Err(why) => self.talk.refuse(why),
+        }
     }
 
     pub(in crate::editor) fn give(&mut self, task: Task) {
-        if let Err(failure) = self.worker.give(task) {
-            self.take_undone(Undone::All, &failure);
+        if let Err(failure) = self.analysis.worker.give(task) {
+            self.give_up(Undone::All, failure);
         }
         self.look();
     }
 
     /// Reads the text anew, after it was changed other than by a gesture.
-    pub(in crate::editor) fn read(&mut self) {
+    pub(super) fn read(&mut self) {
         let document = self.workspace().document();
         // Of fewer mechanisms than there were, the last one is meant.
         let last = document.declarations().len().saturating_sub(1);
@@ -101,16 +93,9 @@ impl Editor {
         self.give(task);
     }
 
-    /// Does a piece of the analysis, where there is no thread for it. Returns whether there is more to do.
-    pub(in crate::editor) fn analyse_on(&mut self) -> bool {
-        let is_more = self.worker.go_on();
-        self.look();
-        is_more
-    }
-
     /// Takes over what was found out since.
     pub fn look(&mut self) {
-        while let Some(finding) = self.worker.next() {
+        while let Some(finding) = self.analysis.worker.next() {
             self.take(finding);
         }
     }
@@ -118,99 +103,67 @@ impl Editor {
     fn take(&mut self, finding: Finding) {
         match finding {
             Finding::Tried(number, tried) => {
-                self.take_tried(number, *tried);
+                match (self.analysis.pending.end(number), *tried) {
+                    // Nobody waits for it any more. The present text may not have been followed up because of it.
+                    (None, _) => self.read(),
+                    // On another text it is tried again.
+                    (Some(before), _) if !before.is_of(self.workspace()) => {
+                        match before.again(self.workspace()) {
+                            Ok(gesture) => self.analysis.pending.push_first(gesture),
+                            Err(why) => self.talk.refuse(why),
+                        }
+                    }
+                    (Some(before), Ok((applied, snapshot))) => {
+                        self.accept(&applied, snapshot, &before.gesture);
+                    }
+                    (Some(_), Err(refusal)) => self.give_up(Undone::Try, refusal),
+                }
                 self.go_on();
             }
             Finding::Read(snapshot) => {
-                if self.is_present(&snapshot) {
+                if snapshot.is_of(self.workspace()) {
                     self.show(snapshot);
-                } else if self.is_mending && self.is_present(&self.snapshot) {
+                } else if self.analysis.is_mending()
+                    && self.analysis.snapshot.is_of(self.workspace())
+                {
                     // What follows from the present text was put aside for it.
                     self.read();
                 }
             }
             Finding::NotHeld(number, refusal) => {
-                if self
-                    .scene
-                    .drag
-                    .give_up_if(|drag| drag.number() == Some(number))
-                {
-                    self.refuse(refusal);
+                let is_it = |drag: &Drag| drag.number() == Some(number);
+                if self.scene.drag.give_up_if(is_it) {
+                    self.talk.refuse(refusal);
                 }
             }
             Finding::Led(led) => self.take_led(*led),
-            Finding::Previewed(previewed) => self.take_preview(*previewed),
+            Finding::Previewed(previewed) => {
+                self.scene.take_preview(*previewed);
+                self.give_preview();
+            }
             Finding::Moves(snapshot, made) => {
-                if Arc::ptr_eq(&snapshot, &self.snapshot) {
+                if Arc::ptr_eq(&snapshot, &self.analysis.snapshot) {
                     match *made {
                         Ok(played) => self.scene.play(snapshot, played),
-                        Err(failure) => self.refuse(failure),
+                        Err(failure) => self.talk.refuse(failure),
                     }
                 }
             }
-            Finding::Broken(undone, failure) => self.take_undone(undone, &failure),
-            Finding::Exported(done) => self.take_export(done),
-            Finding::Measured(curves) => self.take_curves(*curves),
+            Finding::Broken(undone, failure) => self.give_up(undone, failure),
+            Finding::Exported(done) => self.talk.tell_done(done),
+            Finding::Measured(curves) => self.plotted.take(*curves),
             Finding::Mended(snapshot, found) => {
-                if Arc::ptr_eq(&snapshot, &self.snapshot) {
-                    self.is_mending = false;
-                    match found {
-                        Ok(found) => self.mendings = found,
-                        Err(failure) => self.refuse(failure),
-                    }
-                }
+                let done = self.analysis.take_mended(&snapshot, found);
+                self.talk.refuse_failed(done);
             }
         }
     }
 
-    /// Waits no more for what was not done.
-    fn take_undone(&mut self, undone: Undone, failure: &Failure) {
-        if let Undone::Try | Undone::All = undone {
-            self.pending.clear();
-            self.drop_left();
-        }
-        if let Undone::Follow | Undone::All = undone {
-            self.is_mending = false;
-        }
-        self.scene.drag.give_up_if(|drag| match undone {
-            Undone::Drag(number) => drag.number() == Some(number),
-            Undone::All => true,
-            _ => false,
-        });
-        if let Undone::Preview(number) = undone
-            && let Some(preview) = self.scene.drag.preview_mut(number)
-        {
-            preview.is_awaited = false;
-        }
-        self.refuse(failure);
-    }
-
-    /// Takes over what a gesture does, if the text is still the one on which it was tried. On another text it is tried again.
-    fn take_tried(&mut self, number: u64, tried: Result<(Applied, Arc<Snapshot>), Refusal>) {
-        let Some(before) = self.pending.end(number) else {
-            // Nobody waits for it any more. The present text may not have been followed up because of it.
-            self.read();
-            return;
-        };
-        if !before.is_of(self.workspace().text(), self.workspace().index()) {
-            let commands = &before.gesture.commands;
-            let is_repair = |command: &Command| matches!(command, Command::Repair { .. });
-            // Repairs of another text have other numbers.
-            if commands.iter().any(is_repair) {
-                self.refuse("the text has changed since this repair was offered");
-            } else if before.index() != self.workspace().index() {
-                self.refuse("another mechanism of the file was chosen meanwhile");
-            } else {
-                self.pending.push_first(before.gesture);
-            }
-            return;
-        }
-        match tried {
-            Ok((applied, snapshot)) => {
-                self.accept(&applied, snapshot, &before.gesture);
-            }
-            Err(refusal) => self.reject(&refusal),
-        }
+    /// Waits no more for what was not done, and tells why.
+    fn give_up(&mut self, undone: Undone, why: impl ToString) {
+        self.analysis.take_undone(undone);
+        self.scene.drag.take_undone(undone);
+        self.talk.refuse(why);
     }
 
     /// Takes over what a gesture does.
@@ -218,7 +171,7 @@ impl Editor {
         let text = applied.document.source().text();
         self.session.workspace.push(applied.title.as_str(), text);
         let notes = applied.notes.join("; ");
-        self.tell(if notes.is_empty() {
+        self.talk.tell(if notes.is_empty() {
             applied.title.clone()
         } else {
             format!("{}: {notes}", applied.title)
@@ -241,59 +194,31 @@ impl Editor {
         }
     }
 
-    fn reject(&mut self, refusal: &Refusal) {
-        self.pending.clear();
-        self.drop_left();
-        self.refuse(refusal);
-    }
-
-    /// Forgets what was dragged and let go, and whose gesture is not made.
-    fn drop_left(&mut self) {
-        self.scene.drag.give_up_if(|drag| drag.left().is_some());
-    }
-
     /// Lets go of what was begun in an earlier text.
-    pub(in crate::editor) fn let_go(&mut self) {
+    pub(super) fn let_go(&mut self) {
         self.scene.drag = Drag::Nothing;
-        self.picks.clear();
-    }
-
-    /// Whether a snapshot is of the present text.
-    pub(in crate::editor) fn is_present(&self, snapshot: &Snapshot) -> bool {
-        snapshot.index == self.workspace().index()
-            && snapshot.document.source().text() == self.workspace().text()
+        self.picking.picks.clear();
     }
 
     /// Shows what the compiler makes of the present text. Of one that cannot be read, the last drawing stays.
     fn show(&mut self, snapshot: Arc<Snapshot>) {
-        let picks = self.named(&self.picks);
-        self.mendings.clear();
-        self.ghost = None;
-        self.is_mending = true;
-        self.scene.playing.settle();
+        let picks = NamedPick::all(&self.picking.picks, self.scene.drawing());
         let reach = CLOSE / self.scene.scale();
+        let is_empty = self.workspace().text().trim().is_empty();
+        self.scene.playing.settle();
         if snapshot.is_readable() {
             self.scene.draw(&snapshot);
-            self.forget_what_is_gone();
-            self.picks = self.picked(&picks, reach);
-        } else if self.workspace().text().trim().is_empty() {
+        } else if is_empty {
             self.scene.clear();
-            self.selection.clear();
-            self.picks = self.picked(&picks, reach);
         }
-        if snapshot.reading.is_none() {
-            self.is_mending = false;
+        if snapshot.is_readable() || is_empty {
+            let drawing = self.scene.drawing();
+            self.selection.forget_what_is_gone(drawing);
+            self.picking.picks = NamedPick::picks(&picks, drawing, reach);
         }
         if let Some(failure) = &snapshot.failure {
-            self.refuse(failure);
+            self.talk.refuse(failure);
         }
-        self.snapshot = snapshot;
-    }
-
-    /// Takes what is not there any more out of the selection.
-    fn forget_what_is_gone(&mut self) {
-        let drawing = self.scene.drawing();
-        let has = |item: &Item| drawing.is_some_and(|drawing| drawing.has(item));
-        self.selection.retain(has);
+        self.analysis.take(snapshot);
     }
 }

@@ -5,7 +5,7 @@ mod build;
 mod pick;
 mod rolling;
 
-pub(crate) use pick::{NamedPick, Pick};
+pub(crate) use pick::{NamedPick, Pick, Picking};
 
 use super::Gesture;
 use super::drawing::Drawing;

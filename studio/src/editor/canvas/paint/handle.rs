@@ -21,13 +21,13 @@ impl Paint<'_> {
 
     /// Whether something is selected or under the mouse.
     pub(super) fn is_marked(&self, item: &Item) -> bool {
-        self.editor.selection.contains(item) || self.editor.hovered.as_ref() == Some(item)
+        self.editor.selection.marks(item)
     }
 
     pub(super) fn handle(&self, painter: &Painter, handle: Handle, visuals: &egui::Visuals) {
         let center = self.shown.pixel(handle.place);
         let drawing = self.editor.scene.seen_drawing();
-        let is_selected = self.editor.selection.contains(handle.item);
+        let is_selected = self.editor.selection.items.contains(handle.item);
         let color = if self.is_marked(handle.item) {
             visuals.selection.stroke.color
         } else {
@@ -44,7 +44,7 @@ impl Paint<'_> {
             HandleKind::Point => ring(painter, center, 4.0, color, stroke),
             HandleKind::Line => ring(painter, center, 3.0, fill, stroke),
         }
-        if self.editor.is_locked(handle.item) {
+        if self.editor.desk.is_locked(handle.item) {
             padlock(painter, center + Vec2::new(-11.0, -9.0), color);
         }
         let Some(drawing) = drawing else {

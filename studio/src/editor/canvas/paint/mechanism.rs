@@ -106,6 +106,7 @@ impl Paint<'_> {
             let is_selected = self
                 .editor
                 .selection
+                .items
                 .contains(&Item::Action(name.to_owned()));
             let color = if is_selected {
                 visuals.selection.stroke.color

@@ -39,7 +39,7 @@ impl Paint<'_> {
             self.ranges(&painter, drawing);
             self.gaps(&painter, drawing, ui.visuals());
         }
-        if let Some(ghost) = &self.editor.ghost {
+        if let Some(ghost) = &self.editor.analysis.ghost {
             self.schematic(&painter, &ghost.drawing, 0.45);
         }
         if !self.editor.is_readable() && self.editor.drawing().is_some() {
@@ -139,7 +139,12 @@ impl Paint<'_> {
         let Some(drawing) = self.editor.scene.seen_drawing() else {
             return;
         };
-        let chosen = self.editor.selection.iter().chain(&self.editor.hovered);
+        let chosen = self
+            .editor
+            .selection
+            .items
+            .iter()
+            .chain(&self.editor.selection.hovered);
         for item in chosen {
             let Item::Link(name) = item else {
                 continue;
@@ -164,6 +169,7 @@ impl Paint<'_> {
         let accent = visuals.selection.stroke.color;
         let picked = self
             .editor
+            .picking
             .picks
             .iter()
             .map(|pick| self.shown.pixel(pick.place));
@@ -193,7 +199,7 @@ impl Paint<'_> {
             );
             places.push(at);
         }
-        if places.len() > 1 && self.editor.tool != super::Tool::Select {
+        if places.len() > 1 && self.editor.picking.tool != super::Tool::Select {
             painter.line(places, Stroke::new(3.0, accent.gamma_multiply(0.6)));
         }
     }

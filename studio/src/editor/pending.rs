@@ -1,12 +1,13 @@
 //! Gestures that are tried, and those that wait for them.
 
-use crate::editor::Gesture;
-use crate::editor::tool::{NamedPick, Tool};
+use super::gesture::Gesture;
+use super::tool::{NamedPick, Tool};
+use crate::edit::{Command, Workspace};
 use std::collections::VecDeque;
 
 /// A gesture that is being tried, and those that wait for it.
 #[derive(Default)]
-pub(in crate::editor) struct Pending {
+pub(super) struct Pending {
     tried: Option<Tried>,
     waiting: VecDeque<Waiting>,
     /// How many were tried. A finding of an earlier one is recognised by its number.
@@ -14,7 +15,7 @@ pub(in crate::editor) struct Pending {
 }
 
 /// A gesture that waits.
-pub(in crate::editor) enum Waiting {
+pub(super) enum Waiting {
     /// A gesture whose commands are known.
     Gesture(Gesture),
     /// One whose commands depend on what will be where it was picked.
@@ -34,14 +35,22 @@ pub(super) struct Tried {
 }
 
 impl Tried {
-    /// The number of the mechanism.
-    pub(super) const fn index(&self) -> usize {
-        self.index
+    /// Whether it was tried on this text, for the same mechanism in it.
+    pub(super) fn is_of(&self, workspace: &Workspace) -> bool {
+        self.text == workspace.text() && self.index == workspace.index()
     }
 
-    /// Whether it was tried on this text, for the mechanism with this number.
-    pub(super) fn is_of(&self, text: &str, index: usize) -> bool {
-        self.text == text && self.index == index
+    /// The gesture, to be tried on this text; or why it cannot be.
+    pub(super) fn again(self, workspace: &Workspace) -> Result<Gesture, &'static str> {
+        let is_repair = |command: &Command| matches!(command, Command::Repair { .. });
+        // Repairs of another text have other numbers.
+        if self.gesture.commands.iter().any(is_repair) {
+            Err("the text has changed since this repair was offered")
+        } else if self.index != workspace.index() {
+            Err("another mechanism of the file was chosen meanwhile")
+        } else {
+            Ok(self.gesture)
+        }
     }
 }
 
@@ -83,19 +92,19 @@ impl Pending {
     }
 
     /// Notes that a gesture is tried on a text. Gives its number.
-    pub(super) fn begin(&mut self, gesture: Gesture, text: &str, index: usize) -> u64 {
+    pub(super) fn begin(&mut self, gesture: Gesture, workspace: &Workspace) -> u64 {
         let number = self.number();
         self.tried = Some(Tried {
             number,
             gesture,
-            text: text.to_owned(),
-            index,
+            text: workspace.text().to_owned(),
+            index: workspace.index(),
         });
         number
     }
 
     /// A number that nothing has yet.
-    pub(in crate::editor) fn number(&mut self) -> u64 {
+    pub(super) fn number(&mut self) -> u64 {
         self.count += 1;
         self.count
     }

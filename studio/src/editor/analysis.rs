@@ -1,0 +1,141 @@
+//! What the compiler is asked, and what it has found out.
+
+use super::Gesture;
+use super::drawing::Drawing;
+use super::ghost::Ghost;
+use super::pending::Pending;
+use super::snapshot::Snapshot;
+use super::worker::{Task, Undone, Worker};
+use crate::document::{Document, Source};
+use crate::edit::Workspace;
+use crate::failure::Failure;
+use crate::mend::Mending;
+use std::sync::Arc;
+
+/// What the compiler is asked, and what it has found out.
+pub(super) struct Analysis {
+    pub(super) worker: Worker,
+    pub(super) pending: Pending,
+    /// What the compiler makes of the present text; of an earlier one, while it works.
+    pub(super) snapshot: Arc<Snapshot>,
+    pub(super) repairs: Repairs,
+    /// What a repair would make of the mechanism.
+    pub(super) ghost: Option<Ghost>,
+}
+
+/// The repairs of a text.
+pub(super) enum Repairs {
+    /// They are looked for.
+    Sought,
+    /// They are offered.
+    Found(Vec<Mending>),
+}
+
+impl Analysis {
+    /// One of a text of which nothing is known yet.
+    pub(super) fn new(workspace: &Workspace, worker: Worker, pending: Pending) -> Self {
+        let empty = Document::of(Source::new(workspace.path(), ""));
+        Self {
+            worker,
+            pending,
+            snapshot: Arc::new(Snapshot::of(empty, workspace.index())),
+            repairs: Repairs::Found(Vec::new()),
+            ghost: None,
+        }
+    }
+
+    /// Whether a text is not followed up yet.
+    pub(super) fn is_busy(&self, workspace: &Workspace) -> bool {
+        !self.is_present(workspace) || self.is_mending()
+    }
+
+    /// Whether what is known is of this text, and nothing is tried on it.
+    pub(super) fn is_present(&self, workspace: &Workspace) -> bool {
+        self.snapshot.is_of(workspace) && self.pending.is_empty()
+    }
+
+    /// Whether repairs are still looked for.
+    pub(super) const fn is_mending(&self) -> bool {
+        matches!(self.repairs, Repairs::Sought)
+    }
+
+    /// The repairs that are offered.
+    pub(super) fn mendings(&self) -> &[Mending] {
+        match &self.repairs {
+            Repairs::Sought => &[],
+            Repairs::Found(mendings) => mendings,
+        }
+    }
+
+    /// Notes that a gesture is tried on a text. Gives what there is to do.
+    pub(super) fn begin(&mut self, gesture: Gesture, workspace: &Workspace) -> Task {
+        Task::Try {
+            number: self.pending.begin(gesture.clone(), workspace),
+            document: workspace.document(),
+            index: workspace.index(),
+            gesture,
+        }
+    }
+
+    /// Takes over what the compiler makes of the present text.
+    pub(super) fn take(&mut self, snapshot: Arc<Snapshot>) {
+        self.repairs = match snapshot.reading {
+            Some(_) => Repairs::Sought,
+            None => Repairs::Found(Vec::new()),
+        };
+        self.ghost = None;
+        self.snapshot = snapshot;
+    }
+
+    /// Takes over the repairs of a text, if it is the present one.
+    pub(super) fn take_mended(
+        &mut self,
+        snapshot: &Arc<Snapshot>,
+        found: Result<Vec<Mending>, Failure>,
+    ) -> Result<(), Failure> {
+        if !Arc::ptr_eq(snapshot, &self.snapshot) {
+            return Ok(());
+        }
+        self.stop_mending();
+        self.repairs = Repairs::Found(found?);
+        Ok(())
+    }
+
+    /// Waits no more for what was not done.
+    pub(super) fn take_undone(&mut self, undone: Undone) {
+        if let Undone::Try | Undone::All = undone {
+            self.pending.clear();
+        }
+        if let Undone::Follow | Undone::All = undone {
+            self.stop_mending();
+        }
+    }
+
+    /// Looks for repairs no more.
+    fn stop_mending(&mut self) {
+        if self.is_mending() {
+            self.repairs = Repairs::Found(Vec::new());
+        }
+    }
+
+    /// Waits for nothing, and offers nothing: another mechanism is to be read.
+    pub(super) fn make_way(&mut self) {
+        self.pending.clear();
+        if let Repairs::Found(mendings) = &mut self.repairs {
+            mendings.clear();
+        }
+        self.ghost = None;
+    }
+
+    /// Shows what a repair would make of the mechanism, by its number from 1; or nothing any more.
+    pub(super) fn preview_mending(&mut self, number: Option<usize>, drawing: Option<&Drawing>) {
+        if self.ghost.as_ref().map(|ghost| ghost.number) == number {
+            return;
+        }
+        self.ghost = number.and_then(|number| {
+            let mending = self.mendings().get(number.checked_sub(1)?)?;
+            let path = self.snapshot.document.source().path();
+            Ghost::of(number, mending, path, self.snapshot.index, drawing)
+        });
+    }
+}
