@@ -17,29 +17,29 @@ fn main() {
         window
             .studio
             .editor_mut()
-            .scene_mut()
+            .sight_mut()
             .obey(mech_studio::play::Control::PlayOrPause);
         let played = middle(60, || window.frame(vec![]));
         window
             .studio
             .editor_mut()
-            .scene_mut()
+            .sight_mut()
             .obey(mech_studio::play::Control::PlayOrPause);
         window
             .studio
             .editor_mut()
-            .scene_mut()
+            .sight_mut()
             .obey(mech_studio::play::Control::Reset);
         window.settle();
         // Nothing snaps, so that every place is another one.
         let (drag, known) = window.drag(loops, Modifiers::ALT);
         let (snapping, _) = window.drag(loops, Modifiers::NONE);
-        window.studio.editor_mut().scene_mut().scrub(0, 0.4);
+        window.studio.editor_mut().sight_mut().scrub(0, 0.4);
         let (posed, _) = window.drag(loops, Modifiers::ALT);
         window
             .studio
             .editor_mut()
-            .scene_mut()
+            .sight_mut()
             .obey(mech_studio::play::Control::Reset);
         window.settle();
         let (refused, longest) = window.refuse(loops);
@@ -84,7 +84,7 @@ impl Window {
         window.settle();
         window.canvas = window.find_canvas();
         window.studio.editor_mut().choose(Tool::Select);
-        window.studio.editor_mut().scene_mut().fit();
+        window.studio.editor_mut().sight_mut().fit();
         window.frame(vec![]);
         window
     }
@@ -190,7 +190,7 @@ impl Window {
     }
 
     fn pixel(&self, place: [f64; 2]) -> Pos2 {
-        let [x, y] = self.studio.editor().scene().camera().pixel(place);
+        let [x, y] = self.studio.editor().sight().camera().pixel(place);
         #[expect(clippy::cast_possible_truncation, reason = "pixels of a window")]
         let from = Vec2::new(x as f32, y as f32);
         self.canvas.min + from

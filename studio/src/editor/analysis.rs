@@ -2,7 +2,6 @@
 
 use super::Gesture;
 use super::drawing::Drawing;
-use super::ghost::Ghost;
 use super::pending::Pending;
 use super::snapshot::Snapshot;
 use super::worker::{Task, Undone, Worker};
@@ -11,6 +10,14 @@ use crate::edit::Workspace;
 use crate::failure::Failure;
 use crate::mend::Mending;
 use std::sync::Arc;
+
+/// What a repair would make of the mechanism, seen before it is made.
+pub(super) struct Ghost {
+    /// The number of the repair, from 1.
+    number: usize,
+    /// How the mechanism would be drawn.
+    pub(super) drawing: Drawing,
+}
 
 /// What the compiler is asked, and what it has found out.
 pub(super) struct Analysis {
@@ -42,11 +49,6 @@ impl Analysis {
             repairs: Repairs::Found(Vec::new()),
             ghost: None,
         }
-    }
-
-    /// Whether a text is not followed up yet.
-    pub(super) fn is_busy(&self, workspace: &Workspace) -> bool {
-        !self.is_present(workspace) || self.is_mending()
     }
 
     /// Whether what is known is of this text, and nothing is tried on it.
@@ -93,11 +95,10 @@ impl Analysis {
         snapshot: &Arc<Snapshot>,
         found: Result<Vec<Mending>, Failure>,
     ) -> Result<(), Failure> {
-        if !Arc::ptr_eq(snapshot, &self.snapshot) {
-            return Ok(());
+        if Arc::ptr_eq(snapshot, &self.snapshot) {
+            self.stop_mending();
+            self.repairs = Repairs::Found(found?);
         }
-        self.stop_mending();
-        self.repairs = Repairs::Found(found?);
         Ok(())
     }
 
@@ -135,7 +136,9 @@ impl Analysis {
         self.ghost = number.and_then(|number| {
             let mending = self.mendings().get(number.checked_sub(1)?)?;
             let path = self.snapshot.document.source().path();
-            Ghost::of(number, mending, path, self.snapshot.index, drawing)
+            let document = Document::of(Source::new(path, &*mending.text));
+            let drawing = Snapshot::of(document, self.snapshot.index).drawing(drawing, false)?;
+            Some(Ghost { number, drawing })
         });
     }
 }

@@ -1,8 +1,8 @@
 //! Arrows over the drawing: velocities, accelerations and forces at the present pose.
 
 use super::plotted::Plotted;
-use super::scene::Scene;
 use super::settings::{Settings, Visible};
+use super::sight::Sight;
 use super::snapshot::Snapshot;
 use crate::play::{Mechanism, Rates};
 use crate::quantity::load_numbers;
@@ -38,13 +38,13 @@ const LONGEST: f64 = 0.3;
 
 /// The arrows that are wanted, at the present pose.
 pub(super) fn arrows(
-    scene: &Scene,
+    sight: &Sight,
     snapshot: &Snapshot,
     plotted: &Plotted,
     settings: &Settings,
 ) -> Vec<Arrow> {
     let (Some(player), Some((motor, _))) =
-        (scene.seen_player(), plotted.motor_of(&scene.playing.ranges))
+        (sight.seen_player(), plotted.motor_of(&sight.playing.ranges))
     else {
         return Vec::new();
     };

@@ -4,7 +4,7 @@
 
 use super::drawing::Drawing;
 use super::path::Path;
-use super::pose::{Pose, SCENE};
+use super::placement::{Pose, SCENE};
 use super::worker::{Hold, Led, Undone};
 use super::{Gesture, Item};
 use crate::edit::{Follower, Refusal};
@@ -152,20 +152,24 @@ impl Drag {
         }
     }
 
+    /// What follows the pointer, or has to come to rest.
+    fn following(&self) -> Option<&Following> {
+        match self {
+            Self::Led(following) | Self::Released(following) => Some(following),
+            _ => None,
+        }
+    }
+
     /// Whether it is not known yet whether it can go where it was led last.
     pub(crate) fn is_awaited(&self) -> bool {
-        match self {
-            Self::Led(following) | Self::Released(following) => following.is_awaited(),
-            _ => false,
-        }
+        self.following().is_some_and(Following::is_awaited)
     }
 
     /// The last place where it could go: it is seen there.
     pub(crate) fn stay(&self) -> Option<&Stay> {
         match self {
-            Self::Led(following) | Self::Released(following) => following.stay.as_deref(),
             Self::Left(_, stay) => Some(stay),
-            _ => None,
+            _ => self.following()?.stay.as_deref(),
         }
     }
 
@@ -215,10 +219,7 @@ impl Drag {
 
     /// Tells where it is, or why it cannot go there.
     pub(crate) fn told(&self) -> Option<Result<String, String>> {
-        match self {
-            Self::Led(following) | Self::Released(following) => Some(following.told()),
-            _ => None,
-        }
+        self.following().map(Following::told)
     }
 
     /// The edits of the text that is to be read next, and the number of the drag; none while one is being read, or if the last was given.

@@ -2,8 +2,7 @@
 
 use super::Item;
 use super::index::{self, HandleKind, Index};
-use super::placement::{closed, ends, placed};
-use super::pose::{Pose, SCENE};
+use super::placement::{Pose, SCENE, closed, ends, placed};
 use mech_compiler::model::{AxisId, Between, JointId, JointKind, LinkId, Model};
 use mech_compiler::plan::have_same_steps;
 use std::sync::Arc;

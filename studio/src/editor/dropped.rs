@@ -23,9 +23,8 @@ impl Dropped {
         match &dropped[..] {
             [] => {}
             _ if context.memory(|memory| memory.top_modal_layer().is_some()) => {
-                editor
-                    .talk
-                    .refuse("answer the question first, and then drop the file");
+                let why = "answer the question first, and then drop the file";
+                editor.talk.refuse(why);
             }
             [file] => read(file, &self.0, context),
             _ => editor.talk.refuse("drop one file at a time"),
@@ -34,9 +33,10 @@ impl Dropped {
         for (path, bytes) in read {
             match bytes {
                 Ok(bytes) => editor.take_file(&path, bytes),
-                Err(error) => editor
-                    .talk
-                    .refuse(format!("cannot read `{}`: {error}", path.display())),
+                Err(error) => {
+                    let path = path.display();
+                    editor.talk.refuse(format!("cannot read `{path}`: {error}"));
+                }
             }
         }
     }

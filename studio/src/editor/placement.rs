@@ -1,7 +1,17 @@
 //! Where links are drawn while nothing moves them: as far as it goes, where their joints want them.
 
-use super::pose::{Pose, SCENE};
 use mech_compiler::model::{AxisId, Joint, JointKind, LinkId, Model};
+
+/// A pose in scene units.
+pub(crate) type Pose = mech_runtime::Pose<f64>;
+
+/// The pose of the scene itself.
+pub(crate) const SCENE: Pose = Pose {
+    cos: 1.0,
+    sin: 0.0,
+    x: 0.0,
+    y: 0.0,
+};
 
 /// The pose of each link: as known, or as its joints to those that are known want it, or that of the scene.
 pub(super) fn placed(model: &Model, mut known: Vec<Option<Pose>>) -> Vec<Pose> {

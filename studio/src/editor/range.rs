@@ -19,6 +19,26 @@ pub(crate) struct MotorRange {
     pub(crate) turns: bool,
 }
 
+impl MotorRange {
+    /// A value as it is shown: in degrees or scene units.
+    pub(crate) fn shown(&self, value: f64) -> f64 {
+        if self.turns {
+            value.to_degrees()
+        } else {
+            value
+        }
+    }
+
+    /// The value that is meant by one as it is shown.
+    pub(crate) fn meant(&self, shown: f64) -> f64 {
+        if self.turns {
+            shown.to_radians()
+        } else {
+            shown
+        }
+    }
+}
+
 /// How a range is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Basis {

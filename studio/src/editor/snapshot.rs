@@ -2,7 +2,7 @@
 
 use super::drawing::Drawing;
 use super::path::{Path, whole_paths};
-use super::pose::Pose;
+use super::placement::Pose;
 use super::range::{MotorRange, ranges};
 use crate::check::verdict_line;
 use crate::document::{Declaration, Document, Listing, Message, Reading};

@@ -87,9 +87,8 @@ impl Studio {
         };
         ui.ctx().set_theme(theme);
         let context = ui.ctx().clone();
-        editor
-            .scene
-            .advance(f64::from(context.input(|input| input.stable_dt.min(0.1))));
+        let seconds = context.input(|input| input.stable_dt.min(0.1));
+        editor.sight.advance(f64::from(seconds));
         if editor.player().is_some_and(crate::play::Player::plays) {
             context.request_repaint();
         }
@@ -109,7 +108,9 @@ impl Studio {
         #[cfg(not(target_arch = "wasm32"))]
         self.guard.ask(editor, ui);
         egui::Panel::bottom("line").show(ui, |ui| self.line.show(editor, ui));
-        egui::Panel::bottom("play").show(ui, |ui| panel::play(editor, ui));
+        egui::Panel::bottom("play").show(ui, |ui| {
+            panel::play(&mut editor.sight, &editor.analysis.snapshot, ui);
+        });
         if is_narrow {
             egui::Panel::top("tools").show(ui, |ui| panel::tools(editor, ui, true));
             egui::Panel::bottom("panel")

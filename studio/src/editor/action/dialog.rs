@@ -1,6 +1,6 @@
 //! What is asked in a window of its own.
 
-use super::unsaved::{Answer, ask_to_save};
+use crate::edit::Workspace;
 use crate::editor::Editor;
 use crate::editor::order::{Export, Order};
 use crate::editor::question::{Destination, Dialog, FileUse};
@@ -15,24 +15,61 @@ pub(in crate::editor) fn dialogs(editor: &mut Editor, context: &egui::Context) {
     match editor.talk.dialog.take() {
         None => {}
         Some(Dialog::File(purpose, path)) => ask_for_file(editor, purpose, path, context),
-        Some(Dialog::Leave(to)) => match ask_to_save(editor, context) {
+        Some(Dialog::Leave(to)) => match ask_to_save(editor.workspace(), context) {
             None => editor.talk.dialog = Some(Dialog::Leave(to)),
             Some(Answer::Cancel) => {}
             Some(Answer::Discard) => editor.arrive(to),
             Some(Answer::Save) if !editor.is_at_rest() => {
-                editor
-                    .talk
-                    .refuse("a gesture is still being tried; save in a moment");
+                let why = "a gesture is still being tried; save in a moment";
+                editor.talk.refuse(why);
                 editor.talk.dialog = Some(Dialog::Leave(to));
             }
             Some(Answer::Save) if editor.workspace().is_named() => {
                 save(editor, None, false, Some(to));
             }
-            Some(Answer::Save) => {
-                ask_for(editor, FileUse::Save(Some(to)));
-            }
+            Some(Answer::Save) => ask_for(editor, FileUse::Save(Some(to))),
         },
     }
+}
+
+/// What becomes of changes that are not saved.
+#[derive(Clone, Copy)]
+enum Answer {
+    /// They are saved.
+    Save,
+    /// They are lost.
+    Discard,
+    /// The text is not left.
+    Cancel,
+}
+
+/// Asks what becomes of the changes, until that is answered.
+fn ask_to_save(workspace: &Workspace, context: &egui::Context) -> Option<Answer> {
+    let mut given = None;
+    egui::Modal::new(egui::Id::unique("unsaved")).show(context, |ui| {
+        ui.heading("Save the changes?");
+        let name = workspace.path().file_name().unwrap_or_default();
+        ui.label(format!(
+            "{} has changes that are not saved.",
+            name.display()
+        ));
+        ui.horizontal(|ui| {
+            let answers = [
+                ("Save", Answer::Save),
+                ("Discard", Answer::Discard),
+                ("Cancel", Answer::Cancel),
+            ];
+            for (word, answer) in answers {
+                if ui.button(word).clicked() {
+                    given = Some(answer);
+                }
+            }
+        });
+        if ui.input(|input| input.key_pressed(Key::Escape)) {
+            given = Some(Answer::Cancel);
+        }
+    });
+    given
 }
 
 /// Asks which file something is done with.
@@ -138,7 +175,7 @@ fn use_file(editor: &mut Editor, purpose: FileUse, path: &str, is_there: bool) {
     match purpose {
         FileUse::Open => editor.leave_for(Destination::File(path.to_owned())),
         FileUse::Picture => {
-            let shown = editor.desk.show_file(Path::new(path), &editor.scene.camera);
+            let shown = editor.desk.show_file(Path::new(path), &editor.sight.camera);
             editor.talk.tell_done(shown);
         }
         FileUse::Export(kind) => export(editor, kind, path),
@@ -148,7 +185,7 @@ fn use_file(editor: &mut Editor, purpose: FileUse, path: &str, is_there: bool) {
 
 /// Writes a file of a kind, beside the window.
 fn export(editor: &mut Editor, kind: Export, path: &str) {
-    let playing = &editor.scene.playing;
+    let playing = &editor.sight.playing;
     let measure = editor.plotted.measure(playing, &editor.analysis.snapshot);
     let job = kind.job(&playing.seen_at().unwrap_or_default(), &measure);
     match Order::new(kind, path, editor.workspace(), job) {

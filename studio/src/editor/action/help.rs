@@ -4,36 +4,54 @@ use super::key_of_tool;
 use super::table::ACTIONS;
 use crate::editor::Tool;
 use eframe::egui;
+use eframe::egui::KeyboardShortcut;
 
-/// Shows them.
+/// How to begin, all actions and tools with their keys, and all lines of the dialogue.
 pub(in crate::editor) fn help(ui: &mut egui::Ui) {
-    ui.heading("Tools");
-    egui::Grid::new("tools")
-        .num_columns(3)
-        .striped(true)
+    egui::ScrollArea::vertical()
+        .auto_shrink(false)
         .show(ui, |ui| {
-            for tool in Tool::all() {
-                ui.strong(tool.name());
-                ui.monospace(ui.ctx().format_shortcut(&key_of_tool(tool)));
-                ui.label(tool.help());
-                ui.end_row();
+            ui.heading("First mechanism");
+            for line in BEGINNING {
+                ui.label(*line);
+            }
+            ui.separator();
+            let tools = Tool::all().map(|tool| (tool.name(), Some(key_of_tool(tool)), tool.help()));
+            rows("Tools", tools, ui);
+            let actions = ACTIONS.iter().map(|one| (one.name, one.key, one.help));
+            rows("Actions", actions, ui);
+            ui.separator();
+            ui.heading("Lines");
+            ui.label("The line at the foot of the window takes all of these. Tab completes.");
+            if let Ok(lines) = crate::dialogue::help(None) {
+                ui.monospace(lines);
             }
         });
-    ui.heading("Actions");
-    egui::Grid::new("actions")
-        .num_columns(3)
-        .striped(true)
-        .show(ui, |ui| {
-            for action in ACTIONS {
-                ui.strong(action.name);
-                ui.monospace(
-                    action
-                        .key
-                        .map(|key| ui.ctx().format_shortcut(&key))
-                        .unwrap_or_default(),
-                );
-                ui.label(action.help);
-                ui.end_row();
-            }
-        });
+}
+
+const BEGINNING: &[&str] = &[
+    "1. Choose Bar and draw three bars, each from the end of the one before it.",
+    "2. Choose Ground and click the first and the last end.",
+    "3. Choose Motor and click the first pin.",
+    "4. Press Space: it moves.",
+    "If it does not, Diagnoses says why. Each repair there is a button.",
+];
+
+/// What can be done, with its keys.
+fn rows(
+    title: &str,
+    rows: impl Iterator<Item = (&'static str, Option<KeyboardShortcut>, &'static str)>,
+    ui: &mut egui::Ui,
+) {
+    ui.heading(title);
+    let grid = egui::Grid::new(title.to_lowercase()).num_columns(3);
+    grid.striped(true).show(ui, |ui| {
+        for (name, key, help) in rows {
+            let key = key.map(|key| ui.ctx().format_shortcut(&key));
+            ui.strong(name);
+            ui.monospace(key.unwrap_or_default());
+            ui.label(help);
+            ui.end_row();
+        }
+    });
 }

@@ -1,8 +1,7 @@
 //! The keys.
 
 use super::Action;
-use super::clipboard::{copy, paste};
-use super::table::ACTIONS;
+use super::table::{ACTIONS, copy, paste};
 use crate::editor::{Editor, Tool};
 use eframe::egui;
 use eframe::egui::{Key, KeyboardShortcut, Modifiers};

@@ -1,12 +1,10 @@
 //! What can be done besides drawing: one table, from which come menus, keys, tooltips and help.
 
-mod clipboard;
 mod dialog;
 mod help;
 mod keys;
 mod menu;
 mod table;
-mod unsaved;
 
 pub(super) use dialog::dialogs;
 pub(super) use help::help;

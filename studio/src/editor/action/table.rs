@@ -1,9 +1,9 @@
 //! The table.
 
-use super::clipboard::{copy, paste};
 use super::dialog::{ask_for, save};
 use super::{Action, Menu};
 use crate::editor::drawing::Drawing;
+use crate::editor::pending::Waiting;
 use crate::editor::question::{Destination, FileUse};
 use crate::editor::settings::Panel;
 use crate::editor::settings::Visible;
@@ -99,7 +99,7 @@ pub(super) const ACTIONS: &[Action] = &[
         key: Some(with_command(Key::Z)),
         is_possible: |editor| {
             !editor.is_at_rest()
-                || editor.scene.playing.is_moved_by_hand()
+                || editor.sight.playing.is_moved_by_hand()
                 || !editor.workspace().history().made().is_empty()
         },
         perform: Editor::undo,
@@ -129,7 +129,7 @@ pub(super) const ACTIONS: &[Action] = &[
         key: Some(with_command(Key::A)),
         is_possible: |editor| editor.drawing().is_some(),
         perform: |editor| {
-            let links = editor.scene.drawing().map(Drawing::declared_links);
+            let links = editor.sight.drawing().map(Drawing::declared_links);
             editor.selection.select_links(links.into_iter().flatten());
         },
     },
@@ -156,7 +156,7 @@ pub(super) const ACTIONS: &[Action] = &[
         key: Some(with_command(Key::G)),
         is_possible: SELECTED,
         perform: |editor| {
-            let items = editor.selection.with_handles(editor.scene.drawing());
+            let items = editor.selection.with_handles(editor.sight.drawing());
             let grouped = editor.desk.group(items.clone());
             if grouped.is_ok() {
                 editor.selection.items = items;
@@ -216,7 +216,7 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "fits the whole motion into the window",
         key: Some(alone(Key::Home)),
         is_possible: ALWAYS,
-        perform: |editor| editor.scene.fit(),
+        perform: |editor| editor.sight.fit(),
     },
     Action {
         menu: Menu::View,
@@ -304,7 +304,7 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "lets the motors move",
         key: Some(alone(Key::Space)),
         is_possible: MOVES,
-        perform: |editor| editor.scene.obey(Control::PlayOrPause),
+        perform: |editor| editor.sight.obey(Control::PlayOrPause),
     },
     Action {
         menu: Menu::Play,
@@ -312,7 +312,7 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "moves by one step",
         key: Some(alone(Key::Period)),
         is_possible: MOVES,
-        perform: |editor| editor.scene.obey(Control::Step(1.0)),
+        perform: |editor| editor.sight.obey(Control::Step(1.0)),
     },
     Action {
         menu: Menu::Play,
@@ -320,7 +320,7 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "moves back by one step",
         key: Some(alone(Key::Comma)),
         is_possible: MOVES,
-        perform: |editor| editor.scene.obey(Control::Step(-1.0)),
+        perform: |editor| editor.sight.obey(Control::Step(-1.0)),
     },
     Action {
         menu: Menu::Play,
@@ -328,7 +328,7 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "plays the other way",
         key: Some(alone(Key::Backspace)),
         is_possible: MOVES,
-        perform: |editor| editor.scene.obey(Control::Reverse),
+        perform: |editor| editor.sight.obey(Control::Reverse),
     },
     Action {
         menu: Menu::Play,
@@ -336,7 +336,7 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "plays the next motor alone; after the last, all",
         key: Some(alone(Key::Plus)),
         is_possible: MOVES,
-        perform: |editor| editor.scene.obey(Control::NextMotor),
+        perform: |editor| editor.sight.obey(Control::NextMotor),
     },
     Action {
         menu: Menu::Play,
@@ -344,13 +344,30 @@ pub(super) const ACTIONS: &[Action] = &[
         help: "puts all motors where they start",
         key: Some(alone(Key::Num0)),
         is_possible: MOVES,
-        perform: |editor| editor.scene.obey(Control::Reset),
+        perform: |editor| editor.sight.obey(Control::Reset),
     },
 ];
 
 /// Keeps the pointer from moving what is selected, or lets it move that again.
 fn lock(editor: &mut Editor, is_locked: bool) {
-    let items = editor.selection.with_handles(editor.scene.drawing());
+    let items = editor.selection.with_handles(editor.sight.drawing());
     let told = editor.desk.lock(items, is_locked);
     editor.talk.tell(told);
+}
+
+/// Notes the selected links, with what is between them.
+pub(super) fn copy(editor: &mut Editor) {
+    let links = editor.selection.links().collect();
+    let copied = editor.clipboard.copy(&links, &editor.session.workspace);
+    editor.talk.tell_done(copied);
+}
+
+/// Declares what was copied, here or elsewhere.
+pub(super) fn paste(editor: &mut Editor, text: &str) {
+    if let Some(text) = editor.clipboard.to_paste(text) {
+        editor.wait(Waiting::Paste(text));
+    } else {
+        let why = "nothing was copied that can be pasted; select links and copy them";
+        editor.talk.refuse(why);
+    }
 }

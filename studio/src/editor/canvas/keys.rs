@@ -23,7 +23,7 @@ impl Canvas {
         self.cross[1] += y * unit;
         keep_arrows(ui, background);
         let pick = Snapping {
-            drawing: editor.scene.drawing(),
+            drawing: editor.sight.drawing(),
             scale: shown.scale(),
             is_on: true,
             angles_from: None,
@@ -34,7 +34,7 @@ impl Canvas {
         self.snapped = Some(pick.clone());
         if ui.input(|input| input.key_pressed(egui::Key::Enter)) {
             if editor.picking.tool == Tool::Select {
-                let found = editor.scene.seen_drawing();
+                let found = editor.sight.seen_drawing();
                 let item =
                     found.and_then(|drawing| drawing.item_at(self.cross, REACH / shown.scale()));
                 editor.select(item, false);

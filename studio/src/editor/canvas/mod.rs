@@ -53,17 +53,17 @@ impl Canvas {
         let rect = ui.available_rect_before_wrap();
         let background = ui.allocate_rect(rect, Sense::click_and_drag());
         background.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "drawing"));
-        editor.scene.camera.resize(size_of(rect));
+        editor.sight.camera.resize(size_of(rect));
         zoom(editor, &background, ui);
         if ui.input(|input| input.pointer.any_pressed()) {
             self.pressed_with = editor.picking.tool;
         }
         let shown = Shown {
             rect,
-            camera: editor.scene.camera.clone(),
+            camera: editor.sight.camera.clone(),
         };
         self.picture.show(editor, &shown, ui);
-        let drawing = editor.scene.seen_drawing().cloned();
+        let drawing = editor.sight.seen_drawing().cloned();
         let handles = drawing.iter().flat_map(Drawing::handles);
         Paint {
             editor,
@@ -116,10 +116,8 @@ impl Canvas {
             && let Some(pointer) = response.interact_pointer_pos()
         {
             let place = shown.place(pointer);
-            let item = editor
-                .scene
-                .seen_drawing()
-                .and_then(|drawing| drawing.item_at(place, REACH / shown.scale()));
+            let drawing = editor.sight.seen_drawing();
+            let item = drawing.and_then(|drawing| drawing.item_at(place, REACH / shown.scale()));
             editor.select(item, modifiers.shift || modifiers.command);
         }
     }
@@ -142,12 +140,13 @@ impl Canvas {
             return;
         };
         match self.holds {
-            Holds::Link => editor
-                .scene
-                .obey(Control::Point(within(shown.rect, pointer))),
+            Holds::Link => {
+                let control = Control::Point(within(shown.rect, pointer));
+                editor.sight.obey(control);
+            }
             Holds::Paper => {
                 let moved = response.drag_delta();
-                editor.scene.camera.pan([moved.x, moved.y].map(f64::from));
+                editor.sight.camera.pan([moved.x, moved.y].map(f64::from));
             }
             Holds::Thing(away) => self.lead(editor, pointer, away, shown, ui),
             Holds::Frame(_) | Holds::Nothing => {}
@@ -156,10 +155,10 @@ impl Canvas {
             return;
         }
         match std::mem::take(&mut self.holds) {
-            Holds::Link => editor.scene.obey(Control::Release),
+            Holds::Link => editor.sight.obey(Control::Release),
             Holds::Frame(corner) => {
                 let ends = [corner, pointer].map(|end| shown.place(end));
-                if let Some(drawing) = editor.scene.seen_drawing() {
+                if let Some(drawing) = editor.sight.seen_drawing() {
                     editor.selection.add_within(ends, drawing);
                 }
             }
@@ -180,12 +179,12 @@ impl Canvas {
         shown: &Shown,
         ui: &egui::Ui,
     ) {
-        let Some(moved) = editor.scene.drag.held().map(<[Item]>::to_vec) else {
+        let Some(moved) = editor.sight.drag.held().map(<[Item]>::to_vec) else {
             return;
         };
         let is_alt = ui.input(|input| input.modifiers.alt);
         let snapping = Snapping {
-            drawing: editor.scene.drawing(),
+            drawing: editor.sight.drawing(),
             scale: shown.scale(),
             is_on: editor.settings.snaps != is_alt,
             angles_from: None,
@@ -273,16 +272,12 @@ impl Canvas {
     ) {
         let modifiers = ui.input(|input| input.modifiers);
         let meant = |editor: &Editor, place: [f64; 2]| {
+            let before = editor.picking.picks.last().filter(|_| modifiers.shift);
             let snapping = Snapping {
-                drawing: editor.scene.drawing(),
+                drawing: editor.sight.drawing(),
                 scale: shown.scale(),
                 is_on: editor.settings.snaps != modifiers.alt,
-                angles_from: editor
-                    .picking
-                    .picks
-                    .last()
-                    .filter(|_| modifiers.shift)
-                    .map(|pick| pick.place),
+                angles_from: before.map(|pick| pick.place),
                 snaps_to_bars: true,
                 without: &[],
             };
@@ -337,7 +332,7 @@ fn take_hold(
         let own = handle.filter(|handle| area(shown.pixel(handle.place), ui).contains(origin));
         let thing = own.map(|handle| handle.item.clone());
         let near = |reach: f64| {
-            let drawing = editor.scene.seen_drawing()?;
+            let drawing = editor.sight.seen_drawing()?;
             let hit = drawing.hit(place, reach / shown.scale());
             Some((drawing.item_of(&hit), hit))
         };
@@ -347,21 +342,21 @@ fn take_hold(
         });
         if let Some(item) = thing {
             // What is selected already goes on with all that is.
-            if !editor.selection.moves(&item, editor.scene.drawing()) {
+            if !editor.selection.moves(&item, editor.sight.drawing()) {
                 editor.select(Some(item.clone()), modifiers.shift);
             }
             editor.begin_drag(&item, modifiers.alt);
             return Holds::Thing([0.0; 2]);
         }
         if let Some((_, Hit::Link(link))) = near(REACH) {
-            let drawing = editor.scene.drawing();
+            let drawing = editor.sight.drawing();
             let handle_of = |drawing| editor.selection.handle_of(link, drawing, &editor.desk);
             if let Some((item, at)) = drawing.and_then(handle_of) {
                 editor.begin_drag(&item, false);
                 return Holds::Thing([at[0] - place[0], at[1] - place[1]]);
             }
             if editor.player().is_some() {
-                editor.scene.hold(within(shown.rect, origin));
+                editor.sight.hold(within(shown.rect, origin));
                 return Holds::Link;
             }
         }
@@ -406,31 +401,26 @@ fn zoom(editor: &mut Editor, background: &Response, ui: &egui::Ui) {
     let factor = f64::from(factor) * f64::from(scrolled.y / 200.0).exp();
     if factor != 1.0 {
         let [x, y] = within(background.rect, pointer);
-        editor.scene.camera.zoom([x, y], factor);
+        editor.sight.camera.zoom([x, y], factor);
     }
     if let Some(touch) = ui.input(egui::InputState::multi_touch) {
-        editor
-            .scene
-            .camera
-            .pan([touch.translation_delta.x, touch.translation_delta.y].map(f64::from));
+        let [x, y] = <[f32; 2]>::from(touch.translation_delta).map(f64::from);
+        editor.sight.camera.pan([x, y]);
     }
 }
 
 /// What can be done to a handle.
 fn menu(editor: &mut Editor, handle: Handle, ui: &mut egui::Ui) {
     ui.strong(handle.item.to_string());
-    let choose = |editor: &mut Editor, tool: Tool| {
-        let place = handle.place;
-        let drawing = editor.scene.drawing();
-        let hit = drawing.and_then(|drawing| drawing.hit_of(handle.item));
-        let hit = hit.unwrap_or(Hit::Paper);
-        editor.choose(tool);
-        editor.pick(Pick { place, hit });
-        editor.picking.tool = Tool::Select;
-    };
     for tool in [Tool::Motor, Tool::Pivot, Tool::Trace, Tool::Force] {
         if ui.button(tool.name()).on_hover_text(tool.help()).clicked() {
-            choose(editor, tool);
+            let place = handle.place;
+            let drawing = editor.sight.drawing();
+            let hit = drawing.and_then(|drawing| drawing.hit_of(handle.item));
+            let hit = hit.unwrap_or(Hit::Paper);
+            editor.choose(tool);
+            editor.pick(Pick { place, hit });
+            editor.picking.tool = Tool::Select;
             ui.close();
         }
     }

@@ -37,7 +37,7 @@ impl Picture {
             let painter = ui.painter().with_clip_rect(rect);
             backdrop.paint(&painter, |place| shown.pixel(place));
         }
-        if editor.scene.shows_bodies(&editor.settings)
+        if editor.sight.shows_bodies(&editor.settings)
             && self.paint(editor, rect, ui.ctx()).is_some()
             && let Some(texture) = &self.texture
         {
@@ -57,9 +57,9 @@ impl Picture {
             reason = "a number of pixels"
         )]
         let size = points.map(|side| (side as f64 * ratio).round().max(1.0) as usize);
-        let view = editor.scene.camera.view();
+        let view = editor.sight.camera.view();
         let subject = Subject {
-            revision: editor.scene.seen_player()?.revision(),
+            revision: editor.sight.seen_player()?.revision(),
             view: View::new(view.center(), view.scale() * ratio),
             size,
             is_dark: editor.settings.is_dark,
@@ -79,7 +79,7 @@ impl Picture {
         picture.set_palette(palette(editor));
         picture.look_at(subject.view);
         picture.clear();
-        editor.scene.seen_player()?.draw(picture);
+        editor.sight.seen_player()?.draw(picture);
         let pixels = picture.pixels().as_flattened();
         let mut image = ColorImage::from_rgba_unmultiplied(size, pixels);
         if subject.is_glass {

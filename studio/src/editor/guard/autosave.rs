@@ -3,10 +3,11 @@
 //! It is written whole after each step, so that a crash loses nothing that was accepted. A window writes only under a name that it has
 //! taken itself: what an earlier one has left waits for an answer.
 
-use super::super::Editor;
-use super::bar::bar;
+use super::bar;
 use super::left::{Left, claim, left_at, place_of};
 use crate::edit::Workspace;
+use crate::editor::Editor;
+use crate::editor::talk::Talk;
 use crate::failure::Failure;
 use crate::output::{self, remove};
 use eframe::egui;
@@ -38,17 +39,17 @@ impl Autosave {
     }
 
     /// Keeps the text, if it has changed and is not saved.
-    pub(super) fn keep(&mut self, editor: &mut Editor) {
-        let place = place_of(editor.workspace(), &self.unnamed);
+    pub(super) fn keep(&mut self, workspace: &Workspace, talk: &mut Talk) {
+        let place = place_of(workspace, &self.unnamed);
         if place != self.place {
-            let moved = self.move_to(place, editor.workspace());
-            editor.talk.refuse_failed(moved);
+            let moved = self.move_to(place, workspace);
+            talk.refuse_failed(moved);
         }
-        if !editor.workspace().has_work() {
-            self.forget(editor);
+        if !workspace.has_work() {
+            self.forget(talk);
             return;
         }
-        let text = editor.workspace().text();
+        let text = workspace.text();
         if self.kept.as_ref().is_some_and(|kept| kept.text == text) {
             return;
         }
@@ -58,9 +59,7 @@ impl Autosave {
             Err(_) if self.has_failed => {}
             Err(failure) => {
                 self.has_failed = true;
-                editor
-                    .talk
-                    .refuse(format!("a crash would lose what is not saved: {failure}"));
+                talk.refuse(format!("a crash would lose what is not saved: {failure}"));
             }
         }
     }
@@ -113,9 +112,9 @@ impl Autosave {
     }
 
     /// Removes what is kept of the present text.
-    pub(super) fn forget(&mut self, editor: &mut Editor) {
+    pub(super) fn forget(&mut self, talk: &mut Talk) {
         let removed = self.remove_kept();
-        editor.talk.refuse_failed(removed);
+        talk.refuse_failed(removed);
     }
 
     fn remove_kept(&mut self) -> Result<(), Failure> {

@@ -1,7 +1,6 @@
 //! What keeps the user's work: against a crash, against other programs, and against a window that is closed too early.
 
 mod autosave;
-mod bar;
 mod left;
 mod watch;
 
@@ -55,13 +54,29 @@ impl Guard {
         // What is given up is not kept again before the window is gone.
         if editor.talk.ending != Ending::Granted {
             if let Some(autosave) = &mut self.autosave {
-                autosave.keep(editor);
+                autosave.keep(&editor.session.workspace, &mut editor.talk);
             }
         } else if !std::mem::replace(&mut self.is_closing, true) {
             if let Some(autosave) = &mut self.autosave {
-                autosave.forget(editor);
+                autosave.forget(&mut editor.talk);
             }
             context.send_viewport_cmd(ViewportCommand::Close);
         }
     }
+}
+
+/// Shows a question with its answers, and gives the number of the one that is clicked.
+fn bar(name: &str, question: &str, answers: [&str; 2], ui: &mut egui::Ui) -> Option<usize> {
+    let mut given = None;
+    egui::Panel::top(name.to_owned()).show(ui, |ui| {
+        ui.horizontal_wrapped(|ui| {
+            ui.strong(question);
+            for (number, answer) in answers.into_iter().enumerate() {
+                if ui.button(answer).clicked() {
+                    given = Some(number);
+                }
+            }
+        });
+    });
+    given
 }

@@ -2,9 +2,9 @@
 //!
 //! Its folder is watched, as many programs do not write into a file but put another in its place.
 
-use super::super::Editor;
-use super::bar::bar;
+use super::bar;
 use crate::document::Source;
+use crate::editor::Editor;
 use crate::failure::Failure;
 use eframe::egui;
 use notify::{Event, EventKind, RecommendedWatcher, RecursiveMode, Watcher};
@@ -59,10 +59,8 @@ impl Watch {
             self.path = workspace.path().to_owned();
             (self.theirs, self.deleted) = (None, None);
             if let Err(error) = self.begin() {
-                let path = self.path.display();
-                editor
-                    .talk
-                    .refuse(format!("`{path}` is not watched: {error}"));
+                let why = format!("`{}` is not watched: {error}", self.path.display());
+                editor.talk.refuse(why);
             }
         }
         if !editor.is_at_rest() || !self.is_time(context) {
@@ -146,9 +144,8 @@ impl Watch {
                     self.deleted = Some(known.to_owned());
                     editor.session.workspace.note_file(None);
                     let path = self.path.display();
-                    editor
-                        .talk
-                        .refuse(format!("`{path}` was deleted; saving writes it again"));
+                    let why = format!("`{path}` was deleted; saving writes it again");
+                    editor.talk.refuse(why);
                 }
                 return Ok(());
             }

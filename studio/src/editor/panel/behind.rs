@@ -5,7 +5,7 @@ use eframe::egui;
 
 /// The picture behind the drawing, if there is one.
 pub(super) fn behind(editor: &mut Editor, ui: &mut egui::Ui) {
-    let places = editor.selection.places(editor.scene.drawing());
+    let places = editor.selection.places(editor.sight.drawing());
     let Some(backdrop) = &mut editor.desk.backdrop else {
         return;
     };

@@ -7,26 +7,21 @@ use eframe::egui;
 
 /// What is wrong, and the repairs as buttons.
 pub(in crate::editor) fn diagnoses(editor: &mut Editor, ui: &mut egui::Ui) {
-    let messages: Vec<_> = editor.analysis.snapshot.messages().to_vec();
+    let snapshot = editor.analysis.snapshot.clone();
+    let (messages, source) = (snapshot.messages(), snapshot.document.source());
     let mut chosen = None;
     let mut hovered = None;
     egui::ScrollArea::vertical()
         .auto_shrink(false)
         .show(ui, |ui| {
             if messages.is_empty() {
-                let line = editor.analysis.snapshot.verdict();
-                ui.label(line);
+                ui.label(snapshot.verdict());
                 return;
             }
-            for message in &messages {
+            for message in messages {
                 let mut lines = message.text.lines();
                 let first = lines.next().unwrap_or_default();
-                let spot = editor
-                    .analysis
-                    .snapshot
-                    .document
-                    .source()
-                    .spot(message.place.start);
+                let spot = source.spot(message.place.start);
                 ui.horizontal_wrapped(|ui| {
                     ui.colored_label(ui.visuals().error_fg_color, first);
                     ui.weak(format!("line {}", spot.line));
@@ -56,7 +51,7 @@ pub(in crate::editor) fn diagnoses(editor: &mut Editor, ui: &mut egui::Ui) {
                 }
             }
         });
-    let drawing = editor.scene.drawing();
+    let drawing = editor.sight.drawing();
     editor.analysis.preview_mending(hovered, drawing);
     if let Some(number) = chosen {
         mend(editor, number);

@@ -4,7 +4,6 @@ mod behind;
 mod diagnoses;
 mod field;
 mod graph;
-mod help;
 mod line;
 mod motor;
 mod play;
@@ -17,7 +16,6 @@ mod text;
 mod tools;
 
 use diagnoses::diagnoses;
-use help::help;
 pub(super) use line::Line;
 pub(super) use play::play;
 use plots::Plots;
@@ -28,6 +26,7 @@ use text::TextPanel;
 pub(super) use tools::tools;
 
 use super::Editor;
+use super::action::help;
 use super::settings::Panel;
 use eframe::egui;
 
@@ -48,7 +47,7 @@ impl Panels {
             Some(Panel::Properties) => properties(editor, ui),
             Some(Panel::Diagnoses) => diagnoses(editor, ui),
             Some(Panel::Plots) => self.plots.show(editor, ui),
-            Some(Panel::Report) => report(editor, ui),
+            Some(Panel::Report) => report(&editor.analysis.snapshot, ui),
             Some(Panel::Steps) => steps(editor, ui),
             Some(Panel::Help) => help(ui),
             None => {}

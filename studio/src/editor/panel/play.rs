@@ -1,16 +1,16 @@
 //! The bar with which a mechanism is played.
 
-use crate::editor::Editor;
 use crate::editor::range::{Basis, MotorRange};
+use crate::editor::sight::Sight;
+use crate::editor::snapshot::Snapshot;
 use crate::play::{Control, Layer, Selection};
 use eframe::egui;
 
 /// The bar with which a mechanism is played.
-pub(in crate::editor) fn play(editor: &mut Editor, ui: &mut egui::Ui) {
-    let Some(player) = editor.player() else {
+pub(in crate::editor) fn play(sight: &mut Sight, snapshot: &Snapshot, ui: &mut egui::Ui) {
+    let Some(player) = sight.player() else {
         ui.horizontal_wrapped(|ui| {
-            let line = editor.analysis.snapshot.verdict();
-            ui.weak(line);
+            ui.weak(snapshot.verdict());
         });
         return;
     };
@@ -40,39 +40,32 @@ pub(in crate::editor) fn play(editor: &mut Editor, ui: &mut egui::Ui) {
         button(ui, "Reverse", "plays the other way", Control::Reverse);
         button(ui, "Slower", "half as fast", Control::Slower);
         button(ui, "Faster", "twice as fast", Control::Faster);
-        motors(editor, ui);
-        layers(editor, ui);
+        motors(sight, ui);
+        layers(sight, ui);
     });
     if let Some(limit) = limit {
         ui.colored_label(ui.visuals().error_fg_color, limit);
     }
     if let Some(control) = control {
-        editor.scene.obey(control);
+        sight.obey(control);
     }
 }
 
 /// A slider for each motor, from one end of its range to the other.
-fn motors(editor: &mut Editor, ui: &mut egui::Ui) {
-    let Some(player) = editor.player() else {
+fn motors(sight: &mut Sight, ui: &mut egui::Ui) {
+    let Some(player) = sight.player() else {
         return;
     };
     let values = player.motors().to_vec();
     let driven = player.selection();
     let mut moved = None;
-    let mut next = false;
-    for (motor, (range, value)) in editor.scene.playing.ranges.iter().zip(values).enumerate() {
+    for (motor, (range, value)) in sight.playing.ranges.iter().zip(values).enumerate() {
         if driven == Selection::Motor(motor) {
             ui.strong(">");
         }
-        let shown = |value: f64| {
-            if range.turns {
-                value.to_degrees()
-            } else {
-                value
-            }
-        };
-        let mut at = shown(value);
-        let [low, high] = range.ends.map(shown);
+        let value = range.shown(value);
+        let mut at = value;
+        let [low, high] = range.ends.map(|end| range.shown(end));
         // What goes on and on is shown within its range.
         if range.basis == Basis::Round {
             at = low + (at - low).rem_euclid(360.0);
@@ -86,36 +79,22 @@ fn motors(editor: &mut Editor, ui: &mut egui::Ui) {
             .text(format!("motor {}", range.name));
         let response = ui.add(slider).on_hover_text(told(range));
         if response.changed() {
-            let turns = shown(value) - (low + (shown(value) - low).rem_euclid(360.0));
             let whole = if range.basis == Basis::Round {
-                turns
+                value - (low + (value - low).rem_euclid(360.0))
             } else {
                 0.0
             };
-            let value = at + whole;
-            moved = Some((
-                motor,
-                if range.turns {
-                    value.to_radians()
-                } else {
-                    value
-                },
-            ));
+            moved = Some((motor, range.meant(at + whole)));
         }
     }
-    if editor.scene.playing.ranges.len() > 1
-        && ui
-            .button("Next motor")
-            .on_hover_text("plays the next motor alone; after the last, all")
-            .clicked()
-    {
-        next = true;
-    }
     if let Some((motor, value)) = moved {
-        editor.scene.scrub(motor, value);
+        sight.scrub(motor, value);
     }
-    if next {
-        editor.scene.obey(Control::NextMotor);
+    if sight.playing.ranges.len() > 1 {
+        let help = "plays the next motor alone; after the last, all";
+        if ui.button("Next motor").on_hover_text(help).clicked() {
+            sight.obey(Control::NextMotor);
+        }
     }
 }
 
@@ -128,8 +107,8 @@ fn told(range: &MotorRange) -> &'static str {
 }
 
 /// What is seen besides the bodies.
-fn layers(editor: &mut Editor, ui: &mut egui::Ui) {
-    let Some(player) = editor.player() else {
+fn layers(sight: &mut Sight, ui: &mut egui::Ui) {
+    let Some(player) = sight.player() else {
         return;
     };
     let shown = player.layers();
@@ -143,6 +122,6 @@ fn layers(editor: &mut Editor, ui: &mut egui::Ui) {
         }
     });
     if let Some(layer) = toggled {
-        editor.scene.obey(Control::Toggle(layer));
+        sight.obey(Control::Toggle(layer));
     }
 }

@@ -3,7 +3,8 @@
 use crate::editor::Editor;
 use crate::editor::colors::distinct;
 use crate::editor::curves::Curves;
-use crate::editor::plotted::read_load;
+use crate::editor::playing::Playing;
+use crate::editor::plotted::{Plotted, read_load};
 use crate::editor::range::{Basis, MotorRange};
 use crate::editor::snapshot::Snapshot;
 use crate::quantity::{self, Offer, Table, round_step, tick};
@@ -25,8 +26,8 @@ const LEAST: f32 = 170.0;
 impl Plots {
     /// Shows the graphs, with a line at the present value of the motor.
     pub(in crate::editor) fn show(&mut self, editor: &mut Editor, ui: &mut egui::Ui) {
-        self.choose(editor, ui);
-        let (playing, snapshot) = (&editor.scene.playing, &editor.analysis.snapshot);
+        let (playing, snapshot) = (&editor.sight.playing, &editor.analysis.snapshot);
+        self.choose(&mut editor.plotted, &playing.ranges, snapshot, ui);
         if let Some(task) = editor.plotted.renew(playing, snapshot) {
             editor.give(task);
         }
@@ -34,13 +35,14 @@ impl Plots {
             ui.weak("Add a quantity: a place, a rate or a force. It is drawn over the range of the motor, or over another quantity.");
             return;
         }
-        let (playing, snapshot) = (&editor.scene.playing, &editor.analysis.snapshot);
-        let is_present = editor.plotted.is_present(playing, snapshot);
+        let (playing, snapshot) = (&editor.sight.playing, &editor.analysis.snapshot);
+        let plotted = &editor.plotted;
+        let is_present = plotted.is_present(playing, snapshot);
         let mut scrubbed = None;
-        if let Some(curves) = &editor.plotted.curves {
-            warnings(curves, is_present, editor.player().is_some(), ui);
+        if let Some(curves) = &plotted.curves {
+            warnings(curves, is_present, playing.player.is_some(), ui);
             if let Ok(table) = &curves.table {
-                let at = cursor(editor);
+                let at = cursor(plotted, playing);
                 egui::ScrollArea::vertical()
                     .auto_shrink(false)
                     .show(ui, |ui| {
@@ -50,34 +52,41 @@ impl Plots {
         } else {
             ui.weak("measuring");
         }
-        if let Some(value) = scrubbed {
-            scrub(editor, value);
+        let meant = scrubbed.and_then(|at| meant(plotted, playing, at));
+        if let Some((motor, value)) = meant {
+            editor.sight.scrub(motor, value);
         }
     }
 
     /// Chooses what is plotted, over which motor.
-    fn choose(&mut self, editor: &mut Editor, ui: &mut egui::Ui) {
-        let offers = offers(&editor.analysis.snapshot);
+    fn choose(
+        &mut self,
+        plotted: &mut Plotted,
+        ranges: &[MotorRange],
+        snapshot: &Snapshot,
+        ui: &mut egui::Ui,
+    ) {
+        let offers = offers(snapshot);
         ui.horizontal_wrapped(|ui| {
             ui.menu_button("Add", |ui| {
                 if let Some(name) = offered(&offers, ui) {
-                    editor.plotted.plot(name);
+                    plotted.plot(name);
                 }
             })
             .response
             .on_hover_text("adds a quantity to the graphs");
-            remove(editor, ui);
-            over(editor, &offers, ui);
+            remove(plotted, ui);
+            over(plotted, &offers, ui);
             let label = ui.label("Quantity");
             let edit = egui::TextEdit::singleline(&mut self.typed)
                 .hint_text("velocity:coupler.tip.norm")
                 .desired_width(180.0);
             let response = ui.add(edit).labelled_by(label.id);
             if response.lost_focus() && ui.input(|input| input.key_pressed(egui::Key::Enter)) {
-                editor.plotted.plot(&std::mem::take(&mut self.typed));
+                plotted.plot(&std::mem::take(&mut self.typed));
             }
-            motor(editor, ui);
-            loads(editor, ui);
+            motor(plotted, ranges, ui);
+            loads(plotted, snapshot, ui);
         });
     }
 }
@@ -111,15 +120,15 @@ fn offered<'o>(offers: &'o [Offer], ui: &mut egui::Ui) -> Option<&'o str> {
 }
 
 /// Chooses over what is plotted: the motor, or another quantity.
-fn over(editor: &mut Editor, offers: &[Offer], ui: &mut egui::Ui) {
-    let title = editor.plotted.over.as_deref().unwrap_or("the motor");
+fn over(plotted: &mut Plotted, offers: &[Offer], ui: &mut egui::Ui) {
+    let title = plotted.over.as_deref().unwrap_or("the motor");
     ui.menu_button(format!("Over {title}"), |ui| {
         if ui.button("the motor").clicked() {
-            editor.plotted.over = None;
+            plotted.over = None;
             ui.close();
         }
         if let Some(name) = offered(offers, ui) {
-            editor.plotted.over = Some(name.to_owned());
+            plotted.over = Some(name.to_owned());
         }
     })
     .response
@@ -127,16 +136,14 @@ fn over(editor: &mut Editor, offers: &[Offer], ui: &mut egui::Ui) {
 }
 
 /// Asks for the numbers of the loads that the text declares.
-fn loads(editor: &mut Editor, ui: &mut egui::Ui) {
-    let Some(reading) = editor.analysis.snapshot.reading.clone() else {
-        return;
-    };
-    for load in &reading.model.actions.loads {
+fn loads(plotted: &mut Plotted, snapshot: &Snapshot, ui: &mut egui::Ui) {
+    let reading = snapshot.reading.iter();
+    for load in reading.flat_map(|reading| &reading.model.actions.loads) {
         let hint = match load.kind {
             LoadKind::Force(_) => "0, 0",
             LoadKind::Torque(_) => "0",
         };
-        let typed = editor.plotted.loads.entry(load.name.clone()).or_default();
+        let typed = plotted.loads.entry(load.name.clone()).or_default();
         let label = ui.label(format!("load {}", load.name));
         let wrong = read_load(&load.name, load.kind, typed).err();
         let mut edit = egui::TextEdit::singleline(typed)
@@ -151,19 +158,19 @@ fn loads(editor: &mut Editor, ui: &mut egui::Ui) {
 }
 
 /// Takes quantities out of the graphs.
-fn remove(editor: &mut Editor, ui: &mut egui::Ui) {
-    if editor.plotted.names.is_empty() {
+fn remove(plotted: &mut Plotted, ui: &mut egui::Ui) {
+    if plotted.names.is_empty() {
         return;
     }
     ui.menu_button("Remove", |ui| {
         let mut removed = None;
-        for name in &editor.plotted.names {
+        for name in &plotted.names {
             if ui.button(name).clicked() {
                 removed = Some(name.clone());
             }
         }
         if let Some(removed) = removed {
-            editor.plotted.names.retain(|name| *name != removed);
+            plotted.names.retain(|name| *name != removed);
             ui.close();
         }
     })
@@ -172,23 +179,20 @@ fn remove(editor: &mut Editor, ui: &mut egui::Ui) {
 }
 
 /// Chooses the motor over which is plotted, if there are several.
-fn motor(editor: &mut Editor, ui: &mut egui::Ui) {
-    if editor.scene.playing.ranges.len() < 2 {
-        return;
-    }
-    let Some((_, chosen)) = editor.plotted.motor_of(&editor.scene.playing.ranges) else {
+fn motor(plotted: &mut Plotted, ranges: &[MotorRange], ui: &mut egui::Ui) {
+    let Some((_, chosen)) = plotted.motor_of(ranges).filter(|_| ranges.len() > 1) else {
         return;
     };
     let mut chosen = chosen.to_owned();
     egui::ComboBox::from_label("moved motor")
         .selected_text(&chosen)
         .show_ui(ui, |ui| {
-            for range in &editor.scene.playing.ranges {
+            for range in ranges {
                 ui.selectable_value(&mut chosen, range.name.clone(), &range.name);
             }
         });
-    if editor.plotted.motor.as_ref() != Some(&chosen) {
-        editor.plotted.motor = Some(chosen);
+    if plotted.motor.as_ref() != Some(&chosen) {
+        plotted.motor = Some(chosen);
     }
 }
 
@@ -210,11 +214,16 @@ fn warnings(curves: &Curves, is_present: bool, moves: bool, ui: &mut egui::Ui) {
 }
 
 /// The value of the motor over which is plotted, as graphs show it.
-fn cursor(editor: &Editor) -> Option<f64> {
-    let (motor, _) = editor.plotted.motor_of(&editor.scene.playing.ranges)?;
-    let value = *editor.player()?.motors().get(motor)?;
-    let range = editor.scene.playing.ranges.get(motor)?;
-    Some(shown(range, value - whole_turns(range, value)))
+fn cursor(plotted: &Plotted, playing: &Playing) -> Option<f64> {
+    let (range, value) = plotted_motor(plotted, playing)?;
+    Some(range.shown(value - whole_turns(range, value)))
+}
+
+/// How far the motor goes over which is plotted, and where it is.
+fn plotted_motor<'p>(plotted: &Plotted, playing: &'p Playing) -> Option<(&'p MotorRange, f64)> {
+    let (motor, _) = plotted.motor_of(&playing.ranges)?;
+    let value = playing.player.as_ref()?.motors().get(motor)?;
+    Some((&playing.ranges[motor], *value))
 }
 
 /// The turns that a motor has made beyond its range, where it goes round and round.
@@ -228,31 +237,13 @@ fn whole_turns(range: &MotorRange, value: f64) -> f64 {
     }
 }
 
-fn shown(range: &MotorRange, value: f64) -> f64 {
-    if range.turns {
-        value.to_degrees()
-    } else {
-        value
-    }
-}
-
-/// Moves the motor to a value as graphs show it.
-fn scrub(editor: &mut Editor, at: f64) {
-    let Some((motor, _)) = editor.plotted.motor_of(&editor.scene.playing.ranges) else {
-        return;
-    };
-    let (Some(range), Some(now)) = (
-        editor.scene.playing.ranges.get(motor),
-        editor
-            .player()
-            .and_then(|player| player.motors().get(motor)),
-    ) else {
-        return;
-    };
+/// The motor over which is plotted, and the value of it that is meant by one as graphs show it.
+fn meant(plotted: &Plotted, playing: &Playing, at: f64) -> Option<(usize, f64)> {
+    let (motor, _) = plotted.motor_of(&playing.ranges)?;
+    let (range, now) = plotted_motor(plotted, playing)?;
     let [low, high] = range.ends;
-    let value = if range.turns { at.to_radians() } else { at };
-    let value = value.clamp(low, high) + whole_turns(range, *now);
-    editor.scene.scrub(motor, value);
+    let value = range.meant(at).clamp(low, high) + whole_turns(range, now);
+    Some((motor, value))
 }
 
 /// A graph for each unit, one below the other. The value of the motor is given to which a press on one leads.

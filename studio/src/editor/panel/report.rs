@@ -1,13 +1,12 @@
 //! What the compiler tells of the mechanism.
 
 use super::graph::graph;
-use crate::editor::Editor;
+use crate::editor::snapshot::Snapshot;
 use eframe::egui;
 use mech_compiler::graphs;
 
 /// The report: how each loop is solved, what is proved, what it costs; with the graphs of links and of loops.
-pub(in crate::editor) fn report(editor: &Editor, ui: &mut egui::Ui) {
-    let snapshot = &editor.analysis.snapshot;
+pub(in crate::editor) fn report(snapshot: &Snapshot, ui: &mut egui::Ui) {
     let (Some(compiled), Some(reading)) = (snapshot.compiled(), &snapshot.reading) else {
         ui.weak("The mechanism does not move yet; see Diagnoses.");
         return;

@@ -2,7 +2,7 @@
 
 use super::field::field;
 use crate::edit::Command;
-use crate::editor::{Editor, Gesture};
+use crate::editor::drawing::Drawing;
 use eframe::egui;
 use mech_compiler::model::{Shape, ShapeKind};
 use mech_core::colors::{EYE, NAMED, PAPER};
@@ -12,29 +12,30 @@ use mech_runtime::Palette;
 const FIRST: &str = "circle (0, 0) radius 0.2 color teal";
 
 /// The shapes of a link, each with what can be done to it, and a field for another.
-pub(super) fn shapes(editor: &Editor, link: &str, ui: &mut egui::Ui, gestures: &mut Vec<Gesture>) {
-    let drawing = editor.drawing();
+pub(super) fn shapes(
+    drawing: Option<&Drawing>,
+    link: &str,
+    ui: &mut egui::Ui,
+    commands: &mut Vec<Command>,
+) {
     let found = drawing.and_then(|drawing| Some((drawing, drawing.link(link)?)));
     let Some((drawing, id)) = found else {
         return;
     };
     ui.strong("Shapes");
     for (number, shape) in (1..).zip(&drawing.model.link(id).shapes) {
-        row(link, number, shape, ui, gestures);
+        row(link, number, shape, ui, commands);
     }
     field(ui, &format!("new shape of {link}"), "new", "", |typed| {
-        gestures.push(
-            Command::Shape {
-                link: link.to_owned(),
-                shape: typed,
-            }
-            .into(),
-        );
+        commands.push(Command::Shape {
+            link: link.to_owned(),
+            shape: typed,
+        });
     });
     ui.weak(format!("for example: {FIRST}"));
 }
 
-fn row(link: &str, number: usize, shape: &Shape, ui: &mut egui::Ui, gestures: &mut Vec<Gesture>) {
+fn row(link: &str, number: usize, shape: &Shape, ui: &mut egui::Ui, commands: &mut Vec<Command>) {
     let owner = || link.to_owned();
     ui.horizontal_wrapped(|ui| {
         ui.label(format!("{number} {}", word(&shape.kind)));
@@ -53,14 +54,11 @@ fn row(link: &str, number: usize, shape: &Shape, ui: &mut egui::Ui, gestures: &m
                         egui::RichText::new(*name).color(egui::Color32::from_rgb(red, green, blue));
                     if ui.selectable_label(*entry == shape.color, text).clicked() {
                         let color = (*name).to_owned();
-                        gestures.push(
-                            Command::Recolor {
-                                link: owner(),
-                                shape: number,
-                                color,
-                            }
-                            .into(),
-                        );
+                        commands.push(Command::Recolor {
+                            link: owner(),
+                            shape: number,
+                            color,
+                        });
                     }
                 }
             });
@@ -81,24 +79,18 @@ fn row(link: &str, number: usize, shape: &Shape, ui: &mut egui::Ui, gestures: &m
             response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &label));
             if response.clicked() {
                 let plane = plane.to_string();
-                gestures.push(
-                    Command::Layer {
-                        link: owner(),
-                        shape: number,
-                        plane,
-                    }
-                    .into(),
-                );
+                commands.push(Command::Layer {
+                    link: owner(),
+                    shape: number,
+                    plane,
+                });
             }
         }
         if ui.button("Remove").clicked() {
-            gestures.push(
-                Command::RemoveShape {
-                    link: owner(),
-                    shape: number,
-                }
-                .into(),
-            );
+            commands.push(Command::RemoveShape {
+                link: owner(),
+                shape: number,
+            });
         }
         ui.weak(format!("plane {}", shape.plane));
     });

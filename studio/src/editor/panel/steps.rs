@@ -29,7 +29,7 @@ pub(in crate::editor) fn steps(editor: &mut Editor, ui: &mut egui::Ui) {
             }
         });
     if back > 0 {
-        editor.scene.playing.settle();
+        editor.sight.playing.settle();
     }
     for _ in 0..back {
         editor.undo();

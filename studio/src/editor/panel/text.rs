@@ -44,7 +44,7 @@ impl TextPanel {
         let marks = marks(editor);
         let text = editor.workspace().text();
         // While something is dragged, with the numbers as they are there.
-        let shown = match editor.scene.drag.stay() {
+        let shown = match editor.sight.drag.stay() {
             Some(stay) => written(text, &stay.edits),
             None => text.to_owned(),
         };
@@ -53,7 +53,7 @@ impl TextPanel {
         if shown != self.seen {
             forget_typing(field, ui.ctx());
         }
-        let is_dragged = editor.scene.drag.held().is_some();
+        let is_dragged = editor.sight.drag.held().is_some();
         let mut layouter = |ui: &egui::Ui, buffer: &dyn egui::TextBuffer, _: f32| {
             let job = self.color(buffer.as_str(), &marks, ui.visuals());
             ui.fonts_mut(|fonts| fonts.layout_job(job))
@@ -92,7 +92,7 @@ impl TextPanel {
         }
         self.seen = typed;
         let listing = &editor.analysis.snapshot.listing;
-        let item = |byte| item_at(byte, listing, editor.scene.drawing()?);
+        let item = |byte| item_at(byte, listing, editor.sight.drawing()?);
         editor.selection.under_text = under.and_then(item);
     }
 
@@ -215,60 +215,17 @@ fn pieces(text: &str, range: Range<usize>, marks: &Marks) -> Vec<Range<usize>> {
 
 /// Whether a word begins a statement, or stands in one for something fixed.
 fn is_keyword(word: &str) -> bool {
-    const KEYWORDS: [&str; 44] = [
-        "struct",
-        "link",
-        "ground",
-        "point",
-        "line",
-        "joint",
-        "motor",
-        "const",
-        "param",
-        "start",
-        "near",
-        "at",
-        "along",
-        "on",
-        "plane",
-        "color",
-        "revolute",
-        "prismatic",
-        "slot",
-        "weld",
-        "gear",
-        "belt",
-        "rack",
-        "cam",
-        "spring",
-        "damper",
-        "load",
-        "mass",
-        "inertia",
-        "part",
-        "port",
-        "use",
-        "look",
-        "trace",
-        "show",
-        "effects",
-        "circle",
-        "polygon",
-        "radius",
-        "deg",
-        "method",
-        "accuracy",
-        "gravity",
-        "allow",
-    ];
-    KEYWORDS.contains(&word)
+    const KEYWORDS: &str = "struct link ground point line joint motor const param start near at along on plane color \
+        revolute prismatic slot weld gear belt rack cam spring damper load mass inertia part \
+        port use look trace show effects circle polygon radius deg method accuracy gravity allow";
+    KEYWORDS.split(' ').any(|keyword| keyword == word)
 }
 
 /// What is marked in the text.
 fn marks(editor: &Editor) -> Marks {
     let snapshot = &editor.analysis.snapshot;
     let messages = snapshot.messages().iter();
-    let places = |item| match editor.scene.drag {
+    let places = |item| match editor.sight.drag {
         Drag::Nothing => places_of(item, &snapshot.listing),
         _ => Vec::new(),
     };

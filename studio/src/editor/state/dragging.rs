@@ -11,11 +11,11 @@ use crate::text::written;
 impl Editor {
     /// Takes hold of a joint or a point, to put it elsewhere. Other joints on the same pin go with it, unless it is to go alone.
     pub fn begin_drag(&mut self, item: &Item, is_alone: bool) {
-        let Some(drawing) = self.scene.drawing() else {
+        let Some(drawing) = self.sight.drawing() else {
             return;
         };
         // What was let go comes to rest first.
-        if self.scene.drag.is_awaited() {
+        if self.sight.drag.is_awaited() {
             return;
         }
         let is_held = |item: &Item| self.desk.is_locked(item);
@@ -29,7 +29,7 @@ impl Editor {
         } else {
             self.selection.going_with(item, drawing, &self.desk)
         };
-        if let Some(player) = &mut self.scene.playing.player
+        if let Some(player) = &mut self.sight.playing.player
             && player.plays()
         {
             player.obey(Control::PlayOrPause);
@@ -39,10 +39,10 @@ impl Editor {
 
     /// Takes hold of the first of some joints and points, with which the others go, and leads it to where the pointer is.
     pub(super) fn drag_on(&mut self, items: Vec<Item>, to: Option<[f64; 2]>) {
-        let Some(drawing) = self.scene.drawing() else {
+        let Some(drawing) = self.sight.drawing() else {
             return;
         };
-        let pose = self.scene.playing.seen_at();
+        let pose = self.sight.playing.seen_at();
         let number = self.analysis.pending.number();
         let (drag, hold) = match Drag::begin(number, drawing, items, pose) {
             Ok(begun) => begun,
@@ -57,7 +57,7 @@ impl Editor {
         } else {
             Held::Text(self.workspace().document(), self.workspace().index())
         };
-        self.scene.drag = drag;
+        self.sight.drag = drag;
         self.give(Task::Hold(Box::new(hold), text));
         if let Some(to) = to {
             self.drag_to(to);
@@ -66,29 +66,29 @@ impl Editor {
 
     /// Moves what is dragged to a place of the scene.
     pub fn drag_to(&mut self, place: [f64; 2]) {
-        if let Some((number, to)) = self.scene.drag.lead(place) {
+        if let Some((number, to)) = self.sight.drag.lead(place) {
             self.give(Task::Lead { number, to });
         }
     }
 
     /// Takes over where what is dragged was led.
     pub(super) fn take_led(&mut self, led: Led) {
-        if !self.scene.drag.take(led) {
+        if !self.sight.drag.take(led) {
             return;
         }
-        if let Some(told) = self.scene.drag.told() {
+        if let Some(told) = self.sight.drag.told() {
             self.talk.tell_done(told);
         }
         self.give_preview();
-        if let Some(gesture) = self.scene.drag.come_to_rest() {
+        if let Some(gesture) = self.sight.drag.come_to_rest() {
             self.perform(gesture);
         }
     }
 
     /// Has the text read as it is while something is dragged, unless one is being read.
     pub(super) fn give_preview(&mut self) {
-        let has_bodies = self.scene.shows_bodies_of_drag();
-        if let Some((number, edits)) = self.scene.drag.unread() {
+        let has_bodies = self.sight.shows_bodies_of_drag();
+        if let Some((number, edits)) = self.sight.drag.unread() {
             let text = written(self.session.workspace.text(), &edits);
             let source = Source::new(self.workspace().path(), text);
             let task = Task::Preview {
@@ -103,7 +103,7 @@ impl Editor {
 
     /// Lets what is dragged go where it is, as one step: as soon as it is known whether it can stay there.
     pub fn end_drag(&mut self) {
-        if let Some(gesture) = self.scene.drag.release() {
+        if let Some(gesture) = self.sight.drag.release() {
             self.perform(gesture);
         }
     }

@@ -20,7 +20,7 @@ impl Editor {
     pub fn select(&mut self, item: Option<Item>, adds: bool) {
         match item {
             Some(item) if adds => self.selection.toggle(item),
-            Some(item) => self.selection.items = self.desk.group_of(item, self.scene.drawing()),
+            Some(item) => self.selection.items = self.desk.group_of(item, self.sight.drawing()),
             None if adds => {}
             None => self.selection.items.clear(),
         }
@@ -28,11 +28,11 @@ impl Editor {
 
     /// Chooses a tool.
     pub fn choose(&mut self, tool: Tool) {
-        self.scene.obey(Control::Release);
+        self.sight.obey(Control::Release);
         let picks = Vec::new();
         self.picking = Picking { tool, picks };
         // What was let go already stays where it was let go.
-        self.scene.drag.give_up_if(|drag| drag.held().is_some());
+        self.sight.drag.give_up_if(|drag| drag.held().is_some());
         self.talk.notice = None;
     }
 
@@ -41,7 +41,7 @@ impl Editor {
         let (Some(picks), tool) = (self.picking.pick(pick), self.picking.tool) else {
             return;
         };
-        let drawing = self.scene.drawing();
+        let drawing = self.sight.drawing();
         if !self.analysis.pending.is_empty() {
             let picks = NamedPick::all(&picks, drawing);
             self.wait(Waiting::Picks(tool, picks));
@@ -56,12 +56,12 @@ impl Editor {
     /// Goes back by a step, or gives up a gesture that was not made yet, or takes back what was moved by hand since the last step.
     pub fn undo(&mut self) {
         let is_released = |drag: &Drag| matches!(drag, Drag::Released(_));
-        if self.scene.drag.give_up_if(is_released) {
+        if self.sight.drag.give_up_if(is_released) {
             self.talk.tell("given up: the drag");
         } else if let Some(title) = self.analysis.pending.give_up_last() {
             self.let_go();
             self.talk.tell(format!("given up: {title}"));
-        } else if self.scene.take_back_motion() {
+        } else if self.sight.take_back_motion() {
             self.talk.tell("taken back: the motion by hand");
         } else if let Some(title) = self.session.workspace.undo() {
             let told = format!("undone: {title}");
@@ -95,7 +95,7 @@ impl Editor {
 
     /// Takes out what is selected.
     pub fn remove_selected(&mut self) {
-        match removal(&self.selection.items, self.scene.drawing()) {
+        match removal(&self.selection.items, self.sight.drawing()) {
             Some(gesture) => self.perform(gesture),
             None => self.talk.refuse("nothing is selected"),
         }
@@ -105,7 +105,7 @@ impl Editor {
     pub(in crate::editor) fn choose_mechanism(&mut self, index: usize) {
         self.session.workspace.choose(index);
         self.analysis.make_way();
-        self.scene.make_way();
+        self.sight.make_way();
         self.selection.items.clear();
         self.let_go();
         self.read();
@@ -117,7 +117,7 @@ impl Editor {
         match &asked {
             Ok(Some(Request::Ask(words))) if words.first().is_some_and(|word| word == "play") => {
                 self.talk.journal.note(line, []);
-                self.scene.obey(Control::PlayOrPause);
+                self.sight.obey(Control::PlayOrPause);
                 return;
             }
             Ok(Some(Request::Quit)) => {
@@ -184,20 +184,20 @@ impl Editor {
     /// Edits another text.
     pub fn open(&mut self, workspace: Workspace) {
         let worker = std::mem::replace(&mut self.analysis.worker, Worker::immediate());
-        let (settings, size) = (self.settings.clone(), self.scene.camera.size());
+        let (settings, size) = (self.settings.clone(), self.sight.camera.size());
         let pending = Pending::after(&self.analysis.pending);
         let copied = std::mem::take(&mut self.clipboard.copied);
         *self = Self::with(workspace, worker, pending);
         self.settings = settings;
         self.clipboard.copied = copied;
-        self.scene.camera.resize(size);
-        self.scene.fit();
+        self.sight.camera.resize(size);
+        self.sight.fit();
     }
 
     /// Takes a file: a picture goes behind the drawing, a text is edited, if the present one may be left.
     pub fn take_file(&mut self, path: &Path, bytes: Vec<u8>) {
         if is_picture(path) {
-            let shown = self.desk.show(path, &bytes, &self.scene.camera);
+            let shown = self.desk.show(path, &bytes, &self.sight.camera);
             self.talk.tell_done(shown);
             return;
         }

@@ -27,7 +27,7 @@ impl Editor {
     /// Tries the next gesture.
     fn go_on(&mut self) {
         while let Some(waiting) = self.analysis.pending.pop() {
-            let (drawing, scale) = (self.scene.drawing(), self.scene.scale());
+            let (drawing, scale) = (self.sight.drawing(), self.sight.scale());
             let gesture = match waiting {
                 Waiting::Gesture(gesture) => gesture,
                 Waiting::Copies(links) => match gesture_of_copies(&links, drawing, scale) {
@@ -60,7 +60,7 @@ impl Editor {
     /// Declares statements that were copied, as one step. The copies are selected.
     fn paste(&mut self, copied: &str) {
         let (document, index) = (self.workspace().document(), self.workspace().index());
-        let step = grid(self.scene.scale());
+        let step = grid(self.sight.scale());
         match pasted(&document, index, copied, [step, -step]) {
             Ok((text, links)) => {
                 let title = match links.len() {
@@ -132,19 +132,19 @@ impl Editor {
             }
             Finding::NotHeld(number, refusal) => {
                 let is_it = |drag: &Drag| drag.number() == Some(number);
-                if self.scene.drag.give_up_if(is_it) {
+                if self.sight.drag.give_up_if(is_it) {
                     self.talk.refuse(refusal);
                 }
             }
             Finding::Led(led) => self.take_led(*led),
             Finding::Previewed(previewed) => {
-                self.scene.take_preview(*previewed);
+                self.sight.take_preview(*previewed);
                 self.give_preview();
             }
             Finding::Moves(snapshot, made) => {
                 if Arc::ptr_eq(&snapshot, &self.analysis.snapshot) {
                     match *made {
-                        Ok(played) => self.scene.play(snapshot, played),
+                        Ok(played) => self.sight.play(snapshot, played),
                         Err(failure) => self.talk.refuse(failure),
                     }
                 }
@@ -162,7 +162,7 @@ impl Editor {
     /// Waits no more for what was not done, and tells why.
     fn give_up(&mut self, undone: Undone, why: impl ToString) {
         self.analysis.take_undone(undone);
-        self.scene.drag.take_undone(undone);
+        self.sight.drag.take_undone(undone);
         self.talk.refuse(why);
     }
 
@@ -176,12 +176,12 @@ impl Editor {
         } else {
             format!("{}: {notes}", applied.title)
         });
-        let mut drag = std::mem::take(&mut self.scene.drag);
+        let mut drag = std::mem::take(&mut self.sight.drag);
         self.show(snapshot);
         if drag.left().is_some() {
             // Its own gesture waits for its turn: until then it is seen where it was let go.
             drag.give_up_if(|drag| drag.left() == Some(gesture));
-            self.scene.drag = drag;
+            self.sight.drag = drag;
             return;
         }
         // What was begun meanwhile goes on in the new text.
@@ -196,23 +196,23 @@ impl Editor {
 
     /// Lets go of what was begun in an earlier text.
     pub(super) fn let_go(&mut self) {
-        self.scene.drag = Drag::Nothing;
+        self.sight.drag = Drag::Nothing;
         self.picking.picks.clear();
     }
 
     /// Shows what the compiler makes of the present text. Of one that cannot be read, the last drawing stays.
     fn show(&mut self, snapshot: Arc<Snapshot>) {
-        let picks = NamedPick::all(&self.picking.picks, self.scene.drawing());
-        let reach = CLOSE / self.scene.scale();
+        let picks = NamedPick::all(&self.picking.picks, self.sight.drawing());
+        let reach = CLOSE / self.sight.scale();
         let is_empty = self.workspace().text().trim().is_empty();
-        self.scene.playing.settle();
+        self.sight.playing.settle();
         if snapshot.is_readable() {
-            self.scene.draw(&snapshot);
+            self.sight.draw(&snapshot);
         } else if is_empty {
-            self.scene.clear();
+            self.sight.clear();
         }
         if snapshot.is_readable() || is_empty {
-            let drawing = self.scene.drawing();
+            let drawing = self.sight.drawing();
             self.selection.forget_what_is_gone(drawing);
             self.picking.picks = NamedPick::picks(&picks, drawing, reach);
         }

@@ -12,9 +12,9 @@ use super::drawing::Drawing;
 use super::item::Item;
 use super::pending::Pending;
 use super::plotted::Plotted;
-use super::scene::Scene;
 use super::selection::Selection;
 use super::settings::Settings;
+use super::sight::Sight;
 use super::talk::{Notice, Talk};
 use super::tool::Picking;
 use super::worker::Worker;
@@ -29,7 +29,7 @@ use std::path::Path;
 pub struct Editor {
     pub(in crate::editor) session: Session,
     pub(in crate::editor) analysis: Analysis,
-    pub(in crate::editor) scene: Scene,
+    pub(in crate::editor) sight: Sight,
     pub(in crate::editor) selection: Selection,
     pub(in crate::editor) picking: Picking,
     pub(in crate::editor) settings: Settings,
@@ -70,7 +70,7 @@ impl Editor {
         let mut editor = Self {
             analysis: Analysis::new(&workspace, worker, pending),
             session: Session::of(workspace),
-            scene: Scene::new(has_text),
+            sight: Sight::new(has_text),
             selection: Selection::default(),
             picking: Picking::default(),
             settings: Settings::default(),
@@ -98,24 +98,24 @@ impl Editor {
     /// What is drawn, if anything is.
     #[must_use]
     pub fn drawing(&self) -> Option<&Drawing> {
-        self.scene.drawing()
+        self.sight.drawing()
     }
 
     /// What moves, if the mechanism does.
     #[must_use]
     pub const fn player(&self) -> Option<&Player> {
-        self.scene.player()
+        self.sight.player()
     }
 
     /// What is seen, and how.
     #[must_use]
-    pub const fn scene(&self) -> &Scene {
-        &self.scene
+    pub const fn sight(&self) -> &Sight {
+        &self.sight
     }
 
     /// What is seen, to be looked at and moved otherwise.
-    pub const fn scene_mut(&mut self) -> &mut Scene {
-        &mut self.scene
+    pub const fn sight_mut(&mut self) -> &mut Sight {
+        &mut self.sight
     }
 
     /// What is selected.
@@ -140,7 +140,7 @@ impl Editor {
     #[must_use]
     pub fn arrows(&self) -> Vec<Arrow> {
         let snapshot = &self.analysis.snapshot;
-        arrows(&self.scene, snapshot, &self.plotted, &self.settings)
+        arrows(&self.sight, snapshot, &self.plotted, &self.settings)
     }
 
     /// The picture behind the drawing, if there is one: its file, its centre and its width in scene units.
@@ -166,14 +166,15 @@ impl Editor {
     /// Whether the analysis is not done yet.
     #[must_use]
     pub fn is_busy(&self) -> bool {
-        let drag = &self.scene.drag;
+        let drag = &self.sight.drag;
         let is_let_go = !drag.is_nothing() && drag.held().is_none();
-        is_let_go || self.analysis.is_busy(self.workspace())
+        let is_known = self.analysis.is_present(self.workspace());
+        is_let_go || !is_known || self.analysis.is_mending()
     }
 
     /// Whether nothing is under way that would be lost if the text became another one.
     pub(in crate::editor) fn is_at_rest(&self) -> bool {
-        self.scene.drag.is_nothing() && self.analysis.pending.is_empty()
+        self.sight.drag.is_nothing() && self.analysis.pending.is_empty()
     }
 
     /// Whether something is lost if the text is left as it is.

@@ -5,7 +5,7 @@ use crate::edit::{Assembly, Command, JointForm, Kind, Pair};
 use crate::editor::Gesture;
 use crate::editor::drawing::{Drawing, Hit, distance};
 use crate::editor::names::Names;
-use crate::editor::pose::Pose;
+use crate::editor::placement::Pose;
 use crate::text::shortest;
 use mech_compiler::model::{AxisId, JointKind, LinkId};
 

@@ -138,7 +138,7 @@ impl User {
     /// Where a place of the scene is seen in the window.
     pub(crate) fn pixel(&self, place: [f64; 2]) -> Pos2 {
         let canvas = self.harness.get_by_label("drawing").rect();
-        let [x, y] = self.editor().scene().camera().pixel(place);
+        let [x, y] = self.editor().sight().camera().pixel(place);
         #[expect(clippy::cast_possible_truncation, reason = "pixels of a window")]
         let from = Vec2::new(x as f32, y as f32);
         canvas.min + from
@@ -408,7 +408,7 @@ impl User {
         self.harness
             .state_mut()
             .editor_mut()
-            .scene_mut()
+            .sight_mut()
             .scrub(0, value);
         self.harness.run_steps(2);
     }

@@ -26,7 +26,7 @@ impl Paint<'_> {
 
     pub(super) fn handle(&self, painter: &Painter, handle: Handle, visuals: &egui::Visuals) {
         let center = self.shown.pixel(handle.place);
-        let drawing = self.editor.scene.seen_drawing();
+        let drawing = self.editor.sight.seen_drawing();
         let is_selected = self.editor.selection.items.contains(handle.item);
         let color = if self.is_marked(handle.item) {
             visuals.selection.stroke.color

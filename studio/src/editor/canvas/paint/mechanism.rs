@@ -103,11 +103,8 @@ impl Paint<'_> {
     /// Springs, dampers and loads.
     pub(super) fn actions(&self, painter: &Painter, drawing: &Drawing, visuals: &egui::Visuals) {
         for (name, ends) in drawing.actions() {
-            let is_selected = self
-                .editor
-                .selection
-                .items
-                .contains(&Item::Action(name.to_owned()));
+            let item = Item::Action(name.to_owned());
+            let is_selected = self.editor.selection.items.contains(&item);
             let color = if is_selected {
                 visuals.selection.stroke.color
             } else {
@@ -133,14 +130,8 @@ impl Paint<'_> {
 
     /// A green arc about each motor that turns, over the range in which it can.
     pub(super) fn ranges(&self, painter: &Painter, drawing: &Drawing) {
-        for range in self
-            .editor
-            .scene
-            .playing
-            .ranges
-            .iter()
-            .filter(|range| range.turns)
-        {
+        let ranges = self.editor.sight.playing.ranges.iter();
+        for range in ranges.filter(|range| range.turns) {
             let center = drawing
                 .joint(&range.name)
                 .and_then(|joint| drawing.axis_of_joint(joint));

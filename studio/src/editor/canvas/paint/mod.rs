@@ -5,6 +5,7 @@ mod mechanism;
 
 use super::Shown;
 use crate::editor::drawing::Handle;
+use crate::editor::selection::Selection;
 use crate::editor::settings::Visible;
 use crate::editor::snap::{Snapped, grid};
 use crate::editor::{Arrow, ArrowKind, Editor, Item};
@@ -31,8 +32,8 @@ impl Paint<'_> {
         if settings.shows(Visible::Paths) {
             self.paths(&painter);
         }
-        if let Some(drawing) = self.editor.scene.seen_drawing() {
-            if !self.editor.scene.shows_bodies(&self.editor.settings) {
+        if let Some(drawing) = self.editor.sight.seen_drawing() {
+            if !self.editor.sight.shows_bodies(&self.editor.settings) {
                 self.schematic(&painter, drawing, 1.0);
             }
             self.actions(&painter, drawing, ui.visuals());
@@ -106,7 +107,7 @@ impl Paint<'_> {
 
     /// The whole paths of traced points; while something is dragged, as they are then.
     fn paths(&self, painter: &Painter) {
-        for path in self.editor.scene.seen_paths() {
+        for path in self.editor.sight.seen_paths() {
             let points: Vec<Pos2> = path.iter().map(|place| self.shown.pixel(*place)).collect();
             painter.line(points, Stroke::new(1.5, Color32::from_rgb(180, 40, 120)));
         }
@@ -136,16 +137,11 @@ impl Paint<'_> {
     }
 
     fn selected_links(&self, painter: &Painter, visuals: &egui::Visuals) {
-        let Some(drawing) = self.editor.scene.seen_drawing() else {
+        let Some(drawing) = self.editor.sight.seen_drawing() else {
             return;
         };
-        let chosen = self
-            .editor
-            .selection
-            .items
-            .iter()
-            .chain(&self.editor.selection.hovered);
-        for item in chosen {
+        let Selection { items, hovered, .. } = &self.editor.selection;
+        for item in items.iter().chain(hovered) {
             let Item::Link(name) = item else {
                 continue;
             };
@@ -167,12 +163,8 @@ impl Paint<'_> {
     /// What was picked, where the pointer means, and with what that is aligned.
     fn tool(&self, painter: &Painter, visuals: &egui::Visuals) {
         let accent = visuals.selection.stroke.color;
-        let picked = self
-            .editor
-            .picking
-            .picks
-            .iter()
-            .map(|pick| self.shown.pixel(pick.place));
+        let picked = self.editor.picking.picks.iter();
+        let picked = picked.map(|pick| self.shown.pixel(pick.place));
         let mut places: Vec<Pos2> = picked.collect();
         if let Some(snapped) = self.snapped {
             let at = self.shown.pixel(snapped.pick.place);

@@ -15,7 +15,7 @@ use std::sync::Arc;
 const MOST_BODIES: usize = 200;
 
 /// What is seen, and how.
-pub struct Scene {
+pub struct Sight {
     /// What the compiler made of the last text that could be read, and how that is drawn.
     drawn: Option<(Arc<Snapshot>, Drawing)>,
     pub(super) playing: Playing,
@@ -35,7 +35,7 @@ enum View {
     Users,
 }
 
-impl Scene {
+impl Sight {
     /// An empty one. Whether everything that comes is to be seen, or what the user looks at.
     pub(super) fn new(is_ours: bool) -> Self {
         Self {
@@ -50,6 +50,12 @@ impl Scene {
     /// What is drawn, if anything is.
     pub(super) fn drawing(&self) -> Option<&Drawing> {
         self.drawn.as_ref().map(|(_, drawing)| drawing)
+    }
+
+    /// Whether a joint has a motor.
+    pub(super) fn has_motor(&self, joint: &str) -> bool {
+        let drawing = self.drawing();
+        drawing.is_some_and(|drawing| drawing.has_motor(joint))
     }
 
     /// What moves, if the mechanism does.
