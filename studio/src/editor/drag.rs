@@ -204,22 +204,18 @@ impl Drag {
         self.number().zip(asked)
     }
 
-    /// Takes over where it was led. Where it cannot go, it stays where it was last. Returns whether somebody waited for that.
-    pub(crate) fn take(&mut self, led: Led) -> bool {
+    /// Takes over where it was led: where it cannot go, it stays where it was last. Tells where it is, or why it cannot go there; nothing if
+    /// nobody waits for that.
+    pub(crate) fn take(&mut self, led: Led) -> Option<Result<String, String>> {
         match self {
             Self::Led(following) | Self::Released(following)
                 if following.grabbed.number == led.number =>
             {
                 following.take(led);
-                true
+                Some(following.told())
             }
-            _ => false,
+            _ => None,
         }
-    }
-
-    /// Tells where it is, or why it cannot go there.
-    pub(crate) fn told(&self) -> Option<Result<String, String>> {
-        self.following().map(Following::told)
     }
 
     /// The edits of the text that is to be read next, and the number of the drag; none while one is being read, or if the last was given.

@@ -1,8 +1,9 @@
 //! The studio: mechanisms are drawn, mended and played in a window, natively or in a browser.
 //!
-//! An [`Editor`] is the whole state; it knows no window and no clock. The text is its only document: what the user does becomes a
-//! [`Gesture`] of commands, whose replacements are tried before they are accepted. A worker analyses beside the window. [`Studio`] shows
-//! the editor by egui; every handle in the drawing is an accessible node, so that tests and screen readers find what the mouse does.
+//! An [`Editor`] is the whole state; it knows no window and no clock. It is made of groups, none of which knows it: whoever touches one or
+//! two of them takes these alone. The text is its only document: what the user does becomes a [`Gesture`] of commands, whose replacements are
+//! tried before they are accepted. A worker analyses beside the window. [`Studio`] shows the editor by egui; every handle in the drawing is
+//! an accessible node, so that tests and screen readers find what the mouse does.
 
 mod action;
 mod analysis;

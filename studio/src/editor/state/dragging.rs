@@ -4,7 +4,7 @@ use super::Editor;
 use crate::document::{Document, Source};
 use crate::editor::drag::Drag;
 use crate::editor::item::Item;
-use crate::editor::worker::{Held, Led, Task};
+use crate::editor::worker::{Held, Task};
 use crate::play::Control;
 use crate::text::written;
 
@@ -68,20 +68,6 @@ impl Editor {
     pub fn drag_to(&mut self, place: [f64; 2]) {
         if let Some((number, to)) = self.sight.drag.lead(place) {
             self.give(Task::Lead { number, to });
-        }
-    }
-
-    /// Takes over where what is dragged was led.
-    pub(super) fn take_led(&mut self, led: Led) {
-        if !self.sight.drag.take(led) {
-            return;
-        }
-        if let Some(told) = self.sight.drag.told() {
-            self.talk.tell_done(told);
-        }
-        self.give_preview();
-        if let Some(gesture) = self.sight.drag.come_to_rest() {
-            self.perform(gesture);
         }
     }
 

@@ -136,7 +136,15 @@ impl Editor {
                     self.talk.refuse(refusal);
                 }
             }
-            Finding::Led(led) => self.take_led(*led),
+            Finding::Led(led) => {
+                if let Some(told) = self.sight.drag.take(*led) {
+                    self.talk.tell_done(told);
+                    self.give_preview();
+                    if let Some(gesture) = self.sight.drag.come_to_rest() {
+                        self.perform(gesture);
+                    }
+                }
+            }
             Finding::Previewed(previewed) => {
                 self.sight.take_preview(*previewed);
                 self.give_preview();
