@@ -54,7 +54,7 @@ impl Canvas {
         let background = ui.allocate_rect(rect, Sense::click_and_drag());
         background.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "drawing"));
         editor.sight.camera.resize(size_of(rect));
-        zoom(editor, &background, ui);
+        zoom(&mut editor.sight.camera, &background, ui);
         if ui.input(|input| input.pointer.any_pressed()) {
             self.pressed_with = editor.picking.tool;
         }
@@ -385,7 +385,7 @@ fn area(center: Pos2, ui: &egui::Ui) -> Rect {
 }
 
 /// Magnifies by the wheel or by two fingers, and moves the paper by two fingers.
-fn zoom(editor: &mut Editor, background: &Response, ui: &egui::Ui) {
+fn zoom(camera: &mut Camera, background: &Response, ui: &egui::Ui) {
     let Some(pointer) = ui.input(|input| input.pointer.hover_pos()) else {
         return;
     };
@@ -401,11 +401,11 @@ fn zoom(editor: &mut Editor, background: &Response, ui: &egui::Ui) {
     let factor = f64::from(factor) * f64::from(scrolled.y / 200.0).exp();
     if factor != 1.0 {
         let [x, y] = within(background.rect, pointer);
-        editor.sight.camera.zoom([x, y], factor);
+        camera.zoom([x, y], factor);
     }
     if let Some(touch) = ui.input(egui::InputState::multi_touch) {
         let [x, y] = <[f32; 2]>::from(touch.translation_delta).map(f64::from);
-        editor.sight.camera.pan([x, y]);
+        camera.pan([x, y]);
     }
 }
 

@@ -1,7 +1,9 @@
 //! The line in which commands are typed, and what is told.
 
 use crate::dialogue::complete;
+use crate::document::Listing;
 use crate::editor::Editor;
+use crate::editor::talk::Journal;
 use eframe::egui;
 
 /// The line in which commands are typed.
@@ -43,11 +45,11 @@ impl Line {
             }
             let has_key = |key| response.has_focus() && ui.input(|input| input.key_pressed(key));
             if has_key(egui::Key::ArrowUp) {
-                self.recall(editor, self.back + 1);
+                self.recall(&editor.talk.journal, self.back + 1);
             } else if has_key(egui::Key::ArrowDown) {
-                self.recall(editor, self.back.saturating_sub(1));
+                self.recall(&editor.talk.journal, self.back.saturating_sub(1));
             } else if has_key(egui::Key::Tab) {
-                self.complete(editor);
+                self.complete(&editor.analysis.snapshot.listing);
             }
             if response.lost_focus() && ui.input(|input| input.key_pressed(egui::Key::Enter)) {
                 let line = std::mem::take(&mut self.text);
@@ -61,8 +63,8 @@ impl Line {
         });
     }
 
-    fn recall(&mut self, editor: &Editor, back: usize) {
-        let lines = &editor.talk.journal.lines;
+    fn recall(&mut self, journal: &Journal, back: usize) {
+        let lines = &journal.lines;
         self.back = back.min(lines.len());
         self.text = match self.back {
             0 => String::new(),
@@ -71,8 +73,8 @@ impl Line {
     }
 
     /// Completes the last word as far as all that fits agrees.
-    fn complete(&mut self, editor: &Editor) {
-        let (start, words) = complete(&self.text, &editor.analysis.snapshot.listing);
+    fn complete(&mut self, listing: &Listing) {
+        let (start, words) = complete(&self.text, listing);
         let Some(first) = words.first() else {
             return;
         };

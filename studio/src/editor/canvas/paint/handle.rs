@@ -19,16 +19,11 @@ impl Paint<'_> {
         around.contains(self.shown.pixel(place))
     }
 
-    /// Whether something is selected or under the mouse.
-    pub(super) fn is_marked(&self, item: &Item) -> bool {
-        self.editor.selection.marks(item)
-    }
-
     pub(super) fn handle(&self, painter: &Painter, handle: Handle, visuals: &egui::Visuals) {
         let center = self.shown.pixel(handle.place);
         let drawing = self.editor.sight.seen_drawing();
         let is_selected = self.editor.selection.items.contains(handle.item);
-        let color = if self.is_marked(handle.item) {
+        let color = if self.editor.selection.marks(handle.item) {
             visuals.selection.stroke.color
         } else {
             visuals.strong_text_color()

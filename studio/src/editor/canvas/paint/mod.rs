@@ -56,7 +56,7 @@ impl Paint<'_> {
         for handle in handles.filter(|handle| self.is_on_canvas(handle.place)) {
             self.handle(&painter, handle, ui.visuals());
             let center = self.shown.pixel(handle.place);
-            let is_marked = self.is_marked(handle.item);
+            let is_marked = self.editor.selection.marks(handle.item);
             if self.editor.settings.shows(Visible::Names) && (names.take(center) || is_marked) {
                 let visuals = ui.visuals();
                 let color = if is_marked {
