@@ -12,5 +12,5 @@ pub(crate) use draft::written;
 pub(crate) use lexer::{Kind, Lexeme, Lexer, is_of_word};
 pub(crate) use number::rounded;
 pub(crate) use number::{shortest, written_like};
-pub(crate) use places::{Lexed, TokenPlaces};
+pub(crate) use places::TokenPlaces;
 pub(crate) use quoted::quoted;

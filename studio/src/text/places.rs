@@ -1,7 +1,7 @@
 //! Where the tokens of a text stand in it.
 
 use super::{Draft, Replacement};
-use mech_compiler::syntax::{Edit, Edits, StatementText, Tokens};
+use mech_compiler::syntax::{Edit, Edits, Tokens};
 use std::ops::Range;
 
 /// Where each token of a text stands in it, in bytes.
@@ -59,40 +59,5 @@ impl TokenPlaces {
             }
         }
         draft.edits()
-    }
-}
-
-/// A text as its tokens, each with its place.
-pub(crate) struct Lexed<'t> {
-    text: &'t str,
-    tokens: Tokens,
-    places: TokenPlaces,
-}
-
-impl<'t> Lexed<'t> {
-    /// Reads a text; none if a quote or a bracket in it is without its partner.
-    pub(crate) fn read(text: &'t str) -> Option<Self> {
-        proc_macro2::extra::invalidate_current_thread_spans();
-        let tokens = Tokens::read(text).ok()?;
-        let places = TokenPlaces::of(&tokens);
-        Some(Self {
-            text,
-            tokens,
-            places,
-        })
-    }
-
-    pub(crate) fn statements(&self) -> Vec<StatementText<'_>> {
-        self.tokens.statements()
-    }
-
-    /// Where tokens stand in the text, in bytes.
-    pub(crate) fn bytes(&self, tokens: &Range<usize>) -> Range<usize> {
-        self.places.bytes(tokens)
-    }
-
-    /// A statement as it stands in the text.
-    pub(crate) fn text_of(&self, statement: &StatementText<'_>) -> &'t str {
-        &self.text[self.places.bytes(&statement.range())]
     }
 }

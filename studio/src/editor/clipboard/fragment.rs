@@ -1,9 +1,10 @@
 //! Statements that are copied: links, and what is between them.
 
+use super::lexed::Lexed;
 use crate::document::Document;
 use crate::editor::index;
 use crate::failure::Failure;
-use crate::text::{Lexed, shortest};
+use crate::text::shortest;
 use mech_compiler::model::{AxisId, AxisKind, Between, LinkId, LoadKind, Model};
 use mech_compiler::syntax::StatementText;
 use std::collections::BTreeSet;

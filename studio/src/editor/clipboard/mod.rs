@@ -2,6 +2,7 @@
 
 mod copies;
 mod fragment;
+mod lexed;
 mod pasting;
 
 pub(super) use copies::gesture_of_copies;

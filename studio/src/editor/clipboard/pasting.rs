@@ -1,8 +1,9 @@
 //! Statements that are pasted under names that are free, beside what is there: into the same text or another.
 
+use super::lexed::Lexed;
 use crate::document::{Document, Listing, NumberText, Source};
 use crate::editor::names::Names;
-use crate::text::{Lexed, Replacement, shortest, written};
+use crate::text::{Replacement, shortest, written};
 use mech_compiler::model::{LinkId, Model};
 use mech_compiler::syntax::{Rewriter, StatementText};
 use std::collections::{BTreeMap, BTreeSet};
