@@ -269,7 +269,8 @@ fn assert_filled(corners: &[[f64; 2]]) {
 }
 
 #[test]
-fn hole_by_a_bridge_that_touches_itself() {
+fn sides_that_lie_on_each_other() {
+    // A hole by a bridge.
     assert_filled(&[
         [0.0, 0.0],
         [7.0, 0.0],
@@ -282,6 +283,21 @@ fn hole_by_a_bridge_that_touches_itself() {
         [5.0, 2.0],
         [2.0, 2.0],
     ]);
+    // Sides that go there and back.
+    for x in [0.0, 32.0] {
+        assert_filled(&[
+            [x, 0.0],
+            [x, 82.882_158_923_738_03],
+            [x, 0.361_989_534_212_752_76],
+            [x + 23.929_578_780_299_618, 91.919_274_535_119_34],
+        ]);
+        assert_filled(&[
+            [x, 0.0],
+            [x, 47.720_132_416_072_22],
+            [x + 26.638_395_494_050_627, 0.0],
+            [x, 58.550_714_227_224_78],
+        ]);
+    }
 }
 
 proptest! {
