@@ -221,8 +221,10 @@ fn trace() -> String {
     })
 }
 
-/// The pictures of the files, by their names.
-const PICTURES: &[(&str, fn() -> String)] = &[
+/// A file's name, and what paints its picture.
+type Named = (&'static str, fn() -> String);
+
+const PICTURES: &[Named] = &[
     ("ring", || shape::<15, 13>(RING)),
     ("star-hollow", || shape::<19, 16>(Outline::Polygon(&STAR))),
     ("star-full", || shape::<19, 16>(Outline::Winding(&STAR))),
