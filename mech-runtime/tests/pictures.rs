@@ -1,6 +1,5 @@
 //! Tests of pictures: what is painted, on which canvas, and in which files. One program, which is linked and optimised once.
 
-mod discs;
 #[cfg(feature = "embedded-graphics")]
 mod embedded;
 #[cfg(feature = "std")]

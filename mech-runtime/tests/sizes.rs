@@ -127,6 +127,7 @@ proptest! {
         let mut four_bar = FourBar::new();
         four_bar.move_with([angle], [1.0]).expect("it turns");
         let view = View::new(center, scale);
+        pictures::<0, 0>(numbers, view, &four_bar);
         pictures::<0, 5>(numbers, view, &four_bar);
         pictures::<5, 0>(numbers, view, &four_bar);
         pictures::<1, 40>(numbers, view, &four_bar);

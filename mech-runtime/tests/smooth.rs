@@ -1,6 +1,6 @@
 //! What the anti-aliased picture promises: each pixel is covered as much as it is.
 
-use mech_runtime::{Canvas, Frame, Outline, Palette, Pose, Smooth, View};
+use mech_runtime::{Canvas, Frame, Outline, Palette, Pose, Real, Scalar, Smooth, View};
 use proptest::prelude::*;
 
 const W: usize = 48;
@@ -8,22 +8,19 @@ const H: usize = 40;
 
 /// A picture in which a scene unit is a pixel, the origin is the lower left corner, and white is painted on black: what is seen is
 /// how much of each pixel is covered, in 255ths.
-fn picture(paint: impl FnOnce(&mut Smooth<W, H>)) -> Vec<[u8; W]> {
-    let mut picture = Smooth::<W, H>::new();
-    let palette = Palette::default()
-        .with(0, [0; 3])
-        .with(1, [255; 3])
-        .with(2, [0, 0, 255]);
-    picture.set_palette(palette);
+fn picture<T: Scalar, const W: usize, const H: usize>(outline: Outline<T>) -> Vec<[u8; W]> {
+    let mut picture = Box::new(Smooth::<W, H>::new());
+    picture.set_palette(Palette::default().with(0, [0; 3]).with(1, [255; 3]));
     picture.clear();
-    picture.look_at(View::new([24.0, 20.0], 1.0));
-    paint(&mut picture);
+    #[expect(clippy::cast_precision_loss, reason = "small")]
+    picture.look_at(View::new([W as f64 / 2.0, H as f64 / 2.0], 1.0));
+    picture.fill(outline, Pose::identity(), 1);
     let rows = picture.pixels().iter();
     rows.map(|row| row.map(|pixel| pixel[0])).collect()
 }
 
 fn coverage(outline: Outline<f64>) -> Vec<[u8; W]> {
-    picture(|picture| picture.fill(outline, Pose::identity(), 1))
+    picture::<f64, W, H>(outline)
 }
 
 /// The part of a polygon on one side of a line parallel to an axis.
@@ -69,38 +66,37 @@ fn shares(corners: &[[f64; 2]]) -> Vec<[f64; W]> {
     rows.collect()
 }
 
-/// The area of a circle in each pixel, by Gauss's rule between the places where it crosses a border.
-fn disc_shares([x, y]: [f64; 2], radius: f64) -> Vec<[f64; W]> {
-    let share = |left: f64, bottom: f64| {
-        // The height within the pixel is smooth between these abscissas.
-        let mut cuts = vec![left, left + 1.0, x - radius, x + radius];
-        for border in [bottom, bottom + 1.0] {
-            let half = (radius * radius - (border - y).powi(2)).max(0.0).sqrt();
-            cuts.extend([x - half, x + half]);
+/// The area within a circle around the origin above a level and between two abscissas, by the antiderivative of its height.
+fn area_above(level: f64, [from, to]: [f64; 2], radius: f64) -> f64 {
+    let reach = (radius * radius - level * level).max(0.0).sqrt();
+    let half = |x: f64| (radius * radius - x * x).max(0.0).sqrt();
+    let sum = |x: f64| 0.5 * (x * half(x) + radius * radius * (x / radius).clamp(-1.0, 1.0).asin());
+    let within = |limit: f64| [from.clamp(-limit, limit), to.clamp(-limit, limit)];
+    let [a, b] = within(reach);
+    let above_chord = sum(b) - sum(a) - level * (b - a);
+    if level >= 0.0 {
+        return above_chord;
+    }
+    // The parts beside the chord, above and below the diameter.
+    let [c, d] = within(radius);
+    above_chord + 2.0 * (sum(d) - sum(c) - (sum(b) - sum(a)))
+}
+
+/// The area of a circle in each pixel.
+fn disc_shares<const W: usize, const H: usize>([x, y]: [f64; 2], radius: f64) -> Vec<[f64; W]> {
+    let number = |index: usize| f64::from(u32::try_from(index).expect("small"));
+    let above = |level: f64, sides| {
+        if level < radius {
+            area_above(level, sides, radius)
+        } else {
+            0.0
         }
-        cuts.retain(|cut| (left..=left + 1.0).contains(cut));
-        cuts.sort_by(f64::total_cmp);
-        let height = |at: f64| {
-            let half = (radius * radius - (at - x).powi(2)).max(0.0).sqrt();
-            ((y + half).min(bottom + 1.0) - (y - half).max(bottom)).max(0.0)
-        };
-        // Many small steps: roots have no polynomial at their ends.
-        let steps = 64;
-        let pairs = cuts.windows(2);
-        pairs
-            .map(|pair| {
-                let step = (pair[1] - pair[0]) / f64::from(steps);
-                (0..steps)
-                    .map(|number| step * height(pair[0] + (f64::from(number) + 0.5) * step))
-                    .sum::<f64>()
-            })
-            .sum::<f64>()
     };
-    let rows = (0..40).rev().map(|row| {
+    let rows = (0..H).rev().map(|row| {
+        let [bottom, top] = [number(row) - y, number(row) + 1.0 - y];
         std::array::from_fn(|column| {
-            #[expect(clippy::cast_precision_loss, reason = "small")]
-            let left = column as f64;
-            share(left, f64::from(row))
+            let sides = [number(column) - x, number(column) + 1.0 - x];
+            above(bottom, sides) - above(top, sides)
         })
     });
     rows.collect()
@@ -108,7 +104,7 @@ fn disc_shares([x, y]: [f64; 2], radius: f64) -> Vec<[f64; W]> {
 
 /// No pixel is more than one step of 255 off, but for what the expectation itself may err.
 #[track_caller]
-fn assert_exact(found: &[[u8; W]], expected: &[[f64; W]]) {
+fn assert_exact<const W: usize>(found: &[[u8; W]], expected: &[[f64; W]]) {
     for (row, (found, expected)) in found.iter().zip(expected).enumerate() {
         for (column, (found, expected)) in found.iter().zip(expected).enumerate() {
             let error = f64::from(*found) - 255.0 * expected;
@@ -141,20 +137,28 @@ proptest! {
         let expected = shares(&corners);
         assert_exact(&coverage(Outline::Polygon(&corners)), &expected);
         assert_exact(&coverage(Outline::Winding(&corners)), &expected);
-        let narrow: Vec<_> = corners.iter().map(|corner| corner.map(<f32 as mech_runtime::Real>::from_f64)).collect();
-        let found = picture(|picture| picture.fill(Outline::Polygon(&narrow), Pose::identity(), 1));
-        assert_exact(&found, &expected);
+        let narrow: Vec<_> = corners.iter().map(|corner| corner.map(<f32 as Real>::from_f64)).collect();
+        assert_exact(&picture::<f32, W, H>(Outline::Polygon(&narrow)), &expected);
     }
 
     #[test]
-    fn a_circle_covers_its_part_of_each_pixel(center in [0.0..48.0, 0.0..40.0], radius in 0.2..70.0) {
-        assert_exact(&coverage(Outline::Circle { center, radius }), &disc_shares(center, radius));
+    fn a_circle_covers_its_part_of_each_pixel(center in [-20.0..220.0, -40.0..200.0], radius in prop_oneof![0.2..9.0, 3.0..200.0]) {
+        assert_exact(&picture::<f64, 200, 160>(Outline::Circle { center, radius }), &disc_shares::<200, 160>(center, radius));
+    }
+
+    #[test]
+    fn so_does_one_within_the_margins(radius in prop_oneof![0.2..9.0, 3.0..98.0], place in 0.0..1.0, y in -60.0..220.0) {
+        let center = [radius + 1.0 + place * (198.0 - 2.0 * radius), y];
+        assert_exact(&picture::<f64, 200, 160>(Outline::Circle { center, radius }), &disc_shares::<200, 160>(center, radius));
+        let (center, radius) = (center.map(<f32 as Real>::from_f64), <f32 as Real>::from_f64(radius));
+        let found = picture::<f32, 200, 160>(Outline::Circle { center, radius });
+        assert_exact(&found, &disc_shares::<200, 160>(center.map(f64::from), f64::from(radius)));
     }
 
     #[test]
     fn a_ring_is_a_circle_without_its_hole(center in [0.0..48.0, 0.0..40.0], radius in 2.0..40.0, share in 0.1..0.99) {
         let hole = share * radius;
-        let (outer, inner) = (disc_shares(center, radius), disc_shares(center, hole));
+        let (outer, inner) = (disc_shares::<W, H>(center, radius), disc_shares::<W, H>(center, hole));
         let expected: Vec<_> = outer.iter().zip(&inner).map(|(outer, inner)| {
             let mut difference = *outer;
             for (outer, inner) in difference.iter_mut().zip(inner) {
@@ -233,6 +237,7 @@ proptest! {
         color in any::<u8>(),
     ) {
         let [cos, sin, x, y] = pose;
+        let narrow = |pair: [f64; 2]| pair.map(<f32 as Real>::from_f64);
         let mut smooth = Smooth::<33, 17>::new();
         let mut frame = Frame::<33, 17>::new();
         for view in [View::new([0.0, 0.0], 1.0), View::new([x, y], scale)] {
@@ -253,6 +258,12 @@ proptest! {
                     for outline in outlines {
                         smooth.fill(outline, pose, color);
                         frame.fill(outline, pose, color);
+                    }
+                    let points: Vec<_> = points.iter().copied().map(narrow).collect();
+                    let [in_single, [radius, _]] = [narrow(center), narrow([number, x])];
+                    for outline in [Outline::Polygon(&points[..]), Outline::Circle { center: in_single, radius }] {
+                        smooth.fill(outline, Pose::identity(), color);
+                        frame.fill(outline, Pose::identity(), color);
                     }
                     smooth.text(center, "M\u{fc}", color);
                     frame.text(center, "M\u{fc}", color);

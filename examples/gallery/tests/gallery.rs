@@ -38,18 +38,6 @@ fn the_studio_opens_every_exhibit() {
     }
 }
 
-#[test]
-fn slugs_are_unique() {
-    let exhibits = exhibits();
-    for (n, exhibit) in exhibits.iter().enumerate() {
-        assert!(
-            exhibits[..n]
-                .iter()
-                .all(|other| other.slug() != exhibit.slug())
-        );
-    }
-}
-
 /// Nothing that is declared is left out, and nothing hangs in another order than it is visited.
 #[test]
 fn every_mechanism_hangs() {

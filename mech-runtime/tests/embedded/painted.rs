@@ -152,26 +152,6 @@ fn palettes_and_views_can_be_changed() {
 }
 
 #[test]
-fn a_circle() {
-    let mut display = MockDisplay::<BinaryColor>::new();
-    let mut screen = Screen::new(&mut display, PIXELWISE, LIT);
-    let center = [4.0_f64, -4.0];
-    screen.fill(
-        Outline::Circle {
-            center,
-            radius: 3.0,
-        },
-        Pose::identity(),
-        1,
-    );
-    assert_eq!(screen.finish(), Ok(()));
-    display.assert_pattern(&[
-        "       ", //
-        "  #### ", " ######", " ######", " ######", " ######", "  #### ",
-    ]);
-}
-
-#[test]
 fn colours_are_those_of_the_palette() {
     let mut display = MockDisplay::<Rgb888>::new();
     display.set_allow_overdraw(true);

@@ -1,6 +1,6 @@
 //! Animations show the very pictures, one after the other.
 
-use super::{films, palette, seen};
+use super::{films, palette, seen, true_colour};
 use mech_runtime::files::{Apng, FileError, Gif, Picture};
 use mech_runtime::{Canvas, Frame, Outline, Palette, Pose};
 use proptest::prelude::*;
@@ -60,7 +60,19 @@ pub(crate) fn check(film: &seen::Film, expected: &[Vec<[u8; 4]>], delay_in_units
     }
 }
 
+/// A palette most of whose entries are one colour.
+fn nearly_black() -> impl Strategy<Value = Palette> {
+    let entries = prop::collection::vec((any::<u8>(), prop::array::uniform3(0_u8..2)), 0..6);
+    entries.prop_map(|entries| {
+        let black = Palette::new([[0; 3]; 256]);
+        let with = |palette: Palette, (entry, color)| palette.with(entry, color);
+        entries.into_iter().fold(black, with)
+    })
+}
+
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
     #[test]
     fn with_a_palette(
         (size, pictures) in films(any::<u8>()),
@@ -80,10 +92,7 @@ proptest! {
     }
 
     #[test]
-    fn in_true_colour((size, pictures) in films(prop_oneof![
-        any::<[u8; 3]>().prop_map(|[red, green, blue]| [red, green, blue, 255]),
-        any::<[u8; 4]>(),
-    ])) {
+    fn in_true_colour((size, pictures) in true_colour()) {
         let borrowed: Vec<_> = pictures
             .iter()
             .map(|pixels| Picture::rgba(size, pixels).expect("whole"))
@@ -95,7 +104,10 @@ proptest! {
     #[test]
     fn with_another_palette_for_each_frame(
         (size, pictures) in films(any::<u8>()),
-        palettes in prop::collection::vec(prop_oneof![palette(3), palette(256)], 6),
+        palettes in prop_oneof![
+            prop::collection::vec(prop_oneof![palette(3), palette(256)], 7),
+            prop::collection::vec(nearly_black(), 7),
+        ],
     ) {
         let pairs = || pictures.iter().zip(&palettes);
         let expected: Vec<_> = pairs().map(|(pixels, palette)| colors(pixels, palette)).collect();

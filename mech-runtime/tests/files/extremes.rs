@@ -1,9 +1,8 @@
-//! Films that are as long, wide or high as can be; and pixels that are all but the same.
+//! Films that are as long, wide or high as can be.
 
 use super::animations::{apng, check, colors, gif, whole};
-use super::{films, seen};
+use super::seen;
 use mech_runtime::Palette;
-use mech_runtime::files::Picture;
 use proptest::prelude::*;
 use std::time::Duration;
 
@@ -62,36 +61,5 @@ proptest! {
             let bytes = apng(&pictures, Duration::ZERO).expect("a file");
             check(&seen::apng(&bytes), &expected, 0.0);
         }
-    }
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
-
-    /// What is clear, almost clear or almost opaque.
-    #[test]
-    fn almost_the_same((size, pictures) in films(prop::array::uniform4(prop::sample::select(vec![0_u8, 1, 254, 255])))) {
-        let borrowed: Vec<_> = pictures
-            .iter()
-            .map(|pixels| Picture::rgba(size, pixels).expect("whole"))
-            .collect();
-        let bytes = apng(&borrowed, Duration::from_nanos(1)).expect("a file");
-        check(&seen::apng(&bytes), &pictures, 1e-6);
-    }
-
-    /// Palettes most of whose entries are one colour.
-    #[test]
-    fn few_colors(
-        (size, pictures) in films(any::<u8>()),
-        palettes in prop::collection::vec(prop::collection::vec((any::<u8>(), prop::array::uniform3(0_u8..2)), 0..6), 7),
-    ) {
-        let palettes: Vec<_> = palettes
-            .iter()
-            .map(|entries| entries.iter().fold(Palette::new([[0; 3]; 256]), |palette, &(entry, color)| palette.with(entry, color)))
-            .collect();
-        let pairs = || pictures.iter().zip(&palettes);
-        let expected: Vec<_> = pairs().map(|(pixels, palette)| colors(pixels, palette)).collect();
-        let bytes = gif(pairs().map(|(pixels, palette)| whole(size, pixels, palette)), Duration::ZERO).expect("a file");
-        check(&seen::gif(&bytes), &expected, 0.0);
     }
 }

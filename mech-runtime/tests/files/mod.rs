@@ -53,3 +53,11 @@ fn films<P: Clone + std::fmt::Debug + 'static>(
         })
     })
 }
+
+/// Pictures in true colour: opaque, clear here and there, or all but the same.
+fn true_colour() -> impl Strategy<Value = ([usize; 2], Vec<Vec<[u8; 4]>>)> {
+    let opaque = any::<[u8; 3]>().prop_map(|[red, green, blue]| [red, green, blue, 255]);
+    let mixed = prop_oneof![opaque.clone(), any::<[u8; 4]>()];
+    let extreme = prop::array::uniform4(prop::sample::select(vec![0_u8, 1, 254, 255]));
+    prop_oneof![films(opaque), films(mixed), films(extreme)]
+}

@@ -1,6 +1,6 @@
 //! What is true of all symbols and arrows.
 
-use super::{TURNED, on, picture};
+use crate::looks::{TURNED, on, picture, symbols};
 use mech_runtime::overlay::{Arrows, Symbol, arrow, moment};
 use mech_runtime::{Canvas, Frame, Outline, Overlay, Pose, View};
 use proptest::prelude::*;
@@ -59,6 +59,17 @@ fn only_what_is_wanted_is_drawn() {
         assert_eq!(drawn(kind, &symbols), alone);
     }
     assert_eq!(Overlay::default(), none.joints(true).motors(true));
+}
+
+#[test]
+fn ends_that_meet_are_no_spring() {
+    let (ends, beside) = ([on(0, [1.0, 2.0]); 2], 8.0);
+    for symbol in [
+        Symbol::Spring { ends, beside },
+        Symbol::Damper { ends, beside },
+    ] {
+        assert_eq!(symbols::<5, 2>(&[symbol]), ".....\n.....");
+    }
 }
 
 /// Notes what is painted.
