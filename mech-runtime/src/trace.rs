@@ -1,6 +1,6 @@
 //! Traces of points.
 
-use crate::{Canvas, Outline, Point2, Pose, Real, Scalar};
+use crate::{Canvas, Point2, Real, Scalar};
 use core::fmt;
 
 /// The width of a drawn trace, in pixels.
@@ -152,7 +152,7 @@ impl<T: Scalar> Strokes<T> {
         }
         let width = <T as Real>::from_f64(WIDTH) / canvas.scale();
         if points.len() > 1 {
-            canvas.fill(Outline::Line { points, width }, Pose::identity(), color);
+            canvas.trace(points, width, color);
         }
     }
 }

@@ -86,9 +86,9 @@ impl Canvas<f64> for Recorder {
             Outline::Circle { center, radius } => {
                 self.circles.push((pose.apply(center), radius));
             }
-            Outline::Polygon(corners) => self.polygons.push(corners.to_vec()),
-            Outline::Line { points, width } => self.polygons.push(around(points, width)),
-            Outline::Arc { start, .. } => self.polygons.push(vec![start]),
+            Outline::Polygon(corners) => self.add(corners.to_vec(), pose),
+            Outline::Line { points, width } => self.add(around(points, width), pose),
+            Outline::Arc { start, .. } => self.add(vec![start], pose),
             other => panic!("{other:?} is in no symbol"),
         }
     }
@@ -97,6 +97,13 @@ impl Canvas<f64> for Recorder {
 
     fn scale(&self) -> f64 {
         self.scale
+    }
+}
+
+impl Recorder {
+    fn add(&mut self, points: Vec<[f64; 2]>, pose: Pose<f64>) {
+        let points = points.into_iter().map(|point| pose.apply(point));
+        self.polygons.push(points.collect());
     }
 }
 

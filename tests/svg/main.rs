@@ -5,66 +5,67 @@ mod player;
 mod scenes;
 mod still;
 
-use mech_runtime::{Outline, Pose, Scalar, Shape, View};
-use resvg::usvg::roxmltree::Node;
+use mech_runtime::files::Svg;
+use resvg::tiny_skia::{PathSegment, Point};
+use resvg::usvg::{Group, Node, Options, Paint, Tree};
 
-/// The numbers in an attribute.
-fn numbers(node: &Node<'_, '_>, attribute: &str) -> Vec<f64> {
-    let text = node.attribute(attribute).expect("an attribute");
-    let numbers = text
-        .split([' ', ','])
-        .map(|number| number.parse().expect("a number"));
-    numbers.collect()
-}
+/// What is seen of something: how it is painted, its width, and its points in the picture.
+type Seen = (String, f32, Vec<Point>);
 
-/// The corners of an element in its own frame; of a circle, its centre and a point to the right of it.
-fn points(node: &Node<'_, '_>) -> Vec<[f64; 2]> {
-    match node.tag_name().name() {
-        "circle" => {
-            let [x, y, radius] = ["cx", "cy", "r"].map(|name| numbers(node, name)[0]);
-            vec![[x, y], [x + radius, y]]
+/// What another renderer would paint of an SVG, from back to front.
+fn seen(svg: &str) -> Vec<Seen> {
+    fn collect(group: &Group, all: &mut Vec<Seen>) {
+        for node in group.children() {
+            match node {
+                Node::Group(group) => collect(group, all),
+                Node::Path(path) => {
+                    let color = |paint: &Paint| match paint {
+                        Paint::Color(color) => format!("{color:?}"),
+                        other => panic!("no colour: {other:?}"),
+                    };
+                    let fill = path.fill().map(|fill| (fill.rule(), color(fill.paint())));
+                    let stroke = path.stroke().map(|stroke| color(stroke.paint()));
+                    let width = path.stroke().map_or(0.0, |stroke| stroke.width().get());
+                    let mut points = Vec::new();
+                    for segment in path.data().segments() {
+                        match segment {
+                            PathSegment::MoveTo(to) | PathSegment::LineTo(to) => points.push(to),
+                            PathSegment::QuadTo(one, to) => points.extend([one, to]),
+                            PathSegment::CubicTo(one, other, to) => points.extend([one, other, to]),
+                            PathSegment::Close => {}
+                        }
+                    }
+                    path.abs_transform().map_points(&mut points);
+                    all.push((format!("{fill:?} {stroke:?}"), width, points));
+                }
+                other => panic!("no path: {other:?}"),
+            }
         }
-        "polygon" | "polyline" => numbers(node, "points").as_chunks::<2>().0.to_vec(),
-        other => panic!("an element `{other}`"),
     }
+    let tree = Tree::from_str(svg, &Options::default()).expect("an SVG");
+    let mut all = Vec::new();
+    collect(tree.root(), &mut all);
+    all
 }
 
-/// Where the same points of a shape should be, in pixels from the upper left corner of a picture.
-fn expected<T: Scalar>(
-    shape: &Shape<T>,
-    poses: &[Pose<T>],
-    view: View,
-    size: [f64; 2],
-) -> Vec<[f64; 2]> {
-    let pose = shape
-        .link
-        .checked_sub(1)
-        .map_or(Pose::identity(), |link| poses[link]);
-    let pixel = |point: [T; 2]| {
-        let [x, y] = pose.apply(point).map(mech_runtime::Real::to_f64);
-        let [center_x, center_y] = view.center();
-        [
-            size[0] / 2.0 + (x - center_x) * view.scale(),
-            size[1] / 2.0 - (y - center_y) * view.scale(),
-        ]
+/// How far what a film shows at a phase is from where a still picture has it, in pixels. Both have the same things in the same order.
+#[track_caller]
+fn distance(film: &str, phase: f64, wanted: Svg) -> f32 {
+    let (found, wanted) = (seen(&player::still(film, phase)), seen(&wanted.finish()));
+    let names = |all: &[Seen]| {
+        all.iter()
+            .map(|(name, ..)| name.clone())
+            .collect::<Vec<_>>()
     };
-    match shape.outline {
-        Outline::Circle { center, radius } => {
-            vec![pixel(center), pixel([center[0] + radius, center[1]])]
-        }
-        Outline::Polygon(corners)
-        | Outline::Line {
-            points: corners, ..
-        } => corners.iter().copied().map(pixel).collect(),
-        // It is the stroke of its middle circle.
-        Outline::Ring {
-            center,
-            radius,
-            hole,
-        } => {
-            let middle = (radius + hole) * T::from_f64(0.5);
-            vec![pixel(center), pixel([center[0] + middle, center[1]])]
-        }
-        other => panic!("no shape is declared as {other:?}"),
+    assert_eq!(names(&found), names(&wanted), "at {phase}");
+    let mut worst = 0.0_f32;
+    for ((_, width, points), (_, other_width, others)) in found.iter().zip(&wanted) {
+        assert_eq!(points.len(), others.len(), "at {phase}");
+        let distances = points
+            .iter()
+            .zip(others)
+            .map(|(&found, &wanted)| (found - wanted).length());
+        worst = distances.fold(worst.max((width - other_width).abs()), f32::max);
     }
+    worst
 }

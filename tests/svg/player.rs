@@ -1,175 +1,93 @@
 //! A player of animated SVG: just what the standards say of key frames of `transform` and `visibility`.
 
-use resvg::usvg::roxmltree::{Document, Node};
 use std::collections::HashMap;
 
-/// A transform of CSS: a shift in pixels, then a turn in degrees.
+/// A time as a part of the period; a shift in pixels, then a turn in degrees.
 type Key = (f64, [f64; 3]);
 
-/// All that moves in a document.
-pub(crate) struct Player<'a> {
-    document: &'a Document<'a>,
-    tracks: HashMap<&'a str, Vec<Key>>,
-    pub(crate) period: f64,
-}
-
-impl<'a> Player<'a> {
-    pub(crate) fn new(document: &'a Document<'a>) -> Self {
-        let style = document
-            .descendants()
-            .find(|node| node.has_tag_name("style"));
-        let style = style.and_then(|style| style.text()).unwrap_or_default();
-        assert!(
-            style.is_empty()
-                || style.contains(
-                    "@media (prefers-reduced-motion:reduce){.move{animation:none!important}}"
-                )
-        );
-        let mut tracks = HashMap::new();
-        let mut period = f64::NAN;
-        for line in style.lines() {
-            if let Some(remainder) = line.strip_prefix(".move{animation:linear ") {
-                period = remainder
-                    .strip_suffix("s infinite}")
-                    .expect("a period")
-                    .parse()
-                    .expect("a number");
-            } else if let Some((name, remainder)) = line
-                .strip_prefix("@keyframes track")
-                .and_then(|remainder| remainder.split_once('{'))
-            {
-                tracks.insert(name, keys(remainder.strip_suffix('}').expect("an end")));
+/// What a film shows at a phase in `0.0..1.0`, as a still picture; what is hidden is left out.
+pub(crate) fn still(film: &str, phase: f64) -> String {
+    let reduced = "@media (prefers-reduced-motion:reduce){.move{animation:none!important}}";
+    assert_eq!(film.contains("<style"), film.contains(reduced));
+    let (mut period, mut shown, mut tracks) = (f64::NAN, f64::NAN, HashMap::new());
+    let mut picture = String::new();
+    // How many groups are open, and how many when those began that are hidden.
+    let (mut depth, mut hidden) = (0, usize::MAX);
+    for line in film.lines() {
+        if let Some([text]) = between(line, [".move{animation:linear ", "s infinite}"]) {
+            period = number(text);
+        } else if let Some([end]) = between(line, ["@keyframes show{0%{visibility:visible}", "%"]) {
+            shown = number(end) / 100.0;
+        } else if let Some([name, keys]) = between(line, ["@keyframes ", "{", "}}"]) {
+            tracks.insert(name, place(keys, phase));
+        } else if line.starts_with("<g") {
+            depth += 1;
+            let delay = between(line, ["animation-delay:", "s\""]).map(|[delay]| number(delay));
+            if delay.is_some_and(|delay| (phase - delay / period).rem_euclid(1.0) >= shown) {
+                hidden = hidden.min(depth);
             }
-        }
-        Self {
-            document,
-            tracks,
-            period,
-        }
-    }
-
-    /// The figures that are seen at a phase in `0.0..1.0`, from back to front, each with the transform of its group.
-    pub(crate) fn seen(&self, phase: f64) -> Vec<(Node<'a, 'a>, [f64; 6])> {
-        let groups = self
-            .document
-            .root_element()
-            .children()
-            .filter(|node| node.has_tag_name("g"));
-        let mut seen = Vec::new();
-        for group in groups {
-            let classes: Vec<_> = group
-                .attribute("class")
-                .unwrap_or_default()
-                .split(' ')
-                .collect();
-            let track = classes.iter().find_map(|class| class.strip_prefix("track"));
-            let transform = match track {
-                Some(track) => at(&self.tracks[track], phase),
-                None => group
-                    .attribute("transform")
-                    .map_or([1.0, 0.0, 0.0, 1.0, 0.0, 0.0], matrix),
-            };
-            if classes.contains(&"show") && !self.is_shown(&group, phase) {
-                continue;
+            if depth < hidden {
+                let moved = between(line, ["class=\"move ", "\" transform"]);
+                let moved = moved.map(|[track]| {
+                    let [x, y, turn] = tracks[track];
+                    format!("<g transform=\"translate({x},{y}) rotate({turn})\">")
+                });
+                let own = delay.map_or(line, |_| "<g>");
+                picture.push_str(moved.as_deref().unwrap_or(own));
             }
-            let figures = group.children().filter(Node::is_element);
-            seen.extend(figures.map(|figure| (figure, transform)));
-        }
-        seen
-    }
-
-    fn is_shown(&self, group: &Node<'_, '_>, phase: f64) -> bool {
-        let delay = group.attribute("style").expect("a delay");
-        let delay = delay
-            .strip_prefix("animation-delay:")
-            .and_then(|delay| delay.strip_suffix('s'));
-        let delay: f64 = delay.expect("a delay").parse().expect("a number");
-        let style = self
-            .document
-            .descendants()
-            .find(|node| node.has_tag_name("style"));
-        let text = style.and_then(|style| style.text()).expect("a style");
-        let end = text
-            .split_once("@keyframes show{0%{visibility:visible}")
-            .expect("key frames")
-            .1;
-        let end: f64 = end
-            .split_once('%')
-            .expect("an end")
-            .0
-            .parse()
-            .expect("a number");
-        (phase - delay / self.period).rem_euclid(1.0) * 100.0 < end
-    }
-}
-
-fn keys(mut text: &str) -> Vec<Key> {
-    let mut keys = Vec::new();
-    while let Some((time, remainder)) = text.split_once('{') {
-        let (transform, remainder) = remainder.split_once('}').expect("an end");
-        let time = if time == "to" {
-            100.0
         } else {
-            time.strip_suffix('%')
-                .expect("percent")
-                .parse()
-                .expect("a number")
-        };
-        let transform = transform
-            .strip_prefix("transform:translate(")
-            .expect("a shift");
-        let (shift, turn) = transform.split_once(')').expect("an end");
-        let (x, y) = shift.split_once(',').expect("two numbers");
-        let [x, y] = [x, y].map(|pixels| {
-            pixels
-                .strip_suffix("px")
-                .expect("pixels")
-                .parse()
-                .expect("a number")
-        });
-        let turn = turn.trim().strip_prefix("rotate(").map_or(0.0, |turn| {
-            turn.strip_suffix("deg)")
-                .expect("degrees")
-                .parse()
-                .expect("a number")
-        });
-        keys.push((time / 100.0, [x, y, turn]));
+            if depth < hidden {
+                picture.push_str(line);
+            }
+            if line == "</g>" {
+                depth -= 1;
+                if depth < hidden {
+                    hidden = usize::MAX;
+                }
+            }
+        }
+        picture.push('\n');
+    }
+    assert_eq!(depth, 0, "what begins has to end");
+    picture
+}
+
+/// The texts between marks, if these follow each other.
+fn between<'t, const N: usize, const M: usize>(
+    mut text: &'t str,
+    marks: [&str; M],
+) -> Option<[&'t str; N]> {
+    let mut parts = Vec::new();
+    for mark in marks {
+        let (part, remainder) = text.split_once(mark)?;
+        parts.push(part);
         text = remainder;
     }
+    parts.split_off(1).try_into().ok()
+}
+
+fn number(text: &str) -> f64 {
+    text.parse().expect("a number")
+}
+
+/// The shift and the turn at a phase, on a straight line from key to key.
+fn place(text: &str, phase: f64) -> [f64; 3] {
+    let keys: Vec<Key> = text.split('}').map(key).collect();
     assert_eq!((keys[0].0, keys[keys.len() - 1].0), (0.0, 1.0));
     assert!(keys.is_sorted_by(|one, next| one.0 < next.0));
-    keys
-}
-
-/// The transform on a straight line from key to key.
-fn at(keys: &[Key], phase: f64) -> [f64; 6] {
-    let next = keys
-        .partition_point(|(time, _)| *time <= phase)
-        .clamp(1, keys.len() - 1);
+    let next = keys.partition_point(|(time, _)| *time <= phase);
+    let next = next.clamp(1, keys.len() - 1);
     let ((start, one), (end, other)) = (keys[next - 1], keys[next]);
     let share = (phase - start) / (end - start);
-    let [x, y, turn] = std::array::from_fn(|part| one[part] + (other[part] - one[part]) * share);
-    let (sin, cos) = turn.to_radians().sin_cos();
-    [cos, sin, -sin, cos, x, y]
+    std::array::from_fn(|part| one[part] + (other[part] - one[part]) * share)
 }
 
-fn matrix(transform: &str) -> [f64; 6] {
-    let (kind, numbers) = transform
-        .trim_end_matches(')')
-        .split_once('(')
-        .expect("a transform");
-    let numbers: Vec<f64> = numbers
-        .split(' ')
-        .map(|number| number.parse().expect("a number"))
-        .collect();
-    match (kind, numbers.as_slice()) {
-        ("matrix", numbers) => numbers.try_into().expect("six"),
-        ("translate", &[x, y]) => [1.0, 0.0, 0.0, 1.0, x, y],
-        _ => panic!("a transform `{transform}`"),
-    }
-}
-
-/// Where a transform carries a point.
-pub(crate) fn carried([a, b, c, d, e, f]: [f64; 6], [x, y]: [f64; 2]) -> [f64; 2] {
-    [a * x + c * y + e, b * x + d * y + f]
+fn key(text: &str) -> Key {
+    let (time, transform) = text.split_once("{transform:").expect("a transform");
+    let time = time
+        .strip_suffix('%')
+        .map_or(1.0, |time| number(time) / 100.0);
+    let [x, y] = between(transform, ["translate(", "px,", "px)"]).expect("a shift");
+    let turn = between(transform, ["rotate(", "deg)"]).map_or(0.0, |[turn]| number(turn));
+    (time, [number(x), number(y), turn])
 }

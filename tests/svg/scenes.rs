@@ -1,11 +1,9 @@
 //! Films of random things: at each of its moments a film shows what a still picture of that moment does, in the same order.
 
-use crate::numbers;
-use crate::player::{Player, carried};
+use crate::{distance, player};
 use mech_runtime::files::{AnimatedSvg, Sheet, Svg};
 use mech_runtime::{Canvas, Outline, Pose, View};
 use proptest::prelude::*;
-use resvg::usvg::roxmltree::{Document, Node};
 use std::f64::consts::TAU;
 use std::time::Duration;
 
@@ -71,14 +69,6 @@ impl Thing {
         };
         let point = |[x, y]: [f64; 2]| to_scene.apply([size * x, size * y]);
         let points: Vec<_> = self.points.iter().copied().map(point).collect();
-        // A straight line that grows could as well be a trace.
-        let steps = (0..).zip(&self.points).map(|(step, [x, y])| {
-            [
-                12.0 * f64::from(step) + x / 4.0,
-                f64::from(step % 2) * 12.0 + y / 4.0,
-            ]
-        });
-        let zigzag: Vec<_> = steps.map(point).collect();
         let outline = match self.kind {
             0 => Outline::Circle {
                 center: points[0],
@@ -92,7 +82,7 @@ impl Thing {
             2 => Outline::Polygon(&points),
             3 => Outline::Winding(&points),
             4 => Outline::Line {
-                points: &zigzag,
+                points: &points,
                 width: 1.5,
             },
             5 => Outline::Arc {
@@ -107,62 +97,21 @@ impl Thing {
     }
 }
 
-/// What can be said of an element in words, where its points are in the picture, and its lengths.
-type Element = (Vec<String>, Vec<[f64; 2]>, Vec<f64>);
-
-fn element(node: &Node<'_, '_>, transform: [f64; 6]) -> Element {
-    let name = node.tag_name().name();
-    let word = |attribute| node.attribute(attribute).unwrap_or_default().to_owned();
-    let mut words = vec![name.to_owned()];
-    words.extend(["fill", "stroke", "fill-rule"].map(word));
-    let length = |attribute| {
-        node.attribute(attribute)
-            .map(|text| text.parse().expect("a number"))
-    };
-    let mut lengths: Vec<f64> = ["r", "stroke-width"]
-        .into_iter()
-        .filter_map(length)
-        .collect();
-    let points = match name {
-        "circle" => vec![[numbers(node, "cx")[0], numbers(node, "cy")[0]]],
-        "text" => {
-            words.extend(node.text().map(str::to_owned));
-            // Whatever moves, letters stay upright.
-            lengths.extend([transform[0], transform[1]]);
-            vec![[numbers(node, "x")[0], numbers(node, "y")[0]]]
+/// The texts of a picture, for which this renderer has no letters, and where they are. Whatever moves, letters stay upright.
+fn texts(svg: &str) -> Vec<(&str, [f64; 2])> {
+    let mut place = "";
+    let mut texts = Vec::new();
+    for line in svg.lines() {
+        if let Some(transform) = line.strip_prefix("<g transform=\"translate(") {
+            place = transform;
+        } else if line.starts_with("<text") {
+            let (shift, turn) = place.split_once(')').expect("an end");
+            assert!(["\">", " rotate(0)\">"].contains(&turn), "{turn}");
+            let (x, y) = shift.split_once(',').expect("two numbers");
+            texts.push((line, [x, y].map(|number| number.parse().expect("a number"))));
         }
-        "path" => {
-            let path = word("d").replace(['M', 'A'], " ");
-            let path: Vec<f64> = path
-                .split_whitespace()
-                .map(|number| number.parse().expect("a number"))
-                .collect();
-            let [x, y, radius, _, _, is_large, is_right, to_x, to_y] = path[..] else {
-                panic!("an arc: {path:?}");
-            };
-            lengths.extend([radius, is_large, is_right]);
-            vec![[x, y], [to_x, to_y]]
-        }
-        _ => numbers(node, "points").as_chunks::<2>().0.to_vec(),
-    };
-    (
-        words,
-        points
-            .into_iter()
-            .map(|point| carried(transform, point))
-            .collect(),
-        lengths,
-    )
-}
-
-fn elements(text: &str, phase: f64) -> Vec<Element> {
-    let document = Document::parse(text).expect("well-formed");
-    let player = Player::new(&document);
-    player
-        .seen(phase)
-        .iter()
-        .map(|(node, transform)| element(node, *transform))
-        .collect()
+    }
+    texts
 }
 
 proptest! {
@@ -181,17 +130,16 @@ proptest! {
             for thing in &things {
                 thing.draw(&mut still, moment, moments);
             }
-            let wanted = elements(&still.finish(), 0.0);
-            let found = elements(&film, f64::from(moment) / f64::from(moments) + BEHIND);
-            prop_assert_eq!(found.len(), wanted.len(), "moment {}", moment);
-            for (found, wanted) in found.iter().zip(wanted) {
-                prop_assert_eq!(&found.0, &wanted.0, "moment {}", moment);
-                prop_assert!(found.1.len() == wanted.1.len() && found.2.len() == wanted.2.len());
-                let distances = found.1.iter().zip(&wanted.1).map(|(found, wanted)| (found[0] - wanted[0]).hypot(found[1] - wanted[1]));
-                let lengths = found.2.iter().zip(&wanted.2).map(|(found, wanted)| (found - wanted).abs());
-                let worst = distances.chain(lengths).fold(0.0, f64::max);
-                prop_assert!(worst < 0.15, "moment {}: {} pixels, {:?}, not {:?}", moment, worst, found, wanted);
+            let phase = f64::from(moment) / f64::from(moments) + BEHIND;
+            let (wanted, found) = (still.clone().finish(), player::still(&film, phase));
+            let (wanted, found) = (texts(&wanted), texts(&found));
+            prop_assert_eq!(wanted.len(), found.len());
+            for ((text, [x, y]), (other, [to_x, to_y])) in wanted.into_iter().zip(found) {
+                prop_assert_eq!(text, other);
+                prop_assert!((to_x - x).hypot(to_y - y) < 0.15);
             }
+            let worst = distance(&film, phase, still);
+            prop_assert!(worst < 0.15, "moment {}: {} pixels", moment, worst);
         }
     }
 }

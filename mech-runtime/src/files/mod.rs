@@ -24,4 +24,4 @@ pub use apng::Apng;
 pub use error::FileError;
 pub use gif::Gif;
 pub use picture::Picture;
-pub use svg::{AnimatedSvg, Moment, Sheet, Svg, animate};
+pub use svg::{AnimatedSvg, Sheet, Svg, animate};

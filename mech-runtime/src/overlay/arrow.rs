@@ -1,6 +1,6 @@
 //! Arrows for vectors.
 
-use super::pen::{BOLD, MEDIUM, Pen, Spot};
+use super::pen::{BOLD, MEDIUM, Pen, Spot, looking};
 use super::usable;
 use crate::{Canvas, Palette, Real, Scalar};
 
@@ -50,19 +50,19 @@ pub fn arrow<T: Scalar>(
     color: u8,
 ) {
     let pen = Pen::new(canvas, usable(size), color, Palette::EYE);
-    let Some((from, length)) = Spot::between([tail, tip]) else {
+    let Some((spot, length)) = Spot::between([tail, tip]) else {
         return;
     };
     let pixels = pen.in_pixels(length);
     if pixels.is_nan() || pixels <= 1.0 {
         return;
     }
-    let spot = Spot { at: tip, ..from };
     // A head longer than the arrow would point from behind.
     let share = (pixels / HEAD[0]).min(1.0);
-    let neck = spot.offset(-pen.pixels(0.8 * share * HEAD[0]), T::ZERO);
-    pen.line(canvas, [tail, neck], BOLD);
-    head(&pen, canvas, spot, share);
+    let neck = length - pen.pixels(0.8 * share * HEAD[0]);
+    pen.line(canvas, spot, [[T::ZERO; 2], [neck, T::ZERO]], BOLD);
+    let along = [spot.pose.cos, spot.pose.sin];
+    head(&pen, canvas, Spot::at(looking(tip, along)), share);
 }
 
 /// Draws a curved arrow around a place in the scene, counter-clockwise (to the left) or clockwise. It is open below. Its radius is
@@ -89,21 +89,21 @@ pub(super) fn turn<T: Scalar>(
 ) {
     // From a little below on the one side to a little below on the other; a unit vector, and the angle between.
     const LOW: f64 = -0.35;
+    let spot = Spot::upright(center);
     let (sin, cos) = Real::sin_cos(<T as Real>::from_f64(LOW));
     let side = if to_the_left { T::ONE } else { -T::ONE };
     let far = pen.pixels(radius);
-    let start = [center[0] + side * far * cos, center[1] + far * sin];
-    let end = [center[0] - side * far * cos, center[1] + far * sin];
+    let [start, end] = [side, -side].map(|side| [side * far * cos, far * sin]);
     let angle = side * <T as Real>::from_f64(core::f64::consts::PI - 2.0 * LOW);
     // The arc ends within the head, which is as long as the chord it stands for.
     let shorter = side * <T as Real>::from_f64(f64::from(0.8 * HEAD[0] / radius));
-    pen.arc(canvas, center, start, angle - shorter, MEDIUM);
+    pen.arc(canvas, spot, [[T::ZERO; 2], start], angle - shorter, MEDIUM);
     // A tangent at the end would point out of the circle: half of the head's angle is taken back.
     let (sin, cos) = Real::sin_cos(<T as Real>::from_f64(
         LOW + 0.5 * f64::from(HEAD[0] / radius),
     ));
-    let along = [side * sin, -cos];
-    head(pen, canvas, Spot { at: end, along }, 1.0);
+    let own = looking(end, [side * sin, -cos]);
+    head(pen, canvas, Spot { own, ..spot }, 1.0);
 }
 
 /// The head of an arrow whose tip is at a spot.

@@ -33,17 +33,17 @@ pub(super) fn spring<T: Scalar>(
     };
     let lead = LEAD.min(0.2 * length);
     let half_coil = (length - 2.0 * lead) / f32::from(2 * COILS);
-    let peaks = (0..2 * COILS).map(|number| {
-        let side = if number % 2 == 0 {
-            AMPLITUDE
-        } else {
-            -AMPLITUDE
-        };
-        [lead + half_coil * (f32::from(number) + 0.5), beside + side]
-    });
-    let first = [[0.0, 0.0], [lead, beside]].into_iter();
-    let last = [[length - lead, beside], [length, 0.0]];
-    pen.path(canvas, spot, first.chain(peaks).chain(last));
+    let mut half_coils = lead + 0.5 * half_coil;
+    let mut side = -AMPLITUDE;
+    let mut places = [[length, 0.0]; 2 * COILS as usize + 4];
+    let [first, start, peaks @ .., end, _] = &mut places;
+    (*first, *start, *end) = ([0.0; 2], [lead, beside], [length - lead, beside]);
+    for peak in peaks {
+        side = -side;
+        *peak = [half_coils, beside + side];
+        half_coils += half_coil;
+    }
+    pen.path(canvas, spot, places);
 }
 
 /// A cylinder and its piston between two places, so many pixels to the left of the line between them.
@@ -81,14 +81,14 @@ pub(super) fn damper<T: Scalar>(
 /// A spiral about a pin.
 pub(super) fn torsion_spring<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, at: [T; 2]) {
     let spot = Spot::upright(at);
-    let place = |x: f32| spot.offset(pen.pixels(x), T::ZERO);
+    let place = |x: f32| [pen.pixels(x), T::ZERO];
     let half_turn = <T as Real>::TURN * <T as Real>::HALF;
     let [radius, growth] = SPIRAL;
     let mut end = -radius;
     // Half turns about two centres in turn, each of which begins where the last one ends.
     for number in 0..3 {
         let center = if number % 2 == 0 { 0.0 } else { -growth };
-        pen.arc(canvas, place(center), place(end), half_turn, MEDIUM);
+        pen.arc(canvas, spot, [center, end].map(place), half_turn, MEDIUM);
         end = center + (center - end);
     }
     pen.path(canvas, spot, [[end, 0.0], [end + 4.0, 0.0]]);
@@ -105,9 +105,9 @@ pub(super) fn torsion_damper<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T
     let spot = Spot::upright(at);
     let away = |[x, y]: [f32; 2], radius: f32| [x * radius, y * radius];
     let mut arc = |from: [f32; 2], radius: f32, degrees: f32, width: f32| {
-        let [x, y] = away(from, radius).map(|part| pen.pixels(part));
+        let start = away(from, radius).map(|part| pen.pixels(part));
         let angle = <T as Real>::TURN * T::from_f32(degrees / 360.0);
-        pen.arc(canvas, at, spot.offset(x, y), angle, width);
+        pen.arc(canvas, spot, [[T::ZERO; 2], start], angle, width);
     };
     arc(BEGIN, RADIUS - HALF, 60.0, MEDIUM);
     arc(BEGIN, RADIUS + HALF, 60.0, MEDIUM);

@@ -1,6 +1,5 @@
 //! Lines and figures whose sizes are in pixels.
 
-use crate::raster::line;
 use crate::{Canvas, Outline, Pose, Real, Scalar};
 
 /// The widths of lines, in pixels.
@@ -13,24 +12,34 @@ pub(super) const THIN: f32 = 1.0;
 pub(super) struct Pen<T> {
     /// The size of a pixel in scene units, times the size of all symbols.
     pixel: T,
-    size: T,
     ink: u8,
     pub(super) paper: u8,
 }
 
-/// A place in the scene and a direction there.
+/// A place on something that moves, and a direction there: symbols are painted with its pose, so that they are known to move with it.
 #[derive(Clone, Copy)]
 pub(super) struct Spot<T> {
-    pub(super) at: [T; 2],
-    /// A direction of length one.
-    pub(super) along: [T; 2],
+    /// The pose of what moves.
+    pub(super) pose: Pose<T>,
+    /// The place and the direction in its frame.
+    pub(super) own: Pose<T>,
+}
+
+/// A pose at a place, in a direction of length one.
+pub(super) fn looking<T>([x, y]: [T; 2], [cos, sin]: [T; 2]) -> Pose<T> {
+    Pose { cos, sin, x, y }
 }
 
 impl<T: Scalar> Spot<T> {
-    /// A place, upright.
+    /// The spot of something at a pose in the scene.
+    pub(super) fn at(pose: Pose<T>) -> Self {
+        let own = Pose::identity();
+        Self { pose, own }
+    }
+
+    /// A place in the scene, upright.
     pub(super) fn upright(at: [T; 2]) -> Self {
-        let along = [T::ONE, T::ZERO];
-        Self { at, along }
+        Self::at(looking(at, [T::ONE, T::ZERO]))
     }
 
     /// The first of two places, looking at the other, and their distance in scene units; none if that is no number, or zero.
@@ -38,25 +47,15 @@ impl<T: Scalar> Spot<T> {
         let [x, y] = [to[0] - from[0], to[1] - from[1]];
         let length = Real::sqrt(x * x + y * y);
         let along = [x / length, y / length];
-        (Real::is_finite(length) && length > T::ZERO).then_some((Self { at: from, along }, length))
-    }
-
-    /// The place at a distance ahead and to the left.
-    pub(super) fn offset(&self, ahead: T, left: T) -> [T; 2] {
-        let [u, v] = self.along;
-        [
-            self.at[0] + ahead * u - left * v,
-            self.at[1] + ahead * v + left * u,
-        ]
+        let spot = Self::at(looking(from, along));
+        (Real::is_finite(length) && length > T::ZERO).then_some((spot, length))
     }
 }
 
 impl<T: Scalar> Pen<T> {
     pub(super) fn new(canvas: &impl Canvas<T>, size: f32, ink: u8, paper: u8) -> Self {
-        let size = T::from_f32(size);
         Self {
-            pixel: size / canvas.scale(),
-            size,
+            pixel: T::from_f32(size) / canvas.scale(),
             ink,
             paper,
         }
@@ -72,21 +71,39 @@ impl<T: Scalar> Pen<T> {
         (length / self.pixel).to_f32()
     }
 
-    /// A line between two places in the scene.
-    pub(super) fn line(&self, canvas: &mut impl Canvas<T>, ends: [[T; 2]; 2], width: f32) {
-        line(canvas, ends, self.size * T::from_f32(width), self.ink);
-    }
-
-    /// A line, in pixels from a spot.
-    pub(super) fn stroke(
+    /// A line through places that are given in scene units from a spot.
+    pub(super) fn line<const N: usize>(
         &self,
         canvas: &mut impl Canvas<T>,
         spot: Spot<T>,
-        ends: [[f32; 2]; 2],
+        places: [[T; 2]; N],
         width: f32,
     ) {
-        let ends = ends.map(|[x, y]| spot.offset(self.pixels(x), self.pixels(y)));
-        self.line(canvas, ends, width);
+        let points = &places.map(|place| spot.own.apply(place));
+        let width = self.pixels(width);
+        canvas.fill(Outline::Line { points, width }, spot.pose, self.ink);
+    }
+
+    /// A line, in pixels from a spot.
+    pub(super) fn stroke<const N: usize>(
+        &self,
+        canvas: &mut impl Canvas<T>,
+        spot: Spot<T>,
+        places: [[f32; 2]; N],
+        width: f32,
+    ) {
+        let places = places.map(|place| place.map(|part| self.pixels(part)));
+        self.line(canvas, spot, places, width);
+    }
+
+    /// A line of the usual width, in pixels from a spot.
+    pub(super) fn path<const N: usize>(
+        &self,
+        canvas: &mut impl Canvas<T>,
+        spot: Spot<T>,
+        places: [[f32; 2]; N],
+    ) {
+        self.stroke(canvas, spot, places, MEDIUM);
     }
 
     /// A filled polygon, in pixels from a spot.
@@ -97,8 +114,8 @@ impl<T: Scalar> Pen<T> {
         corners: [[f32; 2]; N],
         color: u8,
     ) {
-        let corners = corners.map(|[x, y]| spot.offset(self.pixels(x), self.pixels(y)));
-        canvas.fill(Outline::Polygon(&corners), Pose::identity(), color);
+        let corners = corners.map(|place| spot.own.apply(place.map(|part| self.pixels(part))));
+        canvas.fill(Outline::Polygon(&corners), spot.pose, color);
     }
 
     /// A polygon of paper with an edge, in pixels from a spot.
@@ -109,77 +126,63 @@ impl<T: Scalar> Pen<T> {
         corners: [[f32; 2]; N],
     ) {
         self.fill(canvas, spot, corners, self.paper);
-        self.path(
-            canvas,
-            spot,
-            corners.last().copied().into_iter().chain(corners),
-        );
-    }
-
-    /// A line from place to place, in pixels from a spot.
-    pub(super) fn path(
-        &self,
-        canvas: &mut impl Canvas<T>,
-        spot: Spot<T>,
-        places: impl IntoIterator<Item = [f32; 2]>,
-    ) {
-        let mut last = None;
-        for place in places {
-            if let Some(last) = last.replace(place) {
-                self.stroke(canvas, spot, [last, place], MEDIUM);
-            }
+        self.path(canvas, spot, corners);
+        if let (Some(&first), Some(&last)) = (corners.first(), corners.last()) {
+            self.path(canvas, spot, [last, first]);
         }
     }
 
     /// A full dot of a radius in pixels.
-    pub(super) fn dot(&self, canvas: &mut impl Canvas<T>, center: [T; 2], radius: f32) {
-        self.disc(canvas, center, radius, self.ink);
+    pub(super) fn dot(&self, canvas: &mut impl Canvas<T>, spot: Spot<T>, radius: f32) {
+        self.disc(canvas, spot, radius, self.ink);
     }
 
     /// A small circle of paper with an edge, of a radius in pixels.
-    pub(super) fn eye(&self, canvas: &mut impl Canvas<T>, center: [T; 2], radius: f32) {
-        self.disc(canvas, center, radius, self.ink);
-        self.disc(canvas, center, radius - MEDIUM, self.paper);
+    pub(super) fn eye(&self, canvas: &mut impl Canvas<T>, spot: Spot<T>, radius: f32) {
+        self.disc(canvas, spot, radius, self.ink);
+        self.disc(canvas, spot, radius - MEDIUM, self.paper);
     }
 
-    fn disc(&self, canvas: &mut impl Canvas<T>, center: [T; 2], radius: f32, color: u8) {
-        let radius = self.pixels(radius);
-        canvas.fill(Outline::Circle { center, radius }, Pose::identity(), color);
+    fn disc(&self, canvas: &mut impl Canvas<T>, spot: Spot<T>, radius: f32, color: u8) {
+        let circle = Outline::Circle {
+            center: [spot.own.x, spot.own.y],
+            radius: self.pixels(radius),
+        };
+        canvas.fill(circle, spot.pose, color);
     }
 
-    /// A row of short strokes beneath a line along a spot: from `from` to `to` pixels ahead of it, `step` apart.
+    /// A row of so many short strokes beneath a line along a spot, from `from` pixels ahead of it, `step` apart.
     pub(super) fn hatch(
         &self,
         canvas: &mut impl Canvas<T>,
         spot: Spot<T>,
-        (from, to, step): (f32, f32, f32),
+        (from, step, count): (f32, f32, u8),
         side: f32,
     ) {
         const LENGTH: f32 = 5.0;
-        let mut ahead = from;
-        while ahead <= to {
+        for number in 0..count {
+            let ahead = from + step * f32::from(number);
             let ends = [[ahead, 0.0], [ahead - LENGTH, side * LENGTH]];
             self.stroke(canvas, spot, ends, THIN);
-            ahead += step;
         }
     }
 
-    /// An arc about a centre, through so many radians to the left.
+    /// An arc about a place that is given in scene units from a spot, as is its start, through so many radians to the left.
     pub(super) fn arc(
         &self,
         canvas: &mut impl Canvas<T>,
-        center: [T; 2],
-        start: [T; 2],
+        spot: Spot<T>,
+        [center, start]: [[T; 2]; 2],
         angle: T,
         width: f32,
     ) {
         let arc = Outline::Arc {
-            center,
-            start,
+            center: spot.own.apply(center),
+            start: spot.own.apply(start),
             angle,
             width: self.pixels(width),
         };
-        canvas.fill(arc, Pose::identity(), self.ink);
+        canvas.fill(arc, spot.pose, self.ink);
     }
 
     /// The entry of the palette for lines.

@@ -2,7 +2,7 @@
 
 use super::arrow::{head, turn};
 use super::elastic;
-use super::pen::{self, BOLD, MEDIUM, Pen, THIN};
+use super::pen::{self, BOLD, MEDIUM, Pen, THIN, looking};
 use crate::{Canvas, Pose, Real, Scalar};
 use mech_core::{Spot, Symbol};
 
@@ -34,12 +34,22 @@ fn place<T: Scalar>(spot: Spot<T>, poses: &[Pose<T>]) -> Option<[T; 2]> {
     Some(Pose::of_link(spot.link, poses)?.apply(spot.at))
 }
 
-/// The place of a spot and a direction of its link, in the scene.
+/// A spot on its link, looking along a direction of it.
 fn directed<T: Scalar>(spot: Spot<T>, along: [T; 2], poses: &[Pose<T>]) -> Option<pen::Spot<T>> {
     let pose = Pose::of_link(spot.link, poses)?;
-    let at = pose.apply(spot.at);
-    let along = pose.turn(along);
-    Some(pen::Spot { at, along })
+    let own = looking(spot.at, along);
+    Some(pen::Spot { pose, own })
+}
+
+/// A spot on its link.
+fn on<T: Scalar>(spot: Spot<T>, poses: &[Pose<T>]) -> Option<pen::Spot<T>> {
+    directed(spot, [T::ONE, T::ZERO], poses)
+}
+
+/// The pose in the scene of a spot of a link, looking along a direction of it.
+fn pose<T: Scalar>(spot: Spot<T>, along: [T; 2], poses: &[Pose<T>]) -> Option<Pose<T>> {
+    let pose = Pose::of_link(spot.link, poses)?;
+    Some(looking(pose.apply(spot.at), pose.turn(along)))
 }
 
 /// The kind of a symbol.
@@ -73,13 +83,12 @@ pub(super) fn draw<T: Scalar>(
 ) -> Option<()> {
     match *symbol {
         Symbol::Bar { link, ends } => {
-            let pose = Pose::of_link(link, poses)?;
-            pen.line(canvas, ends.map(|end| pose.apply(end)), BOLD);
+            let spot = pen::Spot::at(Pose::of_link(link, poses)?);
+            pen.line(canvas, spot, ends, BOLD);
         }
-        Symbol::Mark(spot) => pen.dot(canvas, place(spot, poses)?, 3.0),
+        Symbol::Mark(spot) => pen.dot(canvas, on(spot, poses)?, 3.0),
         Symbol::Wheel { center, radius } => {
-            let spot = directed(center, [T::ONE, T::ZERO], poses)?;
-            wheel(pen, canvas, spot, radius);
+            wheel(pen, canvas, on(center, poses)?, radius);
         }
         Symbol::Belt { centers, radii } => {
             let [a, b] = centers;
@@ -91,7 +100,7 @@ pub(super) fn draw<T: Scalar>(
             bar,
             along,
         } => {
-            let bar = directed(bar, along, poses)?;
+            let bar = pose(bar, along, poses)?;
             rack(pen, canvas, place(pinion, poses)?, radius, bar);
         }
         Symbol::Line { at, along } => {
@@ -113,16 +122,17 @@ pub(super) fn draw<T: Scalar>(
             along,
             block,
         } => {
-            let (rail, at) = (directed(guide, along, poses)?, place(block, poses)?);
-            slide(pen, canvas, rail, at, guide.link == 0);
+            let (rail, at) = (pose(guide, along, poses)?, place(block, poses)?);
+            let line = directed(guide, along, poses)?;
+            slide(pen, canvas, rail, at, (guide.link > 0).then_some(line));
         }
         Symbol::Weld(spot) => {
-            let spot = directed(spot, [T::ONE, T::ZERO], poses)?;
+            let spot = on(spot, poses)?;
             let corners = [[-4.5, -4.5], [4.5, -4.5], [4.5, 4.5], [-4.5, 4.5]];
             pen.fill(canvas, spot, corners, pen.ink());
         }
         Symbol::Pivot(spot) => {
-            let at = place(spot, poses)?;
+            let at = on(spot, poses)?;
             if spot.link == 0 {
                 stand(pen, canvas, at);
             }
@@ -139,16 +149,18 @@ pub(super) fn draw<T: Scalar>(
         Symbol::TorsionSpring(spot) => elastic::torsion_spring(pen, canvas, place(spot, poses)?),
         Symbol::TorsionDamper(spot) => elastic::torsion_damper(pen, canvas, place(spot, poses)?),
         Symbol::Cam(spot) => {
-            let spot = directed(spot, [T::ONE, T::ZERO], poses)?;
-            let center = spot.offset(pen.pixels(CAM[0]), T::ZERO);
-            let start = spot.offset(pen.pixels(CAM[0] + CAM[1]), T::ZERO);
-            pen.arc(canvas, center, start, <T as Real>::TURN, MEDIUM);
+            let places = [CAM[0], CAM[0] + CAM[1]].map(|ahead| [pen.pixels(ahead), T::ZERO]);
+            pen.arc(canvas, on(spot, poses)?, places, <T as Real>::TURN, MEDIUM);
         }
         Symbol::Wedge { at, along } => {
             let spot = directed(at, along, poses)?;
             let [half, height] = WEDGE;
-            let corners = [[-half, -height], [half, -height], [half, height]];
-            pen.path(canvas, spot, corners.into_iter().chain([[-half, -height]]));
+            let first = [-half, -height];
+            pen.path(
+                canvas,
+                spot,
+                [first, [half, -height], [half, height], first],
+            );
         }
         Symbol::RotaryMotor(spot) => turn(pen, canvas, place(spot, poses)?, true, 16.0),
         Symbol::LinearMotor {
@@ -158,53 +170,43 @@ pub(super) fn draw<T: Scalar>(
         } => {
             let along = Pose::of_link(guide, poses)?.turn(along);
             let at = place(block, poses)?;
-            slide_arrow(pen, canvas, pen::Spot { at, along });
+            slide_arrow(pen, canvas, looking(at, along));
         }
     }
     Some(())
 }
 
 /// The triangle and the hatched base of a fixed pivot.
-fn stand<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, at: [T; 2]) {
+fn stand<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, spot: pen::Spot<T>) {
     let [height, half, base] = STAND;
-    let spot = pen::Spot::upright(at);
     pen.figure(
         canvas,
         spot,
         [[0.0, 0.0], [half, -height], [-half, -height]],
     );
     pen.stroke(canvas, spot, [[-base, -height], [base, -height]], MEDIUM);
-    let floor = pen::Spot::upright(spot.offset(T::ZERO, -pen.pixels(height)));
-    pen.hatch(canvas, floor, (HATCH - base, base, HATCH), -1.0);
+    let own = looking(
+        spot.own.apply([T::ZERO, -pen.pixels(height)]),
+        [T::ONE, T::ZERO],
+    );
+    let floor = pen::Spot { own, ..spot };
+    pen.hatch(canvas, floor, (HATCH - base, HATCH, 5), -1.0);
 }
 
-/// A block on its rail, or on the line of a moving link.
+/// A block on its rail, or on a line of a moving link.
 fn slide<T: Scalar>(
     pen: &Pen<T>,
     canvas: &mut impl Canvas<T>,
-    guide: pen::Spot<T>,
+    guide: Pose<T>,
     at: [T; 2],
-    is_fixed: bool,
+    line: Option<pen::Spot<T>>,
 ) {
-    let along = guide.along;
-    let block = pen::Spot { at, along };
+    let along = [guide.cos, guide.sin];
+    let pose = looking(at, along);
+    let block = pen::Spot::at(pose);
     let [half, height] = BLOCK;
-    let offset = (at[0] - guide.at[0]) * along[0] + (at[1] - guide.at[1]) * along[1];
-    if is_fixed {
-        // The rail lies below, or to the right where it is upright.
-        let is_below = along[0] > T::ZERO || (along[0] >= T::ZERO && along[1] > T::ZERO);
-        let side = if is_below { -1.0 } else { 1.0 };
-        let depth = height + 1.0;
-        let ends = [-RAIL, RAIL].map(|end| [end, side * depth]);
-        pen.stroke(canvas, block, ends, MEDIUM);
-        // The hatching stands still while the block slides.
-        let remainder = HATCH * fraction(offset / pen.pixels(HATCH));
-        let floor = pen::Spot {
-            at: block.offset(T::ZERO, pen.pixels(side * depth)),
-            along,
-        };
-        pen.hatch(canvas, floor, (HATCH - RAIL - remainder, RAIL, HATCH), side);
-    } else {
+    let [offset, _] = guide.relative(at);
+    if let Some(line) = line {
         let reach = pen.pixels(2.0 * half);
         let least = if offset < reach {
             offset - reach
@@ -216,8 +218,18 @@ fn slide<T: Scalar>(
         } else {
             T::ZERO
         };
-        let ends = [guide.offset(least, T::ZERO), guide.offset(most, T::ZERO)];
-        pen.line(canvas, ends, BOLD);
+        pen.line(canvas, line, [[least, T::ZERO], [most, T::ZERO]], BOLD);
+    } else {
+        // The rail lies below, or to the right where it is upright.
+        let is_below = along[0] > T::ZERO || (along[0] >= T::ZERO && along[1] > T::ZERO);
+        let side = if is_below { -1.0 } else { 1.0 };
+        let depth = side * (height + 1.0);
+        pen.path(canvas, block, [[-RAIL, depth], [RAIL, depth]]);
+        // The hatching stands still while the block slides.
+        let remainder = HATCH * fraction(offset / pen.pixels(HATCH));
+        let at = pose.apply([-remainder, depth].map(|part| pen.pixels(part)));
+        let floor = pen::Spot::at(looking(at, along));
+        pen.hatch(canvas, floor, (HATCH - RAIL, HATCH, 14), side);
     }
     let corners = [
         [-half, -height],
@@ -240,31 +252,24 @@ fn fraction<T: Scalar>(number: T) -> f32 {
 
 /// A pitch circle, with a tick by which it is seen to turn.
 fn wheel<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, hub: pen::Spot<T>, radius: T) {
-    let rim = hub.offset(radius, T::ZERO);
-    pen.arc(canvas, hub.at, rim, <T as Real>::TURN, THIN);
-    let inner = hub.offset(radius - pen.pixels(7.0), T::ZERO);
-    pen.line(canvas, [inner, rim], MEDIUM);
+    let rim = [radius, T::ZERO];
+    let inner = [radius - pen.pixels(7.0), T::ZERO];
+    pen.arc(canvas, hub, [[T::ZERO; 2], rim], <T as Real>::TURN, THIN);
+    pen.line(canvas, hub, [inner, rim], MEDIUM);
 }
 
 /// The two strands of a belt: the outer tangents of its wheels.
-fn belt<T: Scalar>(
-    pen: &Pen<T>,
-    canvas: &mut impl Canvas<T>,
-    [from, to]: [[T; 2]; 2],
-    radii: [T; 2],
-) {
-    let [x, y] = [to[0] - from[0], to[1] - from[1]];
-    let length = Real::sqrt(x * x + y * y);
+fn belt<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, centers: [[T; 2]; 2], radii: [T; 2]) {
+    let Some((spot, length)) = pen::Spot::between(centers) else {
+        return;
+    };
     let sine = (radii[0] - radii[1]) / length;
-    let remainder = T::ONE - sine * sine;
-    let [u, v] = [x / length, y / length];
     // Where one wheel is within the other, there is no tangent: NaN is not drawn.
-    let cosine = Real::sqrt(remainder);
+    let cosine = Real::sqrt(T::ONE - sine * sine);
     for side in [cosine, -cosine] {
-        let normal = [sine * u - side * v, sine * v + side * u];
-        let touching = |[x, y]: [T; 2], radius: T| [x + radius * normal[0], y + radius * normal[1]];
-        let ends = [touching(from, radii[0]), touching(to, radii[1])];
-        pen.line(canvas, ends, THIN);
+        let touching = |center: T, radius: T| [center + radius * sine, radius * side];
+        let ends = [touching(T::ZERO, radii[0]), touching(length, radii[1])];
+        pen.line(canvas, spot, ends, THIN);
     }
 }
 
@@ -274,40 +279,37 @@ fn rack<T: Scalar>(
     canvas: &mut impl Canvas<T>,
     pinion: [T; 2],
     radius: T,
-    bar: pen::Spot<T>,
+    bar: Pose<T>,
 ) {
-    let [u, v] = bar.along;
-    let at = [pinion[0] + radius * v, pinion[1] - radius * u];
-    let contact = pen::Spot { at, ..bar };
+    let along = [bar.cos, bar.sin];
+    let contact = looking(pinion, along).apply([T::ZERO, -radius]);
+    let contact = looking(contact, along);
     let reach = Real::abs(radius) + Real::abs(radius);
-    let ends = [
-        contact.offset(-reach, T::ZERO),
-        contact.offset(reach, T::ZERO),
-    ];
-    pen.line(canvas, ends, THIN);
+    let ends = [[-reach, T::ZERO], [reach, T::ZERO]];
+    pen.line(canvas, pen::Spot::at(contact), ends, THIN);
     // Ticks half a radius apart, on the side away from the pinion.
     let apart = <T as Real>::HALF * Real::abs(radius);
-    let offset = (at[0] - bar.at[0]) * u + (at[1] - bar.at[1]) * v;
+    let [offset, _] = bar.relative([contact.x, contact.y]);
     let remainder = apart * T::from_f32(fraction(offset / apart));
+    let ticks = pen::Spot::at(looking(contact.apply([-remainder, T::ZERO]), along));
     let away = pen.pixels(if radius > T::ZERO { -5.0 } else { 5.0 });
     for number in -3..=4 {
-        let ahead = apart * <T as Real>::from_i32(number) - remainder;
-        let tick = [contact.offset(ahead, T::ZERO), contact.offset(ahead, away)];
-        pen.line(canvas, tick, THIN);
+        let ahead = apart * <T as Real>::from_i32(number);
+        pen.line(canvas, ticks, [[ahead, T::ZERO], [ahead, away]], THIN);
     }
 }
 
 /// A double arrow beside what a motor slides.
-fn slide_arrow<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, block: pen::Spot<T>) {
+fn slide_arrow<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, block: Pose<T>) {
     // On the side where the rail is not.
-    let [u, v] = block.along;
-    let is_above = u > T::ZERO || (u >= T::ZERO && v > T::ZERO);
+    let is_above = block.cos > T::ZERO || (block.cos >= T::ZERO && block.sin > T::ZERO);
     let beside = if is_above { 14.0 } else { -14.0 };
-    pen.stroke(canvas, block, [[-12.0, beside], [12.0, beside]], MEDIUM);
-    let beside = pen.pixels(beside);
+    let spot = pen::Spot::at(block);
+    pen.path(canvas, spot, [[-12.0, beside], [12.0, beside]]);
     for ahead in [18.0, -18.0] {
-        let at = block.offset(pen.pixels(ahead), beside);
-        let along = if ahead > 0.0 { [u, v] } else { [-u, -v] };
-        head(pen, canvas, pen::Spot { at, along }, 1.0);
+        let tip = [ahead, beside].map(|part| pen.pixels(part));
+        let along = if ahead > 0.0 { T::ONE } else { -T::ONE };
+        let own = looking(tip, [along, T::ZERO]);
+        head(pen, canvas, pen::Spot { own, ..spot }, 1.0);
     }
 }

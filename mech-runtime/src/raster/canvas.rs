@@ -13,6 +13,13 @@ pub trait Canvas<T: Scalar> {
     /// `° ± ² · × − Δ α β γ δ θ λ μ π φ ψ ω`. Any other character is a box.
     fn text(&mut self, place: [T; 2], text: &str, color: u8);
 
+    /// Draws a part of a trace: a line of this width through places in the scene where a point has been. What shows a whole motion shows the
+    /// whole path of the point.
+    fn trace(&mut self, places: &[[T; 2]], width: T, color: u8) {
+        let points = places;
+        self.fill(Outline::Line { points, width }, Pose::identity(), color);
+    }
+
     /// The number of pixels per scene unit, for whatever has a size in pixels. On a canvas with infinite scale these have no size.
     fn scale(&self) -> T;
 }

@@ -18,6 +18,8 @@ enum Spot {
     Shape(OwnedOutline<f64>, Pose<f64>, u8),
     /// A text, and its lower left corner.
     Text([f64; 2], String, u8),
+    /// A part of a trace, and its width.
+    Trace(Vec<[f64; 2]>, f64, u8),
 }
 
 impl Spot {
@@ -26,6 +28,12 @@ impl Spot {
         match self {
             Self::Shape(outline, pose, _) => outline.bounds(*pose).into(),
             Self::Text(place, ..) => [*place; 2],
+            Self::Trace(points, width, _) => Outline::Line {
+                points,
+                width: *width,
+            }
+            .bounds(Pose::identity())
+            .into(),
         }
     }
 }
@@ -44,6 +52,7 @@ impl Scene {
             match spot {
                 Spot::Shape(outline, pose, color) => canvas.fill(outline.borrowed(), *pose, *color),
                 Spot::Text(place, text, color) => canvas.text(*place, text, *color),
+                Spot::Trace(places, width, color) => canvas.trace(places, *width, *color),
             }
         }
     }
@@ -57,6 +66,10 @@ impl Canvas<f64> for Scene {
 
     fn text(&mut self, place: [f64; 2], text: &str, color: u8) {
         self.spots.push(Spot::Text(place, text.to_owned(), color));
+    }
+
+    fn trace(&mut self, places: &[[f64; 2]], width: f64, color: u8) {
+        self.spots.push(Spot::Trace(places.to_vec(), width, color));
     }
 
     fn scale(&self) -> f64 {

@@ -1,24 +1,20 @@
 //! One period of a mechanism as animated SVG.
 
+use super::element::reach;
 use super::place::Place;
-use super::track::Track;
 use super::{AnimatedSvg, Sheet};
-use crate::{Blocked, Mechanism, Pose, Scalar, Shape};
-use core::iter;
+use crate::{Blocked, Mechanism};
 use std::string::String;
 use std::time::Duration;
-use std::vec::Vec;
+use std::{vec, vec::Vec};
 
 /// The least and the greatest number of moments.
 const LEAST: u32 = 128;
 const MOST: u32 = 4096;
 
-/// The greatest distance of a figure from straight lines between moments, in pixels.
-const TOLERANCE: f64 = 0.02;
-
-/// The greatest error at a time between two moments, in pixels, and that time as a share. It is no simple fraction, so that a link that
-/// turns once or swings between two moments is elsewhere at this time.
-const DEVIATION: f64 = 0.05;
+/// The greatest distance of a figure from where it should be at a time between two moments, in pixels, and that time as a share. It is no
+/// simple fraction, so that a link that turns once or swings between two moments is elsewhere at this time.
+const DEVIATION: f64 = 0.02;
 const BETWEEN: f64 = 0.381_966;
 
 /// Draws one period of a mechanism's motion as SVG that moves: see [`AnimatedSvg`].
@@ -56,71 +52,55 @@ pub fn animate<M: Mechanism>(
     motion: impl Fn(f64) -> M::Motors,
 ) -> Result<String, Blocked<M::Motors>> {
     let mut moments = LEAST;
-    loop {
-        let mut mechanism = M::new();
-        let mut svg = AnimatedSvg::new(sheet.clone(), period);
-        for moment in 0..2 * moments {
-            let phase = f64::from(moment % moments) / f64::from(moments);
-            mechanism.move_to(motion(phase))?;
-            if moment >= moments {
-                svg.add(|canvas| mechanism.draw(canvas));
-            }
-        }
-        let layers = svg.layers();
-        let is_fine = layers.coarseness() <= TOLERANCE;
-        if moments >= MOST || (is_fine && !deviates::<M>(sheet, moments, &motion)?) {
-            return Ok(svg.document(&layers));
-        }
+    while moments < MOST && deviates::<M>(sheet, moments, &motion)? {
         moments *= 2;
     }
+    let mut mechanism = M::new();
+    let mut svg = AnimatedSvg::new(sheet.clone(), period);
+    for moment in 0..2 * moments {
+        let phase = f64::from(moment % moments) / f64::from(moments);
+        mechanism.move_to(motion(phase))?;
+        if moment >= moments {
+            svg.add(|canvas| mechanism.draw(canvas));
+        }
+    }
+    Ok(svg.finish())
 }
 
-/// Whether some link is elsewhere between two moments than the moments say, because it turns too fast.
+/// Whether some link is elsewhere between two moments than on the straight way from one to the next.
 fn deviates<M: Mechanism>(
     sheet: &Sheet,
     moments: u32,
     motion: impl Fn(f64) -> M::Motors,
 ) -> Result<bool, Blocked<M::Motors>> {
-    let planned = tracks::<M>(sheet, moments, 0.0, &motion)?;
-    let found = tracks::<M>(sheet, moments, BETWEEN, &motion)?;
-    let mut pairs = iter::zip(&planned, &found);
-    Ok(pairs.any(|(planned, found)| planned.deviation(found, BETWEEN) > DEVIATION))
-}
-
-/// The tracks of all links, at moments that are later by a share of the time between two moments.
-fn tracks<M: Mechanism>(
-    sheet: &Sheet,
-    moments: u32,
-    late: f64,
-    motion: impl Fn(f64) -> M::Motors,
-) -> Result<Vec<Track>, Blocked<M::Motors>> {
     let mut mechanism = M::new();
-    let mut tracks: Vec<_> = mechanism
-        .poses()
-        .iter()
-        .map(|_| Track::new(Vec::new()))
-        .collect();
+    let mut reaches = vec![0.0_f64; mechanism.poses().len()];
     for shape in M::SHAPES {
         let link = shape.link.checked_sub(1);
-        if let Some(track) = link.and_then(|link| tracks.get_mut(link)) {
-            track.carry(reach(shape) * sheet.view.scale());
+        if let Some(farthest) = link.and_then(|link| reaches.get_mut(link)) {
+            *farthest = farthest.max(reach(&shape.outline) * sheet.view.scale());
         }
     }
-    for moment in 0..moments {
-        mechanism.move_to(motion((f64::from(moment) + late) / f64::from(moments)))?;
-        for (track, pose) in tracks.iter_mut().zip(mechanism.poses()) {
-            track.push(Place::of(*pose, sheet).unwrap_or(Place::PICTURE));
+    let mut places = |moment: f64| -> Result<Vec<_>, Blocked<M::Motors>> {
+        mechanism.move_to(motion(moment / f64::from(moments)))?;
+        let poses = mechanism.poses().iter();
+        Ok(poses.map(|pose| Place::of(*pose, sheet)).collect())
+    };
+    let mut before = places(0.0)?;
+    // Not beyond the last moment, where a motion that does not close would leap.
+    for moment in 1..moments {
+        let between = places(f64::from(moment - 1) + BETWEEN)?;
+        let after = places(f64::from(moment))?;
+        let links = before.iter().zip(&between).zip(&after).zip(&reaches);
+        let mut deviations = links.filter_map(|(((before, between), after), reach)| {
+            let (before, between, after) = ((*before)?, (*between)?, (*after)?);
+            let expected = before.between(after.after(before), BETWEEN);
+            Some(expected.distance(between.after(expected), *reach))
+        });
+        if deviations.any(|deviation| deviation > DEVIATION) {
+            return Ok(true);
         }
+        before = after;
     }
-    Ok(tracks)
-}
-
-/// The distance from the origin of its link to the farthest point of a shape, in scene units.
-fn reach<T: Scalar>(shape: &Shape<T>) -> f64 {
-    let (low, high) = shape.bounds(Pose::identity());
-    let [x, y] = [0, 1].map(|axis| {
-        let ends = [low[axis], high[axis]].map(|end: T| end.to_f64().abs());
-        ends[0].max(ends[1])
-    });
-    x.hypot(y)
+    Ok(false)
 }

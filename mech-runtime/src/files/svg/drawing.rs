@@ -1,15 +1,16 @@
 //! Still pictures as SVG.
 
 use super::Sheet;
-use super::figure::Figure;
+use super::element::Figure;
+use super::number::{DECIMALS, digits};
 use super::place::Place;
-use crate::{Canvas, Outline, Palette, Pose, Real, Scalar};
-use core::fmt::Write;
-use std::{string::String, vec, vec::Vec};
+use super::sheet::hex;
+use crate::{Canvas, Outline, Pose, Real, Scalar};
+use std::{string::String, vec::Vec};
 
 /// A picture as SVG, which can be shown at any size. It is painted like a [`Frame`](crate::Frame).
 ///
-/// The shapes of each link are in the link's frame, in pixels, and a matrix places them. Numbers are exact to a thousandth of a pixel.
+/// The shapes of each link are in the link's frame, in pixels, and a transform places them. Numbers are exact to a thousandth of a pixel.
 /// Shapes that are not finite, or farther away than 10³⁰ pixels, are not drawn.
 ///
 /// ```
@@ -23,66 +24,66 @@ use std::{string::String, vec, vec::Vec};
 /// ```
 #[derive(Clone, Debug)]
 pub struct Svg {
-    sheet: Sheet,
-    body: String,
-    /// The figures at the place of the last one, and that place.
-    run: Option<(Place, Vec<Figure>)>,
+    pub(super) sheet: Sheet,
+    pub(super) parts: Vec<Part>,
+}
+
+/// A figure and its place.
+#[derive(Clone, Debug)]
+pub(super) struct Part {
+    pub(super) figure: Figure,
+    pub(super) place: Place,
 }
 
 impl Svg {
     /// An empty picture.
     #[must_use]
     pub const fn new(sheet: Sheet) -> Self {
-        Self {
-            sheet,
-            body: String::new(),
-            run: None,
-        }
+        let parts = Vec::new();
+        Self { sheet, parts }
     }
 
     /// The text of the file.
     #[must_use]
-    pub fn finish(mut self) -> String {
-        self.end_run();
-        self.sheet.document("", &self.body)
+    pub fn finish(self) -> String {
+        let mut body = String::new();
+        write_groups(&mut body, &self.parts.iter().collect::<Vec<_>>());
+        self.sheet.document("", &body)
     }
 
-    fn end_run(&mut self) {
-        if let Some((place, figures)) = self.run.take() {
-            write_group(&mut self.body, "", place, &figures, &self.sheet.palette);
-        }
-    }
-}
-
-impl Svg {
     fn draw<T: Scalar>(&mut self, figure: Option<Figure>, pose: Pose<T>) {
         let place = Place::of(pose, &self.sheet);
-        let (Some(place), Some(figure)) = (place, figure) else {
-            return;
-        };
-        match &mut self.run {
-            Some((last, figures)) if *last == place => {
-                if !figures.last_mut().is_some_and(|last| last.join(&figure)) {
-                    figures.push(figure);
-                }
-            }
-            _ => {
-                self.end_run();
-                self.run = Some((place, vec![figure]));
-            }
-        }
+        let parts = figure.zip(place);
+        self.parts
+            .extend(parts.map(|(figure, place)| Part { figure, place }));
     }
 }
 
 impl<T: Scalar> Canvas<T> for Svg {
     fn fill(&mut self, outline: Outline<'_, T>, pose: Pose<T>, color: u8) {
-        let figure = Figure::of(outline, self.sheet.view.scale(), color);
-        self.draw(figure, pose);
+        let color = hex(&self.sheet.palette, color);
+        self.draw(Figure::of(outline, self.sheet.view.scale(), &color), pose);
     }
 
-    fn text(&mut self, place: [T; 2], text: &str, color: u8) {
-        let figure = Figure::text(place, text, self.sheet.view.scale(), color);
-        self.draw(figure, Pose::<T>::identity());
+    fn text(&mut self, [x, y]: [T; 2], text: &str, color: u8) {
+        let figure = Figure::text(text, &hex(&self.sheet.palette, color));
+        let pose = Pose::identity();
+        self.draw(Some(figure), Pose { x, y, ..pose });
+    }
+
+    fn trace(&mut self, points: &[[T; 2]], width: T, color: u8) {
+        let color = hex(&self.sheet.palette, color);
+        let figure = Figure::of_trace(points, width, self.sheet.view.scale(), &color);
+        let last = self.parts.last_mut().map(|last| &mut last.figure);
+        match (last, &figure) {
+            (Some(last), Some(next))
+                if last.element == next.element && last.trace.last() == next.trace.first() =>
+            {
+                last.trace.extend(next.trace.iter().skip(1));
+                last.reach = last.reach.max(next.reach);
+            }
+            _ => self.draw(figure, Pose::<T>::identity()),
+        }
     }
 
     fn scale(&self) -> T {
@@ -90,20 +91,27 @@ impl<T: Scalar> Canvas<T> for Svg {
     }
 }
 
-/// Writes figures that have the same place.
-pub(super) fn write_group(
-    text: &mut String,
-    attributes: &str,
-    place: Place,
-    figures: &[Figure],
-    palette: &Palette,
-) {
-    let extent = figures.iter().map(Figure::extent).fold(0.0, f64::max);
-    let transform = place.transform(extent);
-    // Writing to a `String` cannot fail.
-    let _ = writeln!(text, "<g{attributes} transform=\"{transform}\">");
-    for figure in figures {
-        figure.write(text, palette);
+/// Writes figures, those that have the same place as a group.
+pub(super) fn write_groups(text: &mut String, parts: &[&Part]) {
+    for group in parts.chunk_by(|one, next| one.place == next.place) {
+        let reach = group.iter().map(|part| part.figure.reach);
+        let Some(Part { place, .. }) = group.first() else {
+            continue;
+        };
+        begin_group(text, "", *place, reach.fold(0.0, f64::max));
+        for part in group {
+            part.figure.write(text);
+        }
+        text.push_str("</g>\n");
     }
-    text.push_str("</g>\n");
+}
+
+/// Begins the group of figures at a place that reach so far from its origin.
+pub(super) fn begin_group(text: &mut String, attributes: &str, place: Place, reach: f64) {
+    let angle = place.is_turned().then(|| (DECIMALS + digits(reach), ""));
+    text.push_str("<g");
+    text.push_str(attributes);
+    text.push_str(" transform=\"");
+    place.write(text, (DECIMALS, ""), angle);
+    text.push_str("\">\n");
 }

@@ -1,151 +1,113 @@
-//! Layers: figures that move together.
+//! What all moments show in the same order, and what changes.
 
-use super::columns::columns;
-use super::figure::{Figure, Seen};
+use super::drawing::Part;
+use super::element::Figure;
 use super::place::Place;
-use super::trace::whole_path;
-use super::track::Track;
-use std::sync::Arc;
+use core::mem;
 use std::{vec, vec::Vec};
 
-/// All figures of one period, from back to front.
+/// Places of a trace that are nearer to each other than this, in pixels, count as one.
+const STEP: f64 = 0.5;
+
+/// All figures of a period, from back to front.
+#[derive(Clone, Debug)]
 pub(super) struct Layers {
-    pub(super) tracks: Vec<Track>,
-    pub(super) layers: Vec<Layer>,
+    pub(super) all: Vec<Layer>,
+    /// What changes in front of all layers.
+    pub(super) front: Vec<Change>,
 }
 
-/// The track of figures that stand still in the picture.
-const PICTURE: usize = 0;
-
-/// Neighbouring figures of one kind.
-pub(super) enum Layer {
-    /// Figures that move on one track, in its frame.
-    Rigid { track: usize, figures: Vec<Figure> },
-    /// Figures that change their form: at each moment those that are visible, in the picture.
-    Changing(Vec<Vec<Figure>>),
+/// A figure that all moments show, and what changes between the layer behind it and this one.
+#[derive(Clone, Debug)]
+pub(super) struct Layer {
+    pub(super) behind: Vec<Change>,
+    pub(super) figure: Figure,
+    pub(super) places: Vec<Place>,
 }
+
+/// The number of a moment, and what it shows.
+pub(super) type Change = (usize, Part);
 
 impl Layers {
-    /// The layers of all moments of a period.
-    pub(super) fn of(moments: &[Vec<Seen>]) -> Self {
-        let mut layers = Self {
-            tracks: Vec::new(),
-            layers: Vec::new(),
-        };
-        let still = vec![Place::PICTURE; moments.len()];
-        layers.tracks.push(Track::new(still));
-        for column in columns(moments) {
-            match column.iter().copied().collect::<Option<Vec<_>>>() {
-                Some(always) => layers.add(&always),
-                None => layers.add_changing(
-                    column
-                        .iter()
-                        .map(|seen| seen.iter().map(|seen| seen.in_picture()).collect())
-                        .collect(),
-                ),
+    pub(super) const fn new() -> Self {
+        Self {
+            all: Vec::new(),
+            front: Vec::new(),
+        }
+    }
+
+    /// Adds the moment of this number. A layer that is not found in it changes, and so does what is no layer. But a trace is shown at all
+    /// moments, whenever it begins.
+    pub(super) fn add(&mut self, number: usize, moment: Vec<Part>) {
+        let mut moment = moment.into_iter();
+        let mut changes = Vec::new();
+        for mut layer in mem::take(&mut self.all) {
+            append(&mut changes, layer.behind);
+            let mut parts = moment.as_slice().iter();
+            let found = parts.position(|part| part.figure.element == layer.figure.element);
+            if let Some(index) = found {
+                for part in moment.by_ref().take(index) {
+                    self.meet(number, part, &mut changes);
+                }
+                layer.behind = mem::take(&mut changes);
+                if let Some(part) = moment.next() {
+                    layer.see(&part);
+                }
+                self.all.push(layer);
+            } else {
+                let Layer { figure, places, .. } = layer;
+                let parts = places.into_iter().map(|place| Part {
+                    figure: figure.clone(),
+                    place,
+                });
+                changes.extend(parts.enumerate());
             }
         }
-        layers
+        append(&mut changes, mem::take(&mut self.front));
+        for part in moment {
+            self.meet(number, part, &mut changes);
+        }
+        self.front = changes;
     }
 
-    /// Adds a figure that is visible at each moment.
-    fn add(&mut self, column: &[&Seen]) {
-        let Some(first) = column.first() else {
-            return;
-        };
-        let in_picture: Vec<_> = column.iter().map(|seen| seen.in_picture()).collect();
-        let is_same = |seen: &&Seen| {
-            Arc::ptr_eq(&seen.figure, &first.figure) || seen.figure.is_same(&first.figure)
-        };
-        if column.iter().all(is_same) {
-            let places: Vec<_> = column.iter().map(|seen| seen.place).collect();
-            let track = self.track(places);
-            return self.add_rigid(track, Figure::clone(&first.figure));
-        }
-        let on_known = || {
-            let tracks = self.tracks.iter().enumerate();
-            let mut fixed = tracks
-                .filter_map(|(index, track)| Some((index, rigid_in(&in_picture, track.places())?)));
-            fixed.next()
-        };
-        if !first.figure.is_upright()
-            && let Some((track, figure)) = on_known()
-        {
-            return self.add_rigid(track, figure);
-        }
-        let farthest = in_picture.first().map_or(0, Figure::farthest);
-        let places: Vec<_> = in_picture
-            .iter()
-            .map(|figure| figure.own_place(farthest))
-            .collect();
-        if let Some(figure) = rigid_in(&in_picture, &places) {
-            let track = self.track(places);
-            return self.add_rigid(track, figure);
-        }
-        self.add_changing(in_picture.into_iter().map(|figure| vec![figure]).collect());
-    }
-
-    /// The track through these places.
-    fn track(&mut self, places: Vec<Place>) -> usize {
-        let known = self
-            .tracks
-            .iter()
-            .position(|track| track.places() == places);
-        known.unwrap_or_else(|| {
-            self.tracks.push(Track::new(places));
-            self.tracks.len() - 1
-        })
-    }
-
-    fn add_rigid(&mut self, track: usize, figure: Figure) {
-        if let Some(track) = self.tracks.get_mut(track) {
-            track.carry(figure.extent());
-        }
-        match self.layers.last_mut() {
-            Some(Layer::Rigid {
-                track: last,
-                figures,
-            }) if *last == track => figures.push(figure),
-            _ => self.layers.push(Layer::Rigid {
-                track,
-                figures: vec![figure],
-            }),
-        }
-    }
-
-    fn add_changing(&mut self, moments: Vec<Vec<Figure>>) {
-        if moments.iter().all(Vec::is_empty) {
+    /// Adds what is not known from the moments before.
+    fn meet(&mut self, number: usize, part: Part, changes: &mut Vec<Change>) {
+        let Part { mut figure, place } = part;
+        if number > 0 && figure.trace.is_empty() {
+            changes.push((number, Part { figure, place }));
             return;
         }
-        if let Some(path) = whole_path(&moments) {
-            return self.add_rigid(PICTURE, path);
+        if number == 0 {
+            // A trace that is visible at the first moment has made a whole period already.
+            figure.trace.drain(..figure.trace.len().saturating_sub(1));
         }
-        if let Some(Layer::Changing(last)) = self.layers.last_mut() {
-            for (last, more) in last.iter_mut().zip(moments) {
-                last.extend(more);
-            }
-        } else {
-            self.layers.push(Layer::Changing(moments));
-        }
-    }
-
-    /// The greatest distance, in pixels, of a figure from straight lines between moments.
-    pub(super) fn coarseness(&self) -> f64 {
-        self.tracks
-            .iter()
-            .map(Track::coarseness)
-            .fold(0.0, f64::max)
+        self.all.push(Layer {
+            behind: mem::take(changes),
+            figure,
+            places: vec![place; number + 1],
+        });
     }
 }
 
-/// The figure in a frame at these places, if it is the same there at every moment.
-fn rigid_in(in_picture: &[Figure], places: &[Place]) -> Option<Figure> {
-    let mut relative = in_picture
-        .iter()
-        .zip(places)
-        .map(|(figure, place)| figure.map(|point| place.relative(point)));
-    let first = relative.next()?;
-    relative
-        .all(|figure| figure.is_same(&first))
-        .then_some(first)
+impl Layer {
+    /// Adds the place at the next moment, and that to which its trace came.
+    fn see(&mut self, Part { figure, place }: &Part) {
+        let last = self.places.last().copied().unwrap_or(*place);
+        self.places.push(place.after(last));
+        self.figure.reach = self.figure.reach.max(figure.reach);
+        let trace = &mut self.figure.trace;
+        if let (Some(&[x, y]), Some(&[to_x, to_y])) = (trace.last(), figure.trace.last())
+            && (to_x - x).hypot(to_y - y) >= STEP
+        {
+            trace.push([to_x, to_y]);
+        }
+    }
+}
+
+fn append(changes: &mut Vec<Change>, more: Vec<Change>) {
+    if changes.is_empty() {
+        *changes = more;
+    } else {
+        changes.extend(more);
+    }
 }

@@ -10,9 +10,6 @@ pub(super) struct Number(pub(super) f64, pub(super) usize);
 /// Decimals of lengths in pixels. Sums of several such numbers are exact to a thousandth of a pixel.
 pub(super) const DECIMALS: usize = 4;
 
-/// The least number that is written with an exponent.
-const LARGE: f64 = 1e9;
-
 /// Beyond so many pixels nothing is drawn, because viewers compute in single precision.
 const FARTHEST: f64 = 1e30;
 
@@ -29,26 +26,27 @@ pub(super) const fn pixels(value: f64) -> Number {
 impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(value, decimals) = *self;
-        if value.abs() >= LARGE {
-            return write!(f, "{value:.9e}");
-        }
         let text = format!("{value:.decimals$}");
-        let text = if text.contains('.') {
-            text.trim_end_matches('0').trim_end_matches('.')
-        } else {
-            &text
+        let text = match text.split_once('.') {
+            Some(_) => text.trim_end_matches('0').trim_end_matches('.'),
+            None => &text,
         };
         f.write_str(if text == "-0" { "0" } else { text })
     }
 }
 
-/// Decimals of a factor of lengths up to `extent` pixels, so that the product is as exact as a length.
-pub(super) fn decimals_of_factor(extent: f64) -> usize {
+/// How many decimals more a number has that is multiplied by lengths up to `extent` pixels.
+pub(super) fn digits(extent: f64) -> usize {
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         reason = "at most 309"
     )]
     let digits = extent.max(1.0).log10().ceil() as usize;
-    digits + DECIMALS
+    digits
+}
+
+#[expect(clippy::cast_precision_loss, reason = "a few thousand")]
+pub(super) fn share(index: usize, count: usize) -> f64 {
+    index as f64 / count.max(1) as f64
 }

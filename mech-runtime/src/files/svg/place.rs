@@ -1,83 +1,75 @@
 //! Places of links in the picture.
 
 use super::Sheet;
-use super::number::{Number, decimals_of_factor, is_drawable, pixels};
+use super::number::{Number, is_drawable};
 use crate::{Pose, Real, Scalar};
-use std::{format, string::String};
+use core::f64::consts::{PI, TAU};
+use core::fmt::Write;
+use std::string::String;
 
-/// The place of a link's frame in pixels from the upper left corner, y down: a direction and the origin.
+/// The place of a link's frame: its origin in pixels from the upper left corner, y down, and its angle in radians to the right.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Place {
-    pub(super) cos: f64,
-    pub(super) sin: f64,
-    pub(super) x: f64,
-    pub(super) y: f64,
+    x: f64,
+    y: f64,
+    angle: f64,
 }
 
 impl Place {
-    /// The place of the whole picture.
-    pub(super) const PICTURE: Self = Self {
-        cos: 1.0,
-        sin: 0.0,
-        x: 0.0,
-        y: 0.0,
-    };
-
     /// The place of a link on a sheet. `None` if it cannot be drawn there.
     pub(super) fn of<T: Scalar>(pose: Pose<T>, sheet: &Sheet) -> Option<Self> {
         let [cos, sin, x, y] = [pose.cos, pose.sin, pose.x, pose.y].map(Real::to_f64);
-        let [center, scale] = [sheet.view.center(), [sheet.view.scale(); 2]];
+        let ([center_x, center_y], scale) = (sheet.view.center(), sheet.view.scale());
         let [middle_x, middle_y] = sheet.middle();
-        let place = Self {
-            cos,
-            sin: -sin,
-            x: middle_x + (x - center[0]) * scale[0],
-            y: middle_y - (y - center[1]) * scale[1],
-        };
-        place.is_drawable().then_some(place)
+        let [x, y] = [
+            middle_x + (x - center_x) * scale,
+            middle_y - (y - center_y) * scale,
+        ];
+        let angle = (-sin).atan2(cos);
+        let is_seen = [x, y, cos, sin].into_iter().all(is_drawable);
+        is_seen.then_some(Self { x, y, angle })
     }
 
-    /// The place with the origin at one point and the axis through another.
-    pub(super) fn through([x, y]: [f64; 2], [to_x, to_y]: [f64; 2]) -> Self {
-        let [along, across] = [to_x - x, to_y - y];
-        let length = along.hypot(across);
-        let [cos, sin] = if length > 0.0 {
-            [along / length, across / length]
-        } else {
-            [1.0, 0.0]
-        };
-        Self { cos, sin, x, y }
+    /// The same at a later moment: whole turns are counted.
+    pub(super) fn after(self, last: Self) -> Self {
+        let turn = (self.angle - last.angle + PI).rem_euclid(TAU) - PI;
+        let angle = last.angle + turn;
+        Self { angle, ..self }
     }
 
-    fn is_drawable(self) -> bool {
-        let mut parts = [self.cos, self.sin, self.x, self.y].into_iter();
-        parts.all(is_drawable)
-    }
-
-    /// Converts a point of the link to the picture.
-    pub(super) fn apply(self, point: [f64; 2]) -> [f64; 2] {
-        self.pose().apply(point)
-    }
-
-    /// Converts a point of the picture to the link.
-    pub(super) fn relative(self, point: [f64; 2]) -> [f64; 2] {
-        self.pose().relative(point)
-    }
-
-    const fn pose(self) -> Pose<f64> {
-        let Self { cos, sin, x, y } = self;
-        Pose { cos, sin, x, y }
-    }
-
-    /// The value of `transform` for figures that reach `extent` pixels from the origin.
-    pub(super) fn transform(self, extent: f64) -> String {
-        let [x, y] = [pixels(self.x), pixels(self.y)];
-        if (self.cos, self.sin) == (1.0, 0.0) {
-            return format!("translate({x} {y})");
+    /// A place on the straight way to another.
+    pub(super) fn between(self, other: Self, share: f64) -> Self {
+        let between = |one: f64, other: f64| one + (other - one) * share;
+        Self {
+            x: between(self.x, other.x),
+            y: between(self.y, other.y),
+            angle: between(self.angle, other.angle),
         }
-        let decimals = decimals_of_factor(extent);
-        let [cos, sin, minus_sin] =
-            [self.cos, self.sin, -self.sin].map(|factor| Number(factor, decimals));
-        format!("matrix({cos} {sin} {minus_sin} {cos} {x} {y})")
+    }
+
+    /// How far a figure moves, from one place to another, that reaches so far from the origin.
+    pub(super) fn distance(self, other: Self, reach: f64) -> f64 {
+        let shift = (other.x - self.x).hypot(other.y - self.y);
+        shift + reach * (other.angle - self.angle).abs()
+    }
+
+    pub(super) fn is_turned(self) -> bool {
+        self.angle != 0.0
+    }
+
+    /// Writes it as a transform, with these decimals and units of lengths and of the angle, which can be left out.
+    pub(super) fn write(
+        self,
+        text: &mut String,
+        (decimals, unit): (usize, &str),
+        angle: Option<(usize, &str)>,
+    ) {
+        let [x, y] = [self.x, self.y].map(|pixels| Number(pixels, decimals));
+        // Writing to a `String` cannot fail.
+        let _ = write!(text, "translate({x}{unit},{y}{unit})");
+        if let Some((decimals, unit)) = angle {
+            let degrees = Number(self.angle.to_degrees(), decimals);
+            let _ = write!(text, " rotate({degrees}{unit})");
+        }
     }
 }

@@ -5,6 +5,9 @@ use crate::{Palette, View};
 use core::fmt::Write;
 use std::{format, string::String};
 
+/// The size of letters: the runtime's own are six pixels apart and seven high, as those of most fonts are that have all one width.
+const FONT: u8 = 10;
+
 /// A sheet of paper: its size in pixels, its view of the scene, and its colours.
 ///
 /// ```
@@ -70,7 +73,8 @@ impl Sheet {
         // Writing to a `String` cannot fail.
         let _ = writeln!(
             text,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" role=\"img\">"
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" role=\"img\" \
+             stroke-linecap=\"round\" stroke-linejoin=\"round\" font-family=\"monospace\" font-size=\"{FONT}\">"
         );
         if !self.title.is_empty() {
             let _ = writeln!(text, "<title>{}</title>", escape(&self.title));
