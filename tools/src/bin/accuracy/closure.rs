@@ -4,7 +4,7 @@
 //! the judged positions have. A few steps of Newton's iteration on all joints at once remove this error. The gaps have all digits, the
 //! rates are floats.
 
-use crate::double_double::DoubleDouble;
+use crate::octuple::Octuple;
 use mech_compiler::model::{AxisId, JointKind, LinkId, Model};
 use mech_core::dense;
 use mech_runtime::Real;
@@ -14,11 +14,11 @@ const CLOSED: f64 = 1e-28;
 /// The most rounds. Each gives some fourteen digits.
 const ROUNDS: usize = 6;
 
-type Vector = [DoubleDouble; 2];
+type Vector = [Octuple; 2];
 
 /// A condition on the position: its gap, and the rates of the gap for the rotation and translation of each link.
 struct Condition {
-    gap: DoubleDouble,
+    gap: Octuple,
     rates: Vec<(usize, f64)>,
 }
 
@@ -40,7 +40,7 @@ pub(crate) fn close(
     model: &Model,
     size: f64,
     motor: f64,
-    poses: &mut [[DoubleDouble; 4]],
+    poses: &mut [[Octuple; 4]],
 ) -> Result<(), String> {
     for _ in 0..ROUNDS {
         let conditions = conditions(model, motor, poses)?;
@@ -54,7 +54,7 @@ pub(crate) fn close(
         let (steps, _) = steps.as_chunks::<3>();
         for (pose, &[turn, dx, dy]) in poses.iter_mut().zip(steps) {
             let [cos, sin, x, y] = *pose;
-            let turn = DoubleDouble::from(turn);
+            let turn = Octuple::from(turn);
             let (cos, sin) = (cos - sin * turn, sin + cos * turn);
             let length = (cos * cos + sin * sin).sqrt();
             *pose = [cos / length, sin / length, x + dx.into(), y + dy.into()];
@@ -63,11 +63,7 @@ pub(crate) fn close(
     Err(format!("its joints do not close at {motor}"))
 }
 
-fn conditions(
-    model: &Model,
-    motor: f64,
-    poses: &[[DoubleDouble; 4]],
-) -> Result<Vec<Condition>, String> {
+fn conditions(model: &Model, motor: f64, poses: &[[Octuple; 4]]) -> Result<Vec<Condition>, String> {
     let mut conditions = Vec::new();
     for id in model.joint_ids() {
         let joint = model.joint(id);
@@ -76,7 +72,7 @@ fn conditions(
                 let (a, b) = (place(model, poses, a), place(model, poses, b));
                 conditions.extend(meeting(&a, &b));
                 if model.motor_of(id).is_some() {
-                    let (sin, cos) = DoubleDouble::from(motor).sin_cos();
+                    let (sin, cos) = Octuple::from(motor).sin_cos();
                     let turned = rotate(a.direction, cos, sin);
                     conditions.push(parallel(
                         &Placed {
@@ -97,11 +93,11 @@ fn conditions(
     Ok(conditions)
 }
 
-fn place(model: &Model, poses: &[[DoubleDouble; 4]], id: AxisId) -> Placed {
+fn place(model: &Model, poses: &[[Octuple; 4]], id: AxisId) -> Placed {
     let axis = model.axis(id);
     let (at, direction) = (
-        axis.at.map(DoubleDouble::from),
-        axis.direction.map(DoubleDouble::from),
+        axis.at.map(Octuple::from),
+        axis.direction.map(Octuple::from),
     );
     if axis.link == LinkId::GROUND {
         return Placed {
@@ -122,11 +118,11 @@ fn place(model: &Model, poses: &[[DoubleDouble; 4]], id: AxisId) -> Placed {
     }
 }
 
-fn rotate([x, y]: Vector, cos: DoubleDouble, sin: DoubleDouble) -> Vector {
+fn rotate([x, y]: Vector, cos: Octuple, sin: Octuple) -> Vector {
     [cos * x - sin * y, sin * x + cos * y]
 }
 
-fn cross([a, b]: Vector, [c, d]: Vector) -> DoubleDouble {
+fn cross([a, b]: Vector, [c, d]: Vector) -> Octuple {
     a * d - b * c
 }
 

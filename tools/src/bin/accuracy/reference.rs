@@ -2,7 +2,7 @@
 
 use crate::closure::close;
 use crate::contestant::{Poses, Trace};
-use crate::double_double::DoubleDouble;
+use crate::octuple::Octuple;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::Model;
 use mech_compiler::program::Program;
@@ -62,8 +62,8 @@ impl Reference {
     ///
     /// # Errors
     /// The value at which it stops.
-    pub(crate) fn trace(&self, values: &[f64]) -> Result<Trace<DoubleDouble>, String> {
-        let mut machine = Machine::<DoubleDouble>::new(&self.program);
+    pub(crate) fn trace(&self, values: &[f64]) -> Result<Trace<Octuple>, String> {
+        let mut machine = Machine::<Octuple>::new(&self.program);
         let step = |&value: &f64| {
             let result = machine.move_to(&[value.into()]);
             result.map_err(|stop| format!("the reference stops at {value}: {stop:?}"))?;
@@ -75,18 +75,18 @@ impl Reference {
     }
 
     /// The greatest distance between an axis in these positions and in those of the reference, over all positions.
-    pub(crate) fn error(&self, trace: &[Poses<f64>], reference: &[Poses<DoubleDouble>]) -> f64 {
+    pub(crate) fn error(&self, trace: &[Poses<f64>], reference: &[Poses<Octuple>]) -> f64 {
         let pairs = trace.iter().zip(reference);
         pairs
             .map(|(poses, reference)| self.distance(poses, reference))
             .fold(0.0, f64::max)
     }
 
-    fn distance(&self, poses: &[[f64; 4]], reference: &[[DoubleDouble; 4]]) -> f64 {
+    fn distance(&self, poses: &[[f64; 4]], reference: &[[Octuple; 4]]) -> f64 {
         let distance = |&(link, at): &(usize, [f64; 2])| {
             // The differences are small: a float is enough for what is done with them.
             let difference = |part: usize| {
-                let difference = DoubleDouble::from(poses[link][part]) - reference[link][part];
+                let difference = Octuple::from(poses[link][part]) - reference[link][part];
                 difference.to_f64()
             };
             let [x, y] = place([0, 1, 2, 3].map(difference), at);
