@@ -1,4 +1,4 @@
-//! The graphs of small mechanisms, letter by letter.
+//! The graphs of small mechanisms. `tests/cases/commands/report.txt` has some letter by letter.
 
 use super::{EdgeKind, Graph, VertexKind, common_joints, kinematic, loops};
 use crate::model::Model;
@@ -52,42 +52,6 @@ fn edge_names(graph: &Graph) -> Vec<(usize, usize, &str)> {
     edges
         .map(|edge| (edge.from, edge.to, edge.name.as_str()))
         .collect()
-}
-
-#[test]
-fn links_of_figure_1() {
-    let (model, compiled) = compiled(PISTON);
-    let expected = r#"graph "GearedPiston: links and joints" {
-  node [shape=box, style=rounded];
-  n0 [label="ground", style=filled];
-  n1 [label="pinion"];
-  n2 [label="wheel"];
-  n3 [label="rod"];
-  n4 [label="piston"];
-  n0 -- n1 [label="d\nrevolute\nmotor", style=bold];
-  n0 -- n2 [label="e\nrevolute"];
-  n1 -- n2 [label="mesh\ngear"];
-  n2 -- n3 [label="f\nrevolute"];
-  n3 -- n4 [label="g\nrevolute"];
-  n0 -- n4 [label="h\nprismatic"];
-}
-"#;
-    assert_eq!(kinematic(&model, &compiled.structure).to_dot(), expected);
-}
-
-#[test]
-fn loops_of_figure_1() {
-    let (model, compiled) = compiled(PISTON);
-    let expected = r#"digraph "GearedPiston: loops" {
-  node [shape=box, style=rounded];
-  n0 [label="motor d", shape=plaintext];
-  n1 [label="loop 1\nf g h"];
-  n0 -> n1 [label="mesh"];
-  { rank=same; n1; }
-}
-"#;
-    assert_eq!(loops(&model, &compiled.plan).to_dot(), expected);
-    assert!(common_joints(&model, &compiled.plan).edges.is_empty());
 }
 
 #[test]
