@@ -1,6 +1,6 @@
 //! Bad input: a clear error, an exit code, and nothing overwritten.
 
-use crate::run::{FOUR_BAR, Folder};
+use crate::run::{FOUR_BAR, Folder, begin};
 use mech_studio::Source;
 use std::fs;
 use std::process::{Command, Stdio};
@@ -82,11 +82,8 @@ fn a_file_that_somebody_else_removes() {
 #[test]
 fn somebody_who_reads_no_further() {
     let folder = Folder::new().with("a.mech", FOUR_BAR);
-    let mut command = Command::new(env!("CARGO_BIN_EXE_mech"));
-    command
-        .args(["table", "a.mech", "--steps", "100000"])
-        .current_dir(folder.path("."));
-    let mut child = command.stdout(Stdio::piped()).spawn().expect("it runs");
+    let words = ["table", "a.mech", "--steps", "100000"];
+    let mut child = begin(&folder.path(""), &words);
     drop(child.stdout.take());
     assert_eq!(child.wait().expect("it ends").code(), Some(0));
 }

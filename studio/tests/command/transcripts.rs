@@ -55,7 +55,8 @@ fn files(folder: &Folder) -> BTreeMap<String, Vec<u8>> {
 fn told_file(name: &str, bytes: Vec<u8>, shared: &Texts) -> Vec<String> {
     let picture = format!("{}\n", bytes[..bytes.len().min(6)].escape_ascii());
     let text = String::from_utf8(bytes).ok();
-    let text = text.filter(|_| !name.ends_with(".svg")).unwrap_or(picture);
+    let text = text.filter(|text| !text.starts_with("<svg"));
+    let text = text.unwrap_or(picture);
     let known = shared.iter().find(|(_, known)| **known == text);
     match known {
         Some((known, _)) => vec![format!("--- {name} @{known}")],
