@@ -5,26 +5,6 @@ use crate::model::Model;
 use crate::syntax::parse;
 use crate::{Compiled, compile};
 
-const PISTON: &str = "
-    struct GearedPiston;
-    ground {
-        point pinion_shaft = (-3, 0);
-        point wheel_shaft = (0, 0);
-        line bore = (0, 0) -> (1, 0);
-    }
-    link pinion { point shaft = (0, 0); }
-    link wheel { point shaft = (0, 0); point pin = (1, 0); }
-    link rod { point big_end = (0, 0); point small_end = (4, 0); }
-    link piston { point pin = (0, 0); line axis = (0, 0) -> (1, 0); }
-    joint d = revolute(ground.pinion_shaft, pinion.shaft);
-    joint e = revolute(ground.wheel_shaft, wheel.shaft);
-    joint mesh = gear(pinion, wheel, 20 : 40);
-    joint f = revolute(wheel.pin, rod.big_end);
-    joint g = revolute(rod.small_end, piston.pin);
-    joint h = prismatic(ground.bore, piston.axis);
-    motor d;
-    start { rod near 0 deg; }";
-
 /// Two four-bars in a row, and an arm with its own motor.
 const SIX_BAR: &str = "
     struct SixBar;
@@ -89,7 +69,7 @@ fn arms_and_distances() {
 
 #[test]
 fn odd_names_are_escaped() {
-    let (mut model, compiled) = compiled(PISTON);
+    let (mut model, compiled) = compiled(SIX_BAR);
     model.name = "a \"piston\"\\".to_owned();
     model.links[1].name = "two\nlines\u{7}\r".to_owned();
     model.joints[0].name = "\\N \"d\"; é".to_owned();
