@@ -1,7 +1,5 @@
 //! What can be done to a mechanism: the intermediate form between what a user says and what becomes of the text.
 
-use serde::{Deserialize, Serialize};
-
 /// A number as it is to be written: `1.2`, `30 deg`, `2 * THROW`.
 pub type Expression = String;
 
@@ -9,8 +7,7 @@ pub type Expression = String;
 pub type Pair = [Expression; 2];
 
 /// What can be done to a mechanism.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Command {
     /// Declares a mechanism, in a text that has none.
     Mechanism {
@@ -192,7 +189,7 @@ pub enum Command {
 }
 
 /// A joint that is to be declared.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Assembly {
     /// Its name.
     pub name: String,
@@ -207,8 +204,7 @@ pub struct Assembly {
 }
 
 /// The kinds of joint, with the numbers that they have.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Debug, PartialEq)]
 pub enum JointForm {
     /// Two points coincide.
     Revolute,
@@ -247,8 +243,7 @@ pub enum JointForm {
 }
 
 /// What acts on links.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ActionKind {
     /// A spring.
     Spring,
@@ -259,8 +254,7 @@ pub enum ActionKind {
 }
 
 /// What can be taken out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A link, with its joints and what acts on it.
     Link,

@@ -106,30 +106,3 @@ fn root(text: &str) -> Option<&str> {
     }
     None
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{is_of_linkage, unknown_format};
-
-    #[test]
-    fn what_is_not_read_is_told_as_what_it_is() {
-        for (text, what) in [
-            ("", "this file is empty"),
-            ("±²³SolveSpaceREVa\n", "a drawing of SolveSpace"),
-            ("\u{feff}  {\"a\": 1}", "this is JSON"),
-            ("  0\r\nSECTION\r\n  2\r\n", "a DXF file"),
-            (
-                "<?xml version=\"1.0\"?>\n<!-- a -->\n<svg width=\"1\"/>",
-                "(SVG): its root is <svg>",
-            ),
-            ("<Mechanism/>", "another program: its root is <Mechanism>"),
-            ("a b c", "the format of this file is not known"),
-        ] {
-            let message = unknown_format(text).text;
-            assert!(message.contains(what), "{message}");
-            assert!(message.contains("links of PMKS+"), "{message}");
-        }
-        assert!(is_of_linkage("\u{feff}<linkage2>\n<connector"));
-        assert!(!is_of_linkage("<linkage/>"));
-    }
-}

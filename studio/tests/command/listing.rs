@@ -123,53 +123,6 @@ fn every_name_stands_at_its_place() {
 }
 
 #[test]
-fn numbers_are_known_by_owner_and_role() {
-    let text = "struct A;
-param size = 2;
-ground { point o = (0, 0); line l = (1, size) -> (3, 4); stand (5, 6) height 7 turned 8 deg; }
-link crank { point pin = (-9, 10) -> 11 deg turned 12 deg; mass 13 at (14, 15) inertia 16; polygon [(17, 18), (19, 20), (21, 23)] on plane 22 color 3 light; }
-joint a = revolute(ground.o, crank.pin);
-motor a in 24 ..= 25 by 26;
-start { a = 27; crank near 28; }
-";
-    let document = Document::of(Source::new("a.mech", text));
-    let listing = document.listing(&document.declarations()[0]);
-    let listing = listing
-        .expect("the compiler works")
-        .expect("it can be read");
-    let roles = [
-        ("size", "value", "2"),
-        ("ground.l", "at", "(1, size)"),
-        ("ground.l", "y", "size"),
-        ("ground.l", "dx", "3"),
-        ("ground.l", "direction", "(3, 4)"),
-        ("ground", "shape 1 x", "5"),
-        ("ground", "shape 1 height", "7"),
-        ("ground", "shape 1 turned", "8 deg"),
-        ("crank.pin", "x", "-9"),
-        ("crank.pin", "direction", "11 deg"),
-        ("crank.pin", "turned", "12 deg"),
-        ("crank", "mass", "13"),
-        ("crank", "mass y", "15"),
-        ("crank", "inertia", "16"),
-        ("crank", "shape 1 corner 2 x", "19"),
-        ("crank", "shape 1 corner 3 at", "(21, 23)"),
-        ("crank", "shape 1 plane", "22"),
-        ("crank", "shape 1 color", "3 light"),
-        ("a", "low", "24"),
-        ("a", "high", "25"),
-        ("a", "step", "26"),
-        ("a", "start", "27"),
-        ("crank", "near", "28"),
-    ];
-    for (owner, role, value) in roles {
-        let number = listing.number(owner, role);
-        let number = number.unwrap_or_else(|| panic!("{role} of {owner}"));
-        assert_eq!(&text[number.place.clone()], value, "{role} of {owner}");
-    }
-}
-
-#[test]
 fn a_statement_that_is_read_alone_means_the_same() {
     let mut total = 0;
     for path in files() {

@@ -1,6 +1,7 @@
 //! The command `mech`, run as a user runs it.
 
 mod bad_input;
+mod blocks;
 mod check;
 mod dialogue;
 mod edit;
@@ -12,5 +13,5 @@ mod numbers;
 mod pictures;
 mod play;
 mod properties;
-mod report;
 mod run;
+mod transcripts;

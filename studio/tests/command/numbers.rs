@@ -1,14 +1,7 @@
 //! `mech table` and `mech plot`.
 
 use crate::pictures::pixels;
-use crate::run::{FOUR_BAR, Folder};
-
-/// The cells of a table without its head, as numbers.
-fn numbers(table: &str) -> Vec<Vec<f64>> {
-    let rows = table.lines().skip(1);
-    let cell = |cell: &str| cell.parse().unwrap_or(f64::NAN);
-    rows.map(|row| row.split(',').map(cell).collect()).collect()
-}
+use crate::run::{FOUR_BAR, Folder, numbers};
 
 fn close(a: f64, b: f64) -> bool {
     (a - b).abs() < 1e-6
@@ -86,10 +79,8 @@ joint c = revolute(rod, block) at (4, 0);
 joint x = prismatic(ground, block) at (4, 0) along (1, 0);
 motor a;";
     let folder = Folder::new().with("a.mech", text);
-    let table = folder
-        .mech("table a.mech x velocity:x acceleration:x --from 90 --to 90 --steps 1")
-        .done();
-    let row = &numbers(&table)[0];
+    let words = "table a.mech x velocity:x acceleration:x --from 90 --to 90 --steps 1";
+    let row = &folder.rows(words)[0];
     // A crank of 1 and a rod of 3, upright.
     let root = 8.0_f64.sqrt();
     assert!(close(row[1], root - 4.0) && close(row[2], -1.0), "{row:?}");
@@ -110,27 +101,12 @@ motor a;
 start { a = 20 deg; arm near 40 deg; }";
     let folder = Folder::new().with("a.mech", text);
     let words = "table a.mech s velocity:s acceleration:s --from 50 --to 50.002 --steps 2";
-    let rows = numbers(&folder.mech(words).done());
+    let rows = folder.rows(words);
     let step = 0.001_f64.to_radians();
     let rate = (rows[2][1] - rows[0][1]) / (2.0 * step);
     let second = (rows[2][2] - rows[0][2]) / (2.0 * step);
     assert!((rate - rows[1][2]).abs() < 1e-6, "{rows:?}");
     assert!((second - rows[1][3]).abs() < 1e-6, "{rows:?}");
-}
-
-#[test]
-fn what_is_not_determined_is_empty() {
-    let text = "struct SliderCrank; link crank; link rod; link block;
-joint a = revolute(ground, crank) at (0, 0);
-joint b = revolute(crank, rod) at (1, 0.5);
-joint c = revolute(rod, block) at (4, 0);
-joint x = prismatic(ground, block) at (4, 0) along (1, 0);
-motor x; ";
-    let folder = Folder::new().with("a.mech", text);
-    let table = folder
-        .mech("table a.mech velocity:a --motor x --from 0 --to 0.1 --steps 1")
-        .done();
-    assert!(numbers(&table)[0][1].is_finite(), "{table}");
 }
 
 /// A four-bar linkage whose first crank is driven, by its four pins.
@@ -171,7 +147,7 @@ fn a_motion_without_ends_stays_within_what_is_possible() {
         let precision = if limited % 3 == 0 { "f32" } else { "f64" };
         let text = driven_four_bar(pins, precision);
         let folder = Folder::new().with("a.mech", &text);
-        let rows = numbers(&folder.mech("table a.mech b velocity:b torque:c").done());
+        let rows = folder.rows("table a.mech b velocity:b torque:c");
         let angle = |of: usize| (pins[of][1] - pins[0][1]).atan2(pins[of][0] - pins[0][0]);
         for row in [&rows[0], &rows[360]] {
             let turned = angle(1) - angle(3) + row[0].to_radians();
@@ -208,7 +184,7 @@ joint h = revolute(boom, rod) at (0, 3);
 joint s = prismatic(barrel, rod) at (4, 0) along (-4, 3);
 motor s;";
     let folder = Folder::new().with("a.mech", text);
-    let rows = numbers(&folder.mech("table a.mech o").done());
+    let rows = folder.rows("table a.mech o");
     // Lengths 4 and 3, drawn with 5 between the pins: from 1 to 7.
     for (row, end) in [(0, -4.0), (360, 2.0)] {
         assert!((rows[row][0] - end).abs() < 1e-7, "{:?}", rows[row]);
@@ -219,7 +195,7 @@ motor s;";
     let free =
         "struct Free; link a; joint x = prismatic(ground, a) at (4, 0) along (1, 0); motor x;";
     let folder = Folder::new().with("a.mech", free);
-    let rows = numbers(&folder.mech("table a.mech --steps 1").done());
+    let rows = folder.rows("table a.mech --steps 1");
     assert!(
         close(rows[0][0], -2.0) && close(rows[1][0], 2.0),
         "{rows:?}"
@@ -280,7 +256,7 @@ motor a;";
     let folder = Folder::new().with("a.mech", text);
     let ends = |steps: u32| {
         let words = format!("table a.mech s small b coupler rocker --to 1080 --steps {steps}");
-        numbers(&folder.mech(&words).done()).pop().expect("a row")
+        folder.rows(&words).pop().expect("a row")
     };
     let turned = -3.0 * 360.0 * 50.0 / 7.0;
     for steps in [1, 2, 7, 720] {
@@ -290,31 +266,6 @@ motor a;";
             assert!(close(*found, expected), "{steps}: {row:?}");
         }
     }
-}
-
-#[test]
-fn quantities_that_are_none() {
-    let folder = Folder::new().with("a.mech", FOUR_BAR).with("b.mech", CRANK);
-    let refusals = [
-        (
-            "table a.mech tip",
-            "has no joint, link or point `tip`; it has joints `a`, `b`, `c`, `d`; links",
-        ),
-        ("table a.mech speed:a", "`speed` cannot be measured"),
-        ("table a.mech torque:b", "has no motor `b`"),
-        ("table a.mech reaction:x", "has no joint `x`"),
-        ("table b.mech transmission", "has no loop"),
-        ("table a.mech --steps 0", "0 is not in 1.."),
-        (
-            "plot a.mech -o a.pdf",
-            "its name has to end in `.svg`, `.png`",
-        ),
-    ];
-    for (words, text) in refusals {
-        let refusal = folder.mech(words).refused(2);
-        assert!(refusal.contains(text), "{words}: {refusal}");
-    }
-    assert_eq!(folder.names(), ["a.mech", "b.mech"]);
 }
 
 #[test]
@@ -370,49 +321,6 @@ fn one_quantity_over_another() {
         .done();
     let text = folder.text("a.svg");
     assert_eq!(text.matches("crank.pin.x [unit]").count(), 2, "{text}");
-    for (over, why) in [
-        (
-            "crank.pin",
-            "is several numbers, `crank.pin.x`, `crank.pin.y`; name one of them",
-        ),
-        ("crank.top", "has no joint, link or point `crank.top`"),
-    ] {
-        let refusal = folder
-            .mech(&format!("table a.mech --over {over}"))
-            .refused(2);
-        assert!(refusal.contains(why), "{refusal}");
-    }
-}
-
-#[test]
-fn time_at_rest_is_not_determined() {
-    let folder = Folder::new().with("a.mech", CRANK);
-    let table = folder.mech("table a.mech t a --steps 1 --rate 0").done();
-    assert!(numbers(&table).iter().all(|row| row[1].is_nan()), "{table}");
-}
-
-/// A joint that has the name of time is meant, where it is there.
-#[test]
-fn a_joint_may_be_called_t() {
-    let text = CRANK
-        .replace("joint a", "joint t")
-        .replace("motor a", "motor t");
-    let folder = Folder::new().with("a.mech", text);
-    let table = folder
-        .mech("table a.mech t --from 30 --to 60 --steps 1")
-        .done();
-    assert!(table.starts_with("motor t [deg],t [deg]\n"), "{table}");
-    for row in numbers(&table) {
-        assert!(close(row[0], row[1]), "{row:?}");
-    }
-}
-
-#[test]
-fn tables_go_to_files_whole() {
-    let folder = Folder::new().with("a.mech", FOUR_BAR).with("a.csv", "old");
-    folder.mech("table a.mech -o a.csv --steps 3").done();
-    assert_eq!(folder.text("a.csv").lines().count(), 5);
-    assert_eq!(folder.names(), ["a.csv", "a.mech"]);
 }
 
 #[test]
@@ -423,7 +331,7 @@ fn a_load_is_carried_by_the_motor() {
     let motion = "--from 30 --to 60 --steps 1 --rate 0";
     let words =
         format!("table a.mech torque:a reaction:a {motion} --load push=-7,4 --load brake=-1.5");
-    for row in numbers(&folder.mech(&words).done()) {
+    for row in folder.rows(&words) {
         let (sin, cos) = row[0].to_radians().sin_cos();
         let expected = [
             3.0 * 10.0 * 2.0 * cos - 2.0 * (cos * 4.0 - sin * -7.0) + 1.5,
@@ -434,71 +342,6 @@ fn a_load_is_carried_by_the_motor() {
             assert!(close(*found, expected), "{row:?}");
         }
     }
-    let refused = |given: &str, code| {
-        folder
-            .mech(&format!("table a.mech torque:a {given}"))
-            .refused(code)
-    };
-    assert_eq!(
-        refused("--load pull=1", 2),
-        "error: `Crank` has no load `pull`; it has `push`, `brake`\n"
-    );
-    assert_eq!(
-        refused("--load push=1", 2),
-        "error: load `push` is a force; write `--load push=X,Y`\n"
-    );
-    assert_eq!(
-        refused("--load brake=1,2", 2),
-        "error: load `brake` is a torque; write `--load brake=VALUE`\n"
-    );
-    assert!(refused("--load brake=inf", 2).contains("`inf` is not finite"));
-}
-
-#[test]
-fn a_number_has_another_value_for_once() {
-    let text = CRANK
-        .replace("link crank", "const ARM = 2;\nparam lift = 0;\nlink crank")
-        .replace("pin = (2, 0)", "pin = (ARM, lift)");
-    let folder = Folder::new().with("a.mech", &text);
-    let words = "table a.mech crank.pin --from 0 --to 90 --steps 1 --set ARM=5 --set";
-    let rows = numbers(&folder.mech(&format!("{words} lift=0.5")).done());
-    assert!(close(rows[0][1], 5.0) && close(rows[0][2], 0.5), "{rows:?}");
-    assert!(
-        close(rows[1][1], -0.5) && close(rows[1][2], 5.0),
-        "{rows:?}"
-    );
-    assert_eq!(folder.text("a.mech"), text);
-    assert_eq!(
-        folder.mech(&format!("{words} size=3")).refused(2),
-        "error: `Crank` has no constant or param `size`; it has `ARM`, `lift`\n"
-    );
-    let wrong = folder.mech(&format!("{words} lift=1/0")).refused(1);
-    assert!(
-        wrong.contains("the text could not be read any more"),
-        "{wrong}"
-    );
-    // What cannot move with it is told as `check` tells it.
-    let far = FOUR_BAR
-        .replace(
-            "struct FourBar;",
-            "struct FourBar;\nconst REACH = 4;\nground { point d = (REACH, 0); }",
-        )
-        .replace(
-            "rocker;",
-            "rocker { point d = (4, 0); point c = (3.3, 2.9); }",
-        )
-        .replace("coupler, rocker) at (3.3, 2.9)", "coupler.c, rocker.c)")
-        .replace("coupler {", "coupler { point c = (3.3, 2.9);")
-        .replace("ground, rocker) at (4, 0)", "ground.d, rocker.d)");
-    let folder = Folder::new().with("far.mech", far);
-    folder.mech("draw far.mech -o far.svg").done();
-    let told = folder
-        .mech("draw far.mech -o far.svg --set REACH=40")
-        .refused(1);
-    assert!(
-        told.contains("cannot be closed") || told.contains("close"),
-        "{told}"
-    );
 }
 
 /// A lift of scissors is held by (W + Wa / 2) / tan φ, where W is the weight of the table and Wa that of the arms.
@@ -545,18 +388,12 @@ joint a = revolute(upper, left) at (-3, 2); joint b = revolute(lower, left) at (
 joint c = revolute(upper, right) at (3, 2); joint d = revolute(lower, right) at (3, 0);
 motor u = 0.3 * t * t; gravity (0, -9.81); allow redundant;";
     let folder = Folder::new().with("a.mech", text);
-    for row in numbers(
-        &folder
-            .mech("table a.mech torque:u --steps 3 --to 1.2")
-            .done(),
-    ) {
+    for row in folder.rows("table a.mech torque:u --steps 3 --to 1.2") {
         // The pans go on circles of radius 3 without turning.
         let inertia = 5.0 + (1.0 + 2.0) * 9.0;
         let expected = 9.81 * 3.0 * (0.3 * row[0] * row[0]).cos() + inertia * 0.6;
         assert!(close(row[1], expected), "{row:?}, not {expected}");
     }
-    let told = folder.mech("table a.mech reaction:c").refused(1);
-    assert!(told.contains("reactions are not determined"), "{told}");
 }
 
 /// The first wheel of a belt turns the second by what the second's weight asks for, however its ratio is written.
@@ -570,7 +407,7 @@ joint belt = belt(a, b, {ratio}); motor j; gravity (0, -10);"
         );
         let folder = Folder::new().with("a.mech", text);
         let words = "table a.mech reaction:belt reaction:belt.torque torque:j --to 90 --steps 2";
-        numbers(&folder.mech(words).done())
+        folder.rows(words)
     };
     for ratio in ["20 : 40", "1 : 2", "0.5 : 1.0"] {
         for row in belt(ratio) {
@@ -649,98 +486,5 @@ fn single_precision_is_seen_where_it_is() {
     ] {
         let found = worst(&expected, &picture(words.clone()));
         assert!(found < Some(4), "{words}: {found:?}");
-    }
-}
-
-/// Cells have no digits of rounding, and no exponents.
-#[test]
-fn numbers_of_tables_are_short() {
-    let folder = Folder::new().with("a.mech", FOUR_BAR);
-    for words in [
-        "table a.mech --steps 7",
-        "table a.mech velocity:d torque:a --steps 9",
-    ] {
-        for cell in folder
-            .mech(words)
-            .done()
-            .lines()
-            .skip(1)
-            .flat_map(|row| row.split(','))
-        {
-            let digits = cell.trim_start_matches(['-', '0', '.']);
-            let digits = digits.chars().filter(char::is_ascii_digit).count();
-            assert!(digits <= 16 && !cell.contains('e'), "{cell}");
-        }
-    }
-    let last = folder.mech("table a.mech --steps 3").done();
-    assert_eq!(last.lines().last(), Some("360,360,-360,0,0"));
-}
-
-/// What is typed of motors is kept, or refused in words.
-#[test]
-fn what_is_said_of_motors_counts() {
-    let two = "struct Two; link a; link b { point tip = (3, 0); }
-joint r = revolute(ground, a) at (0, 0); joint s = revolute(a, b) at (2, 0);
-motor r in -90 deg ..= 90 deg; motor s;";
-    let slide =
-        "struct Slide; link a; joint x = prismatic(ground, a) at (0, 0) along (1, 0); motor x;";
-    let folder = Folder::new().with("a.mech", two).with("x.mech", slide);
-    let first = |words: &str| numbers(&folder.mech(words).done())[0].clone();
-    for at in ["r=30", "r=30deg", "r=30 deg", "r=30°"] {
-        let words = [
-            "table", "a.mech", "b", "--at", at, "--motor", "s", "--steps", "1",
-        ];
-        let answer = crate::run::mech_in(&folder.path("."), &words).done();
-        assert!(close(numbers(&answer)[0][1], 30.0), "{at}: {answer}");
-    }
-    // Without a name the first motor moves that nothing holds.
-    assert!(close(first("table a.mech b --at r=30 --steps 1")[1], 30.0));
-    assert!(close(
-        first("table a.mech --from=-45deg --to 60 --steps 1")[0],
-        -45.0
-    ));
-    for (words, code, why) in [
-        (
-            "table a.mech --at r=120",
-            2,
-            "`--at`|120 deg is outside of the declared range of motor `r`, -90 deg to 90 deg",
-        ),
-        (
-            "draw a.mech -o a.png --at r=120",
-            2,
-            "outside of the declared range of motor `r`",
-        ),
-        (
-            "table a.mech --from=-100",
-            2,
-            "-100 deg is outside of the declared range of motor `r`",
-        ),
-        (
-            "film a.mech -o a.gif --to 91",
-            2,
-            "91 deg is outside of the declared range",
-        ),
-        (
-            "table a.mech --at r=30 --motor r",
-            2,
-            "motor `r` moves, so `--at` cannot put it at a value",
-        ),
-        (
-            "table a.mech --at r=30 --at s=2",
-            2,
-            "`--at` puts every motor at a value",
-        ),
-        (
-            "table x.mech --from 3deg",
-            2,
-            "motor `x` slides: its values are in scene units",
-        ),
-        ("table a.mech --at r=3mm", 2, "`3mm` is not a number"),
-    ] {
-        let told = folder.mech(words).refused(code);
-        assert!(
-            why.split('|').any(|why| told.contains(why)),
-            "{words}: {told}"
-        );
     }
 }

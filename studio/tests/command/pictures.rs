@@ -1,6 +1,6 @@
 //! `mech draw` and `mech film`: the interpreter shows what the generated code shows.
 
-use crate::run::{FOUR_BAR, Folder, mech_in, repository, rust};
+use crate::run::{FOUR_BAR, Folder, mech_in, repository};
 use std::path::Path;
 
 /// Width and height, and red, green and blue of all pixels.
@@ -54,12 +54,6 @@ fn pictures_have_the_size_that_is_asked_for() {
     folder.mech("draw a.mech -o b.png --size 200").done();
     let [width, height] = pixels(&folder.path("b.png")).0;
     assert!(width == 200 && (80..=300).contains(&height), "{height}");
-    for size in ["0", "x", "10x", "99999", "10x0"] {
-        folder
-            .mech(&format!("draw a.mech -o c.png --size {size}"))
-            .refused(2);
-    }
-    assert_eq!(folder.names(), ["a.mech", "a.png", "b.png"]);
 }
 
 #[test]
@@ -82,63 +76,6 @@ fn looks_overlays_and_dark_ground_are_different_pictures() {
         assert!(!seen.contains(&text), "{how}");
         seen.push(text);
     }
-}
-
-#[test]
-fn pictures_that_cannot_be_drawn() {
-    let folder = Folder::new().with("a.mech", FOUR_BAR).with("a.rs", rust());
-    let refusals = [
-        (
-            "draw a.mech -o a.bmp",
-            2,
-            "its name has to end in `.png`, `.svg`",
-        ),
-        (
-            "film a.mech -o a.avi",
-            2,
-            "its name has to end in `.gif`, `.png`, `.apng`, `.svg`",
-        ),
-        (
-            "draw a.mech -o a.png --at b=3",
-            2,
-            "has no motor `b`; it has `a`",
-        ),
-        ("draw a.mech -o a.png --at a=x", 2, "`x` is not a number"),
-        (
-            "draw a.mech -o a.png --at a",
-            2,
-            "expected a motor and its value",
-        ),
-        ("draw a.mech -o a.png --at a=inf", 2, "is not finite"),
-        ("draw a.rs -m Loose -o a.png", 1, "there is no motor"),
-        ("film a.mech -o a.gif --motor c", 2, "has no motor `c`"),
-    ];
-    for (words, code, text) in refusals {
-        let refusal = folder.mech(words).refused(code);
-        assert!(refusal.contains(text), "{words}: {refusal}");
-    }
-    assert_eq!(folder.names(), ["a.mech", "a.rs"]);
-}
-
-/// A rocker that is driven goes as far as its loop lets it.
-fn rocker() -> String {
-    FOUR_BAR.replace("motor a;", "motor d;")
-}
-
-#[test]
-fn a_motor_with_limits_goes_to_and_fro() {
-    let folder = Folder::new().with("a.mech", rocker());
-    folder
-        .mech("film a.mech -o a.gif --size 60 --seconds 1 --rate 8")
-        .done();
-    let refusal = folder.mech("draw a.mech -o a.png --at d=170").refused(1);
-    assert!(refusal.contains("the loop of `a`, `b`, `c`"), "{refusal}");
-    let refusal = folder
-        .mech("film a.mech -o b.gif --from 0 --to 170")
-        .refused(1);
-    assert!(refusal.contains("motor `d` cannot come to "), "{refusal}");
-    assert!(refusal.contains("; it can go from "), "{refusal}");
-    assert_eq!(folder.names(), ["a.gif", "a.mech"]);
 }
 
 /// However short a trace is, and over how many turns a path closes: the picture has all of it.
@@ -172,23 +109,9 @@ fn a_picture_has_whole_paths() {
 }
 
 #[test]
-fn films_of_all_kinds() {
-    let traced = format!("{FOUR_BAR} effects {{ trace coupler.tip 256; }}");
-    let folder = Folder::new().with("a.mech", traced);
-    for (name, start) in [
-        ("a.gif", &b"GIF89a"[..]),
-        ("a.png", b"\x89PNG"),
-        ("a.apng", b"\x89PNG"),
-        ("a.svg", b"<svg "),
-    ] {
-        folder
-            .mech(&format!(
-                "film a.mech -o {name} --size 80 --seconds 1 --rate 5"
-            ))
-            .done();
-        let bytes = std::fs::read(folder.path(name)).expect("a film");
-        assert!(bytes.starts_with(start), "{name}");
-    }
+fn a_film_as_svg_moves() {
+    let folder = Folder::new().with("a.mech", FOUR_BAR);
+    folder.mech("film a.mech -o a.svg --seconds 1").done();
     assert!(folder.text("a.svg").contains("@keyframes"));
 }
 
@@ -210,19 +133,6 @@ motor d;";
     };
     assert!(film("a.gif", "") == film("b.gif", "--to 1080"));
     assert!(film("c.gif", "") != film("d.gif", "--to 360"));
-}
-
-#[test]
-fn motors_follow_their_laws() {
-    let law = FOUR_BAR.replace("motor a;", "motor a = 2 * PI * t;");
-    let folder = Folder::new().with("a.mech", law);
-    folder
-        .mech("film a.mech -o a.gif --size 60 --seconds 1 --rate 4")
-        .done();
-    let table = folder.mech("table a.mech a velocity:a --steps 2").done();
-    let rows: Vec<&str> = table.lines().collect();
-    assert_eq!(rows[0], "t [s],a [deg],velocity:a [rad/s]");
-    assert_eq!(rows[2], "0.5,180,6.283185307179586");
 }
 
 #[test]
@@ -263,19 +173,4 @@ motor a;";
         let read = |name: &str| std::fs::read(folder.path(name)).expect("a film");
         assert!(read("a.gif") == read("b.gif"), "{law}");
     }
-}
-
-#[test]
-fn laws_that_something_stops_are_shown_for_a_while() {
-    // The crank is longer than the way to the rocker lets it turn.
-    let text = "struct Stuck; link crank; link rod; link rocker;
-joint a = revolute(ground, crank) at (0, 0);
-joint b = revolute(crank, rod) at (0, 3);
-joint c = revolute(rod, rocker) at (4, 3);
-joint d = revolute(ground, rocker) at (4, 1);
-motor a = 0.2 * t;";
-    let folder = Folder::new().with("a.mech", text);
-    let film = folder.mech("film a.mech -o a.gif --size 60 --seconds 1 --rate 5");
-    assert_eq!(film.code, Some(0), "{}", film.err);
-    assert!(film.err.contains("from t = 0 to 1;"), "{}", film.err);
 }

@@ -1,8 +1,9 @@
 //! Runs the command.
 
 use std::ffi::OsStr;
+use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Child, Command, Stdio};
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::{env, fs};
 
@@ -32,9 +33,28 @@ impl Answer {
 
 /// Runs the command in a folder.
 pub(crate) fn mech_in(folder: &Path, words: &[impl AsRef<OsStr>]) -> Answer {
+    mech_said(folder, words, "")
+}
+
+/// Begins the command in a folder; it waits for its input.
+pub(crate) fn begin(folder: &Path, words: &[impl AsRef<OsStr>]) -> Child {
     let mut command = Command::new(env!("CARGO_BIN_EXE_mech"));
-    let output = command.current_dir(folder).args(words).output();
-    let output = output.expect("the command runs");
+    command
+        .current_dir(folder)
+        .args(words)
+        .stdin(Stdio::piped());
+    command.stdout(Stdio::piped()).stderr(Stdio::piped());
+    command.spawn().expect("the command runs")
+}
+
+/// Runs the command in a folder, with an input.
+pub(crate) fn mech_said(folder: &Path, words: &[impl AsRef<OsStr>], input: &str) -> Answer {
+    let mut child = begin(folder, words);
+    let mut listener = child.stdin.take().expect("an input");
+    // Some read no input, or not all of it.
+    let _ = listener.write_all(input.as_bytes());
+    drop(listener);
+    let output = child.wait_with_output().expect("it ends");
     Answer {
         code: output.status.code(),
         out: String::from_utf8(output.stdout).expect("UTF-8"),
@@ -86,6 +106,19 @@ impl Folder {
         let words: Vec<&str> = words.split_whitespace().collect();
         mech_in(&self.0, &words)
     }
+
+    /// The rows of a table that a command makes there.
+    #[track_caller]
+    pub(crate) fn rows(&self, words: &str) -> Vec<Vec<f64>> {
+        numbers(&self.mech(words).done())
+    }
+}
+
+/// The cells of a table without its head, as numbers.
+pub(crate) fn numbers(table: &str) -> Vec<Vec<f64>> {
+    let rows = table.lines().skip(1);
+    let cell = |cell: &str| cell.parse().unwrap_or(f64::NAN);
+    rows.map(|row| row.split(',').map(cell).collect()).collect()
 }
 
 impl Drop for Folder {
@@ -106,7 +139,12 @@ pub(crate) fn refused() -> [(PathBuf, Vec<PathBuf>); 2] {
             let entries = fs::read_dir(folder).expect("a folder");
             entries.map(|entry| entry.expect("an entry").path())
         };
-        let folders = entries(&root).filter(|path| path.is_dir() && !path.ends_with("messages"));
+        let is_other = |path: &Path| {
+            ["commands", "edits", "imports", "messages"]
+                .iter()
+                .any(|name| path.ends_with(name))
+        };
+        let folders = entries(&root).filter(|path| path.is_dir() && !is_other(path));
         let mut cases: Vec<PathBuf> = folders
             .flat_map(|folder| entries(&folder).collect::<Vec<_>>())
             .filter(|path| path.extension().is_some_and(|end| end != "stderr"))

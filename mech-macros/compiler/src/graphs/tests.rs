@@ -1,29 +1,9 @@
-//! The graphs of small mechanisms, letter by letter.
+//! The graphs of small mechanisms. `tests/cases/commands/report.txt` has some letter by letter.
 
 use super::{EdgeKind, Graph, VertexKind, common_joints, kinematic, loops};
 use crate::model::Model;
 use crate::syntax::parse;
 use crate::{Compiled, compile};
-
-const PISTON: &str = "
-    struct GearedPiston;
-    ground {
-        point pinion_shaft = (-3, 0);
-        point wheel_shaft = (0, 0);
-        line bore = (0, 0) -> (1, 0);
-    }
-    link pinion { point shaft = (0, 0); }
-    link wheel { point shaft = (0, 0); point pin = (1, 0); }
-    link rod { point big_end = (0, 0); point small_end = (4, 0); }
-    link piston { point pin = (0, 0); line axis = (0, 0) -> (1, 0); }
-    joint d = revolute(ground.pinion_shaft, pinion.shaft);
-    joint e = revolute(ground.wheel_shaft, wheel.shaft);
-    joint mesh = gear(pinion, wheel, 20 : 40);
-    joint f = revolute(wheel.pin, rod.big_end);
-    joint g = revolute(rod.small_end, piston.pin);
-    joint h = prismatic(ground.bore, piston.axis);
-    motor d;
-    start { rod near 0 deg; }";
 
 /// Two four-bars in a row, and an arm with its own motor.
 const SIX_BAR: &str = "
@@ -52,42 +32,6 @@ fn edge_names(graph: &Graph) -> Vec<(usize, usize, &str)> {
     edges
         .map(|edge| (edge.from, edge.to, edge.name.as_str()))
         .collect()
-}
-
-#[test]
-fn links_of_figure_1() {
-    let (model, compiled) = compiled(PISTON);
-    let expected = r#"graph "GearedPiston: links and joints" {
-  node [shape=box, style=rounded];
-  n0 [label="ground", style=filled];
-  n1 [label="pinion"];
-  n2 [label="wheel"];
-  n3 [label="rod"];
-  n4 [label="piston"];
-  n0 -- n1 [label="d\nrevolute\nmotor", style=bold];
-  n0 -- n2 [label="e\nrevolute"];
-  n1 -- n2 [label="mesh\ngear"];
-  n2 -- n3 [label="f\nrevolute"];
-  n3 -- n4 [label="g\nrevolute"];
-  n0 -- n4 [label="h\nprismatic"];
-}
-"#;
-    assert_eq!(kinematic(&model, &compiled.structure).to_dot(), expected);
-}
-
-#[test]
-fn loops_of_figure_1() {
-    let (model, compiled) = compiled(PISTON);
-    let expected = r#"digraph "GearedPiston: loops" {
-  node [shape=box, style=rounded];
-  n0 [label="motor d", shape=plaintext];
-  n1 [label="loop 1\nf g h"];
-  n0 -> n1 [label="mesh"];
-  { rank=same; n1; }
-}
-"#;
-    assert_eq!(loops(&model, &compiled.plan).to_dot(), expected);
-    assert!(common_joints(&model, &compiled.plan).edges.is_empty());
 }
 
 #[test]
@@ -125,7 +69,7 @@ fn arms_and_distances() {
 
 #[test]
 fn odd_names_are_escaped() {
-    let (mut model, compiled) = compiled(PISTON);
+    let (mut model, compiled) = compiled(SIX_BAR);
     model.name = "a \"piston\"\\".to_owned();
     model.links[1].name = "two\nlines\u{7}\r".to_owned();
     model.joints[0].name = "\\N \"d\"; é".to_owned();

@@ -1,12 +1,9 @@
-//! Commands as changes of the text.
+//! Commands as changes of the text. Most are lines of the dialogue, in `tests/cases/edits`.
 
-mod assembly;
-mod declarations;
 mod drags;
-mod names;
-mod places;
+mod texts;
 
-use mech_studio::{Applied, Assembly, Command, Document, JointForm, Kind, Refusal, Source, apply};
+use mech_studio::{Applied, Assembly, Command, Document, JointForm, Refusal, Source, apply};
 
 /// A four-bar linkage with points of its own, with comments and an order of its own.
 const NAMED: &str = "struct Named; // of Grashof
@@ -51,15 +48,6 @@ fn refused(text: &str, command: &Command) -> Refusal {
         .expect_err("a refusal")
 }
 
-/// The command replaces exactly this in the text.
-#[track_caller]
-fn replaces(command: &Command, old: &str, new: &str) -> Applied {
-    assert_eq!(NAMED.matches(old).count(), 1, "{old}");
-    let applied = done_to(NAMED, command);
-    assert_eq!(applied.document.source().text(), NAMED.replace(old, new));
-    applied
-}
-
 fn shift(path: &str, to: [f64; 2], pose: Option<&[(&str, f64)]>) -> Command {
     let pose = pose.map(|pose| {
         pose.iter()
@@ -70,40 +58,6 @@ fn shift(path: &str, to: [f64; 2], pose: Option<&[(&str, f64)]>) -> Command {
         path: path.to_owned(),
         to,
         pose,
-    }
-}
-
-fn revolute(name: &str, ends: [&str; 2]) -> Command {
-    Command::Join(Assembly {
-        name: name.to_owned(),
-        kind: JointForm::Revolute,
-        ends: ends.map(ToOwned::to_owned),
-        at: None,
-        along: None,
-    })
-}
-
-fn remove(kind: Kind, name: &str) -> Command {
-    Command::Remove {
-        kind,
-        name: name.to_owned(),
-    }
-}
-
-#[test]
-fn commands_go_through_json_and_back() {
-    let commands = [
-        shift("a.b", [1.5, -2.0], Some(&[("m", 30.0)])),
-        revolute("j", ["a.b", "c.d"]),
-        remove(Kind::Axis, "a.b"),
-        Command::Repair { number: 3 },
-    ];
-    for command in commands {
-        let json = serde_json::to_string(&command).expect("JSON");
-        assert_eq!(
-            serde_json::from_str::<Command>(&json).expect("a command"),
-            command
-        );
     }
 }
 
@@ -146,5 +100,82 @@ fn mistakes_that_were_there_before_do_not_hinder() {
         after.contains("wobble x;") && after.contains("link spare;"),
         "{after}"
     );
-    refused(&text, &revolute("e", ["crank.nothing", "rocker.c"]));
+    let joint = Command::Join(Assembly {
+        name: "e".to_owned(),
+        kind: JointForm::Revolute,
+        ends: ["crank.nothing", "rocker.c"].map(ToOwned::to_owned),
+        at: None,
+        along: None,
+    });
+    refused(&text, &joint);
+}
+
+#[test]
+fn fragments_cannot_smuggle_statements() {
+    for value in [
+        "1; link x",
+        "1 }",
+        "1 // x",
+        "1\nlink x",
+        "",
+        "(1",
+        "1 /* x",
+        "\"",
+        "1 turned 2",
+    ] {
+        let set = Command::Set {
+            owner: "rocker.c".to_owned(),
+            role: "x".to_owned(),
+            value: value.to_owned(),
+        };
+        refused(NAMED, &set);
+        let constant = Command::Constant {
+            name: "NEW".to_owned(),
+            value: value.to_owned(),
+            is_param: false,
+        };
+        refused(NAMED, &constant);
+    }
+    for name in ["a b", "a;", "", "1", "a.b.c d"] {
+        let name = name.to_owned();
+        refused(NAMED, &Command::Link { name });
+    }
+    let rename = Command::Rename {
+        path: "rocker".to_owned(),
+        name: "1a".to_owned(),
+    };
+    refused(NAMED, &rename);
+    let setting = Command::Setting {
+        statement: "link x".to_owned(),
+    };
+    refused(NAMED, &setting);
+}
+
+#[test]
+fn numbers_that_are_not_finite_are_refused() {
+    for bad in [f64::NAN, f64::INFINITY] {
+        refused(NAMED, &shift("rocker.c", [bad, 0.0], None));
+        refused(NAMED, &shift("rocker.c", [0.0, 1.0], Some(&[("a", bad)])));
+    }
+}
+
+#[test]
+fn an_edit_at_a_pose_is_carried_back_to_the_declaration() {
+    // The crank has turned by a right angle.
+    let text = NAMED.replace("(THROW, 0)", "(1.0, 0.0)");
+    let applied = done_to(&text, &shift("crank.b", [0.0, 1.25], Some(&[("a", 90.0)])));
+    let after = applied.document.source().text();
+    let (_, place) = after
+        .split_once("link crank { point o = (0, 0); point b = (")
+        .expect("the crank");
+    let (place, _) = place.split_once(')').expect("a place");
+    let numbers: Vec<f64> = place
+        .split(", ")
+        .map(|part| part.parse().expect("a number"))
+        .collect();
+    assert!(
+        (numbers[0] - 1.25).abs() < 1e-12 && numbers[1].abs() < 1e-12,
+        "{place}"
+    );
+    assert!(after.contains("start { a = 10 deg; coupler near 50 deg; }"));
 }

@@ -8,8 +8,6 @@ pub(super) struct Encoder {
     pub(super) forces: Vec<String>,
     /// The flags of the settings and the units, if they are not those of a clockwise input in centimetres.
     pub(super) settings: Option<[&'static str; 2]>,
-    /// Entries of the last section.
-    pub(super) extras: &'static str,
 }
 
 /// The flags of a joint, as bits.
@@ -86,8 +84,7 @@ impl Encoder {
         let [joints, links, forces] = [&self.joints, &self.links, &self.forces];
         let sections = [joints, links, forces].map(|all| section(all));
         let [bits, units] = self.settings.unwrap_or(["0P", "101"]);
-        let extras = self.extras;
-        format!("{bits}.SS.K,0.{units}.{}.N_{extras}", sections.join("."))
+        format!("{bits}.SS.K,0.{units}.{}.N_", sections.join("."))
     }
 
     /// The query of the link.
@@ -105,15 +102,4 @@ impl Encoder {
 pub(super) fn checked(query: &str) -> String {
     let length = query.encode_utf16().count();
     format!("{query}{}", letter(length % 62))
-}
-
-/// The six letters that check a query, behind it: its hash, FNV-1a of 32 bits, to the base 62.
-pub(super) fn digested(query: &str) -> String {
-    let mut hash = 2_166_136_261_u32;
-    for unit in query.encode_utf16() {
-        hash = (hash ^ u32::from(unit)).wrapping_mul(16_777_619);
-    }
-    let digit = |place: u32| letter((u64::from(hash) / 62_u64.pow(place) % 62) as usize);
-    let digits: String = (0..6).rev().map(digit).collect();
-    format!("{query}*{digits}")
 }

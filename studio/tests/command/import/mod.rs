@@ -25,8 +25,8 @@ fn imported(name: &str, text: &str) -> (String, String) {
     (answer.out, answer.err)
 }
 
-/// What becomes of a sample.
+/// The text that becomes of a sample.
 #[track_caller]
-fn imported_sample(name: &str) -> (String, String) {
-    imported(&format!("{name}.linkage2"), &sample(name))
+fn imported_sample(name: &str) -> String {
+    imported(&format!("{name}.linkage2"), &sample(name)).0
 }

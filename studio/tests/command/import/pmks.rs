@@ -1,11 +1,10 @@
-//! Links of PMKS+.
+//! Links of PMKS+: where what they hold goes. Their texts are in `tests/cases/commands/import_pmks.txt`.
 
-use super::encoder::{
-    Encoder, GROUNDED, INPUT, PRISMATIC, SEALED, TRACED, WELDED, checked, digested, number,
-};
+use super::encoder::{Encoder, GROUNDED, INPUT, PRISMATIC, SEALED, TRACED, WELDED, number};
 use super::moving::{Moving, distance, turn};
-use crate::run::{Answer, Folder, mech_in};
+use crate::run::{Answer, Folder, mech_in, repository};
 use std::f64::consts::TAU;
+use std::fs;
 
 fn import(word: &str) -> Answer {
     let folder = Folder::new();
@@ -29,257 +28,12 @@ fn four_bar() -> Encoder {
         .joint(TRACED, "P", [1.0, 3.75], 0.0)
 }
 
-#[test]
-fn a_four_bar_with_masses_names_and_a_force() {
-    let [one, half] = [number(1.0), number(0.5)];
-    let mut link = four_bar().link("AB", &["A", "B"]).raw_link(format!(
-        "YRBCP,Long rod,{one},{half},{half},{one},26A69A,B,C,P,,"
-    ));
-    link = link.link("CD", &["C", "D"]);
-    let [x, y, end] = [number(1.0), number(3.75), number(5.75)];
-    let ten = number(10.0);
-    // It turns with its link, and points outwards.
-    link.forces
-        .push(format!("3F1,BCP,push,{x},{y},{x},{end},{ten}"));
-    let (text, omitted) = imported(&link.url());
-    assert_eq!(
-        text,
-        "/// From a link of PMKS+.
-/// Lengths are in centimetres.
-/// Forces are in newtons, torques in newton centimetres, masses in units of 100 kilograms, which fit these.
-/// Input `a` turns 20 times a minute, clockwise; as a law in seconds `= -2 * PI * 20 / 60 * t`.
-struct Imported;
-look machine;
-
-ground { stand (-1.5, -2.25); stand (3, -1); }
-link ab { bar [(-1.5, -2.25), (-0.125, 1.5)] width 0.25 on plane 2 color sky light; }
-link long_rod {
-    point p = (1, 3.75);
-    point push = (1, 3.75);
-    mass 0.00001 at (0.5, 1) inertia 0.005;
-    bar [(-0.125, 1.5), (4.5, 2), (1, 3.75), (-0.125, 1.5)] width 0.25 on plane 4 color teal;
-}
-link cd { bar [(4.5, 2), (3, -1)] width 0.25 on plane 6 color sky light; }
-
-joint a = revolute(ground, ab) at (-1.5, -2.25);
-joint b = revolute(ab, long_rod) at (-0.125, 1.5);
-joint c = revolute(long_rod, cd) at (4.5, 2);
-joint d = revolute(ground, cd) at (3, -1);
-motor a;
-gravity (0, -980.665);
-load push = force(long_rod.push);
-effects { force; trace long_rod.p 720; }
-"
-    );
-    assert_eq!(
-        omitted,
-        "not carried over:
-  force push: a load gets its force at run time; it is (0, 10) at the start; it turns with its link there
-"
-    );
-    let moving = Moving::of(&text);
-    let rocked = (0..=10).map(|step| f64::from(step) * 0.02);
-    let bar = [("ab", [-0.125, 1.5]), ("cd", [4.5, 2.0])];
-    assert!(moving.keeps(rocked, &[bar]) > 0.1);
-}
-
-fn slider_crank(angle: f64) -> Encoder {
-    Encoder::default()
-        .joint(INPUT | GROUNDED, "A", [0.0, 0.0], 0.0)
-        .joint(TRACED, "B", [0.75, 1.0], 0.0)
-        .joint(0, "C", [4.0, 0.5], 0.0)
-        .joint(PRISMATIC | GROUNDED, "D", [4.0, 0.5], angle)
-        .link("AB", &["A", "B"])
-        .link("BC", &["B", "C"])
-        .block("CD", ["C", "D"])
-}
-
-#[test]
-fn a_slider_is_a_block_on_a_guide() {
-    // A query alone is a link, too.
-    let (text, _) = imported(&slider_crank(0.0).query());
-    assert!(
-        text.contains("joint d = prismatic(ground, cd) at (4, 0.5) along (1, 0);"),
-        "{text}"
-    );
-    assert!(text.contains("trace ab.b 720;"), "{text}");
-    let moving = Moving::of(&text);
-    let bar = [("ab", [0.75, 1.0]), ("cd", [4.0, 0.5])];
-    assert!(moving.keeps(turn(24), &[bar]) > 1.0);
-}
-
-#[test]
-fn angles_are_what_they_were_before_they_were_rounded() {
-    let (text, omitted) = imported(&slider_crank(-std::f64::consts::FRAC_PI_4).url());
-    assert!(text.contains("along -45 deg;"), "{text}");
-    assert!(
-        omitted.contains("joint D: its angle of -0.785 radians is read as -45 degrees"),
-        "{omitted}"
-    );
-    let (text, omitted) = imported(&slider_crank(0.7).url());
-    assert!(text.contains("along 0.7;"), "{text}");
-    assert!(!omitted.contains("joint D"), "{omitted}");
-}
-
-#[test]
-fn a_slider_may_have_the_motor() {
-    let link = Encoder::default()
-        .joint(GROUNDED, "A", [0.0, 0.0], 0.0)
-        .joint(0, "B", [0.75, 1.0], 0.0)
-        .joint(0, "C", [4.0, 0.5], 0.0)
-        .joint(PRISMATIC | GROUNDED | INPUT, "D", [4.0, 0.5], 0.0)
-        .link("AB", &["A", "B"])
-        .link("BC", &["B", "C"])
-        .block("CD", ["C", "D"]);
-    let (text, _) = imported(&link.url());
-    assert!(text.contains("motor d;"), "{text}");
-    // Older links have it, and the ground, at the pin of the block.
-    let mut older = link;
-    older.joints[2] = older.joints[2].replacen('0', "6", 1);
-    older.joints[3] = older.joints[3].replacen('7', "1", 1);
-    assert_eq!(imported(&older.url()).0, text);
-    let moving = Moving::of(&text);
-    let bar = [("ab", [0.75, 1.0]), ("cd", [4.0, 0.5])];
-    let far = moving.keeps([0.0, -0.1, -0.2, -0.3], &[bar]);
-    assert!((far - 0.3).abs() < 1e-9, "{far}");
-}
-
-#[test]
-fn links_that_are_welded_together_are_one() {
-    let [one, two] = [number(1.0), number(2.0)];
-    let link = Encoder::default()
-        .joint(INPUT | GROUNDED, "A", [0.0, 0.0], 0.0)
-        .joint(0, "B", [0.0, 1.0], 0.0)
-        .joint(0, "C", [3.0, 2.0], 0.0)
-        .joint(GROUNDED, "D", [3.5, 0.0], 0.0)
-        .joint(WELDED, "E", [1.5, 3.0], 0.0)
-        .link("AB", &["A", "B"])
-        .link("CD", &["C", "D"])
-        // The whole, and what is welded into it.
-        .raw_link(format!("YRBCE,BCE,{two},0,{one},{two},0d125a,B,E,C,,BE,EC"))
-        .raw_link(format!("NRBE,BE,{one},0,0,0,0d125a,B,E,,"))
-        .raw_link("NREC,EC,0,0,0,0,0d125a,E,C,,");
-    let (text, omitted) = imported(&link.url());
-    assert_eq!(text.matches("\nlink ").count(), 3, "{text}");
-    assert!(text.contains("mass 0.00002 at (1, 2);"), "{text}");
-    assert!(
-        omitted.contains("link BE: it is welded into another link"),
-        "{omitted}"
-    );
-    let bars = [
-        [("ab", [0.0, 1.0]), ("cd", [3.0, 2.0])],
-        [("cd", [3.0, 2.0]), ("bce", [1.5, 3.0])],
-    ];
-    assert!(Moving::of(&text).keeps(turn(24), &bars) > 1.0);
-}
-
-#[test]
-fn links_of_summer_2023_end_sooner() {
-    let link = slider_crank(0.0);
-    let (text, _) = imported(&link.query());
-    let now = link.query();
-    let without = now.rsplit_once(".N_").expect("what is selected").0;
-    // The section of forces is there, empty; what is selected is not.
-    let (older, _) = imported(&checked(without));
-    assert_eq!(older, text);
-}
-
-#[test]
-fn links_of_spring_2023_have_no_names_and_no_check() {
-    let [x, y, four, half] = [0.75, 1.0, 4.0, 0.5].map(number);
-    let joints = format!("6A,0,0,0.0B,{x},{y},0.0C,{four},{half},0.5D,{four},{half},0.");
-    let expected = imported(&slider_crank(0.0).url()).0;
-    let plain = |text: &str| {
-        let lines = text.lines();
-        let seen = |line: &&str| {
-            !["look", "link", "effects", "/// Forces"]
-                .iter()
-                .any(|word| line.starts_with(word))
-        };
-        lines
-            .filter(seen)
-            .map(ToOwned::to_owned)
-            .collect::<Vec<_>>()
-    };
-    // First without colours and marks, then with both, last with an empty list of names.
-    for (names, links, colors) in [
-        ("", "RAB,0,0,0,0,A,B.RBC,0,0,0,0,B,C.PCD,0,0,0,0,C,D..", 0),
-        (
-            "",
-            "YRAB,0,0,0,0,c5cae9,A,B,,.YRBC,0,0,0,0,c5cae9,B,C,,.YPCD,0,0,0,0,,C,D,,..",
-            2,
-        ),
-        (
-            ".",
-            "YRAB,0,0,0,0,c5cae9,A,B,,.YRBC,0,0,0,0,c5cae9,B,C,,.YPCD,0,0,0,0,,C,D,,..",
-            2,
-        ),
-    ] {
-        let link = format!("?0P.SS.K,0.101.{names}{joints}.{links}");
-        let (text, _) = imported(&link);
-        assert_eq!(plain(&text), plain(&expected), "{link}");
-        assert_eq!(text.matches("color sky light").count(), colors, "{text}");
-        let bar = [("ab", [0.75, 1.0]), ("cd", [4.0, 0.5])];
-        assert!(Moving::of(&text).keeps(turn(24), &[bar]) > 1.0);
-    }
-}
-
-#[test]
-fn links_are_percent_decoded() {
-    let link = slider_crank(0.0);
-    let encoded = link.url().replace(',', "%2C").replace('_', "%5f");
-    assert_eq!(imported(&encoded), imported(&link.url()));
-    // And may come from the standard input, as a file.
-    let folder = Folder::new().with("link.txt", format!("\u{feff}{}\n", link.url()));
-    let answer = folder.mech("import link.txt");
-    assert_eq!(answer.code, Some(0), "{}", answer.err);
-    assert!(answer.out.contains("struct Link;"), "{}", answer.out);
-}
-
-#[test]
-fn links_before_april_2023_are_plain() {
-    let link = "https://app.pmksplus.com/?j=a,0,0,ab,R,t,Null,t%0Ab,0.75,1,ab%7Cbc,R,f,Null,f%0Ac,4,0.5,bc%7Ccd,R,f,Null,f%0A\
-        d,4,0.5,cd,P,t,0,f%0A&l=ab,R,1,0.5,0.375,0.5,a%7Cb,,line,0,0,0,0,0,0,0,0%0Abc,R,0,0,0,0,b%7Cc,F1,line%0A\
-        cd,P,Null,Null,Null,Null,c%7Cd,,Null%0A&f=F1,bc,1,2,1,5,t,false,6%0A&s=10,false,false,cm";
-    let (text, omitted) = imported(link);
-    assert_eq!(
-        text,
-        "/// From a link of PMKS+.
-/// Lengths are in centimetres.
-/// Forces are in newtons, torques in newton centimetres, masses in units of 100 kilograms, which fit these.
-/// Input `a` turns 10 times a minute, counter-clockwise; as a law in seconds `= 2 * PI * 10 / 60 * t`.
-struct Imported;
-
-link ab { mass 0.00001 at (0.375, 0.5) inertia 0.005; }
-link bc { point f1 = (1, 2); }
-link cd;
-
-joint a = revolute(ground, ab) at (0, 0);
-joint b = revolute(ab, bc) at (0.75, 1);
-joint c = revolute(bc, cd) at (4, 0.5);
-joint d = prismatic(ground, cd) at (4, 0.5) along (1, 0);
-motor a;
-load f1 = force(bc.f1);
-effects { force; }
-"
-    );
-    assert!(
-        omitted.contains("it is (0, -6) at the start\n"),
-        "{omitted}"
-    );
-    let bar = [("ab", [0.75, 1.0]), ("cd", [4.0, 0.5])];
-    assert!(Moving::of(&text).keeps(turn(24), &[bar]) > 1.0);
-}
-
 /// The rows of a table of an imported link, as numbers.
 #[track_caller]
 fn table(link: &str, words: &str) -> Vec<Vec<f64>> {
     let (text, _) = imported(link);
     let folder = Folder::new().with("a.mech", text);
-    let table = folder.mech(&format!("table a.mech {words}")).done();
-    let cell = |cell: &str| cell.parse().expect("a number");
-    let rows = table.lines().skip(1);
-    rows.map(|row| row.split(',').map(cell).collect()).collect()
+    folder.rows(&format!("table a.mech {words}"))
 }
 
 /// What is the same for links whose parts stand in another order.
@@ -290,57 +44,45 @@ fn shuffled(link: &Encoder) -> [String; 2] {
     [link.url(), other.url()]
 }
 
+/// Where lengths are kept as links go, and how far the last end comes at least.
 #[test]
-fn links_of_today_end_in_a_digest() {
-    let link = slider_crank(0.0);
-    let today = format!("https://app.pmksplus.com/?{}", digested(&link.query()));
-    assert_eq!(imported(&today), imported(&link.url()));
-    // One letter is another, and the length is the same.
-    let broken = today.replacen("B,Im", "B,In", 1);
-    let broken = if broken == today {
-        today.replacen(",C,", ",D,", 1)
-    } else {
-        broken
+fn imported_links_keep_their_lengths() {
+    let sample = |name: &str| {
+        let path = repository("studio/tests/samples").join(name);
+        imported(&fs::read_to_string(path).expect("a link")).0
     };
-    let complaint = import(&broken).refused(2);
-    assert!(complaint.contains("check all letters"), "{complaint}");
-    let mut marked = link.clone();
-    // Locks, an anchor, a synthesis and a length that is held are no parts of a mechanism; what is not known is told.
-    marked.extras = ".JA,LAB,CGAB,S1,HlAB,PFpush~0~0.0004,Q7";
-    let (text, omitted) = imported(&digested(&marked.query()));
-    assert_eq!(text, imported(&link.url()).0);
-    assert_eq!(
-        omitted,
-        "not carried over:
-  `Q7`: this entry of the last section is not known
-  `PFpush~0~0.0004`: a number with more than three decimals is read with three
-"
-    );
+    let rocked = (0..=10).map(|step| f64::from(step) * 0.02);
+    let bar = [("ab", [-0.125, 1.5]), ("cd", [4.5, 2.0])];
+    let far = Moving::of(&sample("four_bar.pmks")).keeps(rocked, &[bar]);
+    assert!(far > 0.1, "{far}");
+    let bars = [
+        [("ab", [0.0, 1.0]), ("cd", [3.0, 2.0])],
+        [("cd", [3.0, 2.0]), ("bce", [1.5, 3.0])],
+    ];
+    let far = Moving::of(&sample("welded.pmks")).keeps(turn(24), &bars);
+    assert!(far > 1.0, "{far}");
+}
+
+/// A crank and a rod, and a block on a guide; the crank or the block is driven.
+fn slider_crank(shaft: usize, guide: usize) -> Moving {
+    let link = Encoder::default()
+        .joint(GROUNDED | shaft, "A", [0.0, 0.0], 0.0)
+        .joint(0, "B", [0.75, 1.0], 0.0)
+        .joint(0, "C", [4.0, 0.5], 0.0)
+        .joint(PRISMATIC | GROUNDED | guide, "D", [4.0, 0.5], 0.0)
+        .link("AB", &["A", "B"])
+        .link("BC", &["B", "C"])
+        .block("CD", ["C", "D"]);
+    Moving::of(&imported(&link.url()).0)
 }
 
 #[test]
-fn numbers_have_more_than_three_decimals() {
-    let mut link = block(0.0);
-    link.extras = ".PJB~1~1.00025,PJC~0~2.8284271247461903,PLAB~0~0.0125,PLAB~2~0.00015,PI~0~7.25";
-    let (text, omitted) = imported(&digested(&link.query()));
-    assert_eq!(omitted, "");
-    for line in [
-        "/// Input `a` turns 7.25 times a minute, clockwise;",
-        "mass 1.25e-7 at (0.00015, 0);",
-        "joint b = revolute(ab, bc) at (0, 1.00025);",
-        "prismatic(ground, c_block) at (2.82842712",
-    ] {
-        assert!(text.contains(line), "{line}: {text}");
-    }
-    for (extras, fault) in [
-        (".PJB~1", "has a kind, an id, a field and a value"),
-        (".PJZ~1~2", "there is no joint `Z`"),
-        (".PJB~1~inf", "no number, or too large"),
-    ] {
-        link.extras = extras;
-        let complaint = import(&digested(&link.query())).refused(2);
-        assert!(complaint.contains(fault), "{complaint}");
-    }
+fn a_slider_is_driven_or_drives() {
+    let bar = [("ab", [0.75, 1.0]), ("cd", [4.0, 0.5])];
+    let far = slider_crank(INPUT, 0).keeps(turn(24), &[bar]);
+    assert!(far > 1.0, "{far}");
+    let far = slider_crank(0, INPUT).keeps([0.0, -0.1, -0.2, -0.3], &[bar]);
+    assert!((far - 0.3).abs() < 1e-9, "{far}");
 }
 
 #[test]
@@ -597,55 +339,5 @@ fn several_inputs_go_at_their_speeds() {
     assert!(
         omitted.contains("inputs: they cannot go on together"),
         "{omitted}"
-    );
-}
-
-#[test]
-fn directions_are_within_a_turn() {
-    let text = imported(&slider_crank(6.597).url()).0;
-    assert!(text.contains("along 0.313815;"), "{text}");
-}
-
-#[test]
-fn plain_links_of_every_year_are_read() {
-    let plain = |joints: &str, links: &str, forces: &str, settings: &str| {
-        let sections = [joints, links, forces].map(|lines| lines.replace(' ', "%0A"));
-        let [joints, links, forces] = sections;
-        format!("https://example.org/?j={joints}&l={links}&f={forces}&pp=&tp=&s={settings}")
-    };
-    let [joints, links] = [
-        "a,0,0,ab,R,t,0,0,t, b,0.75,1,ab|bc,R,f,0,0,f, c,4,0.5,bc|cd,R,f,0,0,f, d,4,0.5,cd,P,t,0,0,f,",
-        "ab,1,0.5,0.375,0.5,a|b,,l,0 bc,0,0,0,0,b|c,F1,l,0",
-    ];
-    // The block is named by joints alone; a force has its parts.
-    let first = plain(
-        joints,
-        links,
-        "F1,bc,1,2,4,6,t,true,30,40",
-        "10,false,false,cm",
-    );
-    let (text, omitted) = imported(&first);
-    let later = plain(
-        "a,0,0,ab,R,t,Null,t b,0.75,1,ab|bc,R,f,Null,f c,4,0.5,bc|cd,R,f,Null,f d,4,0.5,cd,P,t,0,f",
-        "ab,R,1,0.5,0.375,0.5,a|b,,l bc,R,0,0,0,0,b|c,F1,l cd,P,Null,Null,Null,Null,c|d,,l",
-        "F1,bc,1,2,4,6,t,true,50",
-        "10,false,false,cm",
-    );
-    assert_eq!(imported(&later).0, text);
-    assert!(omitted.contains("it is (30, 40) at the start"), "{omitted}");
-    let bar = [("ab", [0.75, 1.0]), ("cd", [4.0, 0.5])];
-    assert!(Moving::of(&text).keeps(turn(24), &[bar]) > 1.0);
-    assert!(!text.contains("gravity"), "{text}");
-    // Friction is told, and gravity is a switch of its own.
-    let rough = joints.replace(",0,0,f,", ",0,0.1,f,");
-    let (text, omitted) = imported(&plain(&rough, links, "", "10,true,true,m"));
-    assert!(
-        omitted.contains("the language has no friction"),
-        "{omitted}"
-    );
-    assert!(text.contains("gravity (0, -9.80665);"), "{text}");
-    assert!(
-        text.contains("turns 10 times a minute, clockwise"),
-        "{text}"
     );
 }
