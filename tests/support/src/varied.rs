@@ -129,14 +129,12 @@ fn depending(model: &mut Model, dice: &mut Dice, param: ParamId, at: f64) -> For
 }
 
 /// Where an axis is in its link with these params.
-#[must_use]
-pub fn place(model: &Model, axis: &Axis, params: &[f64]) -> [f64; 2] {
+fn place(model: &Model, axis: &Axis, params: &[f64]) -> [f64; 2] {
     pair(model, axis.at, axis.formulas, params)
 }
 
 /// The direction of an axis in its link with these params.
-#[must_use]
-pub fn direction(model: &Model, axis: &Axis, params: &[f64]) -> [f64; 2] {
+fn direction(model: &Model, axis: &Axis, params: &[f64]) -> [f64; 2] {
     pair(model, axis.direction, axis.direction_formulas, params)
 }
 
