@@ -106,7 +106,7 @@ fn shuffled_declarations_on_any_ground_driven_anywhere_make_the_same_mechanism()
         }
     });
     println!("{compiled} compiled");
-    assert!(4 * compiled > cases(300), "{compiled} compiled");
+    assert!(2 * compiled > cases(300), "{compiled} compiled");
 }
 
 #[test]

@@ -473,5 +473,5 @@ fn sensitivities_of_special_mechanisms_are_those_of_their_positions() {
         }
     }
     println!("{seen:?}, {refused} refused");
-    assert!(seen.compared > 1000, "{seen:?}");
+    assert!(seen.compared > 1000 && refused <= 16, "{seen:?}");
 }

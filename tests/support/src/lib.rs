@@ -42,7 +42,7 @@ pub use shuffled::{
 pub use simulated::Simulated;
 pub use source::{bodies, mechanism_of, mechanisms, model, models, parsed};
 pub use text::{part_of, text};
-pub use varied::{scale, vary, with_params};
+pub use varied::{place, scale, vary, with_params};
 
 use std::time::Instant;
 

@@ -129,7 +129,8 @@ fn depending(model: &mut Model, dice: &mut Dice, param: ParamId, at: f64) -> For
 }
 
 /// Where an axis is in its link with these params.
-fn place(model: &Model, axis: &Axis, params: &[f64]) -> [f64; 2] {
+#[must_use]
+pub fn place(model: &Model, axis: &Axis, params: &[f64]) -> [f64; 2] {
     pair(model, axis.at, axis.formulas, params)
 }
 
