@@ -1,6 +1,5 @@
 //! The generated code beside the interpreted program, and both beside the definition of the joints.
 
-use super::joints::check_in_motion;
 use super::zoo;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{JointKind, LinkId};
@@ -85,7 +84,6 @@ macro_rules! cases {
             fn $test() {
                 let case = Case { source: include_str!($source), motion: $motion };
                 check::<$mechanism>(&case, 1e-13);
-                check_in_motion::<$mechanism>();
             }
         )*
     };

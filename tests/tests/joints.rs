@@ -1,10 +1,18 @@
 //! What mechanisms tell of their joints, beside where the poses of their links put these.
 
+use super::zoo;
 use mech_runtime::{Coordinate, JointInfo, JointKind, Mechanism, mechanism};
-use mech_test_support::{cross, dot};
 use std::f64::consts::{PI, TAU};
 
 type Vector = [f64; 2];
+
+fn dot([a, b]: Vector, [c, d]: Vector) -> f64 {
+    a * c + b * d
+}
+
+fn cross([a, b]: Vector, [c, d]: Vector) -> f64 {
+    a * d - b * c
+}
 
 #[track_caller]
 fn near(found: f64, expected: f64, what: &str) {
@@ -75,7 +83,7 @@ fn check<M: Mechanism<Scalar = f64>>(mechanism: &M) {
 }
 
 /// Moves all motors, each at its own rate, as far as they go; angles that count turns never jump.
-pub(crate) fn check_in_motion<M: Mechanism<Scalar = f64>>() {
+fn check_in_motion<M: Mechanism<Scalar = f64>>() {
     let mut mechanism = M::new();
     check(&mechanism);
     let mut last = mechanism.joints();
@@ -122,9 +130,34 @@ mechanism! {
     use press[20]: Press(unit = 1 + 0.1 * k) { frame = ground, crank = axle };
 }
 
-#[test]
-fn presses() {
-    check_in_motion::<Presses>();
+macro_rules! cases {
+    ($($test:ident: $mechanism:ty;)*) => {
+        $(
+            #[test]
+            fn $test() {
+                check_in_motion::<$mechanism>();
+            }
+        )*
+    };
+}
+
+cases! {
+    geared_piston: mech_gallery::geared_piston::GearedPiston;
+    crank_rocker: mech_gallery::four_bar::CrankRocker;
+    jansen: mech_gallery::jansen::JansenLeg;
+    rocker_arm: mech_gallery::rocker_arm::RockerArm;
+    slanted_guide: zoo::SlantedGuide;
+    quick_return: zoo::QuickReturn;
+    scotch_yoke: zoo::ScotchYoke;
+    gear_on_rocker: zoo::GearOnRocker;
+    planetary: zoo::rolling::Planetary;
+    differential: zoo::rolling::Differential;
+    two_racks: zoo::rolling::TwoRacks;
+    rolling_wheel: zoo::rolling::Rolling;
+    slotted_arm: zoo::special::SlottedArm;
+    welded: zoo::special::Welded;
+    presses: Presses;
+    double_butterfly: zoo::special::DoubleButterfly;
 }
 
 mechanism! {

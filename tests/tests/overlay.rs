@@ -6,7 +6,7 @@ use mech_compiler::model::{LinkId, Measure, Model};
 use mech_compiler::symbols::{moving_points, symbols};
 use mech_runtime::overlay::{self, Arrows};
 use mech_runtime::{Canvas, Outline, Overlay, Pose, mechanism};
-use mech_test_support::{SOURCES, dot, mechanisms};
+use mech_test_support::{SOURCES, mechanisms};
 
 type Vector = [f64; 2];
 type Spot = overlay::Spot<f64, LinkId>;
@@ -80,6 +80,10 @@ impl Moment {
 
 fn away([x, y]: Vector, [u, v]: Vector, length: f64) -> Vector {
     [x + length * u, y + length * v]
+}
+
+fn dot(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
 }
 
 #[track_caller]

@@ -1,16 +1,26 @@
 //! A joint's coordinate, followed by hand.
 
 use mech_compiler::evaluate::Machine;
-use mech_compiler::model::{JointId, Model};
+use mech_compiler::model::{JointId, JointKind, Model};
 use mech_compiler::program::Position;
-use mech_test_support::{coordinate, with_ground};
 use std::f64::consts::TAU;
 
 /// A joint's coordinate between −π and π, computed from the poses alone.
 pub(super) fn principal(model: &Model, joint: JointId, position: &Position<f64>) -> f64 {
-    let (angle, turns) = coordinate(model, &with_ground(model, &position.poses), joint);
-    assert!(turns, "a joint that does not turn");
-    angle
+    let JointKind::Revolute(a, b) = model.joint(joint).kind else {
+        panic!("a joint that does not turn");
+    };
+    let heading = |axis| {
+        let axis = model.axis(axis);
+        let [cos, sin] = match axis.link.index() {
+            0 => [1.0, 0.0],
+            link => [position.poses[link - 1][0], position.poses[link - 1][1]],
+        };
+        let [x, y] = axis.direction;
+        [cos * x - sin * y, sin * x + cos * y]
+    };
+    let ([a, b], [c, d]) = (heading(a), heading(b));
+    (a * d - b * c).atan2(a * c + b * d)
 }
 
 /// The value of an angle that is nearest to another one.

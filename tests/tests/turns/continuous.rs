@@ -7,25 +7,24 @@ use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{JointId, JointKind, Model};
 use mech_runtime::{Phase, mechanism};
-use mech_test_support::{for_all, model, samples, text};
+use mech_test_support::{Dice, grow, model};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
-/// Makes each of these moves at once, and by hand in steps of this length: all coordinates are the same. Gives how many went all the way,
-/// up to the first that did not.
-fn follow(model: &Model, moves: &[Vec<f64>], step: f64, about: &str) -> usize {
+/// Makes each of these moves at once, and by hand in steps of this length: all coordinates are the same.
+fn follow(model: &Model, moves: &[Vec<f64>], step: f64, about: &str) {
     let compiled = compile(model).unwrap_or_else(|wrong| panic!("{wrong:?}\n{about}"));
     let program = &compiled.program;
     let mut machine = Machine::<f64>::new(program);
     let joints = model.continuous_joints();
     let slow = Machine::<f64>::new(program);
     let mut slow = Follower::new(model, slow, &joints, step);
-    for (number, by) in moves.iter().enumerate() {
+    for by in moves {
         let to = part(&machine.position().motors, by, 1.0);
         let went = machine.move_to(&to).is_ok();
         assert_eq!(went, slow.move_by(by), "{about}");
         if !went {
-            return number;
+            return;
         }
         for (joint, angle) in joints.iter().zip(&slow.angles) {
             let state = program.angle_state(*joint).expect("it is carried");
@@ -42,12 +41,10 @@ fn follow(model: &Model, moves: &[Vec<f64>], step: f64, about: &str) -> usize {
             );
         }
     }
-    moves.len()
 }
 
-/// The same of a mechanism that goes on for ever.
 fn follow_text(text: &str, moves: &[Vec<f64>], step: f64) {
-    assert_eq!(follow(&model(text), moves, step, text), moves.len());
+    follow(&model(text), moves, step, text);
 }
 
 proptest! {
@@ -79,23 +76,15 @@ proptest! {
         };
         follow_text(&behind(lengths, "wheel_pin", &by, "continuous d, wheel_pin;"), &moves, 0.02);
     }
-}
 
-/// Every joint that turns, of anything.
-#[test]
-fn random_mechanisms_go_on() {
-    let mut went = 0;
-    // As many as there can be motors, or more.
-    for_all(12, &(samples(1..6), moves(6)), |(sample, moves)| {
-        let mut model = sample.grown.model;
-        let turns = |&joint: &JointId| {
-            matches!(model.joint(joint).kind, JointKind::Revolute(..)) && !model.joint(joint).hidden
-        };
+    /// Every joint that turns, of anything.
+    #[test]
+    fn random_mechanisms_go_on(seed in any::<u64>(), additions in 1..6_usize, moves in moves(1)) {
+        let mut model = grow(&mut Dice::new(seed), additions).model;
+        let turns = |&joint: &JointId| matches!(model.joint(joint).kind, JointKind::Revolute(..)) && !model.joint(joint).hidden;
         model.continuous = model.joint_ids().filter(turns).collect();
-        went += follow(&model, &moves, 0.01, &text(&model));
-    });
-    println!("{went} moves go all the way");
-    assert!(went > 0);
+        follow(&model, &moves, 0.01, &format!("seed {seed}, {additions} additions"));
+    }
 }
 
 mechanism! {
