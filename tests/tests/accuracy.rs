@@ -6,7 +6,7 @@ use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{JointKind, Method, Model, Precision};
 use mech_compiler::program::Program;
 use mech_compiler::structure::Diagnosis;
-use mech_runtime::Real;
+use mech_runtime::{Pose, Real};
 use mech_test_support::{Dice, SOURCES, grow, grow_coupled, model, models, shuffled, size};
 
 /// Methods, and from how many differences their iterations are started.
@@ -48,11 +48,9 @@ fn spots(model: &Model) -> Vec<Vec<[f64; 2]>> {
 fn off<T: Real>(spots: &[Vec<[f64; 2]>], is: &[[T; 4]], should: &[[f64; 4]]) -> f64 {
     let mut worst = 0.0_f64;
     for ((spots, is), should) in spots.iter().zip(is).zip(should) {
-        let place = |[cos, sin, x, y]: [f64; 4], [a, b]: [f64; 2]| {
-            [x + cos * a - sin * b, y + sin * a + cos * b]
-        };
+        let poses = [is.map(Real::to_f64), *should].map(Pose::from);
         for spot in spots {
-            let ([a, b], [c, d]) = (place(is.map(Real::to_f64), *spot), place(*should, *spot));
+            let [[a, b], [c, d]] = poses.map(|pose| pose.apply(*spot));
             worst = worst.max((a - c).hypot(b - d));
         }
     }

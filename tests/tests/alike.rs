@@ -5,7 +5,7 @@ use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::Model;
 use mech_runtime::Real;
-use mech_test_support::{Dice, chain_text, grow_from, model, text};
+use mech_test_support::{Dice, chain_text, grow_from, model, part_of, text, uneven_chain_text};
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
@@ -126,26 +126,13 @@ const fn mix(all: u64, bits: u64) -> u64 {
     (all ^ bits).wrapping_mul(0x0100_0000_01b3).rotate_left(17)
 }
 
-/// The statements of a part that does what a mechanism does, and its motors.
-fn part(typed_out: &str) -> (String, Vec<String>) {
-    let (mut body, mut motors) = (String::new(), Vec::new());
-    for line in typed_out.replace("ground", "frame").lines().skip(1) {
-        match line.strip_prefix("motor ") {
-            Some(joint) => motors.push(joint.to_owned()),
-            None if line.starts_with("allow ") => {}
-            None => body += &format!("{line}\n"),
-        }
-    }
-    (body, motors)
-}
-
 /// A random mechanism that stands several times, as it is, mirrored and scaled.
 fn several(dice: &mut Dice) -> String {
     let additions: Vec<Dice> = (0..=dice.below(5))
         .map(|_| Dice::new(dice.bits()))
         .collect();
-    let (body, motors) = part(&text(&grow_from(dice, &additions).model));
-    let mut text = format!("struct Several;\npart Whole {{\nport frame;\n{body}}}\n");
+    let (body, motors, _) = part_of(&text(&grow_from(dice, &additions).model));
+    let mut text = format!("struct Several;\npart Whole {{\n{body}}}\n");
     for (name, mirrored) in [("plain", ""), ("mirrored", " mirrored")] {
         for copy in 0..2 {
             let (count, scale) = (2 + dice.below(3), dice.between(0.5, 2.0));
@@ -165,27 +152,7 @@ fn several(dice: &mut Dice) -> String {
 
 /// A chain of four-bars whose lengths are random, typed out.
 fn uneven_chain(dice: &mut Dice) -> String {
-    let mut text =
-        "struct Chain; link crank; joint j = revolute(ground, crank) at (0, 0); motor j;"
-            .to_owned();
-    let (mut input, mut pin, mut along) = ("crank".to_owned(), [0.3, 1.0], 0.0);
-    for number in 0..5 + dice.below(6) {
-        along += dice.between(2.8, 3.2);
-        let top = [along + 0.3, dice.between(1.5, 1.7)];
-        let _ = write!(
-            text,
-            "link coupler_{number}; link rocker_{number};
-            joint a_{number} = revolute({input}, coupler_{number}) at ({:?}, {:?});
-            joint b_{number} = revolute(coupler_{number}, rocker_{number}) at ({:?}, {:?});
-            joint c_{number} = revolute(ground, rocker_{number}) at ({along:?}, 0);",
-            pin[0], pin[1], top[0], top[1]
-        );
-        (input, pin) = (
-            format!("rocker_{number}"),
-            [along + 0.2, dice.between(0.9, 1.1)],
-        );
-    }
-    text
+    uneven_chain_text(5 + dice.below(6), dice)
 }
 
 /// Sliders and rockers on one crank, typed out with random lengths.

@@ -5,12 +5,12 @@ use mech_compiler::model::{
     Allowances, AxisKind, Formula, Formulas, Joint, JointId, JointKind, Law, LawId, Link, LinkId,
     Model, Motor, Origin, Ratio,
 };
-use mech_compiler::structure::{Factor, RollingEnd};
 use mech_compiler::{Compiled, compile, reporter};
-use mech_test_support::{Dice, add_axis, dice, for_all, law, reach, text, with_ground, worst_gap};
+use mech_test_support::{
+    Dice, add_axis, dice, for_all, law, reach, slip, text, with_ground, worst_gap,
+};
 use proptest::collection::vec;
 use proptest::prelude::Strategy;
-use std::f64::consts::TAU;
 use std::fmt;
 
 /// Coordinates on a coarse grid, so that axes coincide, lie in line and run parallel.
@@ -184,43 +184,19 @@ fn reciprocal() -> Law {
     Law::new(formulas, quotient, "1 / t".to_owned(), Origin::default())
 }
 
-/// After a small motion two wheels have turned by their ratio, seen from their carrier.
-fn no_slip(compiled: &Compiled) {
+/// After a small motion what rolls has moved by its ratio.
+fn no_slip(model: &Model, compiled: &Compiled) {
     let mut machine = Machine::<f64>::new(&compiled.program);
-    let turn = |poses: &[[f64; 4]], from: LinkId, to: LinkId| {
-        let pose = |link: LinkId| {
-            let index = link.index().checked_sub(1);
-            index.map_or([1.0, 0.0, 0.0, 0.0], |index| poses[index])
-        };
-        let ([a, b, ..], [c, d, ..]) = (pose(from), pose(to));
-        (a * d - b * c).atan2(a * c + b * d)
-    };
-    let start = machine.position().poses.clone();
-    let motors: Vec<f64> = machine
-        .position()
-        .motors
-        .iter()
-        .map(|motor| motor + 1e-3)
-        .collect();
+    let start = with_ground(model, &machine.position().poses);
+    let start_motors = machine.position().motors.iter();
+    let motors: Vec<f64> = start_motors.map(|motor| motor + 1e-3).collect();
     if machine.move_to(&motors).is_err() {
         return;
     }
+    let poses = with_ground(model, &machine.position().poses);
     for rolling in &compiled.structure.rollings {
-        let [
-            (RollingEnd::Wheel(a), Factor::Whole(m)),
-            (RollingEnd::Wheel(b), Factor::Whole(n)),
-        ] = rolling.ends
-        else {
-            continue;
-        };
-        let moved = |wheel| {
-            let off = turn(&machine.position().poses, rolling.carrier, wheel)
-                - turn(&start, rolling.carrier, wheel);
-            off - TAU * (off / TAU).round()
-        };
-        let [m, n] = [m, n].map(|teeth| f64::from(i32::try_from(teeth).unwrap_or(0)));
-        let slip = m * moved(a) + n * moved(b);
-        assert!(slip.abs() < 1e-10, "a gear slips by {slip:e}");
+        let slip = slip(model, rolling, [&start, &poses]);
+        assert!(slip.abs() < 1e-10, "it slips by {slip:e}");
     }
 }
 
@@ -257,7 +233,7 @@ fn try_all(declared: &impl Strategy<Value = Declared>) {
             }
         };
         accepted += 1;
-        no_slip(&compiled);
+        no_slip(&model, &compiled);
         let mut machine = Machine::<f64>::new(&compiled.program);
         for _ in 0..10 {
             let motors: Vec<f64> = machine

@@ -1,14 +1,10 @@
 //! What the page for embedded developers quotes stands in a program that is built and run, word for word.
 
+use mech_test_support::repository;
 use std::fs;
-use std::path::{Path, PathBuf};
 
 /// Before a quotation: from which file it is.
 const FROM: &str = "<!-- from ";
-
-fn repository() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
-}
 
 fn read(path: &str) -> String {
     let text = fs::read_to_string(repository().join(path));

@@ -1,35 +1,19 @@
 //! Whatever a text is mangled to, what the macro makes of it is Rust, or says what is wrong at a place. `MECH_CASES=20000` for more.
 
-use mech_test_support::{Dice, bodies, cases, seeds};
+use mech_test_support::{Dice, bodies, cases, folder, seeds};
 use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::quote;
 
 /// Texts with all kinds of statements.
 fn texts() -> Vec<TokenStream> {
-    const OWN: [&str; 4] = [
-        "struct Elsewhere; use crate::legs::Leg; use mech_runtime::parts::JansenLeg; link crank;
-        use left: Leg(size = 2) mirrored { crank = crank at (1, 0) }; joint a = revolute(ground, crank) at (0, 0); motor a;",
-        "#[allow(dead_code)] pub(crate) struct Drawn: f32; param w = 2; const H = w / 2;
-        link crank { circle (0, 0) radius 1 on plane 2 color teal; mass 1 at (1, 0); } link rod; link slider;
-        joint a = revolute(ground, crank) at (0, 0); joint b = revolute(crank, rod) at (0.5, 0.8);
-        joint c = revolute(rod, slider) at (3, 0); joint d = prismatic(ground, slider) at (3, 0) along (cos(30 deg), -sin(30 deg));
-        motor a = 2 * PI * t; accuracy 1e-9; cost cortex_m4f; at change points keep branch; continuous b;
-        gravity (0, -9.81); load push = force(slider); effects { velocity; force; trace slider.p 20; }",
-        "struct Wheels; link sun; link arm; link planet; part Leg(phase = 0 deg) { port crank { point pin = (1, 0) turned phase; } link foot; joint k = revolute(crank.pin, foot) at (1, 0); }
-        joint s = revolute(ground, sun) at (0, 0); joint r = revolute(ground, arm) at (0, 0); joint p = revolute(arm, planet) at (3, 0);
-        joint g = gear(sun, planet, 20 : 10 on arm); motor s in 0 deg ..= 90 deg by 1 deg; motor r; show sun, g; allow redundant;",
-        "pub Leg(size = 1, phase = 0 deg) { port crank { point pin = (size, 0) turned phase; } link foot { point tip = (0, -size); }
-        joint k = revolute(crank.pin, foot); }",
-    ];
-    let own = OWN.map(|text| text.parse().expect("tokens"));
+    let own = folder("mangled").into_iter();
+    let own = own.map(|case| case.text.parse().expect("tokens"));
     let gallery = [
         include_str!("../../examples/gallery/src/mechanisms/four_bar.rs"),
         include_str!("../../examples/gallery/src/mechanisms/rocker_arm.rs"),
         include_str!("../../examples/gallery/src/mechanisms/geared_piston.rs"),
     ];
-    own.into_iter()
-        .chain(gallery.into_iter().flat_map(bodies))
-        .collect()
+    own.chain(gallery.into_iter().flat_map(bodies)).collect()
 }
 
 /// Changes one token somewhere, in brackets or out of them.
@@ -121,43 +105,28 @@ fn what_the_macro_makes_of_anything_is_rust() {
 /// What is wrong in the path of a part is said there, in the macro's own words.
 #[test]
 fn a_path_of_a_part_that_is_none() {
-    for (path, place, word) in [
-        ("other ::", ":", "the name of a part is missing here"),
-        (":: ", ":", "the name of a part is missing here"),
-        ("other legs", "legs", "expected `::` or `;`, found `legs`"),
-        ("other as legs", "as", "expected `::` or `;`, found `as`"),
-        (
-            "other::fn",
-            "fn",
-            "expected the name of a module or a part, found `fn`",
-        ),
-        (
-            "other::_",
-            "_",
-            "expected the name of a module or a part, found `_`",
-        ),
-        (
-            "a::crate::Leg",
-            "crate",
-            "expected the name of a module or a part, found `crate`",
-        ),
-        (
-            "self",
-            "self",
-            "expected the name of a module or a part, found `self`",
-        ),
-        (
-            "a:::Leg",
-            ":",
-            "expected the name of a module or a part, found `:`",
-        ),
+    const MISSING: &str = "the name of a part is missing here";
+    const NEXT: &str = "expected `::` or `;`";
+    const NAME: &str = "expected the name of a module or a part";
+    for (path, place, said) in [
+        ("other ::", ":", MISSING),
+        (":: ", ":", MISSING),
+        ("other legs", "legs", NEXT),
+        ("other as legs", "as", NEXT),
+        ("other::fn", "fn", NAME),
+        ("other::_", "_", NAME),
+        ("a::crate::Leg", "crate", NAME),
+        ("self", "self", NAME),
+        ("a:::Leg", ":", NAME),
     ] {
         let text: TokenStream = format!("struct Elsewhere; use {path}; link a;")
             .parse()
             .expect("tokens");
         let import = mech_compiler::Import::first(&text).expect("an import");
         let fault = import.fault().unwrap_or_else(|| panic!("{path} is a path"));
-        assert!(fault.text.contains(word), "{path}: {}", fault.text);
+        let found = format!("{said}, found `{place}`");
+        let words = if said == MISSING { said } else { &found };
+        assert!(fault.text.contains(words), "{path}: {}", fault.text);
         let at = fault.place.start.source_text();
         assert_eq!(at.as_deref(), Some(place), "{path}");
         let made = mech_compiler::expand(quote!(::mech_runtime; #text)).to_string();
@@ -166,14 +135,8 @@ fn a_path_of_a_part_that_is_none() {
             "{made}"
         );
     }
-    for path in [
-        "Leg",
-        "::legs::Leg",
-        "crate::legs::Leg",
-        "self::Leg",
-        "super::super::Leg",
-        "r#fn::Leg",
-    ] {
+    let right = "Leg ::legs::Leg crate::legs::Leg self::Leg super::super::Leg r#fn::Leg";
+    for path in right.split(' ') {
         let text: TokenStream = format!("use {path};").parse().expect("tokens");
         let import = mech_compiler::Import::first(&text).expect("an import");
         assert!(import.fault().is_none(), "{path}");

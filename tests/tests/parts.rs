@@ -3,7 +3,8 @@
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{JointKind, Model};
 use mech_compiler::{Compiled, compile};
-use mech_test_support::{Dice, Sample, for_all, model, samples, text};
+use mech_runtime::Pose;
+use mech_test_support::{Dice, Sample, for_all, model, part_of, samples, text};
 
 /// What the use of a part does to its drawing.
 #[derive(Clone, Copy, Debug)]
@@ -46,23 +47,13 @@ impl Placement {
 
 /// The mechanism as a part that is used, once or several times; motors and what is allowed stay outside.
 fn as_part(typed_out: &str, how: &str, at: &str, count: usize) -> String {
-    let mut text = typed_out.replace("ground", "frame");
-    let mut outside = String::new();
-    let mut body = String::from("port frame;\n");
-    text = text.split_off(text.find('\n').expect("the first line is the struct's") + 1);
-    for line in text.lines() {
-        if let Some(joint) = line.strip_prefix("motor ") {
-            for instance in 0..count {
-                outside += &format!("motor used[{instance}].{joint}\n");
-            }
-        } else if line.starts_with("allow ") {
-            outside += line;
-        } else {
-            body += &format!("{line}\n");
-        }
-    }
+    let (body, motors, allowed) = part_of(typed_out);
+    let motors = motors.iter().flat_map(|joint| {
+        (0..count).map(move |instance| format!("motor used[{instance}].{joint}\n"))
+    });
+    let motors: String = motors.collect();
     format!(
-        "struct Grown;\npart Whole {{\n{body}}}\nuse used[{count}]: Whole{how} {{ frame = ground{at} }};\n{outside}"
+        "struct Grown;\npart Whole {{\n{body}}}\nuse used[{count}]: Whole{how} {{ frame = ground{at} }};\n{motors}{allowed}"
     )
 }
 
@@ -127,22 +118,18 @@ fn a_use_mirrors_scales_turns_and_moves_every_motion() {
             }
             placed.move_to(&theirs).expect("the image moves as it does");
             let size = placement.scale * (1.0 + mech_test_support::size(&typed_out));
-            for (pose, image) in plain.position().poses.iter().zip(&placed.position().poses) {
+            let poses = plain.position().poses.iter();
+            for (pose, image) in poses.zip(&placed.position().poses) {
+                let [pose, image] = [*pose, *image].map(Pose::from);
                 for point in [[0.0, 0.0], [1.0, 0.5]] {
-                    let expected = placement.apply(apply(pose, point));
-                    let found = apply(image, placement.apply(point));
+                    let expected = placement.apply(pose.apply(point));
+                    let found = image.apply(placement.apply(point));
                     let gap = (found[0] - expected[0]).hypot(found[1] - expected[1]);
                     assert!(gap < 1e-7 * size, "{gap:e} {placement:?}");
                 }
             }
         }
     });
-}
-
-/// Where a pose has a point: cosine, sine, and the place of the origin.
-fn apply(pose: &[f64; 4], [x, y]: [f64; 2]) -> [f64; 2] {
-    let [cos, sin, u, v] = *pose;
-    [u + cos * x - sin * y, v + sin * x + cos * y]
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! The recipes of CONTRIBUTING.md name files that exist, and every file that has to change: those of the library whose code knows what is like it.
 
+use mech_test_support::repository as root;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,10 +12,6 @@ const LIBRARY: [&str; 4] = [
     "mech-runtime/core/src",
     "studio/src",
 ];
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
-}
 
 /// `a/{b,c}.rs` written out.
 fn written_out(path: &str) -> Vec<String> {

@@ -8,7 +8,7 @@ use mech_compiler::model::{
 use mech_compiler::structure::{Pin, Rolling};
 use mech_compiler::{Compiled, Looks, Outline, Painted, compile, looks};
 use mech_runtime::Palette;
-use mech_test_support::{Sample, for_all, model, samples};
+use mech_test_support::{Sample, folder, for_all, model, samples};
 use nalgebra::Point2;
 use std::f64::consts::TAU;
 
@@ -246,110 +246,6 @@ impl Picture<'_> {
     }
 }
 
-/// The kinds of what hid something once.
-const TEXTS: [&str; 9] = [
-    // A plate with a ring, over the pinion on the ground.
-    "struct Wankel; ground { point o = (0, 0); } link shaft { point o = (0, 0); point e = (1, 0); }
-    link rotor { point c = (0, 0); point p = (7, 0); point q = (7, 0) turned 120 deg; point r = (7, 0) turned 240 deg; }
-    joint a = revolute(ground.o, shaft.o); joint b = revolute(shaft.e, rotor.c); joint m = gear(ground, rotor, 20 : -30); motor a;",
-    // A shape on one link.
-    "struct Shape; link crank { circle (0, 1) radius 0.3; } link b; joint a = revolute(ground, crank) at (0, 0);
-    joint c = revolute(crank, b) at (0, 1); motor a; motor c;",
-    "struct Plate; link crank; link coupler { polygon [(0.5, 0.5), (3.6, 2.5), (3.4, 3.3), (0.4, 0.9)]; } link rocker;
-    joint a = revolute(ground, crank) at (0, 0); joint b = revolute(crank, coupler) at (0.8, 0.6);
-    joint c = revolute(coupler, rocker) at (3.3, 2.9); joint d = revolute(ground, rocker) at (4, 0); motor a;",
-    // A bar along its own slot.
-    "struct Shaper; link crank; link lever; link rod; link ram; joint a = revolute(ground, crank) at (0, 0);
-    joint b = slot(crank, lever) at (1, 0) along (1, 3); joint c = revolute(ground, lever) at (0, -3);
-    joint d = revolute(lever, rod) at (1.581, 1.743); joint r = revolute(rod, ram) at (3.36, 3.5);
-    joint x = prismatic(ground, ram) at (3.36, 3.5) along (1, 0); motor a;",
-    // A rack on the ground.
-    "struct Truck; link cart; link wheel; joint x = prismatic(ground, cart) at (0, 0) along (1, 0);
-    joint w = revolute(cart, wheel) at (0, 1); joint r = rack(wheel, ground, radius 1); motor x in -3 ..= 3;",
-    "struct Lift; link mast; link pinion; link fork { polygon [(2, 0), (3, 0), (3, 1)]; }
-    joint x = prismatic(ground, mast) at (0, 0) along (0, 1); joint w = revolute(mast, pinion) at (0.5, 0);
-    joint y = prismatic(mast, fork) at (2, 0) along (0, 1); joint r = rack(pinion, ground, radius 0.5);
-    joint s = rack(pinion, fork, radius -0.5); motor x in 0 ..= 3;",
-    // A cylinder.
-    "struct Boom; link boom { point tip = (0, 4); } link barrel; link rod; joint o = revolute(ground, boom) at (0, 0);
-    joint g = revolute(ground, barrel) at (3, 0); joint s = prismatic(barrel, rod) at (1.5, 2) along (-3, 4);
-    joint c = revolute(rod, boom) at (0, 4); motor s;",
-    "struct Gear; link leg; link wheel { point tread = (0.2, -6); } link barrel; link rod; joint o = revolute(ground, leg) at (0, 0);
-    joint w = revolute(leg, wheel) at (0.8, -5); joint g = revolute(ground, barrel) at (-4, 2.5); motor w; motor s;
-    joint s = prismatic(barrel, rod) at (-2, 0.8) along (4.3, -3.4); joint c = revolute(rod, leg) at (0.3, -0.9);",
-    "struct Bucket; link barrel; link rod; link bell; link push; link bucket { point teeth = (5.6, -2.6); }
-    joint a = revolute(ground, barrel) at (-7, 0); joint s = prismatic(barrel, rod) at (-4.631, 1.121) along (5.876, 2.781);
-    joint d = revolute(rod, bell) at (-1.124, 2.781); joint g = revolute(ground, bell) at (0, 0);
-    joint h = revolute(bell, push) at (2, 1.2); joint k = revolute(push, bucket) at (4.818, 0.172);
-    joint j = revolute(ground, bucket) at (3.2, -1.6); motor s;",
-];
-
-/// A slide on the ground: its joint, and from where to where the motors can move it, all together within their ranges.
-const WAYS: [(&str, &str, [f64; 2]); 7] = [
-    (
-        "link cart; link tool; link crank; link rod; joint y = prismatic(cart, tool) at (0, 1) along (0, 1);
-        joint a = revolute(cart, crank) at (3, 0); joint b = revolute(crank, rod) at (3.5, 0.5); joint c = revolute(rod, tool) at (0, 2);
-        joint x = prismatic(ground, cart) at (0, 0) along (1, 0); motor x in -1 ..= 1; motor a in -20 deg ..= 20 deg;",
-        "x",
-        [-1.0, 1.0],
-    ),
-    (
-        "link left; link right; link beam; link out; joint x = prismatic(ground, left) at (-2, 0) along (0, 1);
-        joint y = prismatic(ground, right) at (2, 0) along (0, 1); joint a = revolute(left, beam) at (-2, 0);
-        joint b = slot(right, beam) at (2, 0) along (1, 0); joint c = slot(out, beam) at (0, 0) along (1, 0);
-        joint z = prismatic(ground, out) at (0, 0) along (0, 1); motor x in -0.5 ..= 0.25; motor y in -0.5 ..= 0.5;",
-        "z",
-        [-0.5, 0.375],
-    ),
-    (
-        "link lift; link arm; link hand; joint z = prismatic(ground, lift) at (0, 0) along (-3, 4); joint e = revolute(lift, arm) at (0, 0);
-        joint w = revolute(arm, hand) at (5, 0); motor e in 0 deg ..= 90 deg; motor w; motor z in 0 ..= 2;",
-        "z",
-        [0.0, 2.0],
-    ),
-    // The yoke of a crank on a cart is farthest where both are.
-    (
-        "link cart; link crank; link yoke; joint x = prismatic(ground, cart) at (0, -5) along (1, 0); joint a = revolute(cart, crank) at (0, 0);
-        joint s = slot(crank, yoke) at (2, 0) along (0, 1); joint z = prismatic(ground, yoke) at (2, 0) along (1, 0);
-        motor x in -1 ..= 1; motor a;",
-        "z",
-        [-5.0, 1.0],
-    ),
-    // Everything is in one place: it is drawn as if it were as large as 1, and goes four sizes either way.
-    (
-        "link a; link b; joint x = prismatic(ground, a) at (0, 0) along (0, 1); joint y = prismatic(a, b) at (0, 0) along (0, 1);
-        joint z = prismatic(ground, b) at (0, 0) along (0, 1); motor x; motor y; allow redundant;",
-        "z",
-        [-8.0, 8.0],
-    ),
-    // Two equal sides: the third is at its longest on this side after one turn, and on the other after one more.
-    (
-        "link s; link p; link q; joint j1 = revolute(q, s) at (3, 4); joint j2 = revolute(s, ground) at (6, 0);
-        joint j0 = revolute(p, q) at (0, 0); joint j3 = prismatic(ground, p) at (6, 0) along (1, 0); motor j1;",
-        "j3",
-        [-4.0, 16.0],
-    ),
-    // What rolls on goes a turn either way.
-    (
-        "link pinion; link bar; joint turn = revolute(ground, pinion) at (0, 0); joint slide = prismatic(ground, bar) at (0, 1) along (1, 0);
-        joint mesh = rack(pinion, bar, radius 1); motor turn;",
-        "slide",
-        [-TAU, TAU],
-    ),
-];
-
-/// The start is a hair beside a dead point: the motor goes far, and only one way.
-const GRIPPER: &str = "struct Gripper; allow coupled; link barrel; link rod; link plate; link gm; link hq; link it; link jv; link upper; link lower;
-    joint a = revolute(ground, barrel) at (-4.684, 0.747); joint stroke = prismatic(barrel, rod) at (-1.701, 0.746) along (4.603, -0.001);
-    joint d = revolute(rod, plate) at (2.902, 0.745); joint g = revolute(plate, gm) at (4.311, 3.004);
-    joint h = revolute(plate, hq) at (8.246, 3.004); joint i = revolute(plate, it) at (4.311, -1.011);
-    joint j = revolute(plate, jv) at (8.246, -1.011); joint m = revolute(gm, upper) at (0.02, 5.903);
-    joint q = revolute(hq, upper) at (6.552, 5.786); joint t = revolute(it, lower) at (0.07, -3.573);
-    joint v = revolute(jv, lower) at (6.63, -3.716); joint rail_m = slot(upper, ground) at (0.02, 5.903) along (0.09, -17.067);
-    joint rail_q = slot(upper, ground) at (6.552, 5.786) along (0.163, -19.967); motor stroke;
-    joint rail_t = slot(lower, ground) at (0.07, -3.573) along (0.09, -17.067);
-    joint rail_v = slot(lower, ground) at (6.63, -3.716) along (0.163, -19.967);";
-
 /// A rail beside a line of the ground: from where to where what slides on it goes, as it is drawn, and the width of bars.
 struct Rail {
     way: [f64; 2],
@@ -385,20 +281,30 @@ fn rails(looks: &Looks, line: &Axis) -> Vec<Rail> {
 /// A rail is as long as what slides on it goes, no more and no less, wherever motors take it within their ranges: all together, too.
 #[test]
 fn rails_are_as_long_as_their_slides_go() {
-    for (text, joint, way) in WAYS {
-        let (model, _, looks) = compiled(&format!("struct Ways; {text}"));
-        let slide = model.joint_ids().find(|id| model.joint(*id).name == joint);
-        let [guide, _] = slide
-            .and_then(|slide| model.guide_and_block(slide))
-            .expect("it slides");
-        let rails = rails(&looks, model.axis(guide));
-        let is_right = |rail: &Rail| {
-            let mut pairs = rail.way.iter().zip(&way);
-            pairs.all(|(is, should)| (is - should).abs() < 0.1 * rail.width)
-        };
-        let found: Vec<_> = rails.iter().map(|rail| rail.way).collect();
-        assert!(rails.iter().any(is_right), "{found:?} in {text}");
+    let mut tried = 0;
+    for case in folder("seen") {
+        for way in case.marks("way") {
+            let words: Vec<&str> = way.split_whitespace().collect();
+            let [joint, low, high] = words[..] else {
+                panic!("no way: {way}");
+            };
+            let way = [low, high].map(|end| end.parse::<f64>().expect("a number"));
+            let (model, _, looks) = compiled(&case.text);
+            let slide = model.joint_ids().find(|id| model.joint(*id).name == joint);
+            let [guide, _] = slide
+                .and_then(|slide| model.guide_and_block(slide))
+                .expect("it slides");
+            let rails = rails(&looks, model.axis(guide));
+            let is_right = |rail: &Rail| {
+                let mut pairs = rail.way.iter().zip(&way);
+                pairs.all(|(is, should)| (is - should).abs() < 0.1 * rail.width)
+            };
+            let found: Vec<_> = rails.iter().map(|rail| rail.way).collect();
+            assert!(rails.iter().any(is_right), "{found:?} in {}", case.name);
+            tried += 1;
+        }
     }
+    assert!(tried >= 7);
 }
 
 /// From where to where along a line of the ground an axis goes where each motor moves alone, through its range or so many turns.
@@ -474,7 +380,10 @@ fn wrong_rails(model: &Model) -> (Vec<String>, usize) {
 /// Wherever a caller moves a slide on the ground by one motor, its rail is below; it is no longer than that.
 #[test]
 fn rails_are_as_long_as_single_motors_move() {
-    assert_eq!(wrong_rails(&model(GRIPPER)), (Vec::new(), 4));
+    let cases = folder("seen");
+    let gripper = cases.iter().find(|case| case.name == "gripper");
+    let gripper = model(&gripper.expect("it stands there").text);
+    assert_eq!(wrong_rails(&gripper), (Vec::new(), 4));
     let (mut all, mut wrong) = (0, 0);
     for_all(150, &samples(1..6), |Sample { grown, .. }: Sample| {
         let mut model = grown.model;
@@ -494,10 +403,13 @@ fn rails_are_as_long_as_single_motors_move() {
 
 #[test]
 fn what_is_declared_is_seen() {
-    for text in TEXTS {
-        let (model, compiled, looks) = compiled(text);
+    let mut cases = folder("seen");
+    cases.retain(|case| case.marks("everything is seen").next().is_some());
+    assert!(cases.len() >= 9);
+    for case in cases {
+        let (model, compiled, looks) = compiled(&case.text);
         let hidden = hidden(&model, &compiled, &looks);
-        assert!(hidden.is_empty(), "{hidden:?} in {text}");
+        assert!(hidden.is_empty(), "{hidden:?} in {}", case.name);
     }
 }
 

@@ -1,6 +1,8 @@
 //! How well a position satisfies its joints, straight from their definition.
 
-use mech_compiler::model::{AxisId, JointId, JointKind, Law, Model};
+use crate::judge::wrap;
+use mech_compiler::model::{AxisId, JointId, JointKind, Law, LinkId, Model};
+use mech_compiler::structure::{Factor, Rolling, RollingEnd};
 use std::f64::consts::TAU;
 
 /// Where an axis is in the scene, and where it points. `poses` are the cosine, sine, x and y of every link, the ground
@@ -33,7 +35,7 @@ pub fn worst_gap(model: &Model, poses: &[[f64; 4]]) -> f64 {
             let askew = along[0] * other[1] - along[1] * other[0];
             (to[0] - from[0]).hypot(to[1] - from[1]).max(askew.abs())
         }
-        // What rolls is held to its ratio by tests of its own.
+        // What rolls is held to its ratio by `slip`.
         JointKind::Gear { .. } | JointKind::Belt { .. } | JointKind::Rack { .. } => 0.0,
         JointKind::Cam {
             shaft,
@@ -70,8 +72,45 @@ fn off_cam(model: &Model, poses: &[[f64; 4]], joints: [JointId; 2], law: &Law) -
     .abs()
 }
 
+/// By how much two that roll on each other have slipped between two places: the sum of what their ends have moved by, times their factors.
+/// Links turn by less than half a turn, or it is known but for their whole turns.
+#[must_use]
+pub fn slip(model: &Model, rolling: &Rolling, [before, now]: [&[[f64; 4]]; 2]) -> f64 {
+    let turned = |link: LinkId| {
+        let [a, b] = [before, now].map(|poses| poses[link.index()]);
+        wrap(b[1].atan2(b[0]) - a[1].atan2(a[0]))
+    };
+    let moved = |end| match end {
+        RollingEnd::Wheel(wheel) => turned(wheel) - turned(rolling.carrier),
+        RollingEnd::Bar {
+            slide, forwards, ..
+        } => {
+            let [then, now] = [before, now].map(|poses| coordinate(model, poses, slide).0);
+            if forwards { now - then } else { then - now }
+        }
+    };
+    rolling
+        .ends
+        .map(|(end, by)| factor(by) * moved(end))
+        .iter()
+        .sum()
+}
+
+/// A number of teeth, or a radius.
+///
+/// # Panics
+/// If there are too many teeth.
+#[must_use]
+pub fn factor(factor: Factor) -> f64 {
+    match factor {
+        Factor::Whole(value) => f64::from(i32::try_from(value).expect("few teeth")),
+        Factor::Float(value) => value,
+    }
+}
+
 /// The coordinate of a joint, and whether it is an angle: then between −π and π.
-fn coordinate(model: &Model, poses: &[[f64; 4]], id: JointId) -> (f64, bool) {
+#[must_use]
+pub fn coordinate(model: &Model, poses: &[[f64; 4]], id: JointId) -> (f64, bool) {
     match model.joint(id).kind {
         JointKind::Revolute(a, b) => {
             let ((_, [c, s]), (_, [d, t])) = (locate(model, poses, a), locate(model, poses, b));

@@ -7,6 +7,7 @@ mod chain;
 mod closure;
 mod dice;
 mod fixtures;
+mod folder;
 mod grow;
 pub mod journeys;
 pub mod judge;
@@ -25,12 +26,13 @@ mod varied;
 pub use axis::add_axis;
 pub use cam::{add_cam, law, model_of_law};
 pub use cases::{cases, seeds};
-pub use chain::{chain, chain_text};
-pub use closure::{size, with_ground, worst_gap, worst_stretch};
+pub use chain::{chain, chain_text, uneven_chain_text};
+pub use closure::{coordinate, factor, size, slip, with_ground, worst_gap, worst_stretch};
 pub use dice::Dice;
 pub use fixtures::{SOURCES, four_bar_text};
+pub use folder::{Case, folder, repository};
 pub use grow::{Grown, grow, grow_coupled, grow_coupled_from, grow_from, in_own_frames};
-pub use measure::{apart, differences, in_f64, lengths, reach};
+pub use measure::{apart, cross, differences, dot, in_f64, lengths, reach};
 pub use painted::painted_outside;
 pub use rustc::rustc;
 pub use sample::{Sample, coupled_samples, dice, for_all, samples};
@@ -39,8 +41,8 @@ pub use shuffled::{
 };
 pub use simulated::Simulated;
 pub use source::{bodies, mechanism_of, mechanisms, model, models, parsed};
-pub use text::text;
-pub use varied::{direction, place, scale, vary, with_params};
+pub use text::{part_of, text};
+pub use varied::{place, scale, vary, with_params};
 
 use std::time::Instant;
 

@@ -41,3 +41,15 @@ pub fn differences([a, b, c, d, e]: [f64; 5], step: f64) -> [f64; 2] {
         (-a + 16.0 * b - 30.0 * c + 16.0 * d - e) / (12.0 * step * step),
     ]
 }
+
+/// The product of vectors that is their lengths' where they are parallel.
+#[must_use]
+pub fn dot([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
+    a * c + b * d
+}
+
+/// The product of vectors that is zero where they are parallel.
+#[must_use]
+pub fn cross([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
+    a * d - b * c
+}

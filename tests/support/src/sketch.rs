@@ -1,7 +1,7 @@
 //! Mechanisms as links and joints in the scene, written as text in any order, with the ends of joints either way round, any link as
 //! ground and any joint as motor.
 
-use crate::Dice;
+use crate::{Dice, shuffle};
 use mech_compiler::model::{JointKind, LinkId, Model, Ratio};
 use std::fmt::Write as _;
 
@@ -228,12 +228,5 @@ impl Sketch {
             writeln!(text, "allow {word};").expect("a string");
         }
         text
-    }
-}
-
-/// Any order.
-pub fn shuffle<T>(all: &mut [T], dice: &mut Dice) {
-    for place in (1..all.len()).rev() {
-        all.swap(place, dice.below(place + 1));
     }
 }

@@ -26,6 +26,22 @@ pub fn text(model: &Model) -> String {
     text
 }
 
+/// The statements of a part that does what a text does, with `frame` instead of the ground; of its motors what follows the word; and what is
+/// allowed.
+#[must_use]
+pub fn part_of(text: &str) -> (String, Vec<String>, String) {
+    let (mut body, mut motors) = (String::from("port frame;\n"), Vec::new());
+    let mut allowed = String::new();
+    for line in text.replace("ground", "frame").lines().skip(1) {
+        match line.strip_prefix("motor ") {
+            Some(joint) => motors.push(joint.to_owned()),
+            None if line.starts_with("allow ") => allowed += line,
+            None => body += &format!("{line}\n"),
+        }
+    }
+    (body, motors, allowed)
+}
+
 fn kind(model: &Model, joint: &Joint) -> String {
     let name = |link: LinkId| &model.link(link).name;
     let on = |on: Option<LinkId>| on.map_or(String::new(), |on| format!(" on {}", name(on)));

@@ -135,8 +135,7 @@ pub fn place(model: &Model, axis: &Axis, params: &[f64]) -> [f64; 2] {
 }
 
 /// The direction of an axis in its link with these params.
-#[must_use]
-pub fn direction(model: &Model, axis: &Axis, params: &[f64]) -> [f64; 2] {
+fn direction(model: &Model, axis: &Axis, params: &[f64]) -> [f64; 2] {
     pair(model, axis.direction, axis.direction_formulas, params)
 }
 

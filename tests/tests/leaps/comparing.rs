@@ -4,6 +4,7 @@ use super::closure::fault;
 use super::reading::{Subject, bits};
 use mech_compiler::evaluate::{Machine, Stop};
 use mech_compiler::program::Position;
+use mech_test_support::journeys::off;
 use mech_test_support::judge::{Curve, End};
 use std::time::{Duration, Instant};
 
@@ -155,12 +156,6 @@ fn apart(subject: &Subject, a: &[[f64; 4]], b: &[[f64; 4]], most: f64) -> Option
 fn offs(subject: &Subject, a: &[[f64; 4]], b: &[[f64; 4]]) -> impl Iterator<Item = f64> {
     let extent = subject.extent(b);
     a.iter().zip(b).map(move |(a, b)| off(a, b, extent))
-}
-
-/// How far a pose is off another: in radians, or as a part of this length.
-pub(crate) fn off(a: &[f64; 4], b: &[f64; 4], extent: f64) -> f64 {
-    let turned = (a[0] - b[0]).abs().max((a[1] - b[1]).abs());
-    turned.max((a[2] - b[2]).hypot(a[3] - b[3]) / extent)
 }
 
 /// How much rounding may do to a position: more where it is near a dead point.

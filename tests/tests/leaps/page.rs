@@ -1,6 +1,7 @@
 //! The text of a drawing, part by part.
 
 use super::drawing::{Addition, Kind};
+use mech_test_support::{cross, dot};
 use std::fmt::Write as _;
 
 /// Ratios of what rolls.
@@ -56,14 +57,6 @@ fn name(link: usize) -> String {
 
 fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0] - b[0], a[1] - b[1]]
-}
-
-fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[1] - a[1] * b[0]
-}
-
-fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
 }
 
 impl Page {

@@ -1,11 +1,12 @@
 //! What is shown alone leaps as it does in the whole mechanism, although fewer loops are watched in a move.
 
-use super::comparing::{MOST_STEPS, compare, off, rounding, shorten};
+use super::comparing::{MOST_STEPS, compare, rounding, shorten};
 use super::drawing::{Drawing, coupled, sequential};
 use super::random::{runner, target};
 use super::reading::Subject;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::LinkId;
+use mech_test_support::journeys::off;
 use mech_test_support::{Dice, cases, seeds};
 use proptest::strategy::{Strategy, ValueTree as _};
 

@@ -2,7 +2,7 @@
 
 mod subject;
 
-pub use subject::{Judged, Subject, Track, apart};
+pub use subject::{Judged, Subject, Track, apart, off};
 
 use crate::judge::Judge;
 use crate::sketch::Sketch;

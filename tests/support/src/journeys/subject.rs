@@ -239,12 +239,16 @@ impl<'j> Track<'j> {
     }
 }
 
-/// How far poses are apart: in radians, or as parts of this length.
+/// How far a pose is off another: in radians, or as a part of this length.
+#[must_use]
+pub fn off(a: &[f64; 4], b: &[f64; 4], extent: f64) -> f64 {
+    let turned = (a[0] - b[0]).abs().max((a[1] - b[1]).abs());
+    turned.max((a[2] - b[2]).hypot(a[3] - b[3]) / extent)
+}
+
+/// How far poses are apart.
 #[must_use]
 pub fn apart(a: &[[f64; 4]], b: &[[f64; 4]], extent: f64) -> f64 {
-    let off = |(a, b): (&[f64; 4], &[f64; 4])| {
-        let turned = (a[0] - b[0]).abs().max((a[1] - b[1]).abs());
-        turned.max((a[2] - b[2]).hypot(a[3] - b[3]) / extent)
-    };
+    let off = |(a, b): (&[f64; 4], &[f64; 4])| off(a, b, extent);
     a.iter().zip(b).map(off).fold(0.0, f64::max)
 }

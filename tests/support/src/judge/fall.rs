@@ -1,6 +1,6 @@
 //! Motion under forces by the laws of Newton and Euler, on the joints' equations, in steps of Runge and Kutta: a judge of `simulate`.
 
-use super::{Judge, Place};
+use super::Judge;
 use mech_compiler::model::{AxisId, Between, JointId, JointKind, LinkId};
 use nalgebra::{DMatrix, DVector};
 
@@ -47,12 +47,6 @@ impl<'j> Fall<'j> {
         }
     }
 
-    /// Where the links are.
-    #[must_use]
-    pub fn place(&self) -> Place {
-        Place(self.place.clone())
-    }
-
     /// The values of the motors.
     #[must_use]
     pub fn motors(&self) -> Vec<f64> {
@@ -62,13 +56,6 @@ impl<'j> Fall<'j> {
                 * self.scale(motor.joint)
         };
         motors.map(value).collect()
-    }
-
-    /// The second rates of the motors where it is.
-    #[must_use]
-    pub fn accelerations(&self) -> Option<Vec<f64>> {
-        self.change(&self.place, &self.rates)
-            .map(|change| change.rates)
     }
 
     /// A step of time. None where nothing can be told.
