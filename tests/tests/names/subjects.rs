@@ -92,7 +92,7 @@ macro_rules! press {
     ($start:literal, $end:literal) => {
         concat!(
             $start,
-            "ground { point shaft = (0, 0); line bed = (0, 0) -> (1, 0); circle (0, 0) radius 0.2; }
+            "ground { point shaft = (0, 0); line bed = (0, 0) -> (1, 0); circle (0, 0) radius 0.2; polygon [(0, 0), (1, 0), (0, 1)]; }
             link crank { point shaft = (0, 0); point pin = (0.5, 0); mass 2 at (0.1, 0) inertia 0.1; }
             link ram { point pin = (0, 0); line axis = (0, 0) -> (1, 0); point hook = (0.5, @const); mass 1; }
             link @link { point @point = (0, 0); point tip = (1, 0); line rail = (0, 0) -> (1, 0); mass 1 at (0.5, 0); }
