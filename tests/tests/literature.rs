@@ -7,7 +7,7 @@ use mech_runtime::mechanism;
 pub(crate) fn rows<const N: usize>(table: &str) -> Vec<[f64; N]> {
     let lines = table.lines().filter(|line| !line.starts_with('#'));
     let row = |line: &str| {
-        let numbers = line.split_whitespace().map(|number| number.parse());
+        let numbers = line.split_whitespace().map(str::parse);
         let numbers: Vec<f64> = numbers.collect::<Result<_, _>>().expect("numbers");
         numbers.try_into().expect("so many columns")
     };
