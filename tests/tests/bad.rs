@@ -1,6 +1,7 @@
 //! Whatever numbers a mechanism is given, in whatever order: it moves, or says why not and is as it was. Nothing panics, and what it
 //! tells are numbers.
 
+use super::zoo::rolling::Differential;
 use mech_runtime::{GaussLegendre, Phase, Pose, Scalar, mechanism};
 use proptest::prelude::*;
 use std::fmt::Debug;
@@ -58,24 +59,6 @@ mechanism! {
     motor s = t * sqrt(1 + t) / (2 - t);
     method newton;
     effects { velocity; acceleration; }
-}
-
-mechanism! {
-    /// That turns farther than its motors, by both of them.
-    struct Geared;
-    ground { point shaft = (0, 0); }
-    link sun { point shaft = (0, 0); }
-    link ring { point shaft = (0, 0); }
-    link arm { point shaft = (0, 0); point pin = (6, 0); }
-    link planet { point pin = (0, 0); }
-    joint s = revolute(ground.shaft, sun.shaft);
-    joint r = revolute(ground.shaft, ring.shaft);
-    joint a = revolute(ground.shaft, arm.shaft);
-    joint p = revolute(arm.pin, planet.pin);
-    joint inner = gear(sun, planet, 5 : 1);
-    joint outer = gear(planet, ring, 1 : -7);
-    motor s;
-    motor r;
 }
 
 /// Numbers of which many are none, or are beyond all others.
@@ -226,7 +209,7 @@ fn ask_lawful(m: &mut Lawful, which: u8, [x, y, z, w]: [f64; 4]) {
     is_somewhere(m.poses());
 }
 
-fn ask_geared(m: &mut Geared, which: u8, [x, y, z, w]: [f64; 4]) {
+fn ask_geared(m: &mut Differential, which: u8, [x, y, z, w]: [f64; 4]) {
     let before = *m;
     let refused = match which % 4 {
         0 => m.move_to([x, y]).is_err(),
@@ -238,7 +221,7 @@ fn ask_geared(m: &mut Geared, which: u8, [x, y, z, w]: [f64; 4]) {
         }
         _ => {
             let mut all = [*m; 2];
-            let _ = Geared::move_many(&mut all, &[[x, y], [z, w]]);
+            let _ = Differential::move_many(&mut all, &[[x, y], [z, w]]);
             for m in &all {
                 is_somewhere(m.poses());
             }
@@ -252,7 +235,7 @@ fn ask_geared(m: &mut Geared, which: u8, [x, y, z, w]: [f64; 4]) {
 proptest! {
     #[test]
     fn angles_of_any_size(asked in asked()) {
-        let mut geared = Geared::new();
+        let mut geared = Differential::new();
         for (which, numbers) in asked {
             ask_geared(&mut geared, which, numbers);
         }

@@ -26,6 +26,7 @@ mod ranges;
 mod rates;
 mod recipes;
 mod repairs;
+mod right;
 mod seen;
 mod shafts;
 mod show;

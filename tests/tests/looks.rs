@@ -449,46 +449,6 @@ fn a_link_with_shapes_keeps_them() {
     assert_eq!(drawn.painted.len(), 3);
 }
 
-#[track_caller]
-fn assert_box(text: &str, expected: [[f64; 2]; 2]) {
-    let (model, compiled, looks) = compiled(text);
-    let found = looks.extent(&model, &compiled);
-    let pairs = found.as_flattened().iter().zip(expected.as_flattened());
-    let off = pairs.map(|(is, should)| (is - should).abs());
-    assert!(
-        off.fold(0.0, f64::max) < 1e-6,
-        "{found:?} is not {expected:?}"
-    );
-}
-
-/// Boxes that are known by a sum of lengths.
-#[test]
-fn a_box_is_as_large_as_arms_and_slides_reach() {
-    let hand = "look none; link u; link f; link g { circle (5, 1) radius 0.25; }
-        joint a = revolute(ground, u) at (0, 0);
-        joint b = revolute(u, f) at (2, 0); joint c = revolute(f, g) at (3, 1);";
-    let far = 2.0 + 2.0_f64.sqrt() + 2.0 + 0.25;
-    let arm = format!("struct Arm; {hand} motor a; motor b; motor c;");
-    assert_box(&arm, [[-far, -far], [far, far]]);
-    // A slide goes four sizes either way; one whose axes lie in one place is as large as what is painted.
-    let slide = |at: &str| {
-        format!(
-            "struct Slide; look none; link a {{ circle (0, 0) radius 2; }} joint j = prismatic(ground, a) at {at} along (1, 0); motor j;"
-        )
-    };
-    assert_box(&slide("(0, 0)"), [[-10.0, -2.0], [10.0, 2.0]]);
-    assert_box(&slide("(0, -5)"), [[-22.0, -2.0], [22.0, 2.0]]);
-    // What rolls on goes a turn either way.
-    let rack = "struct Rack; look none; link pinion; link bar { circle (0, 0) radius 1; }
-        joint turn = revolute(ground, pinion) at (0, 0); joint slide = prismatic(ground, bar) at (0, 1) along (1, 0);
-        joint mesh = rack(pinion, bar, radius 1); motor turn;";
-    assert_box(rack, [[-1.0 - TAU, -1.0], [1.0 + TAU, 1.0]]);
-    // A point whose path is painted is seen, too.
-    let traced = "struct Traced; look none; ground { point o = (0, 0); } link a { point o = (0, 0); point tip = (3, 0); circle (0, 0) radius 1; }
-        joint j = revolute(ground.o, a.o); motor j; effects { trace a.tip 64; }";
-    assert_box(traced, [[-3.0, -3.0], [3.0, 3.0]]);
-}
-
 /// Mechanisms whose moves go in so small pieces that their boxes took half a minute of an optimised build.
 #[test]
 fn a_box_costs_little_however_small_the_pieces_of_a_move_are() {

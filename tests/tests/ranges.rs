@@ -119,16 +119,7 @@ proptest! {
 /// comes near, and there the second loop is fast.
 #[test]
 fn what_a_proved_loop_makes_fast_is_not_leapt_over() {
-    let text = "struct Near;
-        link l1; link l2; link l3; link l4; link l5;
-        joint j0 = revolute(ground, l1) at (2.39, -0.85);
-        joint j1 = revolute(ground, l2) at (1.17, -2.17);
-        joint j2 = revolute(l1, l3) at (0.8, -1.36);
-        joint j3 = revolute(l3, l2) at (-0.41878, -2.67868);
-        joint j4 = revolute(l2, l4) at (-1.1, -4.67);
-        joint j5 = revolute(ground, l5) at (3.21, 1.83);
-        joint j6 = revolute(l5, l4) at (0.94, -0.67);
-        motor j0 in -2.0495 ..= 1.0854;";
+    let text = include_str!("ranges/near.mech");
     let compiled = compile(&model(text)).expect("a proved range");
     let ends = |steps: u32| {
         let mut machine = Machine::<f64>::new(&compiled.program);
@@ -154,26 +145,7 @@ fn what_a_proved_loop_makes_fast_is_not_leapt_over() {
 /// A loop is carried by what the loops before it are made from: what carries it has a part in it through these.
 #[test]
 fn what_carries_a_loop_may_have_a_part_in_it() {
-    let text = "
-        struct Chain;
-        link l1;
-        joint j0 = revolute(ground, l1) at (2.0, -3.0);
-        link l2;
-        link l3;
-        joint j1 = revolute(ground, l2) at (3.0, -2.0);
-        joint j2 = revolute(l3, l2) at (1.0, -4.0);
-        joint j3 = revolute(l1, l3) at (0.0, 3.0);
-        link l4;
-        link l5;
-        joint j4 = prismatic(l3, l4) at (-4.0, 4.0) along (2.0, 1.0);
-        joint j5 = revolute(l4, l5) at (1.0, -4.0);
-        joint j6 = prismatic(ground, l5) at (-1.0, -1.0) along (1.0, 1.0);
-        link l6;
-        link l7;
-        joint j7 = revolute(l4, l6) at (2.0, 2.0);
-        joint j8 = revolute(l7, l6) at (1.0, -2.0);
-        joint j9 = revolute(l5, l7) at (3.0, 3.0);
-        motor j0 in -0.1418630487624101 ..= 0.15484661052845441;";
+    let text = include_str!("ranges/chain.mech");
     let wrong = compile(&model(text)).expect_err("it is blocked within its range");
     let [
         Diagnosis::Range {

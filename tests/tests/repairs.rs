@@ -336,17 +336,7 @@ fn repairs_are_tried_without_proofs_of_ranges() {
 
 #[test]
 fn one_choice_of_several_motors_is_offered_beside_something_else() {
-    let text = "struct Two;
-        ground { point a = (0, 0); point d = (0.8, 0); point w = (9, 0); }
-        link crank { point a = (0, 0); point b = (2.2, 0); } link coupler { point b = (0, 0); }
-        link rocker { point d = (0, 0); point c = (2.4, 0); }
-        link wheel { point w = (0, 0); } link spur { point w = (0, 0); }
-        joint a = revolute(ground.a, crank.a); joint b = revolute(crank.b, coupler.b);
-        joint c = revolute(coupler.b, rocker.c); joint d = revolute(ground.d, rocker.d);
-        joint w = revolute(ground.w, wheel.w); joint s = revolute(wheel.w, spur.w);
-        joint mesh = gear(crank, wheel, 30 : 17);
-        motor a;";
-    let parsed = parsed(text);
+    let parsed = parsed(include_str!("repairs/two-freedoms.mech"));
     let diagnoses = diagnose(&parsed.model);
     let found = assert_mended(&parsed, &diagnoses);
     let adds = |repair: &&Repair| matches!(repair, Repair::AddMotors(_));
@@ -375,36 +365,12 @@ fn wheels_on_one_shaft_may_go() {
     }
 }
 
-/// A ring's element, a gripper on two guides, one on pins in parallel slots, and a coupler of two straps: they move, but only because their
-/// lengths match.
+/// They move, but only because their lengths match.
 const MATCHED: [&str; 4] = [
-    "struct Element; const psi = 50 deg; const r = 2 * sin(psi); link one; link two; joint c = revolute(one, two) at (r, 0);
-        joint o1 = slot(one, ground) at (r + cos(psi + 30 deg), sin(psi + 30 deg)) along 30 deg;
-        joint i1 = slot(one, ground) at (r + cos(psi + 150 deg), sin(psi + 150 deg)) along -30 deg;
-        joint o2 = slot(two, ground) at (r + cos(psi + 30 deg), -sin(psi + 30 deg)) along -30 deg;
-        joint i2 = slot(two, ground) at (r + cos(psi + 150 deg), -sin(psi + 150 deg)) along 30 deg;",
-    "struct Gripper; link plate; link bf; link dg; link ch; link ei; link upper; link lower;
-        joint push = slot(plate, ground) at (-1.925, 0) along (1, 0);
-        joint b = revolute(plate, bf) at (-1.133, 1.005); joint d = revolute(plate, dg) at (0.867, 1.005);
-        joint c = revolute(plate, ch) at (-1.133, -0.995); joint e = revolute(plate, ei) at (0.867, -0.995);
-        joint f = revolute(bf, upper) at (-1.99, 2.121); joint g = revolute(dg, upper) at (0.01, 2.121);
-        joint h = revolute(ch, lower) at (-1.99, -2.112); joint i = revolute(ei, lower) at (0.01, -2.112);
-        joint up = prismatic(upper, ground) at (-1.99, 2.121) along (0, 1);
-        joint down = prismatic(lower, ground) at (-1.99, -2.112) along (0, 1);",
-    "struct Slotted; link plate; link bf; link dg; link ch; link ei; link upper; link lower;
-        joint push = slot(plate, ground) at (-1.925, 0) along (1, 0);
-        joint b = revolute(plate, bf) at (-1.133, 1.005); joint d = revolute(plate, dg) at (0.867, 1.005);
-        joint c = revolute(plate, ch) at (-1.133, -0.995); joint e = revolute(plate, ei) at (0.867, -0.995);
-        joint f = revolute(bf, upper) at (-1.99, 2.121); joint g = revolute(dg, upper) at (0.01, 2.121);
-        joint h = revolute(ch, lower) at (-1.99, -2.112); joint i = revolute(ei, lower) at (0.01, -2.112);
-        joint rail_f = slot(upper, ground) at (-1.99, 2.121) along (0, 1);
-        joint rail_g = slot(upper, ground) at (0.01, 2.121) along (0, 1);
-        joint rail_h = slot(lower, ground) at (-1.99, -2.112) along (0, 1);
-        joint rail_i = slot(lower, ground) at (0.01, -2.112) along (0, 1);",
-    "struct Straps; link swing; link strap; link plate; link tie; joint n = revolute(ground, swing) at (4, -2);
-        joint m = revolute(strap, swing) at (4, 1); joint g = revolute(plate, tie) at (5, 2);
-        joint k = revolute(ground, tie) at (9, 0); joint e = revolute(plate, strap) at (4, 1);
-        joint f = revolute(plate, strap) at (5, 2);",
+    include_str!("repairs/ring-element.mech"),
+    include_str!("repairs/gripper.mech"),
+    include_str!("repairs/gripper-of-slots.mech"),
+    include_str!("repairs/straps.mech"),
 ];
 
 /// What such a mechanism lacks is offered, whatever is allowed already, and then it moves with all its pins closed.

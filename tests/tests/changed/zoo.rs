@@ -110,22 +110,6 @@ mechanism! {
 }
 
 mechanism! {
-    /// The same linkage, its numbers constant: what is set in one is declared in the other.
-    pub struct LongFourBar;
-    ground { point a = (0, 0); point d = (4, 0); }
-    link driver { point a = (0, 0); point b = (1.25, 0); }
-    link coupler { point b = (0, 0); point c = (4.5, 0); point tip = (2.25, 1); }
-    link rocker { point d = (0, 0); point c = (3, 0); }
-    joint ja = revolute(ground.a, driver.a);
-    joint jb = revolute(driver.b, coupler.b);
-    joint jc = revolute(coupler.c, rocker.c);
-    joint jd = revolute(ground.d, rocker.d);
-    motor ja;
-    start { ja = 40 deg; coupler near 40 deg; }
-    effects { velocity; acceleration; }
-}
-
-mechanism! {
     /// Gears that follow a loop: teeth stay in mesh whatever changes.
     pub struct Geared;
     param rod = 3.5;

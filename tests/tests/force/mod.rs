@@ -13,7 +13,7 @@ use mech_compiler::model::Model;
 use mech_compiler::program::{Forces, Inertia, InverseDynamics};
 use mech_compiler::{Compiled, compile};
 use mech_test_support::{
-    Dice, SOURCES, Sample, coupled_samples, for_all, models, reach, samples, size,
+    Dice, SOURCES, Sample, coupled_samples, differences, for_all, models, reach, samples, size,
 };
 use proptest::prelude::*;
 use random_actions::load_up;
@@ -231,11 +231,9 @@ fn slopes(
             }
         };
         let slope = |step: f64| {
-            Some(
-                (energy(-2.0 * step)? - 8.0 * energy(-step)? + 8.0 * energy(step)?
-                    - energy(2.0 * step)?)
-                    / (12.0 * step),
-            )
+            let [a, b, d, e] = [-2.0, -1.0, 1.0, 2.0].map(|part| energy(part * step));
+            let [slope, _] = differences([a?, b?, 0.0, d?, e?], step);
+            Some(slope)
         };
         let (Some(fine), Some(coarse)) = (slope(step), slope(2.0 * step)) else {
             continue;

@@ -1,9 +1,8 @@
 //! A test bed: moves a mechanism and holds each position against its declaration.
 
-use mech_compiler::model::{Axis, JointKind, LinkId, Method, Model};
-use mech_compiler::syntax::parse;
-use mech_runtime::{Blocked, Cause, Mechanism, Pose, Reached, Real};
-use mech_test_support::{with_ground, worst_gap, worst_stretch};
+use mech_compiler::model::{Axis, JointKind, Method, Model};
+use mech_runtime::{Blocked, Cause, Mechanism, Reached, Real};
+use mech_test_support::{in_f64, lengths, model, with_ground, worst_gap, worst_stretch};
 
 /// A gap of this many units of rounding of the size passes for closed, in each coordinate.
 const ROUNDING: f64 = 64.0;
@@ -30,13 +29,11 @@ impl<M: Mechanism> Bed<M> {
     pub(crate) const EPSILON: f64 = <M::Scalar as Real>::EPSILON;
 
     pub(crate) fn new(text: &str) -> Self {
-        let parsed = parse(text.parse().expect("it was Rust for the macro too"));
-        assert!(parsed.errors.is_empty(), "it was understood by the macro");
-        let lengths = lengths(&parsed.model);
+        let model = model(text);
         let mut bed = Self {
             mechanism: M::new(),
-            model: parsed.model,
-            lengths,
+            lengths: lengths(&model).sum(),
+            model,
             worst: 0.0,
         };
         bed.assert_whole();
@@ -109,7 +106,7 @@ impl<M: Mechanism> Bed<M> {
     /// The pose of a link.
     pub(crate) fn pose(&self, link: &str) -> [f64; 4] {
         let at = M::LINKS.iter().position(|name| *name == link);
-        numbers(self.mechanism.poses()[at.expect("the link is declared")])
+        in_f64(self.mechanism.poses())[at.expect("the link is declared")]
     }
 
     /// Where a point of a link is in the scene.
@@ -152,21 +149,11 @@ impl<M: Mechanism> Bed<M> {
     }
 
     fn all_poses(&self) -> Vec<[f64; 4]> {
-        let poses = self.mechanism.poses().iter().map(|pose| numbers(*pose));
-        with_ground(&self.model, &poses.collect::<Vec<_>>())
-    }
-
-    /// By how many units of rounding the longest or shortest link differs from its length.
-    pub(crate) fn stretch(&self) -> f64 {
-        worst_stretch(&self.all_poses()) / Self::EPSILON
+        with_ground(&self.model, &in_f64(self.mechanism.poses()))
     }
 
     fn bits(&self) -> Vec<u64> {
-        let poses = self
-            .mechanism
-            .poses()
-            .iter()
-            .flat_map(|pose| numbers(*pose));
+        let poses = in_f64(self.mechanism.poses()).into_iter().flatten();
         poses.chain(self.motors()).map(f64::to_bits).collect()
     }
 
@@ -188,6 +175,18 @@ impl<M: Mechanism> Bed<M> {
             }
             _ => ROUNDING * Self::EPSILON,
         };
+        // A linear step turns to first order: what it promises for gaps, it promises for lengths.
+        let longest = match self.model.method {
+            Some(Method::Linear) => part,
+            _ => 16.0 * Self::EPSILON,
+        };
+        let stretch = worst_stretch(&poses);
+        assert!(
+            stretch <= longest,
+            "at {:?} a link is stretched by {:.0} eps",
+            self.motors(),
+            stretch / Self::EPSILON
+        );
         let gap = worst_gap(&self.model, &poses);
         let most = std::f64::consts::SQRT_2 * part * self.size();
         self.worst = self.worst.max(gap / most);
@@ -211,24 +210,10 @@ impl<M> Drop for Bed<M> {
     }
 }
 
-fn numbers<T: Real>(pose: Pose<T>) -> [f64; 4] {
-    [pose.cos, pose.sin, pose.x, pose.y].map(Real::to_f64)
-}
-
 fn stuck<M: Mechanism>(blocked: &Blocked<M::Motors>) -> Stuck {
     let reached = blocked.reached.as_ref().iter();
     Stuck {
         cause: blocked.cause,
         reached: reached.map(|value| Real::to_f64(*value)).collect(),
     }
-}
-
-/// The lengths of all links together: the greatest distances between their axes.
-fn lengths(model: &Model) -> f64 {
-    let longest = |link: LinkId| {
-        let at = || model.axes.iter().filter(move |axis| axis.link == link);
-        at().flat_map(|a| at().map(move |b| (a.at[0] - b.at[0]).hypot(a.at[1] - b.at[1])))
-            .fold(0.0, f64::max)
-    };
-    model.link_ids().map(longest).sum()
 }

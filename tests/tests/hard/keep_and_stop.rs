@@ -2,10 +2,7 @@
 
 use crate::bed::Bed;
 use crate::geometry::four_bar;
-use mech_compiler::compile;
-use mech_compiler::evaluate::{Machine, Stop};
-use mech_compiler::syntax::parse;
-use mech_runtime::{Mechanism, Real};
+use mech_runtime::{Cause, Mechanism};
 use std::f64::consts::PI;
 
 const LENGTHS: [f64; 4] = [2.0, 1.0, 2.0, 1.0];
@@ -41,57 +38,36 @@ fn same_sense<M: Mechanism>(bed: Bed<M>) {
     }
 }
 
-/// By the interpreter: the generated code of a mechanism that does nothing but stop does not compile yet (it reads `last`,
-/// which its step does not take).
-fn stops<T: Real>(scalar: &str, method: &str) {
-    let text = format!(
-        "struct Stopper: {scalar};
-        ground {{ point a = (0, 0); point d = (2, 0); }}
-        link crank {{ point a = (0, 0); point b = (1, 0); }}
-        link coupler {{ point b = (0, 0); point c = (2, 0); }}
-        link rocker {{ point d = (0, 0); point c = (1, 0); }}
-        joint ja = revolute(ground.a, crank.a);
-        joint jb = revolute(crank.b, coupler.b);
-        joint jc = revolute(coupler.c, rocker.c);
-        joint jd = revolute(ground.d, rocker.d);
+variants! {
+    stopper by [exact newton] four_bar [2, 1, 2, 1] {
         motor ja;
-        start {{ ja = 60 deg; rocker near 60 deg; }}
+        start { ja = 60 deg; rocker near 60 deg; }
         at change points stop;
-        method {method};"
-    );
-    let model = parse(text.parse().expect("it is Rust")).model;
-    let program = compile(&model).expect("it is coherent").program;
-    let hidden = HIDDEN * T::EPSILON.sqrt();
-    for (target, place) in [(4.0, PI), (3.2, PI), (10.0, PI), (-1.0, 0.0), (-20.0, 0.0)] {
-        let mut machine = Machine::<T>::new(&program);
-        let start = machine.position().clone();
-        let stop = machine.move_to(&[T::from_f64(target)]);
-        assert!(matches!(stop, Err(Stop::ChangePoint(_))), "{stop:?}");
-        assert_eq!(machine.position(), &start);
-        let stop = machine.move_toward(&[T::from_f64(target)]);
-        assert!(matches!(stop, Ok(Some(Stop::ChangePoint(_)))), "{stop:?}");
-        let reached = machine.position().motors[0].to_f64();
-        assert!((reached - place).abs() < hidden, "{target}: {reached}");
-        let again = machine.move_to(&[T::from_f64(target)]);
-        assert!(matches!(again, Err(Stop::ChangePoint(_))), "{again:?}");
-        for angle in [1.0, 2.5] {
-            assert_eq!(machine.move_to(&[T::from_f64(angle)]), Ok(()));
-            let [cos, sin, ..] = machine.position().poses[2].map(Real::to_f64);
-            let (should_sin, should_cos) = machine.position().motors[0].to_f64().sin_cos();
-            let off = (cos - should_cos).hypot(sin - should_sin);
-            assert!(off < 512.0 * T::EPSILON, "at {angle} off by {off:e}");
-        }
+    } {
+        it_stops_at_its_change_points: stops;
     }
 }
 
-#[test]
-fn in_closed_form_it_stops_at_its_change_points() {
-    stops::<f64>("f64", "exact");
-    stops::<f32>("f32", "exact");
-}
-
-#[test]
-fn iterated_it_stops_at_its_change_points() {
-    stops::<f64>("f64", "newton");
-    stops::<f32>("f32", "newton");
+fn stops<M: Mechanism>(bed: Bed<M>) {
+    let hidden = HIDDEN * Bed::<M>::EPSILON.sqrt();
+    for (target, place) in [(4.0, PI), (3.2, PI), (10.0, PI), (-1.0, 0.0), (-20.0, 0.0)] {
+        let mut bed = bed.fresh();
+        let refused = bed.go(&[target]).expect_err("it stops before");
+        let stuck = bed.toward(&[target]).expect("it stops before");
+        let again = bed.go(&[target]).expect_err("it is there");
+        let causes = [refused, stuck, again].map(|stuck| stuck.cause);
+        assert_eq!(causes, [Cause::ChangePoint; 3]);
+        assert!(
+            (bed.motor() - place).abs() < hidden,
+            "{target}: {:?}",
+            bed.motors()
+        );
+        for angle in [1.0, 2.5] {
+            bed.must(&[angle]);
+            let [cos, sin, ..] = bed.pose("rocker");
+            let (should_sin, should_cos) = bed.motor().sin_cos();
+            let off = (cos - should_cos).hypot(sin - should_sin);
+            assert!(off < 512.0 * Bed::<M>::EPSILON, "at {angle} off by {off:e}");
+        }
+    }
 }

@@ -24,5 +24,4 @@ mod plain;
 mod sizes;
 mod sliders;
 mod slides;
-mod starts;
 mod turns;

@@ -46,7 +46,9 @@ gaps! {
     gap_of_1e_9 1e-9 [exact_f64 newton_f64];
 }
 
-const STEPS: [f64; 8] = [1.0, 7.0, 30.0, 45.0, 90.0, 180.0, 300.0, -1.5];
+const STEPS: [f64; 13] = [
+    1.0, 7.0, 30.0, 45.0, 90.0, 120.0, 180.0, 300.0, 359.0, 1000.0, -1.5, -77.0, -180.0,
+];
 
 fn slider_crank_turns<M: Mechanism>(bed: &Bed<M>, length: f64) {
     for step in STEPS {

@@ -27,24 +27,8 @@ variants! {
     } {
         it_is_where_twenty_digits_say: where_twenty_digits_say;
         it_is_where_geometry_says_at_every_degree: |bed| every_degree(bed, PLAIN);
-    }
-}
-
-variants! {
-    plain_four_bar_step_by_step by [linear] four_bar [4, 1, 3.5, 3] {
-        motor ja;
-        start { coupler near 50 deg; }
-    } {
+    } and by [linear] {
         frame_to_frame_steps_stay_within_their_promise: linear_steps;
-    }
-}
-
-variants! {
-    nearly_folded_four_bar by [exact newton] four_bar [4, 1, 2.55, 2.55] {
-        motor ja;
-        start { coupler near 50 deg; }
-    } {
-        steps_of_any_length_never_jump_to_the_other_branch: |bed| any_steps(&bed, NEARLY_FOLDED);
     }
 }
 
@@ -80,19 +64,6 @@ fn every_degree<M: Mechanism>(mut bed: Bed<M>, lengths: [f64; 4]) {
         bed.must(&[f64::from(degree).to_radians()]);
         let should = four_bar(lengths, bed.motor(), true);
         bed.assert_at(("rocker", [lengths[3], 0.0]), should.at, should.sine);
-    }
-}
-
-fn any_steps<M: Mechanism>(bed: &Bed<M>, lengths: [f64; 4]) {
-    for step in [
-        1.0, 7.0, 30.0, 45.0, 90.0, 120.0, 180.0, 359.0, 1000.0, -180.0, -77.0,
-    ] {
-        let mut bed = bed.fresh();
-        for number in 1..=2000_u32 {
-            bed.must(&[f64::to_radians(step * f64::from(number))]);
-            let should = four_bar(lengths, bed.motor(), true);
-            bed.assert_at(("rocker", [lengths[3], 0.0]), should.at, should.sine);
-        }
     }
 }
 

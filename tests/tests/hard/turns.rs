@@ -15,37 +15,7 @@ macro_rules! turned {
         mod $variant {
             use super::*;
 
-            mod train {
-                mech_runtime::mechanism! {
-                    pub(super) struct Train: $scalar;
-                    ground { point a = (0, 0); point d = (4, 0); point e = (-5, 0); point f = (-9, 0); }
-                    link crank { point a = (0, 0); point b = (1, 0); }
-                    link coupler { point b = (0, 0); point c = (3.5, 0); }
-                    link rocker { point d = (0, 0); point c = (3, 0); }
-                    link wheel { point e = (0, 0); }
-                    link pinion { point f = (0, 0); }
-                    joint ja = revolute(ground.a, crank.a);
-                    joint jb = revolute(crank.b, coupler.b);
-                    joint jc = revolute(coupler.c, rocker.c);
-                    joint jd = revolute(ground.d, rocker.d);
-                    joint je = revolute(ground.e, wheel.e);
-                    joint jf = revolute(ground.f, pinion.f);
-                    joint slow = gear(crank, wheel, 20 : 60);
-                    joint quick = gear(wheel, pinion, 60 : 17);
-                    motor ja;
-                    start { coupler near 50 deg; }
-                    method $($method)*;
-                }
-            }
-            use train::Train;
-
-            impl TurnTo for Train {
-                fn phase(&mut self, phase: Phase) {
-                    self.turn_to([phase]).expect("it turns for ever");
-                }
-            }
-
-            const TEXT: &str = stringify!(
+            turned! { @train
                 struct Train: $scalar;
                 ground { point a = (0, 0); point d = (4, 0); point e = (-5, 0); point f = (-9, 0); }
                 link crank { point a = (0, 0); point b = (1, 0); }
@@ -64,7 +34,14 @@ macro_rules! turned {
                 motor ja;
                 start { coupler near 50 deg; }
                 method $($method)*;
-            );
+            }
+            use train::Train;
+
+            impl TurnTo for Train {
+                fn phase(&mut self, phase: Phase) {
+                    self.turn_to([phase]).expect("it turns for ever");
+                }
+            }
 
             #[test]
             fn ten_million_turns_leave_no_drift() {
@@ -77,6 +54,12 @@ macro_rules! turned {
             }
         }
     )* };
+    (@train $($text:tt)*) => {
+        mod train {
+            mech_runtime::mechanism! { pub(super) $($text)* }
+        }
+        const TEXT: &str = stringify!($($text)*);
+    };
 }
 
 turned! {

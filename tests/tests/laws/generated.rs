@@ -1,8 +1,6 @@
 //! Mechanisms that are moved by the time alone.
 
-use super::five;
 use mech_runtime::{Cause, mechanism};
-use mech_test_support::differences;
 
 mechanism! {
     /// A four-bar that is driven at an even speed, with an arm that swings on its coupler.
@@ -105,27 +103,6 @@ fn without_effects_it_moves_as_if_it_were_given_the_values() {
 }
 
 #[test]
-fn accelerations_in_time_are_those_of_a_point() {
-    const STEP: f64 = 1e-3;
-    let tip = |time: f64| {
-        let mut four_bar = FourBar::new();
-        four_bar.at_time(time).expect("it moves");
-        four_bar.arm_tip()
-    };
-    for step in 1..50 {
-        let time = f64::from(step) * 0.1;
-        let mut four_bar = FourBar::new();
-        four_bar.at_time(time).expect("it moves");
-        let (velocity, acceleration) =
-            (four_bar.arm_tip_velocity(), four_bar.arm_tip_acceleration());
-        let x = differences(five(|time| tip(time).x, time, STEP), STEP);
-        let y = differences(five(|time| tip(time).y, time, STEP), STEP);
-        assert!((velocity.x - x[0]).abs() < 1e-9 && (velocity.y - y[0]).abs() < 1e-9);
-        assert!((acceleration.x - x[1]).abs() < 1e-7 && (acceleration.y - y[1]).abs() < 1e-7);
-    }
-}
-
-#[test]
 fn a_law_without_a_value_is_an_error_that_names_its_motor() {
     let mut ending = Ending::new();
     ending.at_time(0.5).expect("it moves");
@@ -195,15 +172,4 @@ fn a_constant_is_a_law_too() {
     still.at_time(7.0).expect("it moves");
     assert_eq!(still.w(), 0.25);
     assert!(still.at_time(f64::NAN).is_err());
-}
-
-#[test]
-fn the_report_lists_the_laws() {
-    assert!(
-        FourBar::REPORT.contains(
-            "  law       a = SPEED * t\n  law       e = 0.3 * sin(2 * t) * exp(-0.1 * t)\n"
-        )
-    );
-    assert!(FourBar::REPORT.contains("  at time   "));
-    assert!(!<Plain as mech_runtime::Mechanism>::REPORT.contains("law       e"));
 }
