@@ -96,21 +96,6 @@ fn a_table_is_what_mech_writes_and_what_the_graph_says() {
 }
 
 #[test]
-fn a_click_in_a_graph_moves_the_mechanism() {
-    let mut user = plotting();
-    user.click_within("graph of deg", [0.75, 0.5]);
-    let [motor] = user.editor().player().expect("it moves").motors() else {
-        panic!("one motor");
-    };
-    assert!((3.8..5.6).contains(motor), "{motor}");
-    user.click_within("graph of deg", [0.4, 0.5]);
-    let [motor] = user.editor().player().expect("it moves").motors() else {
-        panic!("one motor");
-    };
-    assert!((1.2..3.2).contains(motor), "{motor}");
-}
-
-#[test]
 fn a_quantity_is_plotted_over_another() {
     let mut user = User::with_text(FOUR_BAR);
     user.click_on("Plots");

@@ -123,6 +123,7 @@ fn by_pointer(user: &mut User, verb: &str, words: &mut Words) -> Result<bool, St
         "rush" => user.rush(words.place()?, words.place()?),
         "hold" => user.hold(words.place()?, words.place()?),
         "let-go" => user.let_go(words.place()?),
+        "click-within" => user.click_within(&words.text()?, words.place()?),
         _ => return Ok(false),
     }
     Ok(true)

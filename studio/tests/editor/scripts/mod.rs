@@ -1,7 +1,8 @@
 //! Gesture scripts: what somebody does, line by line, and what is so then.
 //!
-//! Each `.txt` of this folder is walked. A line that begins with `==` is the title of a case, one with `//` a comment. Any other line is a verb with its
-//! arguments: words, `"quoted ones"`, and places as `(1, 2)`. A verb is what somebody does (`gestures.rs`) or a judge of what is so then (`judges.rs`).
+//! Each `.txt` of this folder is walked. A line that begins with `==` is the title of a case, one with `//` a comment. Any other line is a verb
+//! with its arguments: words, `"quoted ones"`, and places as `(1, 2)`. A verb is what somebody does (`gestures.rs`) or a judge of what is so then
+//! (`judges.rs`).
 //! Indented lines are the block of text of the line above.
 //!
 //! - `not` before a judge: it does not hold. `until` before one: it does after a while.
@@ -279,5 +280,5 @@ fn every_script_goes_as_it_says() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
     // As many as there were when this was written: none is lost by a slip of the format.
     let count: usize = walks.iter().map(|walk| walk.count).sum();
-    assert!(one.is_some() || count >= 124, "{count}");
+    assert!(one.is_some() || count >= 125, "{count}");
 }
