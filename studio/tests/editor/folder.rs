@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// What is in the file.
-pub(crate) const TEXT: &str = "// A crank alone.\nstruct Crank;\nlink crank;\njoint a = revolute(ground, crank) at (0, 0);\nmotor a;\n";
+pub(crate) const TEXT: &str = include_str!("scripts/crank.mech");
 
 /// A folder of its own with a file, removed at the end.
 pub(crate) struct Folder(pub(crate) PathBuf);
@@ -24,11 +24,6 @@ impl Folder {
     /// The file.
     pub(crate) fn file(&self) -> PathBuf {
         self.0.join("crank.mech")
-    }
-
-    /// What is in the file.
-    pub(crate) fn text(&self) -> String {
-        fs::read_to_string(self.file()).expect("a text")
     }
 
     /// The names of all files.

@@ -1,21 +1,11 @@
-//! Plots, exports, examples and arrows.
+//! Plots, exports, examples and arrows, as far as they are measured. The rest is `scripts/plots.txt`.
 
 use super::user::User;
 use mech_studio::editor::ArrowKind;
 use std::fs;
 use std::path::PathBuf;
 
-const FOUR_BAR: &str = "\
-struct FourBar;
-link crank;
-link coupler { point tip = (2.5, 3); }
-link rocker;
-joint a = revolute(ground, crank) at (0, 0);
-joint b = revolute(crank, coupler) at (0.8, 0.6);
-joint c = revolute(coupler, rocker) at (3.3, 2.9);
-joint d = revolute(ground, rocker) at (4, 0);
-motor a;
-";
+const FOUR_BAR: &str = include_str!("scripts/plotted.mech");
 
 /// A folder of its own for what a test writes.
 struct Folder(PathBuf);
@@ -71,19 +61,6 @@ fn plotting() -> User {
 }
 
 #[test]
-fn a_quantity_is_added_from_the_menu_and_removed() {
-    let mut user = User::with_text(FOUR_BAR);
-    user.click_on("Plots");
-    user.click_on("Add");
-    user.click_on_beginning("of point coupler.tip");
-    user.click_on("velocity:coupler.tip.x");
-    assert!(user.sees("graph of unit/s"), "{}", user.said());
-    user.click_on("Remove");
-    user.click_on("velocity:coupler.tip.x");
-    assert!(!user.sees("graph of unit/s"));
-}
-
-#[test]
 fn a_table_is_what_mech_writes_and_what_the_graph_says() {
     let mut user = plotting();
     assert!(user.sees("graph of deg") && user.sees("graph of unit/s"));
@@ -116,21 +93,6 @@ fn a_table_is_what_mech_writes_and_what_the_graph_says() {
             "{row}"
         );
     }
-}
-
-#[test]
-fn a_click_in_a_graph_moves_the_mechanism() {
-    let mut user = plotting();
-    user.click_within("graph of deg", [0.75, 0.5]);
-    let [motor] = user.editor().player().expect("it moves").motors() else {
-        panic!("one motor");
-    };
-    assert!((3.8..5.6).contains(motor), "{motor}");
-    user.click_within("graph of deg", [0.4, 0.5]);
-    let [motor] = user.editor().player().expect("it moves").motors() else {
-        panic!("one motor");
-    };
-    assert!((1.2..3.2).contains(motor), "{motor}");
 }
 
 #[test]
@@ -174,27 +136,6 @@ fn a_quantity_is_plotted_over_another() {
 }
 
 #[test]
-fn a_quantity_that_an_edit_takes_away_is_told() {
-    let mut user = plotting();
-    user.type_all(&FOUR_BAR.replace(" { point tip = (2.5, 3); }", ";"));
-    assert!(
-        user.sees("has no joint, link or point `coupler.tip.norm`"),
-        "{}",
-        user.labels()
-    );
-    // The other one is still there.
-    assert!(user.sees("graph of deg"));
-    // A mechanism that does not move has no curves: the old ones stay, greyed.
-    user.type_all(&FOUR_BAR.replace("motor a;", ""));
-    assert!(
-        user.sees("The mechanism does not move; the graphs are of an earlier text."),
-        "{}",
-        user.labels()
-    );
-    assert!(user.sees("graph of deg"));
-}
-
-#[test]
 fn exports_are_what_mech_writes() {
     let mut user = User::with_text(FOUR_BAR);
     let folder = Folder::new("exports");
@@ -232,52 +173,28 @@ fn exports_are_what_mech_writes() {
 }
 
 #[test]
-fn an_example_opens_and_plays() {
+fn every_example_opens_and_plays() {
     let mut user = User::new();
-    for name in ["Geared piston", "Scissor lift", "Quick return"] {
+    user.click_on("File");
+    let before = user.names();
+    user.click_on_beginning("Examples");
+    let mut names = user.names();
+    names.retain(|name| !before.contains(name));
+    assert_eq!(names.len(), 11, "{names:#?}");
+    user.click_on("File");
+    for name in names {
+        let (_, name) = name.split_once(' ').expect("what it is, and its name");
         user.click_on("File");
         user.click_on_beginning("Examples");
         user.click_on(name);
+        assert!(!user.text().contains("mechanism!"), "{}", user.text());
         user.click_on("Play");
         user.wait(30);
-        let player = user
-            .editor()
-            .player()
-            .unwrap_or_else(|| panic!("{}", user.said()));
-        assert!(
-            player.plays() && !player.mechanism().is_at_start(),
-            "{}",
-            user.said()
-        );
+        let player = user.editor().player();
+        let player = player.unwrap_or_else(|| panic!("{name}: {}", user.said()));
+        let is_moving = player.plays() && !player.mechanism().is_at_start();
+        assert!(is_moving, "{name}: {}", user.said());
     }
-}
-
-#[test]
-fn what_another_program_wrote_is_opened_with_its_losses() {
-    let mut user = User::new();
-    let path = concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/tests/samples/four_bar.linkage2"
-    );
-    user.open(path);
-    assert!(
-        user.editor()
-            .notice()
-            .is_some_and(|notice| notice.text.starts_with("imported as")),
-        "{}",
-        user.said()
-    );
-    assert!(
-        user.text().starts_with("// From four_bar.linkage2.")
-            || user.text().contains("From four_bar.linkage2.")
-    );
-    assert!(user.editor().player().is_some(), "{}", user.said());
-    user.open("/nowhere/four_bar.linkage2");
-    assert!(
-        user.editor()
-            .notice()
-            .is_some_and(|notice| notice.is_refusal)
-    );
 }
 
 #[test]
@@ -321,31 +238,6 @@ fn arrows_are_what_the_path_says() {
 }
 
 #[test]
-fn forces_are_seen_where_masses_act() {
-    let mut user = User::with_text(
-        &FOUR_BAR
-            .replace("link rocker;", "link rocker;\ngravity (0, -9.81);")
-            .replace(
-                "{ point tip = (2.5, 3); }",
-                "{ point tip = (2.5, 3); mass 2 at (2, 2); }",
-            ),
-    );
-    user.show("Forces");
-    let arrows = user.editor().arrows();
-    assert_eq!(
-        arrows
-            .iter()
-            .filter(|arrow| arrow.kind == ArrowKind::Force)
-            .count(),
-        4,
-        "{}",
-        user.said()
-    );
-    user.show("Forces");
-    assert!(user.editor().arrows().is_empty());
-}
-
-#[test]
 fn a_load_acts_in_plots_and_arrows() {
     let text = FOUR_BAR.replace(
         "motor a;",
@@ -382,12 +274,4 @@ fn a_load_acts_in_plots_and_arrows() {
     // What cannot be read counts as nothing.
     user.enter("load push", "x");
     assert!(user.editor().arrows().is_empty(), "{}", user.said());
-}
-
-#[test]
-fn the_report_draws_its_graphs() {
-    let mut user = User::with_text(FOUR_BAR);
-    user.click_on("Report");
-    assert!(user.sees("FourBar: links and joints"), "{}", user.labels());
-    assert!(user.sees("Methods, errors and operations"));
 }

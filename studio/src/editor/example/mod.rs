@@ -116,27 +116,3 @@ pub fn first_example() -> Result<Workspace, Failure> {
     let [first, ..] = &EXAMPLES;
     Ok(Workspace::proposed(first.file, first.text()?))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::EXAMPLES;
-    use crate::document::{Document, Source};
-
-    #[test]
-    fn every_example_moves() {
-        for example in &EXAMPLES {
-            let text = example.text().expect(example.name);
-            assert!(!text.contains("mechanism!"), "{text}");
-            let document = Document::of(Source::new(example.file, text));
-            let reading = document
-                .analyse(document.choose(None).expect(example.name))
-                .expect(example.name);
-            let compiled = reading
-                .result
-                .map_err(|faults| faults.messages)
-                .expect(example.name);
-            let start = &compiled.program.start.poses;
-            assert!(!start.is_empty(), "{}", example.name);
-        }
-    }
-}

@@ -174,6 +174,12 @@ impl User {
         )
     }
 
+    /// Whether what was told last has these words.
+    pub(crate) fn tells(&self, words: &str) -> bool {
+        let notice = self.editor().notice();
+        notice.is_some_and(|notice| notice.text.contains(words))
+    }
+
     /// Whether something of this name is in the window.
     pub(crate) fn sees(&self, label: &str) -> bool {
         self.harness

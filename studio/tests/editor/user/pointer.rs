@@ -185,9 +185,11 @@ impl User {
 
     /// Clicks what has this name, at a part of its width and height.
     #[track_caller]
-    pub(crate) fn click_within(&mut self, label: &str, [x, y]: [f32; 2]) {
+    pub(crate) fn click_within(&mut self, label: &str, parts: [f64; 2]) {
         let rect = self.harness.get_by_label(label).rect();
-        let at = rect.min + Vec2::new(x * rect.width(), y * rect.height());
+        #[expect(clippy::cast_possible_truncation, reason = "parts of a window")]
+        let parts = parts.map(|part| part as f32);
+        let at = rect.min + Vec2::from(parts) * rect.size();
         self.press(at);
         self.release(at);
         self.gestures += 1;
