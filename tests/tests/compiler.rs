@@ -26,6 +26,8 @@ mod ranges;
 mod rates;
 mod recipes;
 mod repairs;
+mod report;
+mod scales;
 mod seen;
 mod shafts;
 mod show;

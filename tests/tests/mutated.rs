@@ -1,12 +1,14 @@
 //! Whatever a text is mangled to, what the macro makes of it is Rust, or says what is wrong at a place. `MECH_CASES=20000` for more.
 
+use mech_compiler::model::{AxisKind, Model};
+use mech_compiler::syntax::parse;
 use mech_test_support::{Dice, bodies, cases, seeds};
 use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::quote;
 
 /// Texts with all kinds of statements.
 fn texts() -> Vec<TokenStream> {
-    const OWN: [&str; 4] = [
+    const OWN: [&str; 5] = [
         "struct Elsewhere; use crate::legs::Leg; use mech_runtime::parts::JansenLeg; link crank;
         use left: Leg(size = 2) mirrored { crank = crank at (1, 0) }; joint a = revolute(ground, crank) at (0, 0); motor a;",
         "#[allow(dead_code)] pub(crate) struct Drawn: f32; param w = 2; const H = w / 2;
@@ -15,6 +17,12 @@ fn texts() -> Vec<TokenStream> {
         joint c = revolute(rod, slider) at (3, 0); joint d = prismatic(ground, slider) at (3, 0) along (cos(30 deg), -sin(30 deg));
         motor a = 2 * PI * t; accuracy 1e-9; cost cortex_m4f; at change points keep branch; continuous b;
         gravity (0, -9.81); load push = force(slider); effects { velocity; force; trace slider.p 20; }",
+        "struct Scene: f32; link crank { circle (0, 0) radius 1; } link rod; link slider;
+        joint a = revolute(ground, crank) at (0, 0); joint b = slot(crank, rod) at (0.5, 0.8) along (1, 2);
+        joint c = belt(rod, slider, 1.0 : 3.0 on crank); joint f = weld(rod, slider); joint g = weld(crank, ground) at (1, 0);
+        joint d = prismatic(ground, slider) at (3, 0) along (cos(30 deg), -sin(30deg)); joint e = rack(crank, slider, radius sqrt(2) / 2 on ground);
+        motor a in 0 ..= 2 * PI by 1 deg; accuracy 1e-9; cost cortex_m4f; at change points keep branch; effects { velocity; } show crank, rod.p;
+        continuous shaft, drawn; allow coupled; param x = 1; certify;",
         "struct Wheels; link sun; link arm; link planet; part Leg(phase = 0 deg) { port crank { point pin = (1, 0) turned phase; } link foot; joint k = revolute(crank.pin, foot) at (1, 0); }
         joint s = revolute(ground, sun) at (0, 0); joint r = revolute(ground, arm) at (0, 0); joint p = revolute(arm, planet) at (3, 0);
         joint g = gear(sun, planet, 20 : 10 on arm); motor s in 0 deg ..= 90 deg by 1 deg; motor r; show sun, g; allow redundant;",
@@ -116,6 +124,60 @@ fn what_the_macro_makes_of_anything_is_rust() {
         }
     }
     assert!(said > 0);
+}
+
+/// Whatever was wrong is said in words, and what is left is a model without doubles.
+#[test]
+fn what_is_read_of_anything_is_in_order() {
+    let (texts, strange) = (texts(), strange());
+    for seed in seeds(cases(6000)) {
+        let mut dice = Dice::new(seed);
+        let mut text = dice.pick(&texts).clone();
+        for _ in 0..=dice.below(6) {
+            text = mangle(text, &strange, &mut dice);
+        }
+        let written = text.to_string();
+        let parsed = parse(text);
+        for error in &parsed.errors {
+            let said = &error.text;
+            assert!(
+                !said.is_empty() && !said.ends_with('.'),
+                "seed {seed}: {said}\n{written}"
+            );
+        }
+        assert!(names_are_distinct(&parsed.model), "seed {seed}: {written}");
+        // Links that nobody declared come after those that somebody did.
+        let links = &parsed.model.links;
+        assert!(
+            links.is_sorted_by_key(|link| link.die.is_some()),
+            "seed {seed}: {written}"
+        );
+    }
+}
+
+/// Whether all names of the model would make different methods.
+fn names_are_distinct(model: &Model) -> bool {
+    let links = model
+        .declared_links()
+        .map(|link| model.link(link).name.clone());
+    let joints = model.joints.iter().filter(|joint| !joint.hidden);
+    let joints = joints.map(|joint| joint.name.clone());
+    let points = model
+        .axes
+        .iter()
+        .filter(|axis| axis.kind == AxisKind::Point);
+    let points = points.filter_map(|axis| {
+        Some(format!(
+            "{}_{}",
+            model.link(axis.link).name,
+            axis.name.as_ref()?
+        ))
+    });
+    let mut methods: Vec<_> = links.chain(joints).chain(points).collect();
+    let count = methods.len();
+    methods.sort();
+    methods.dedup();
+    methods.len() == count
 }
 
 /// What is wrong in the path of a part is said there, in the macro's own words.
