@@ -1,5 +1,5 @@
-//! What people see who look at the generated code. Renew with `INSTA_UPDATE=always cargo test -p mech-tests --test compiler expand`,
-//! and read it.
+//! What people see who look at the code that is generated for the texts in `expanded`. Renew with
+//! `INSTA_UPDATE=always cargo test -p mech-tests --test compiler expand`, and read it.
 
 use mech_test_support::{bodies, four_bar_text};
 use proc_macro2::{TokenStream, TokenTree};
@@ -13,11 +13,58 @@ fn expansion(text: &str) -> String {
     prettyplease::unparse(&syn::parse2(tokens).expect("the expansion is Rust"))
 }
 
-/// The part in which everything is solved, without the accessors around it.
-fn solving(text: &str) -> String {
+/// What a snapshot shows of a text: what the lines `//:` before it say, or all.
+///
+/// - `item` shows what begins with these words, until its brace closes.
+/// - `rest` shows all from these words on.
+/// - `added` shows the lines that are there because of the last line of the text.
+fn shown(text: &str) -> String {
     let all = expansion(text);
-    let start = all.find("        /// Loop 1").unwrap_or(0);
-    all.split_at(start).1.to_owned()
+    let mut shown = Vec::new();
+    for wish in text.lines().map_while(|line| line.strip_prefix("//: ")) {
+        let (kind, words) = wish.split_once(' ').expect("words");
+        let rest = all
+            .lines()
+            .skip_while(|line| !line.trim_start().starts_with(words));
+        match kind {
+            "item" => {
+                let first = rest.clone().next().expect(words);
+                let indent = first.len() - first.trim_start().len();
+                let end = format!("{:indent$}}}", "");
+                shown.extend(rest.take_while(|line| *line != end).map(str::to_owned));
+                shown.push(end);
+            }
+            "rest" => shown.extend(rest.map(str::to_owned)),
+            "added" => {
+                let (before, _) = text.trim_end().rsplit_once('\n').expect("lines");
+                let without = expansion(before);
+                let known: Vec<&str> = without.lines().collect();
+                let added = all.lines().filter(|line| !known.contains(line));
+                shown.extend(added.map(str::to_owned));
+            }
+            _ => panic!("nothing is shown by `{wish}`"),
+        }
+        assert!(!shown.is_empty(), "{wish}");
+    }
+    if shown.is_empty() {
+        all
+    } else {
+        shown.join("\n")
+    }
+}
+
+#[test]
+fn texts_of_the_folder() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/expanded");
+    let mut count = 0;
+    for file in fs::read_dir(folder).expect("the folder of the texts") {
+        let file = file.expect("a file").path();
+        let name = file.file_stem().expect("a name").to_string_lossy();
+        let text = fs::read_to_string(&file).expect("a text");
+        insta::assert_snapshot!(&*name, shown(&text));
+        count += 1;
+    }
+    assert!(count >= 11, "{count}");
 }
 
 /// One of the modules in an expansion.
@@ -28,107 +75,10 @@ fn module<'a>(all: &'a str, name: &str) -> &'a str {
     &all[start..start + length]
 }
 
-#[test]
-fn a_whole_mechanism() {
-    insta::assert_snapshot!(expansion(
-        "/// A crank on the ground.
-        pub struct Crank;
-        look none;
-        ground { point shaft = (0, 0); circle (0, 0) radius 2 on plane 0 color 1; }
-        link crank { point shaft = (0, 0); point pin = (1, 0); }
-        joint a = revolute(ground.shaft, crank.shaft);
-        motor a;
-        start { a = 30 deg; }"
-    ));
-}
-
-#[test]
-fn a_four_bar_with_a_fixed_number_of_rounds() {
-    insta::assert_snapshot!(solving(
-        "struct FourBar;
-        link crank; link coupler; link rocker;
-        joint a = revolute(ground, crank) at (0, 0);
-        joint b = revolute(crank, coupler) at (0.8, 0.6);
-        joint c = revolute(coupler, rocker) at (3.3, 2.9);
-        joint d = revolute(ground, rocker) at (4, 0);
-        motor a;
-        method newton(3);"
-    ));
-}
-
-#[test]
-fn the_paper_s_figure_1() {
-    insta::assert_snapshot!(solving(
-        "struct GearedPiston;
-        ground {
-            point pinion_shaft = (-3.0, 0.0);
-            point wheel_shaft = (0.0, 0.0);
-            line bore = (0.0, 0.0) -> (1.0, 0.0);
-        }
-        link pinion { point shaft = (0.0, 0.0); }
-        link wheel  { point shaft = (0.0, 0.0); point pin = (1.0, 0.0); }
-        link rod    { point big_end = (0.0, 0.0); point small_end = (4.0, 0.0); }
-        link piston { point pin = (0.0, 0.0); line axis = (0.0, 0.0) -> (1.0, 0.0); }
-        joint d = revolute(ground.pinion_shaft, pinion.shaft);
-        joint e = revolute(ground.wheel_shaft, wheel.shaft);
-        joint mesh = gear(pinion, wheel, 20 : 40);
-        joint f = revolute(wheel.pin, rod.big_end);
-        joint g = revolute(rod.small_end, piston.pin);
-        joint h = prismatic(ground.bore, piston.axis);
-        motor d;
-        start { rod near 0 deg; }"
-    ));
-}
-
-#[test]
-fn a_mechanism_with_errors() {
-    insta::assert_snapshot!(expansion(
-        "struct Lost;
-        link crank { point shaft = (0, 0); }
-        joint a = revolute(ground.shaft, crank.shaft);
-        motor a;"
-    ));
-}
-
 /// The four-bar of which effects are shown.
 fn four_bar(effects: &str) -> String {
     let start = format!("start {{ coupler near 50 deg; }} {effects}");
     four_bar_text([4.0, 1.0, 3.5, 3.0]) + &start
-}
-
-#[test]
-fn velocities_and_accelerations() {
-    let text = four_bar("effects { velocity; acceleration; }");
-    insta::assert_snapshot!(module(&expansion(&text), "rates"));
-}
-
-/// The lines that are there with effects and not without.
-fn lines_added_by(effects: &str) -> String {
-    let without = expansion(&four_bar(""));
-    let lines: Vec<&str> = without.lines().collect();
-    let all = expansion(&four_bar(effects));
-    let added = all.lines().filter(|line| !lines.contains(line));
-    added.collect::<Vec<_>>().join("\n")
-}
-
-#[test]
-fn what_a_trace_adds() {
-    insta::assert_snapshot!(lines_added_by("effects { trace coupler.c 256; }"));
-}
-
-#[test]
-fn what_an_overlay_adds() {
-    insta::assert_snapshot!(lines_added_by("effects { overlay; }"));
-}
-
-#[test]
-fn a_param_and_what_follows_it() {
-    let varied = four_bar("")
-        .replacen(';', "; param rod = 3.5; const HALF = rod / 2;", 1)
-        .replace("(3.5, 0);", "(rod, 0); point tip = (HALF, 1);");
-    insta::assert_snapshot!(expansion(&format!(
-        "{varied} effects {{ sensitivity; }} show coupler.tip, jd;"
-    )));
 }
 
 /// What nobody asked for costs nothing: the step to a position is the same, token for token, whatever effects there are.
@@ -150,7 +100,9 @@ fn the_step_to_a_position_never_knew_of_effects() {
     }
     // Only a torsional spring at a joint that no motor drives has something carried: the angle of that joint.
     let sprung = "spring s = torsional(jd) stiffness 2; effects { force; }";
-    assert!(solving(&four_bar(sprung)).contains("jd_angle"));
+    let all = expansion(&four_bar(sprung));
+    let (_, solving) = all.split_once("/// Loop 1").expect("a loop");
+    assert!(solving.contains("jd_angle"));
     // What acts costs nothing as long as nobody asks what it does.
     let plain = four_bar("look none;");
     let heavy = plain.replace("point b = (1, 0);", "point b = (1, 0); mass 2 at (0.5, 0);");
@@ -161,18 +113,6 @@ fn the_step_to_a_position_never_knew_of_effects() {
         )),
         expansion(&plain)
     );
-}
-
-#[test]
-fn what_torques_at_rest_add() {
-    let all = expansion(&four_bar(
-        "load push = force(coupler.c); effects { force; }",
-    ));
-    let all = module(&all, "holding");
-    let from = all.find("            /// The position at these motor values, what holds it there");
-    let to = all.find("            pub(super) fn step_reduced");
-    let part = from.zip(to).map(|(from, to)| &all[from..to]);
-    insta::assert_snapshot!(part.expect("a step that goes on to torques"));
 }
 
 /// The Rust compiler's stack does not hold thousands of brackets in one another.
@@ -195,49 +135,6 @@ fn long_laws_are_not_deep() {
         deepest = deepest.max(depth);
     }
     assert!(deepest < 100, "{deepest}");
-}
-
-#[test]
-fn motors_that_follow_laws() {
-    let text = "struct Swing: f32;
-        const SLOW = 0.5;
-        ground { point o = (0, 0); line rail = (0, 0) -> (0, 1); }
-        link arm { point shaft = (0, 0); point tip = (1, 0); }
-        link hand { point wrist = (0, 0); }
-        link cart { line rail = (0, 0) -> (0, 1); }
-        joint a = revolute(ground.o, arm.shaft);
-        joint b = revolute(arm.tip, hand.wrist);
-        joint c = prismatic(ground.rail, cart.rail);
-        motor a = 2 * PI * t;
-        motor b;
-        motor c = max(0, exp(-SLOW * t) * sin(3 * t)) / (1 + t);
-        effects { velocity; }";
-    let all = expansion(text);
-    let start = all
-        .find("            /// Moves the motors that follow laws")
-        .expect("a method");
-    let end = "\n            }\n";
-    let length = all[start..].find(end).expect("its end") + end.len();
-    let method = &all[start..start + length];
-    insta::assert_snapshot!(format!("{method}\n{}", module(&all, "laws")));
-}
-
-#[test]
-fn a_cam_and_what_follows_it() {
-    let text = "struct Lifter;
-        ground { point o = (0, 0); line guide = (0, 1) -> (0, 1); }
-        link disk { point o = (0, 0); }
-        link valve { line stem = (0, 0) -> (0, 1); }
-        joint a = revolute(ground.o, disk.o);
-        joint h = prismatic(ground.guide, valve.stem);
-        joint c = cam(a, h, 0.2 * (1 - cos(q)) + max(0, 0.1 * sin(2 * q)));
-        motor a;
-        effects { velocity; }";
-    let all = expansion(text);
-    let start = all
-        .find("        /// The position at these motor values, and for each loop a margin")
-        .expect("a step");
-    insta::assert_snapshot!(all.split_at(start).1);
 }
 
 /// Equal cranks under a table: all but two hold it again, and share what they are compared with.

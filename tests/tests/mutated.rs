@@ -1,5 +1,7 @@
 //! Whatever a text is mangled to, what the macro makes of it is Rust, or says what is wrong at a place. `MECH_CASES=20000` for more.
 
+use mech_compiler::model::{AxisKind, Model};
+use mech_compiler::syntax::parse;
 use mech_test_support::{Dice, bodies, cases, folder, seeds};
 use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::quote;
@@ -100,6 +102,60 @@ fn what_the_macro_makes_of_anything_is_rust() {
         }
     }
     assert!(said > 0);
+}
+
+/// Whatever was wrong is said in words, and what is left is a model without doubles.
+#[test]
+fn what_is_read_of_anything_is_in_order() {
+    let (texts, strange) = (texts(), strange());
+    for seed in seeds(cases(6000)) {
+        let mut dice = Dice::new(seed);
+        let mut text = dice.pick(&texts).clone();
+        for _ in 0..=dice.below(6) {
+            text = mangle(text, &strange, &mut dice);
+        }
+        let written = text.to_string();
+        let parsed = parse(text);
+        for error in &parsed.errors {
+            let said = &error.text;
+            assert!(
+                !said.is_empty() && !said.ends_with('.'),
+                "seed {seed}: {said}\n{written}"
+            );
+        }
+        assert!(names_are_distinct(&parsed.model), "seed {seed}: {written}");
+        // Links that nobody declared come after those that somebody did.
+        let links = &parsed.model.links;
+        assert!(
+            links.is_sorted_by_key(|link| link.die.is_some()),
+            "seed {seed}: {written}"
+        );
+    }
+}
+
+/// Whether all names of the model would make different methods.
+fn names_are_distinct(model: &Model) -> bool {
+    let links = model
+        .declared_links()
+        .map(|link| model.link(link).name.clone());
+    let joints = model.joints.iter().filter(|joint| !joint.hidden);
+    let joints = joints.map(|joint| joint.name.clone());
+    let points = model
+        .axes
+        .iter()
+        .filter(|axis| axis.kind == AxisKind::Point);
+    let points = points.filter_map(|axis| {
+        Some(format!(
+            "{}_{}",
+            model.link(axis.link).name,
+            axis.name.as_ref()?
+        ))
+    });
+    let mut methods: Vec<_> = links.chain(joints).chain(points).collect();
+    let count = methods.len();
+    methods.sort();
+    methods.dedup();
+    methods.len() == count
 }
 
 /// What is wrong in the path of a part is said there, in the macro's own words.

@@ -2,13 +2,13 @@
 
 use super::line::Line;
 use super::search::{Search, Share, Sight, is_narrow};
-use super::{Blocked, Effort, Interval, Verdict};
+use super::{Blocked, Interval, Verdict};
 use crate::bug::bug;
 use std::collections::VecDeque;
 
 impl Search<'_> {
     /// The verdict that this share of the budget is enough for.
-    pub(super) fn verdict(mut self, effort: &mut Effort, share: Share) -> Verdict {
+    pub(super) fn verdict(mut self, effort: &mut usize, share: Share) -> Verdict {
         let Share(budget) = share;
         self.budget = budget;
         self.for_clearance = self.for_clearance.min(self.budget / 2);
@@ -25,8 +25,7 @@ impl Search<'_> {
                 _ => self.boxes(),
             },
         };
-        effort.boxes += self.boxes;
-        effort.evaluations += self.tape.evaluations();
+        *effort += self.tape.evaluations();
         verdict
     }
 

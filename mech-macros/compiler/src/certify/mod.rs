@@ -87,30 +87,17 @@ pub struct Blocked {
     pub interval: Interval,
 }
 
-/// What a proof took.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Effort {
-    /// On how many boxes the program was run.
-    pub boxes: usize,
-    /// How many intervals were computed in all. Sixteen coefficients of affine forms count as one.
-    pub evaluations: usize,
-}
-
 /// Proves that a mechanism moves wherever its motors are within these ranges, one for each, or that it does not. A motor
 /// without a range stays where it is at the start.
 #[must_use]
 pub fn certify(program: &Program, ranges: &[Interval]) -> Verdict {
-    certify_counted(program, ranges, &[]).0
+    certify_beside(program, ranges, &[])
 }
 
-/// The same where some loops are known to close everywhere; and what it took.
+/// The same where some loops are known to close everywhere.
 #[must_use]
-pub fn certify_counted(
-    program: &Program,
-    ranges: &[Interval],
-    free: &[BlockId],
-) -> (Verdict, Effort) {
-    let mut effort = Effort::default();
+pub fn certify_beside(program: &Program, ranges: &[Interval], free: &[BlockId]) -> Verdict {
+    let mut effort = 0;
     let ranges: Vec<Interval> = program
         .start
         .motors
@@ -123,15 +110,14 @@ pub fn certify_counted(
     let iterated = program
         .block_ids()
         .find(|block| matches!(program.ssa.blocks[block.index()].kind, BlockKind::Newton(_)));
-    let verdict = match (verdict, iterated) {
+    match (verdict, iterated) {
         (Verdict::Proved { touching }, None) => {
             on_all_sides(program, &groups, &ranges, touching, &mut effort)
         }
         // What blocks a loop before an iteration is certain all the same.
         (verdict @ Verdict::Blocked(_), _) | (verdict, None) => verdict,
         (_, Some(block)) => Verdict::NoClosedForm { block },
-    };
-    (verdict, effort)
+    }
 }
 
 /// The verdict over all groups. Each loop that carries its side has the side of the start, or the other one if it is among `turned`.
@@ -139,13 +125,13 @@ fn on_sides(
     program: &Program,
     (groups, turned): (&[Group], &[BlockId]),
     ranges: &[Interval],
-    effort: &mut Effort,
+    effort: &mut usize,
 ) -> Verdict {
     let mut all = Vec::new();
     let mut undecided = None;
     for (number, group) in groups.iter().enumerate() {
         let tape = Tape::new(program, group, turned);
-        let share = Share::of(effort, groups.len() - number);
+        let share = Share::of(*effort, groups.len() - number);
         match Search::new(tape, program, group, ranges).verdict(effort, share) {
             Verdict::Proved { touching } => all.extend(touching),
             blocked @ Verdict::Blocked(_) => return blocked,
@@ -164,7 +150,7 @@ fn on_all_sides(
     groups: &[Group],
     ranges: &[Interval],
     mut touching: Vec<BlockId>,
-    effort: &mut Effort,
+    effort: &mut usize,
 ) -> Verdict {
     let carries = |block: BlockId| carried_sides(program).any(|(carrier, _)| carrier == block);
     // More loops may turn out to change sides when others have.

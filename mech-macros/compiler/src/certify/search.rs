@@ -2,7 +2,7 @@
 
 use super::claim::Group;
 use super::tape::{Outcome, Tape};
-use super::{Effort, Interval, Verdict};
+use super::{Interval, Verdict};
 use crate::program::{BlockId, Program};
 
 /// How many intervals may be computed for one verdict: that takes some hundredths of a second.
@@ -22,9 +22,9 @@ const NARROW: f64 = 1e-14;
 pub(super) struct Share(pub(super) usize);
 
 impl Share {
-    /// An equal share of the budget that is left after this effort.
-    pub(super) fn of(effort: &Effort, parts: usize) -> Self {
-        Self(BUDGET.saturating_sub(effort.evaluations) / parts.max(1))
+    /// An equal share of the budget that is left after so many intervals.
+    pub(super) fn of(effort: usize, parts: usize) -> Self {
+        Self(BUDGET.saturating_sub(effort) / parts.max(1))
     }
 }
 
@@ -48,7 +48,6 @@ pub(super) struct Search<'p> {
     pub(super) motors: Vec<usize>,
     pub(super) ranges: Vec<Interval>,
     pub(super) start: Vec<f64>,
-    pub(super) boxes: usize,
     pub(super) touching: Vec<BlockId>,
     pub(super) budget: usize,
     pub(super) for_clearance: usize,
@@ -71,7 +70,6 @@ impl<'p> Search<'p> {
                 .map(|(start, range)| start.max(range.low()).min(range.high()))
                 .collect(),
             ranges,
-            boxes: 0,
             touching: Vec::new(),
             budget: BUDGET,
             for_clearance: FOR_CLEARANCE,
@@ -107,7 +105,6 @@ impl<'p> Search<'p> {
 
     /// Runs the program on a box.
     pub(super) fn look(&mut self, place: &[Interval]) -> Sight {
-        self.boxes += 1;
         self.tape.run(place);
         let tests = || 0..self.tape.tests();
         let on_box = |test: &usize| self.tape.on_box(*test);

@@ -2,7 +2,7 @@
 
 use crate::bug::bug;
 use crate::certify::cone::Cuts;
-use crate::certify::{Interval, Verdict, certify_counted, motors_of};
+use crate::certify::{Interval, Verdict, certify_beside, motors_of};
 use crate::evaluate;
 use crate::model::{AtChangePoints, JointId, Model, MotorId};
 use crate::motion::watching::{Domain, InputReads};
@@ -119,7 +119,7 @@ fn find_touching(
         unknowns: unknowns(block),
         trouble,
     };
-    let (verdict, _) = certify_counted(program, &ranges, &free);
+    let verdict = certify_beside(program, &ranges, &free);
     let touching = match verdict {
         Verdict::Proved { touching } => touching,
         Verdict::Blocked(blocked) => {

@@ -1,12 +1,12 @@
 //! Links, points, lines and shapes.
 
-use super::assert_messages;
+use super::good;
 
 #[test]
 fn a_direction_may_be_an_angle() {
     let direction = |text: &str| {
         let text = format!("struct M; const TILT = 15; link a {{ line l = (0, 0) -> {text}; }}");
-        super::good(&text).model.axes[0].direction
+        good(&text).model.axes[0].direction
     };
     for (text, expected) in [
         ("0", [1.0, 0.0]),
@@ -33,28 +33,8 @@ fn a_direction_may_be_an_angle() {
         assert!(!is_exact || found == expected, "{text}: {found:?}");
     }
     let text = "struct M; link a; joint j = prismatic(ground, a) at (0, 0) along 30 deg;";
-    let axis = &super::good(text).model.axes[0];
+    let axis = &good(text).model.axes[0];
     assert!((axis.direction[1] - 0.5).abs() < 1e-15);
-}
-
-#[test]
-fn a_point_with_bad_numbers_is_kept() {
-    let parsed = assert_messages("link a { point p = («1 / 0», 0); }", &["division by zero"]);
-    assert_eq!(parsed.model.axes.len(), 1);
-    let parsed = assert_messages(
-        "link a { point p = «oops»; } link b { point q = (0, 0); } joint d = revolute(a.p, b.q);",
-        &["expected `(x, y)`, found `oops`"],
-    );
-    assert_eq!(parsed.model.joints.len(), 1);
-}
-
-#[test]
-fn there_is_one_ground() {
-    let parsed = assert_messages(
-        "ground { point p = (0, 0); } «ground» { point q = (0, 0); } link a { point r = (0, 0); } joint d = revolute(ground.q, a.r);",
-        &["a mechanism has one `ground`; put everything into the first"],
-    );
-    assert_eq!(parsed.model.joints.len(), 1);
 }
 
 #[test]

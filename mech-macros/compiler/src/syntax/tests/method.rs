@@ -1,7 +1,11 @@
 //! How the loops are solved.
 
-use super::assert_messages;
-use crate::model::{AtChangePoints, Method, Target};
+use super::good;
+use crate::model::{AtChangePoints, Method, Model, Target};
+
+fn settings(text: &str) -> Model {
+    good(&format!("struct M; {text}")).model
+}
 
 #[test]
 fn a_method_is_exact_newton_or_linear() {
@@ -13,13 +17,13 @@ fn a_method_is_exact_newton_or_linear() {
         ("method newton(1);", Some(Method::NewtonSteps(1))),
         ("method newton(64);", Some(Method::NewtonSteps(64))),
     ] {
-        assert_eq!(assert_messages(text, &[]).model.method, expected, "{text}");
+        assert_eq!(settings(text).method, expected, "{text}");
     }
 }
 
 #[test]
 fn an_accuracy_is_a_positive_length() {
-    let accuracy = |text| assert_messages(text, &[]).model.accuracy;
+    let accuracy = |text| settings(text).accuracy;
     assert_eq!(accuracy(""), None);
     assert_eq!(accuracy("accuracy 1e-9;"), Some(1e-9));
     assert_eq!(
@@ -30,7 +34,7 @@ fn an_accuracy_is_a_positive_length() {
 
 #[test]
 fn costs_are_those_of_a_machine() {
-    let target = |text| assert_messages(text, &[]).model.target;
+    let target = |text| settings(text).target;
     assert_eq!(target(""), Target::X86_64);
     assert_eq!(target("cost x86_64;"), Target::X86_64);
     assert_eq!(target("cost cortex_m4f; accuracy 1e-3;"), Target::CortexM4f);
@@ -38,7 +42,7 @@ fn costs_are_those_of_a_machine() {
 
 #[test]
 fn change_points_are_passed_in_one_of_three_ways() {
-    let change_points = |text| assert_messages(text, &[]).model.change_points;
+    let change_points = |text| settings(text).change_points;
     assert_eq!(change_points(""), AtChangePoints::GoOn);
     assert_eq!(
         change_points("at change points go on;"),

@@ -2,19 +2,16 @@
 
 mod cam;
 mod expression;
-mod joint;
 mod law;
 mod link;
 mod messages;
 mod method;
 mod model;
 mod motor;
-mod name;
 mod offer;
 mod param;
 mod part;
 mod recovery;
-mod robust;
 mod rolling;
 mod setting;
 mod slot;
@@ -85,34 +82,4 @@ fn place(message: &Message) -> (Spot, Spot) {
     let spot = |spot: proc_macro2::LineColumn| (spot.line, spot.column + 1);
     let place = &message.place;
     (spot(place.start.start()), spot(place.end.end()))
-}
-
-/// The messages about a whole text are exactly these, each about the place of its mark.
-fn assert_messages_of(marked: &str, messages: &[&str]) -> Parsed {
-    let (text, places) = places_of(marked);
-    let parsed = parsed(&text);
-    let found = parsed
-        .errors
-        .iter()
-        .map(|error| (place(error), error.text.as_str()));
-    let found: Vec<_> = found.collect();
-    let expected: Vec<_> = places.into_iter().zip(messages.iter().copied()).collect();
-    assert_eq!(found, expected, "{text}");
-    for (_, text) in found {
-        assert!(
-            !text.ends_with('.') && !text.starts_with(char::is_uppercase),
-            "{text}"
-        );
-    }
-    parsed
-}
-
-/// The messages about a text after its `struct` line.
-fn assert_messages(marked: &str, messages: &[&str]) -> Parsed {
-    assert_eq!(
-        marked.matches('«').count(),
-        messages.len(),
-        "a mark for each message"
-    );
-    assert_messages_of(&format!("struct M;\n{marked}"), messages)
 }

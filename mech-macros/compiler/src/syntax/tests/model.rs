@@ -6,7 +6,7 @@ use crate::model::{
 };
 
 /// Figure 1 of the paper.
-pub(super) const GEARED_PISTON: &str = "
+const GEARED_PISTON: &str = "
 /// A piston driven through a pair of gears: figure 1 of the paper.
 pub struct GearedPiston: f64;
 

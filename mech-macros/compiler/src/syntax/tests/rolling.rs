@@ -1,8 +1,8 @@
 //! Gears, belts and racks.
 
 use super::good;
-use super::joint::LINKS;
 use super::model;
+use super::slot::LINKS;
 use crate::model::{JointKind, LinkId, Ratio};
 
 /// The joint of this text, between `crank` and `rod`.

@@ -1,9 +1,12 @@
 //! Pins in slots.
 
-use super::joint::LINKS;
+use super::good;
 use super::model::named;
-use super::{assert_messages, good};
 use crate::model::{Axis, AxisId, AxisKind, JointId, JointKind, LinkId, Model};
+
+/// Links that are joined.
+pub(super) const LINKS: &str = "ground { point o = (0, 0); } link crank { point pin = (0, 0); line rail = (0, 0) -> (1, 0); }\n\
+    link rod { point eye = (0, 0); line way = (0, 0) -> (1, 0); } link bare;\n";
 
 /// Looks at the joints of the only slot, which is called `d`: its point, its line and its slide.
 fn parts(model: &Model) -> (AxisId, AxisId, JointId) {
@@ -90,18 +93,4 @@ fn dies_come_after_all_links() {
         .map(|motor| motor.joint.index())
         .collect();
     assert_eq!(motors, [4, 3]);
-}
-
-#[test]
-fn a_bad_slot_leaves_no_die() {
-    let text = format!("{LINKS}joint d = slot(crank.«pni», rod.way); motor d; start {{ d = 1; }}");
-    let model = assert_messages(&text, &["`crank` has no point `pni`; did you mean `pin`?"]).model;
-    assert_eq!((model.links.len(), model.joints.len()), (4, 0));
-    let text = format!("{LINKS}joint «rod» = slot(crank.pin, rod.way);");
-    let model = assert_messages(
-        &text,
-        &["there is a link `rod` already; choose another name for this joint"],
-    )
-    .model;
-    assert_eq!((model.links.len(), model.joints.len()), (4, 0));
 }

@@ -1,8 +1,8 @@
 //! Links that are one.
 
 use super::good;
-use super::joint::LINKS;
 use super::model::{self, named};
+use super::slot::LINKS;
 use crate::model::{Axis, AxisKind, JointKind, LinkId, Model};
 
 /// The axes of the weld that is called `d`.
