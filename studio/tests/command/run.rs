@@ -134,17 +134,15 @@ pub(crate) fn repository(path: &str) -> PathBuf {
 
 /// Mechanisms that are refused: texts, and Rust that the tests of the macro hold to the same messages. A folder, and paths within it.
 pub(crate) fn refused() -> [(PathBuf, Vec<PathBuf>); 2] {
-    [repository("tests/cases"), repository("tests/ui")].map(|root| {
+    [("tests/cases", Some("refused")), ("tests/ui", None)].map(|(root, only)| {
+        let root = repository(root);
         let entries = |folder: &Path| {
             let entries = fs::read_dir(folder).expect("a folder");
             entries.map(|entry| entry.expect("an entry").path())
         };
-        let is_other = |path: &Path| {
-            ["commands", "edits", "imports", "messages"]
-                .iter()
-                .any(|name| path.ends_with(name))
-        };
-        let folders = entries(&root).filter(|path| path.is_dir() && !is_other(path));
+        // Other folders beside it hold texts for other tests.
+        let is_meant = |path: &PathBuf| only.is_none_or(|name| path.ends_with(name));
+        let folders = entries(&root).filter(|path| path.is_dir() && is_meant(path));
         let mut cases: Vec<PathBuf> = folders
             .flat_map(|folder| entries(&folder).collect::<Vec<_>>())
             .filter(|path| path.extension().is_some_and(|end| end != "stderr"))
