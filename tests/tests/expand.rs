@@ -1,7 +1,7 @@
-//! What people see who look at the code that is generated for the texts in `expanded`. Renew with
+//! What people see who look at the code that is generated for the texts in `tests/cases/expanded`. Renew with
 //! `INSTA_UPDATE=always cargo test -p mech-tests --test compiler expand`, and read it.
 
-use mech_test_support::{bodies, four_bar_text};
+use mech_test_support::{bodies, folder, four_bar_text};
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens as _;
 use std::fs;
@@ -55,16 +55,11 @@ fn shown(text: &str) -> String {
 
 #[test]
 fn texts_of_the_folder() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/expanded");
-    let mut count = 0;
-    for file in fs::read_dir(folder).expect("the folder of the texts") {
-        let file = file.expect("a file").path();
-        let name = file.file_stem().expect("a name").to_string_lossy();
-        let text = fs::read_to_string(&file).expect("a text");
-        insta::assert_snapshot!(&*name, shown(&text));
-        count += 1;
+    let cases = folder("expanded");
+    for case in &cases {
+        insta::assert_snapshot!(&*case.name, shown(&case.text));
     }
-    assert!(count >= 11, "{count}");
+    assert!(cases.len() >= 11, "{}", cases.len());
 }
 
 /// One of the modules in an expansion.

@@ -73,17 +73,21 @@ fn strange() -> Vec<TokenTree> {
         .collect()
 }
 
+/// One of the texts, with up to so many tokens changed.
+fn mangled(texts: &[TokenStream], strange: &[TokenTree], seed: u64, most: usize) -> TokenStream {
+    let mut dice = Dice::new(seed);
+    let text = dice.pick(texts).clone();
+    let changes = 0..=dice.below(most);
+    changes.fold(text, |text, _| mangle(text, strange, &mut dice))
+}
+
 #[test]
 fn what_the_macro_makes_of_anything_is_rust() {
     let (texts, strange) = (texts(), strange());
     let krate = quote!(::mech_runtime);
     let mut said = 0;
     for seed in seeds(cases(3000)) {
-        let mut dice = Dice::new(seed);
-        let mut text = dice.pick(&texts).clone();
-        for _ in 0..=dice.below(4) {
-            text = mangle(text, &strange, &mut dice);
-        }
+        let text = mangled(&texts, &strange, seed, 4);
         let written = text.to_string();
         let part = mech_compiler::expand_part(&text);
         let whole = mech_compiler::expand(quote!(#krate; #text));
@@ -109,11 +113,7 @@ fn what_the_macro_makes_of_anything_is_rust() {
 fn what_is_read_of_anything_is_in_order() {
     let (texts, strange) = (texts(), strange());
     for seed in seeds(cases(6000)) {
-        let mut dice = Dice::new(seed);
-        let mut text = dice.pick(&texts).clone();
-        for _ in 0..=dice.below(6) {
-            text = mangle(text, &strange, &mut dice);
-        }
+        let text = mangled(&texts, &strange, seed, 6);
         let written = text.to_string();
         let parsed = parse(text);
         for error in &parsed.errors {

@@ -1,4 +1,4 @@
-//! Texts of `right/`: each compiles and expands to Rust, and what stands above it is true of it.
+//! Texts of `tests/cases/right/`: each compiles and expands to Rust, and what stands above it is true of it.
 //!
 //! Texts stand between empty lines. Facts are judged, never renewed:
 //!
@@ -8,7 +8,7 @@
 //! - `//!` stands above a text that does not follow such a block.
 
 use super::looks::compiled;
-use std::fs;
+use mech_test_support::folder;
 
 /// Whether a fact is true of a mechanism, if a line is one.
 fn is_true(line: &str, report: &str, seen: &[f64]) -> bool {
@@ -48,12 +48,10 @@ fn check(text: &str) {
 
 #[test]
 fn what_is_right_compiles_and_is_as_it_says() {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/right");
     let mut count = 0;
-    for file in fs::read_dir(folder).expect("the folder") {
-        let text = fs::read_to_string(file.expect("a file").path()).expect("a text");
+    for case in folder("right") {
         let mut before = "";
-        for block in text.split("\n\n") {
+        for block in case.text.split("\n\n") {
             if let Some(shared) = block.strip_prefix("//^") {
                 before = shared;
             } else if !block.lines().all(|line| line.starts_with("// ")) {

@@ -9,14 +9,14 @@ use std::{format, string::String, vec::Vec};
 /// The greatest distance of a line of straight parts from its arc.
 const SAGITTA: f64 = 0.001;
 
-/// What is painted at a place. Two figures with equal elements are the same one.
+/// A figure that is painted at a place. Two figures with equal elements are the same one.
 #[derive(Clone, Debug)]
 pub(super) struct Figure {
     /// The element; of a trace, what follows its points.
     pub(super) element: String,
     /// The points of a trace. They differ from moment to moment.
     pub(super) trace: Vec<[f64; 2]>,
-    /// How far it reaches from the origin of its link.
+    /// The distance of its farthest point from the origin of its link.
     pub(super) reach: f64,
 }
 

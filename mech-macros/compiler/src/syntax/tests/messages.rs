@@ -22,7 +22,7 @@ const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/cases/mes
 struct Case {
     text: String,
     messages: Vec<String>,
-    /// What is understood of it, and how much of it.
+    /// The names and the counts of what is understood of it.
     counts: Vec<(String, usize)>,
     /// Whether the first offer of each message is tried.
     offers: Vec<bool>,
@@ -110,7 +110,7 @@ impl Case {
     }
 }
 
-/// How many of these a text has, as it is understood. Hidden joints and the ground count.
+/// Counts what a text has, as it is understood. Hidden joints and the ground count.
 fn count(parsed: &Parsed, what: &str) -> usize {
     let Parsed { model, header, .. } = parsed;
     match what {
