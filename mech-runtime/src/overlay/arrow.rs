@@ -61,8 +61,8 @@ pub fn arrow<T: Scalar>(
     let share = (pixels / HEAD[0]).min(1.0);
     let neck = length - pen.pixels(0.8 * share * HEAD[0]);
     pen.line(canvas, spot, [[T::ZERO; 2], [neck, T::ZERO]], BOLD);
-    let along = [spot.pose.cos, spot.pose.sin];
-    head(&pen, canvas, Spot::at(looking(tip, along)), share);
+    let own = looking([length, T::ZERO], [T::ONE, T::ZERO]);
+    head(&pen, canvas, Spot { own, ..spot }, share);
 }
 
 /// Draws a curved arrow around a place in the scene, counter-clockwise (to the left) or clockwise. It is open below. Its radius is
