@@ -37,7 +37,7 @@ pub enum Error {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Usage => write!(f, "usage: mech-conformance FOLDER [--update]"),
+            Self::Usage => write!(f, "usage: mech-conformance FOLDER [--all | --update]"),
             Self::File { path, source } => write!(f, "{}: {source}", path.display()),
             Self::Line { text } => write!(f, "not a line of the firmware's: `{text}`"),
             Self::Image { path, source } => write!(f, "{}: {source}", path.display()),

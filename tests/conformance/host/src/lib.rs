@@ -26,23 +26,34 @@ pub struct Answers {
     pub abilities: Things,
 }
 
+/// Which figures are held against those of docs/embedded.csv.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Figured {
+    /// Those of the images that ran.
+    Some,
+    /// All that are known: each image has to have run.
+    All,
+    /// None: they are written anew.
+    Anew,
+}
+
 /// Holds a folder of reports of the firmware against this machine and the known figures; or writes these figures anew.
 ///
 /// # Errors
 /// If something differs, or a file cannot be read or written.
-pub fn hold(folder: &Path, here: &Answers, update: bool) -> Result<(), Error> {
+pub fn hold(folder: &Path, here: &Answers, figured: Figured) -> Result<(), Error> {
     agree(folder, here)?;
     stay_single(folder)?;
     let figures = Figures::measured(folder)?;
     let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../docs");
     let mut known = Figures::read(&docs.join("embedded.csv"))?;
-    if update {
+    if figured == Figured::Anew {
         known.retain(|known| known.compiler != figures.compiler);
         known.push(figures);
         known.sort_by(|a, b| a.compiler.cmp(&b.compiler));
         return page::write(&docs, &known);
     }
-    figures.hold_against(&known)?;
+    figures.hold_against(&known, figured)?;
     figures.keep_promises()
 }
 

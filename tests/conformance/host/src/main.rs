@@ -1,10 +1,10 @@
 //! Holds the report of the firmware against this machine. Called by `tests/conformance/run`, which makes the firmware tell.
 //!
-//! `mech-conformance FOLDER` compares, `mech-conformance FOLDER --update` writes the figures anew.
+//! `mech-conformance FOLDER` compares what ran, `--all` asks that every known image ran, and `--update` writes the figures anew.
 
 mod here;
 
-use mech_conformance::{Answers, Error, hold};
+use mech_conformance::{Answers, Error, Figured, hold};
 use std::env;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -22,14 +22,15 @@ fn main() -> ExitCode {
 fn run() -> Result<(), Error> {
     let mut arguments = env::args_os().skip(1);
     let folder = arguments.next().map(PathBuf::from).ok_or(Error::Usage)?;
-    let update = match arguments.next() {
-        None => false,
-        Some(flag) if flag == "--update" => true,
+    let figured = match arguments.next() {
+        None => Figured::Some,
+        Some(flag) if flag == "--all" => Figured::All,
+        Some(flag) if flag == "--update" => Figured::Anew,
         Some(_) => return Err(Error::Usage),
     };
     let here = Answers {
         poses_and_pictures: here::poses_and_pictures(),
         abilities: here::abilities(),
     };
-    hold(&folder, &here, update)
+    hold(&folder, &here, figured)
 }
