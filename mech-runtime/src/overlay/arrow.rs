@@ -82,7 +82,7 @@ pub fn moment<T: Scalar>(
 /// The same with a pen.
 pub(super) fn turn<T: Scalar>(
     pen: &Pen<T>,
-    canvas: &mut impl Canvas<T>,
+    canvas: &mut dyn Canvas<T>,
     center: [T; 2],
     to_the_left: bool,
     radius: f32,
@@ -107,7 +107,7 @@ pub(super) fn turn<T: Scalar>(
 }
 
 /// The head of an arrow whose tip is at a spot.
-pub(super) fn head<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, tip: Spot<T>, share: f32) {
+pub(super) fn head<T: Scalar>(pen: &Pen<T>, canvas: &mut dyn Canvas<T>, tip: Spot<T>, share: f32) {
     let [length, half] = HEAD.map(|pixels| share * pixels);
     let corners = [[0.0, 0.0], [-length, half], [-length, -half]];
     pen.fill(canvas, tip, corners, pen.ink());

@@ -24,7 +24,7 @@ fn between<T: Scalar>(pen: &Pen<T>, ends: [[T; 2]; 2]) -> Option<(Spot<T>, f32)>
 /// A zigzag between two places, so many pixels to the left of the line between them.
 pub(super) fn spring<T: Scalar>(
     pen: &Pen<T>,
-    canvas: &mut impl Canvas<T>,
+    canvas: &mut dyn Canvas<T>,
     ends: [[T; 2]; 2],
     beside: f32,
 ) {
@@ -49,7 +49,7 @@ pub(super) fn spring<T: Scalar>(
 /// A cylinder and its piston between two places, so many pixels to the left of the line between them.
 pub(super) fn damper<T: Scalar>(
     pen: &Pen<T>,
-    canvas: &mut impl Canvas<T>,
+    canvas: &mut dyn Canvas<T>,
     ends: [[T; 2]; 2],
     beside: f32,
 ) {
@@ -79,7 +79,7 @@ pub(super) fn damper<T: Scalar>(
 }
 
 /// A spiral about a pin.
-pub(super) fn torsion_spring<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, at: [T; 2]) {
+pub(super) fn torsion_spring<T: Scalar>(pen: &Pen<T>, canvas: &mut dyn Canvas<T>, at: [T; 2]) {
     let spot = Spot::upright(at);
     let place = |x: f32| [pen.pixels(x), T::ZERO];
     let half_turn = <T as Real>::TURN * <T as Real>::HALF;
@@ -95,7 +95,7 @@ pub(super) fn torsion_spring<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T
 }
 
 /// A cylinder and its piston, bent about a pin.
-pub(super) fn torsion_damper<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, at: [T; 2]) {
+pub(super) fn torsion_damper<T: Scalar>(pen: &Pen<T>, canvas: &mut dyn Canvas<T>, at: [T; 2]) {
     /// The directions at 60°, 90° and 120°.
     const BEGIN: [f32; 2] = [0.5, 0.866];
     const MIDDLE: [f32; 2] = [0.0, 1.0];

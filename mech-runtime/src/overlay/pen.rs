@@ -7,7 +7,7 @@ pub(super) const BOLD: f32 = 2.0;
 pub(super) const MEDIUM: f32 = 1.5;
 pub(super) const THIN: f32 = 1.0;
 
-/// A pen that draws symbols.
+/// A pen that draws symbols. It is given canvases as `dyn Canvas`: symbols are compiled once, not again for each kind of canvas.
 #[derive(Clone, Copy)]
 pub(super) struct Pen<T> {
     /// The size of a pixel in scene units, times the size of all symbols.
@@ -53,7 +53,7 @@ impl<T: Scalar> Spot<T> {
 }
 
 impl<T: Scalar> Pen<T> {
-    pub(super) fn new(canvas: &impl Canvas<T>, size: f32, ink: u8, paper: u8) -> Self {
+    pub(super) fn new(canvas: &dyn Canvas<T>, size: f32, ink: u8, paper: u8) -> Self {
         Self {
             pixel: T::from_f32(size) / canvas.scale(),
             ink,
@@ -74,7 +74,7 @@ impl<T: Scalar> Pen<T> {
     /// A line through places that are given in scene units from a spot.
     pub(super) fn line<const N: usize>(
         &self,
-        canvas: &mut impl Canvas<T>,
+        canvas: &mut dyn Canvas<T>,
         spot: Spot<T>,
         places: [[T; 2]; N],
         width: f32,
@@ -87,7 +87,7 @@ impl<T: Scalar> Pen<T> {
     /// A line, in pixels from a spot.
     pub(super) fn stroke<const N: usize>(
         &self,
-        canvas: &mut impl Canvas<T>,
+        canvas: &mut dyn Canvas<T>,
         spot: Spot<T>,
         places: [[f32; 2]; N],
         width: f32,
@@ -99,7 +99,7 @@ impl<T: Scalar> Pen<T> {
     /// A line of the usual width, in pixels from a spot.
     pub(super) fn path<const N: usize>(
         &self,
-        canvas: &mut impl Canvas<T>,
+        canvas: &mut dyn Canvas<T>,
         spot: Spot<T>,
         places: [[f32; 2]; N],
     ) {
@@ -109,7 +109,7 @@ impl<T: Scalar> Pen<T> {
     /// A filled polygon, in pixels from a spot.
     pub(super) fn fill<const N: usize>(
         &self,
-        canvas: &mut impl Canvas<T>,
+        canvas: &mut dyn Canvas<T>,
         spot: Spot<T>,
         corners: [[f32; 2]; N],
         color: u8,
@@ -121,7 +121,7 @@ impl<T: Scalar> Pen<T> {
     /// A polygon of paper with an edge, in pixels from a spot.
     pub(super) fn figure<const N: usize>(
         &self,
-        canvas: &mut impl Canvas<T>,
+        canvas: &mut dyn Canvas<T>,
         spot: Spot<T>,
         corners: [[f32; 2]; N],
     ) {
@@ -133,17 +133,17 @@ impl<T: Scalar> Pen<T> {
     }
 
     /// A full dot of a radius in pixels.
-    pub(super) fn dot(&self, canvas: &mut impl Canvas<T>, spot: Spot<T>, radius: f32) {
+    pub(super) fn dot(&self, canvas: &mut dyn Canvas<T>, spot: Spot<T>, radius: f32) {
         self.disc(canvas, spot, radius, self.ink);
     }
 
     /// A small circle of paper with an edge, of a radius in pixels.
-    pub(super) fn eye(&self, canvas: &mut impl Canvas<T>, spot: Spot<T>, radius: f32) {
+    pub(super) fn eye(&self, canvas: &mut dyn Canvas<T>, spot: Spot<T>, radius: f32) {
         self.disc(canvas, spot, radius, self.ink);
         self.disc(canvas, spot, radius - MEDIUM, self.paper);
     }
 
-    fn disc(&self, canvas: &mut impl Canvas<T>, spot: Spot<T>, radius: f32, color: u8) {
+    fn disc(&self, canvas: &mut dyn Canvas<T>, spot: Spot<T>, radius: f32, color: u8) {
         let circle = Outline::Circle {
             center: [spot.own.x, spot.own.y],
             radius: self.pixels(radius),
@@ -154,7 +154,7 @@ impl<T: Scalar> Pen<T> {
     /// A row of so many short strokes beneath a line along a spot, from `from` pixels ahead of it, `step` apart.
     pub(super) fn hatch(
         &self,
-        canvas: &mut impl Canvas<T>,
+        canvas: &mut dyn Canvas<T>,
         spot: Spot<T>,
         (from, step, count): (f32, f32, u8),
         side: f32,
@@ -170,7 +170,7 @@ impl<T: Scalar> Pen<T> {
     /// An arc about a place that is given in scene units from a spot, as is its start, through so many radians to the left.
     pub(super) fn arc(
         &self,
-        canvas: &mut impl Canvas<T>,
+        canvas: &mut dyn Canvas<T>,
         spot: Spot<T>,
         [center, start]: [[T; 2]; 2],
         angle: T,

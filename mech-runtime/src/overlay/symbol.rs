@@ -79,7 +79,7 @@ pub(super) fn draw<T: Scalar>(
     symbol: &Symbol<T>,
     poses: &[Pose<T>],
     pen: &Pen<T>,
-    canvas: &mut impl Canvas<T>,
+    canvas: &mut dyn Canvas<T>,
 ) -> Option<()> {
     match *symbol {
         Symbol::Bar { link, ends } => {
@@ -177,7 +177,7 @@ pub(super) fn draw<T: Scalar>(
 }
 
 /// The triangle and the hatched base of a fixed pivot.
-fn stand<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, spot: pen::Spot<T>) {
+fn stand<T: Scalar>(pen: &Pen<T>, canvas: &mut dyn Canvas<T>, spot: pen::Spot<T>) {
     let [height, half, base] = STAND;
     pen.figure(
         canvas,
@@ -196,7 +196,7 @@ fn stand<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, spot: pen::Spot<T
 /// A block on its rail, or on a line of a moving link.
 fn slide<T: Scalar>(
     pen: &Pen<T>,
-    canvas: &mut impl Canvas<T>,
+    canvas: &mut dyn Canvas<T>,
     guide: Pose<T>,
     at: [T; 2],
     line: Option<pen::Spot<T>>,
@@ -251,7 +251,7 @@ fn fraction<T: Scalar>(number: T) -> f32 {
 }
 
 /// A pitch circle, with a tick by which it is seen to turn.
-fn wheel<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, hub: pen::Spot<T>, radius: T) {
+fn wheel<T: Scalar>(pen: &Pen<T>, canvas: &mut dyn Canvas<T>, hub: pen::Spot<T>, radius: T) {
     let rim = [radius, T::ZERO];
     let inner = [radius - pen.pixels(7.0), T::ZERO];
     pen.arc(canvas, hub, [[T::ZERO; 2], rim], <T as Real>::TURN, THIN);
@@ -259,7 +259,7 @@ fn wheel<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, hub: pen::Spot<T>
 }
 
 /// The two strands of a belt: the outer tangents of its wheels.
-fn belt<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, centers: [[T; 2]; 2], radii: [T; 2]) {
+fn belt<T: Scalar>(pen: &Pen<T>, canvas: &mut dyn Canvas<T>, centers: [[T; 2]; 2], radii: [T; 2]) {
     let Some((spot, length)) = pen::Spot::between(centers) else {
         return;
     };
@@ -276,7 +276,7 @@ fn belt<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, centers: [[T; 2]; 
 /// The pitch line of a rack where its pinion touches it, with ticks that move with it.
 fn rack<T: Scalar>(
     pen: &Pen<T>,
-    canvas: &mut impl Canvas<T>,
+    canvas: &mut dyn Canvas<T>,
     pinion: [T; 2],
     radius: T,
     bar: Pose<T>,
@@ -300,7 +300,7 @@ fn rack<T: Scalar>(
 }
 
 /// A double arrow beside what a motor slides.
-fn slide_arrow<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, block: Pose<T>) {
+fn slide_arrow<T: Scalar>(pen: &Pen<T>, canvas: &mut dyn Canvas<T>, block: Pose<T>) {
     // On the side where the rail is not.
     let is_above = block.cos > T::ZERO || (block.cos >= T::ZERO && block.sin > T::ZERO);
     let beside = if is_above { 14.0 } else { -14.0 };
