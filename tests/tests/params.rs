@@ -133,7 +133,7 @@ fn compare(model: &Model, dice: &mut Dice, seen: &mut Seen) -> Result<(), TestCa
     };
     let sensitive = compiled.sensitive.expect("it was asked for");
     let program = &compiled.program;
-    let known = sensitive.sensitivity.as_ref().expect("it was asked for");
+    let known = sensitive.sensitivity().expect("it was asked for");
     let what = (known.points.clone(), known.joints.clone());
     let mut machine = Machine::<f64>::new(program);
     for _ in 0..3 {

@@ -1,9 +1,9 @@
 //! A mechanism that moves in its own precision.
 
 use mech_compiler::Compiled;
-use mech_compiler::evaluate::{LinkRates, Machine, Prepared, Stop};
+use mech_compiler::evaluate::{Machine, Prepared, Stop};
 use mech_compiler::model::{Model, Precision};
-use mech_compiler::program::{Forces, Position, Program};
+use mech_compiler::program::{Forces, LinkRates, Position, Program};
 use mech_core::{Pose, Real};
 
 /// A mechanism that moves as its generated code does, in the precision of its text. What it is given and what it tells is in double precision,

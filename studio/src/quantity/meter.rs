@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::motion::{Drive, Moment, Mover, obstacle, place_of, turns};
 use mech_compiler::evaluate::Stop;
 use mech_compiler::model::{AxisId, JointId, JointKind, LinkId, Model, Precision};
-use mech_compiler::program::{self, Forces};
+use mech_compiler::program::{self, Forces, Program};
 use mech_compiler::{Compiled, compile};
 use mech_runtime::{Acceleration, Velocity};
 use std::ops::Range;
@@ -418,8 +418,7 @@ impl<'a> Meter<'a> {
 /// How many transmission angles are computed.
 fn transmissions(compiled: &Compiled) -> usize {
     let program = compiled.forced.inverse_dynamics.as_ref();
-    let motion = program.and_then(|program| program.motion.as_ref());
-    match motion.and_then(|motion| motion.forces.as_ref()) {
+    match program.and_then(Program::forces) {
         Some(Forces::InverseDynamics(found)) => found.transmission.len(),
         _ => 0,
     }

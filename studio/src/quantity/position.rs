@@ -1,8 +1,8 @@
 //! All that is known where a mechanism is.
 
 use mech_compiler::Compiled;
-use mech_compiler::evaluate::LinkRates;
 use mech_compiler::model::LinkId;
+use mech_compiler::program::LinkRates;
 use mech_compiler::program::{self, Inertia, InverseDynamics};
 use mech_runtime::Pose;
 use std::f64::consts::TAU;

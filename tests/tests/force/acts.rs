@@ -1,9 +1,9 @@
 //! What acts on each link, by the definitions.
 
 use super::{Given, Position};
-use mech_compiler::evaluate::LinkRates;
 use mech_compiler::model::{AxisId, Between, JointKind, LinkId, LoadKind, Model};
 use mech_compiler::program::InverseDynamics;
+use mech_compiler::program::LinkRates;
 use mech_test_support::size;
 
 /// What acts on a link: a force at a point, and a torque.

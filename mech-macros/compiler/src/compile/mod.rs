@@ -94,11 +94,7 @@ pub(crate) fn check(model: &Model) -> Result<(), Vec<Diagnosis>> {
 
 /// The motors that move nothing that has a mass.
 fn massless_motors(inertia: &Program) -> Vec<MotorId> {
-    let forces = inertia
-        .motion
-        .as_ref()
-        .and_then(|motion| motion.forces.as_ref());
-    let Some(Forces::Inertia(found)) = forces else {
+    let Some(Forces::Inertia(found)) = inertia.forces() else {
         bug!("a program for the inertia does not compute it");
     };
     let zero = Op::Constant(Number::new(0.0));

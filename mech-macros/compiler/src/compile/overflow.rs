@@ -3,7 +3,7 @@
 use crate::compiled::Compiled;
 use crate::evaluate::{Machine, Stop};
 use crate::model::{Model, MotorId, Precision};
-use crate::program::{Motion, Program, Real, build_timing};
+use crate::program::{Program, Real, Results, build_timing};
 use crate::structure::{Diagnosis, Extreme};
 
 /// What is wrong if a program computes with numbers, or has forces at the start, that its scalar type does not hold.
@@ -46,12 +46,7 @@ pub(super) fn overflow(model: &Model, compiled: &Compiled) -> Option<Diagnosis> 
 
 /// Whether the forces at the start are numbers, if nothing moves and no load acts.
 fn is_finite_at_start<T: Real>(program: &Program) -> bool {
-    let Some(Motion {
-        loads,
-        forces: Some(_),
-        ..
-    }) = &program.motion
-    else {
+    let Some(Results::Forces { loads, .. }) = program.results() else {
         return true;
     };
     let still = vec![T::ZERO; program.inputs()];

@@ -100,11 +100,11 @@ pub fn of_rates(program: &Program, moving: &Program) -> Cost {
     let systems = moving
         .live_systems()
         .map(|system| of_dense(system.columns.len()));
-    let tests = moving.motion.iter().map(|motion| Cost {
-        selections: in_32_bits(motion.margins.len()),
+    let tests = Cost {
+        selections: in_32_bits(moving.rate_margins().len()),
         ..Cost::default()
-    });
-    let all: Cost = of_program(moving) + systems.chain(tests).sum();
+    };
+    let all: Cost = of_program(moving) + systems.sum() + tests;
     all.without(of_program(program))
 }
 

@@ -1,7 +1,7 @@
 //! The modules in which the functions of programs stand. Nothing of the user's crate is in scope there, so no constant, macro or trait
 //! of theirs collides with a variable.
 
-use crate::program::{Forces, Program};
+use crate::program::{Forces, Program, Results};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
@@ -75,16 +75,15 @@ pub(super) fn taken_names() -> impl Iterator<Item = String> {
 
 /// The name of a program's module.
 pub(super) fn name(program: &Program) -> Ident {
-    let name = if program.sensitivity.is_some() {
-        "sensitivity"
-    } else {
-        match program.motion.as_ref().map(|motion| &motion.forces) {
-            None => "positions",
-            Some(None) => "rates",
-            Some(Some(Forces::Holding(_))) => "holding",
-            Some(Some(Forces::InverseDynamics(_))) => "acting",
-            Some(Some(Forces::Inertia(_))) => "inertia",
-        }
+    let name = match program.results() {
+        None => "positions",
+        Some(Results::Rates(_)) => "rates",
+        Some(Results::Sensitivity(_)) => "sensitivity",
+        Some(Results::Forces { forces, .. }) => match forces {
+            Forces::Holding(_) => "holding",
+            Forces::InverseDynamics(_) => "acting",
+            Forces::Inertia(_) => "inertia",
+        },
     };
     format_ident!("{}", name)
 }

@@ -27,7 +27,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
     let Some(program) = &emitter.compiled.sensitive else {
         return Parts::default();
     };
-    let Some(sensitivity) = &program.sensitivity else {
+    let Some(sensitivity) = program.sensitivity() else {
         bug!("the program of sensitivities computes none");
     };
     let cost = literal(cost::of_program(program));

@@ -1,9 +1,9 @@
 //! Rates and forces beside a change point, exactly as in the generated code's runtime.
 
+use super::Stop;
 use super::journey::Move;
 use super::run::Runner;
-use super::{LinkRates, Stop};
-use crate::program::{AtZero, Forces, Position, Watch};
+use crate::program::{AtZero, Forces, LinkRates, Position, Watch};
 use mech_core::Real;
 use mech_core::limit::{self, NODES, Surroundings};
 

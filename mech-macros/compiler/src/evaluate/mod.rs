@@ -6,7 +6,7 @@ mod run;
 mod sensitivity;
 mod timing;
 
-use crate::program::{BlockId, Forces, Position, Program, Value};
+use crate::program::{BlockId, Forces, LinkRates, Position, Program, Value};
 use journey::Move;
 use mech_core::journey::Halt;
 use mech_core::{Phase, Real};
@@ -36,15 +36,6 @@ pub enum Stop {
     Singular(usize),
     /// The program does not compute rates.
     Unasked,
-}
-
-/// The rates of all links.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LinkRates<T> {
-    /// For each moving link its angular velocity, and the rates of x and y.
-    pub velocities: Vec<[T; 3]>,
-    /// For each moving link its angular acceleration, and the second rates of x and y, if the program computes them.
-    pub accelerations: Option<Vec<[T; 3]>>,
 }
 
 /// A mechanism that is moved by interpretation, in any precision, whatever the program was compiled for.

@@ -1,10 +1,10 @@
 //! One step of a program: all its operations, one after the other.
 
-use super::{LinkRates, Stop};
+use super::Stop;
 use crate::bug::bug;
 use crate::program::{
-    BlockId, BlockKind, ClosedForm, Forces, Motion, Newton, Op, Position, Program, RateMargin,
-    Rounds, System, Value,
+    BlockId, BlockKind, ClosedForm, Forces, LinkRates, Newton, Op, Position, Program, RateMargin,
+    Results, Rounds, System, Value,
 };
 use mech_core::Real;
 use mech_core::contraction::{before_first, contracts};
@@ -147,24 +147,12 @@ impl<'p, T: Real> Runner<'p, T> {
         at: &Position<T>,
         given: MotionInputs<'_, T>,
     ) -> Result<LinkRates<T>, Stop> {
-        let (motion, values) = self.determined_motion(at, given)?;
-        let get = |value: &Value| values[value.index()];
-        let all = |rates: &Vec<[Value; 3]>| -> Vec<[T; 3]> {
-            rates
-                .iter()
-                .map(|rates| rates.each_ref().map(get))
-                .collect()
+        let Some(Results::Rates(rates)) = self.program.results() else {
+            return Err(Stop::Unasked);
         };
-        let moved = LinkRates {
-            velocities: all(&motion.velocities),
-            accelerations: motion.accelerations.as_ref().map(all),
-        };
-        let mut numbers = moved
-            .velocities
-            .iter()
-            .chain(moved.accelerations.iter().flatten())
-            .flatten();
-        if numbers.all(|number| number.is_finite()) {
+        let values = self.determined_values(at, given)?;
+        let moved = rates.map(|value| values[value.index()]);
+        if moved.roots().all(Real::is_finite) {
             Ok(moved)
         } else {
             Err(Stop::Overflow)
@@ -177,27 +165,19 @@ impl<'p, T: Real> Runner<'p, T> {
         at: &Position<T>,
         given: MotionInputs<'_, T>,
     ) -> Result<Forces<T>, Stop> {
-        let (motion, values) = self.determined_motion(at, given)?;
-        let forces = motion.forces.as_ref().ok_or(Stop::Unasked)?;
+        let Some(Results::Forces { forces, loads }) = self.program.results() else {
+            return Err(Stop::Unasked);
+        };
+        if given.loads.len() != loads.len() {
+            return Err(Stop::MotorCount);
+        }
+        let values = self.determined_values(at, given)?;
         let found = forces.map(|value: Value| values[value.index()]);
         if found.roots().iter().all(|number| number.is_finite()) {
             Ok(found)
         } else {
             Err(Stop::Overflow)
         }
-    }
-
-    /// The motion that the program computes from a position, and all its values there.
-    fn determined_motion(
-        &self,
-        at: &Position<T>,
-        given: MotionInputs<'_, T>,
-    ) -> Result<(&Motion, Vec<T>), Stop> {
-        let motion = self.program.motion.as_ref().ok_or(Stop::Unasked)?;
-        if given.loads.len() != motion.loads.len() {
-            return Err(Stop::MotorCount);
-        }
-        Ok((motion, self.determined_values(at, given)?))
     }
 
     /// All values of the program where it is, if rates are determined there.
@@ -212,11 +192,7 @@ impl<'p, T: Real> Runner<'p, T> {
             Stop::Open(block) | Stop::DeadPoint(block) => Stop::Singular(self.number(block)),
             other => other,
         })?;
-        let mut margins = self
-            .program
-            .motion
-            .iter()
-            .flat_map(|motion| &motion.margins);
+        let mut margins = self.program.rate_margins().iter();
         let regular = |margin: &RateMargin| values[margin.margin.index()] >= T::ZERO;
         match margins.position(|margin| !regular(margin)) {
             None => Ok(values),
@@ -344,10 +320,7 @@ impl<'p, T: Real> Runner<'p, T> {
 
     /// An unknown of a linear system, or after these its determinant.
     fn linear(&self, system: usize, index: usize, values: &[T]) -> T {
-        let Some(motion) = &self.program.motion else {
-            bug!("a linear system is read in a program without motion");
-        };
-        let System { columns, right, .. } = &motion.systems[system];
+        let System { columns, right, .. } = &self.program.systems()[system];
         solve_system(columns, right, values)[index]
     }
 

@@ -13,7 +13,7 @@ pub fn sensitivities<T: Real>(
     program: &Program,
     at: &Position<T>,
 ) -> Result<Vec<ParamRates<T>>, Stop> {
-    let sensitivity = program.sensitivity.as_ref().ok_or(Stop::Unasked)?;
+    let sensitivity = program.sensitivity().ok_or(Stop::Unasked)?;
     let given = MotionInputs {
         rates: &[],
         accelerations: &[],

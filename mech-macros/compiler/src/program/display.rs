@@ -3,7 +3,7 @@
 use super::forces::Forces;
 use super::newton::{Newton, Rounds};
 use super::node::{BlockId, Op, Part, Slot, Value};
-use super::{BlockKind, ClosedForm, Dyad, Motion, Program, Sensitivity, Watch};
+use super::{BlockKind, ClosedForm, Dyad, LinkRates, Program, Results, Sensitivity, Watch};
 use crate::bug::bug;
 use crate::model::{InputId, LinkId, Precision};
 use mech_core::journey::AtZero;
@@ -27,12 +27,12 @@ impl Display for Program {
         for (number, value) in self.state.iter().enumerate() {
             writeln!(f, "next s{number} = {}", self.operand(*value))?;
         }
-        if let Some(motion) = &self.motion {
-            self.motion(f, motion)?;
-        }
-        match &self.sensitivity {
-            Some(sensitivity) => self.sensitivity(f, sensitivity),
+        self.equations(f)?;
+        match self.results() {
             None => Ok(()),
+            Some(Results::Rates(rates)) => self.rates(f, rates),
+            Some(Results::Forces { forces, .. }) => self.forces_line(f, forces),
+            Some(Results::Sensitivity(sensitivity)) => self.sensitivities(f, sensitivity),
         }
     }
 }
@@ -243,8 +243,8 @@ impl Program {
         Ok(())
     }
 
-    fn motion(&self, f: &mut Formatter<'_>, motion: &Motion) -> fmt::Result {
-        for (number, system) in motion.systems.iter().enumerate() {
+    fn equations(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        for (number, system) in self.systems().iter().enumerate() {
             let name = &self.ssa.blocks[system.block.index()].name;
             writeln!(f, "linear system {number} of {name}")?;
             for column in &system.columns {
@@ -252,7 +252,7 @@ impl Program {
             }
             writeln!(f, "  right {}", self.list(&system.right))?;
         }
-        for margin in &motion.margins {
+        for margin in self.rate_margins() {
             let value = self.operand(margin.margin);
             writeln!(
                 f,
@@ -260,13 +260,18 @@ impl Program {
                 margin.place
             )?;
         }
-        self.rows(f, "velocities", &motion.velocities)?;
-        if let Some(accelerations) = &motion.accelerations {
-            self.rows(f, "accelerations", accelerations)?;
+        Ok(())
+    }
+
+    fn rates(&self, f: &mut Formatter<'_>, rates: &LinkRates<Value>) -> fmt::Result {
+        self.rows(f, "velocities", &rates.velocities)?;
+        match &rates.accelerations {
+            None => Ok(()),
+            Some(accelerations) => self.rows(f, "accelerations", accelerations),
         }
-        let Some(forces) = &motion.forces else {
-            return Ok(());
-        };
+    }
+
+    fn forces_line(&self, f: &mut Formatter<'_>, forces: &Forces<Value>) -> fmt::Result {
         let kind = match forces {
             Forces::Holding(_) => "torques that hold it",
             Forces::InverseDynamics(_) => "inverse dynamics",
@@ -288,7 +293,7 @@ impl Program {
         Ok(())
     }
 
-    fn sensitivity(&self, f: &mut Formatter<'_>, sensitivity: &Sensitivity) -> fmt::Result {
+    fn sensitivities(&self, f: &mut Formatter<'_>, sensitivity: &Sensitivity) -> fmt::Result {
         for (param, rates) in self.params.iter().zip(&sensitivity.of_params) {
             for (link, row) in self.links.iter().zip(&rates.links) {
                 writeln!(f, "{link} by {param} = {}", self.list(row))?;

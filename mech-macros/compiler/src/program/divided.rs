@@ -64,7 +64,7 @@ impl Program {
     fn read_by(&self, value: Value) -> impl Iterator<Item = Value> {
         let op = self.node(value).op;
         let system = match op {
-            Op::Linear(number, _) => self.motion.as_ref().map(|motion| &motion.systems[number]),
+            Op::Linear(number, _) => Some(&self.systems()[number]),
             _ => None,
         };
         let read = system.into_iter().flat_map(System::coefficients);
@@ -142,9 +142,9 @@ impl Program {
             }
         }
         let systems = divided
-            .motion
+            .derived
             .iter_mut()
-            .flat_map(|motion| &mut motion.systems);
+            .flat_map(|derived| &mut derived.equations.systems);
         for (number, system) in systems.enumerate() {
             // A system that nothing reads may stand anywhere.
             let part = solved.get(&number).copied().unwrap_or(0);

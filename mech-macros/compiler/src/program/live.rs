@@ -20,8 +20,8 @@ fn live_with(program: &Program, wanted: &[Value]) -> Vec<bool> {
         }
         let op = program.ssa.nodes[value.index()].op;
         waiting.extend(op.operands());
-        if let (Op::Linear(system, _), Some(motion)) = (op, &program.motion) {
-            waiting.extend(motion.systems[system].coefficients());
+        if let Op::Linear(system, _) = op {
+            waiting.extend(program.systems()[system].coefficients());
         }
         if let Op::Solved(block, _) = op {
             waiting.extend(iteration(&program.ssa.blocks, block));

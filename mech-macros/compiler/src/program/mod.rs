@@ -6,12 +6,12 @@ mod builder;
 mod calibrate;
 mod choice;
 mod closed_form;
+mod derived;
 mod display;
 mod divided;
 mod forces;
 mod formula;
 mod live;
-mod motion;
 mod nesting;
 mod newton;
 mod node;
@@ -28,11 +28,11 @@ pub(crate) use build::find_needed;
 pub use build::{Output, build, build_as, derive};
 pub use choice::{Choice, Solver, Watching};
 pub use closed_form::ClosedForm;
+pub use derived::{Derived, LinearEquations, LinkRates, RateMargin, Results, System};
 pub use forces::{Forces, Inertia, InverseDynamics};
 pub(crate) use live::{computing, iteration};
 pub use mech_core::Real;
 pub use mech_core::journey::AtZero;
-pub use motion::{Motion, RateMargin, System};
 pub use newton::{Limits, Newton, Rounds, Scalar};
 pub use node::{BlockId, Node, Op, Part, Slot, Value};
 pub use sensitivity::{ParamRates, Sensitivity};
@@ -88,10 +88,8 @@ pub struct Program {
     pub overflows: bool,
     /// Whether a law may make an angle so large that the polynomials of sine and cosine do not reach it, whatever the motors' values.
     pub curved: bool,
-    /// Rates or forces, if this program computes them.
-    pub motion: Option<Motion>,
-    /// The rates of everything with each param, if this program computes them.
-    pub sensitivity: Option<Sensitivity>,
+    /// The values that it computes besides positions, if it does.
+    pub derived: Option<Derived>,
     /// Whether anything depends on each value.
     pub live: Vec<bool>,
     /// The position in which the mechanism is assembled.
@@ -236,9 +234,45 @@ impl Program {
     /// Its results, besides the margins of its loops: poses, state, and whatever else it computes.
     pub(crate) fn roots(&self) -> impl Iterator<Item = Value> + '_ {
         let position = self.poses.iter().flatten().chain(&self.state).copied();
-        let motion = self.motion.iter().flat_map(Motion::roots);
-        let sensitivity = self.sensitivity.iter().flat_map(Sensitivity::roots);
-        position.chain(motion).chain(sensitivity)
+        position.chain(self.derived.iter().flat_map(Derived::roots))
+    }
+
+    /// The linear systems that it solves as a whole for its results besides positions.
+    #[must_use]
+    pub fn systems(&self) -> &[System] {
+        let derived = self.derived.as_ref();
+        derived.map_or(&[], |derived| &derived.equations.systems)
+    }
+
+    /// The margins by which these results are determined.
+    #[must_use]
+    pub fn rate_margins(&self) -> &[RateMargin] {
+        let derived = self.derived.as_ref();
+        derived.map_or(&[], |derived| &derived.equations.margins)
+    }
+
+    /// Its results besides positions.
+    #[must_use]
+    pub fn results(&self) -> Option<&Results> {
+        self.derived.as_ref().map(|derived| &derived.results)
+    }
+
+    /// The forces that it computes.
+    #[must_use]
+    pub fn forces(&self) -> Option<&Forces<Value>> {
+        match self.results()? {
+            Results::Forces { forces, .. } => Some(forces),
+            Results::Rates(_) | Results::Sensitivity(_) => None,
+        }
+    }
+
+    /// The rates with each param that it computes.
+    #[must_use]
+    pub fn sensitivity(&self) -> Option<&Sensitivity> {
+        match self.results()? {
+            Results::Sensitivity(sensitivity) => Some(sensitivity),
+            Results::Rates(_) | Results::Forces { .. } => None,
+        }
     }
 
     /// The loop of a block, if it solves one.
@@ -277,12 +311,14 @@ impl Program {
 
     /// The linear systems of the motion that something depends on.
     pub fn live_systems(&self) -> impl Iterator<Item = &System> {
-        let systems = self.motion.iter().flat_map(|motion| &motion.systems);
-        systems.enumerate().filter_map(|(number, system)| {
-            let is_of =
-                |value: Value| matches!(self.node(value).op, Op::Linear(of, _) if of == number);
-            self.live_values().any(is_of).then_some(system)
-        })
+        self.systems()
+            .iter()
+            .enumerate()
+            .filter_map(|(number, system)| {
+                let is_of =
+                    |value: Value| matches!(self.node(value).op, Op::Linear(of, _) if of == number);
+                self.live_values().any(is_of).then_some(system)
+            })
     }
 
     /// Whether a step that fails is subdivided: where loops are iterated until they close. A fixed number of rounds is a promise

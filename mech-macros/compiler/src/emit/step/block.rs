@@ -61,8 +61,7 @@ fn last_poses(flow: &Flow, scope: &mut Scope<'_>) -> TokenStream {
 
 /// The `let` of the unknowns and the determinant of a linear system of the motion.
 fn linear(number: usize, scope: &mut Scope<'_>) -> TokenStream {
-    let motion = scope.program.motion.as_ref();
-    let Some(found) = motion.and_then(|motion| motion.systems.get(number)) else {
+    let Some(found) = scope.program.systems().get(number) else {
         bug!("there is no linear system {number}");
     };
     let unknown = |index| Op::Linear(number, index);

@@ -110,8 +110,7 @@ fn tuple<T: ToTokens>(elements: &[T]) -> TokenStream {
 
 /// The functions of a step: `step`, and for steps in closed form `position` and `step_reduced`.
 pub(super) fn step_functions(parts: &StepParts<'_>, scope: &Scope<'_>) -> TokenStream {
-    let outcome = scope.program.motion.as_ref();
-    let outcome = outcome.map(|motion| Outcome::new(motion, scope));
+    let outcome = Outcome::of(scope);
     let mut results = Results::default();
     results.push(position(scope.program), parts.position.clone(), "position");
     let what = outcome.as_ref().map(|outcome| outcome.what);
@@ -164,7 +163,7 @@ fn iterated_step(
     let what = what.map_or_else(String::new, |what| format!(", and {what}"));
     let doc = format!(" The position at these motor values, close to the last one{what}.");
     let determined = program
-        .motion
+        .derived
         .is_some()
         .then(|| parts.rate_margins.check_here(&quote!(determined)));
     let (kind, value) = (tuple(&results.kinds), tuple(&results.values));

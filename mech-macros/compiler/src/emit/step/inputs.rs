@@ -4,7 +4,7 @@ use super::scope::Scope;
 use super::stages::MOST_LETS;
 use crate::emit::tokens::{integer, position, scalar};
 use crate::model::{InputId, MotorId};
-use crate::program::{Forces, Op, Program};
+use crate::program::{Forces, Op, Program, Results};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -97,10 +97,6 @@ struct Array {
 
 /// The parameters of a step beyond its motors.
 fn arrays(program: &Program) -> Vec<Array> {
-    let motion = program.motion.as_ref();
-    let Some(motion) = motion.filter(|_| program.sensitivity.is_none()) else {
-        return Vec::new();
-    };
     let array = |name: &str, names: Vec<String>, op: fn(usize) -> Op| Array {
         name: format_ident!("{name}"),
         names,
@@ -121,16 +117,24 @@ fn arrays(program: &Program) -> Vec<Array> {
             Op::Acceleration(MotorId::new(motor))
         })
     };
-    let mut arrays = match &motion.forces {
-        None if motion.accelerations.is_none() => vec![rates()],
-        None | Some(Forces::InverseDynamics(_)) => vec![rates(), accelerations()],
-        Some(Forces::Holding(_)) => Vec::new(),
-        Some(Forces::Inertia(_)) => vec![rates()],
-    };
-    if !motion.loads.is_empty() {
-        arrays.push(array("loads", motion.loads.clone(), Op::Load));
+    match program.results() {
+        None | Some(Results::Sensitivity(_)) => Vec::new(),
+        Some(Results::Rates(found)) => match found.accelerations {
+            None => vec![rates()],
+            Some(_) => vec![rates(), accelerations()],
+        },
+        Some(Results::Forces { forces, loads }) => {
+            let mut arrays = match forces {
+                Forces::Holding(_) => Vec::new(),
+                Forces::InverseDynamics(_) => vec![rates(), accelerations()],
+                Forces::Inertia(_) => vec![rates()],
+            };
+            if !loads.is_empty() {
+                arrays.push(array("loads", loads.clone(), Op::Load));
+            }
+            arrays
+        }
     }
-    arrays
 }
 
 /// The statements that read these parameters.

@@ -102,7 +102,7 @@ fn functions(program: &Program, purpose: Purpose) -> TokenStream {
         margins: margins(&scope, margins_in_loops.as_ref()),
         rate_margins: rate_margins(&scope),
     };
-    let steps = match (&program.sensitivity, purpose) {
+    let steps = match (program.sensitivity(), purpose) {
         (_, Purpose::Lanes) => lanes_function(&parts, program),
         (Some(sensitivity), Purpose::Step) => sensitivity_functions(sensitivity, &parts, &scope),
         (None, Purpose::Step) => step_functions(&parts, &scope),
@@ -215,8 +215,7 @@ fn position(scope: &Scope<'_>, gathered: Option<&Gathered>) -> TokenStream {
 
 /// The margins by which rates are determined.
 fn rate_margins<'p>(scope: &Scope<'p>) -> Margins<'p> {
-    let motion = scope.program.motion.iter();
-    let margins = motion.flat_map(|motion| &motion.margins);
+    let margins = scope.program.rate_margins().iter();
     margins
         .map(|margin| (scope.expression(margin.margin), margin.place.as_str()))
         .collect()

@@ -3,11 +3,11 @@
 use super::scope::Scope;
 use crate::bug::bug;
 use crate::emit::tokens::{integer, scalar};
-use crate::program::{Forces, Motion, Program, Value};
+use crate::program::{Forces, LinkRates, Program, Results, Value};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The rates or forces of a motion: their type, their value, and what documentation calls them.
+/// The rates or forces that a step computes: their type, their value, and what documentation calls them.
 pub(super) struct Outcome {
     pub(super) kind: TokenStream,
     pub(super) value: TokenStream,
@@ -15,20 +15,25 @@ pub(super) struct Outcome {
 }
 
 impl Outcome {
-    pub(super) fn new(motion: &Motion, scope: &Scope<'_>) -> Self {
-        Self {
+    /// That of the program of a scope, if it computes rates or forces.
+    pub(super) fn of(scope: &Scope<'_>) -> Option<Self> {
+        let (value, what) = match scope.program.results()? {
+            Results::Rates(found) => (rates(found, scope), "the rates of all links"),
+            Results::Forces { forces, .. } => {
+                let what = match forces {
+                    Forces::Holding(_) => "what holds it there",
+                    Forces::InverseDynamics(_) => "the forces in it",
+                    Forces::Inertia(_) => "its inertia as the motors feel it",
+                };
+                (self::forces(forces, scope), what)
+            }
+            Results::Sensitivity(_) => return None,
+        };
+        Some(Self {
             kind: outcome_type(scope.program),
-            value: match &motion.forces {
-                None => rates(motion, scope),
-                Some(forces) => self::forces(forces, scope),
-            },
-            what: match &motion.forces {
-                None => "the rates of all links",
-                Some(Forces::Holding(_)) => "what holds it there",
-                Some(Forces::InverseDynamics(_)) => "the forces in it",
-                Some(Forces::Inertia(_)) => "its inertia as the motors feel it",
-            },
-        }
+            value,
+            what,
+        })
     }
 }
 
@@ -45,9 +50,9 @@ pub(super) fn rates_of_links(
     quote!([#(#rates),*])
 }
 
-fn rates(motion: &Motion, scope: &Scope<'_>) -> TokenStream {
-    let velocities = rates_of_links(&quote!(Velocity), &motion.velocities, scope);
-    match &motion.accelerations {
+fn rates(rates: &LinkRates<Value>, scope: &Scope<'_>) -> TokenStream {
+    let velocities = rates_of_links(&quote!(Velocity), &rates.velocities, scope);
+    match &rates.accelerations {
         None => velocities,
         Some(accelerations) => {
             let accelerations = rates_of_links(&quote!(Acceleration), accelerations, scope);
@@ -94,23 +99,25 @@ fn forces(forces: &Forces<Value>, scope: &Scope<'_>) -> TokenStream {
 
 /// The type of the rates or forces that a program computes.
 pub(in crate::emit) fn outcome_type(program: &Program) -> TokenStream {
-    let Some(motion) = &program.motion else {
-        bug!("a program without a motion has no rates");
-    };
     let scalar = scalar(program.precision);
     let (links, motors) = (integer(program.links.len()), integer(program.motors.len()));
-    match &motion.forces {
-        None if motion.accelerations.is_some() => {
-            quote!(([Velocity<#scalar>; #links], [Acceleration<#scalar>; #links]))
+    match program.results() {
+        Some(Results::Rates(rates)) => match rates.accelerations {
+            None => quote!([Velocity<#scalar>; #links]),
+            Some(_) => quote!(([Velocity<#scalar>; #links], [Acceleration<#scalar>; #links])),
+        },
+        Some(Results::Forces { forces, .. }) => match forces {
+            Forces::Holding(_) => quote!(Holding<#scalar, #motors>),
+            Forces::InverseDynamics(found) => {
+                // One row for each motor, and there is one at least.
+                let loads = found.velocity_ratios[0].len();
+                let sizes = [found.reactions.len(), loads, found.transmission.len()].map(integer);
+                quote!(Forces<#scalar, #motors, #(#sizes),*>)
+            }
+            Forces::Inertia(_) => quote!(Inertia<#scalar, #motors>),
+        },
+        None | Some(Results::Sensitivity(_)) => {
+            bug!("the program computes neither rates nor forces")
         }
-        None => quote!([Velocity<#scalar>; #links]),
-        Some(Forces::Holding(_)) => quote!(Holding<#scalar, #motors>),
-        Some(Forces::InverseDynamics(found)) => {
-            // One row for each motor, and there is one at least.
-            let loads = found.velocity_ratios[0].len();
-            let sizes = [found.reactions.len(), loads, found.transmission.len()].map(integer);
-            quote!(Forces<#scalar, #motors, #(#sizes),*>)
-        }
-        Some(Forces::Inertia(_)) => quote!(Inertia<#scalar, #motors>),
     }
 }

@@ -12,7 +12,7 @@ use crate::bug::bug;
 use crate::model::{AxisId, AxisKind, JointId, JointKind, LinkId};
 use crate::plan::{Algebra, Arithmetic};
 use crate::program::node::{Op, Value};
-use crate::program::{Forces, InverseDynamics, Motion};
+use crate::program::{InverseDynamics, LinearEquations};
 use crate::structure::Structure;
 
 /// How the equations of a link are written: about which point moments are taken, and along which directions forces are summed.
@@ -30,16 +30,16 @@ struct Rows {
 }
 
 impl Lowering<'_> {
-    /// The torques, forces and reactions that a given motion takes; no forces where equilibrium does not determine them.
+    /// The torques, forces and reactions that a given motion takes; none where equilibrium does not determine them.
     pub(super) fn derive_inverse_dynamics(
         &mut self,
         positions: &Positions,
         structure: &Structure,
-    ) -> Motion {
-        let mut motion = Motion::default();
-        let mut influence_coefficients = self.influence_coefficients(positions, &mut motion);
-        let (mut given, rates) = self.all_rates(positions, Seed::Given, &mut motion);
-        self.add_second_rates(positions, &rates, &mut given, &mut motion);
+        equations: &mut LinearEquations,
+    ) -> Option<InverseDynamics<Value>> {
+        let mut influence_coefficients = self.influence_coefficients(positions, equations);
+        let (mut given, rates) = self.all_rates(positions, Seed::Given, equations);
+        self.add_second_rates(positions, &rates, &mut given, equations);
         self.ssa.block("forces".to_owned(), "What acts.".to_owned());
         let bodies = self.bodies();
         let mut wrenches = self.wrenches(&bodies);
@@ -52,21 +52,17 @@ impl Lowering<'_> {
             "The equilibrium of each link.".to_owned(),
         );
         let unknowns = self.unknown_reactions(positions, structure);
-        let Some(found) = self.equilibrium(&unknowns, &wrenches, &mut motion) else {
-            return motion;
-        };
+        let found = self.equilibrium(&unknowns, &wrenches, equations)?;
         let velocity_ratios = influence_coefficients
             .iter_mut()
             .map(|tangents| self.velocity_ratios(tangents))
             .collect();
-        let inverse_dynamics = InverseDynamics {
+        Some(InverseDynamics {
             torques: self.drives(&unknowns, &found),
             reactions: self.reactions(&unknowns, &found),
             velocity_ratios,
             transmission: self.transmission(&rates),
-        };
-        motion.forces = Some(Forces::InverseDynamics(inverse_dynamics));
-        motion
+        })
     }
 
     /// The unknowns of the equilibrium of all links; none where it does not determine them, as in a loop of slides alone, which hold
@@ -75,7 +71,7 @@ impl Lowering<'_> {
         &mut self,
         unknowns: &[Unknown],
         wrenches: &[Wrench],
-        motion: &mut Motion,
+        equations: &mut LinearEquations,
     ) -> Option<Vec<Value>> {
         let links: Vec<LinkId> = self.model.moving_links().collect();
         let mut alternatives: Vec<Vec<Rows>> = Vec::new();
@@ -101,7 +97,7 @@ impl Lowering<'_> {
             .collect();
         let mut found: Vec<Option<Value>> = vec![None; unknowns.len()];
         for block in &blocks {
-            let values = self.solve_block(block, &rows, &found, motion);
+            let values = self.solve_block(block, &rows, &found, equations);
             for (&unknown, value) in block.unknowns.iter().zip(values) {
                 self.ssa.name(value, unknowns[unknown].name.clone());
                 found[unknown] = Some(value);
@@ -119,7 +115,7 @@ impl Lowering<'_> {
         block: &EquationSet,
         rows: &[(&Vec<(usize, Value)>, Value)],
         found: &[Option<Value>],
-        motion: &mut Motion,
+        equations: &mut LinearEquations,
     ) -> Vec<Value> {
         let zero = self.ssa.constant(0.0);
         let mut columns = vec![vec![zero; block.equations.len()]; block.unknowns.len()];
@@ -149,7 +145,7 @@ impl Lowering<'_> {
                 let block = self.ssa.current();
                 self.ssa.solve_linear(block, &columns, &right).0
             }
-            _ => self.solve_dense(&columns, &right, motion).0,
+            _ => self.solve_dense(&columns, &right, equations).0,
         }
     }
 

@@ -38,7 +38,7 @@ use super::builder::SsaBuilder;
 use super::calibrate::calibrate;
 use super::live::live;
 use super::node::Value;
-use super::{Block, BlockKind, Choice, Motion, Program, Rounds, Sensitivity};
+use super::{Block, BlockKind, Choice, Derived, Forces, LinearEquations, Program, Results, Rounds};
 use crate::model::{LinkId, Model};
 use crate::plan::{Plan, PlanPart, Step};
 use crate::structure::Structure;
@@ -116,9 +116,7 @@ pub fn derive(
     let mut program = target.lower(model, plan, choices);
     program.number_stored();
     // Where joints hold links more than once, equilibrium does not determine what they do.
-    let forces = program.motion.iter().flat_map(|motion| &motion.forces);
-    let undetermined = matches!(output, Output::InverseDynamics(_)) && forces.count() == 0;
-    (!undetermined).then_some(program)
+    program.derived.is_some().then_some(program)
 }
 
 /// A result of a program besides positions.
@@ -206,7 +204,7 @@ impl Target<'_> {
         };
         let pose = |&link: &LinkId| lowering.placement.pose(link).numbers();
         let mut poses: Vec<[Value; 4]> = self.links.iter().map(pose).collect();
-        let (motion, sensitivity) = self.derive(&mut lowering, &positions, &poses);
+        let derived = self.derive(&mut lowering, &positions, &poses);
         let Lowering { ssa, layout, .. } = lowering;
         let SsaBuilder {
             ssa,
@@ -214,7 +212,7 @@ impl Target<'_> {
             mut state,
             ..
         } = ssa;
-        if sensitivity.is_some() {
+        if matches!(self.output, Some(Output::Sensitivity)) {
             // It computes nothing else.
             state.clear();
             poses.clear();
@@ -252,8 +250,7 @@ impl Target<'_> {
             links: stored.map(|&link| model.link(link).name.clone()).collect(),
             poses,
             state,
-            motion,
-            sensitivity,
+            derived,
             start,
             ..Program::default()
         };
@@ -264,30 +261,40 @@ impl Target<'_> {
         program
     }
 
-    /// Derives the output from positions.
+    /// Derives the output from positions: none if there is none, or if it is not determined.
     fn derive(
         self,
         lowering: &mut Lowering<'_>,
         positions: &Positions,
         poses: &[[Value; 4]],
-    ) -> (Option<Motion>, Option<Sensitivity>) {
-        let mut motion = match self.output {
-            None => return (None, None),
-            Some(Output::Sensitivity) => {
-                let (motion, sensitivity) = lowering.derive_sensitivity(positions, poses);
-                return (Some(motion), Some(sensitivity));
-            }
-            Some(Output::Rates) => lowering.derive_rates(positions, poses),
-            Some(Output::Holding) => lowering.derive_holding(positions),
-            Some(Output::InverseDynamics(structure)) => {
-                lowering.derive_inverse_dynamics(positions, structure)
-            }
-            Some(Output::Inertia) => lowering.derive_inertia(positions),
+    ) -> Option<Derived> {
+        let mut equations = LinearEquations::default();
+        let forces = |forces, lowering: &Lowering<'_>| Results::Forces {
+            forces,
+            loads: lowering.model.actions.load_names(),
         };
-        if motion.forces.is_some() {
-            motion.loads = lowering.model.actions.load_names();
-        }
-        (Some(motion), None)
+        let results = match self.output? {
+            Output::Sensitivity => {
+                Results::Sensitivity(lowering.derive_sensitivity(positions, poses, &mut equations))
+            }
+            Output::Rates => {
+                Results::Rates(lowering.derive_rates(positions, poses, &mut equations))
+            }
+            Output::Holding => {
+                let torques = lowering.derive_holding(positions, &mut equations);
+                forces(Forces::Holding(torques), lowering)
+            }
+            Output::InverseDynamics(structure) => {
+                let found =
+                    lowering.derive_inverse_dynamics(positions, structure, &mut equations)?;
+                forces(Forces::InverseDynamics(found), lowering)
+            }
+            Output::Inertia => {
+                let inertia = lowering.derive_inertia(positions, &mut equations);
+                forces(Forces::Inertia(inertia), lowering)
+            }
+        };
+        Some(Derived { equations, results })
     }
 
     /// The choice of a loop's solver and watch.

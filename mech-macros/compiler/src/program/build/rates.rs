@@ -13,7 +13,7 @@ use crate::plan::{Arithmetic, Solution, Unknown};
 use crate::program::builder::SsaBuilder;
 use crate::program::calibrate::reach;
 use crate::program::node::{Op, Value};
-use crate::program::{BlockId, Motion, RateMargin, System};
+use crate::program::{BlockId, LinearEquations, LinkRates, RateMargin, System};
 
 /// Links whose rates stand in one block.
 const MOST_LINKS: usize = 48;
@@ -29,23 +29,30 @@ pub(super) struct LoopRates {
 
 impl Lowering<'_> {
     /// Derives the rates of all poses.
-    pub(super) fn derive_rates(&mut self, positions: &Positions, poses: &[[Value; 4]]) -> Motion {
-        let mut motion = Motion::default();
-        let (mut tangents, rates) = self.all_rates(positions, Seed::Given, &mut motion);
-        motion.velocities = self.link_rates("velocities", poses, &mut tangents);
-        if self.model.effects.acceleration {
-            self.add_second_rates(positions, &rates, &mut tangents, &mut motion);
+    pub(super) fn derive_rates(
+        &mut self,
+        positions: &Positions,
+        poses: &[[Value; 4]],
+        equations: &mut LinearEquations,
+    ) -> LinkRates<Value> {
+        let (mut tangents, rates) = self.all_rates(positions, Seed::Given, equations);
+        let velocities = self.link_rates("velocities", poses, &mut tangents);
+        let accelerations = self.model.effects.acceleration.then(|| {
+            self.add_second_rates(positions, &rates, &mut tangents, equations);
             let mut accelerations = Vec::new();
-            for some in motion.velocities.chunks(MOST_LINKS) {
+            for some in velocities.chunks(MOST_LINKS) {
                 self.ssa
                     .block("accelerations".to_owned(), "Accelerations.".to_owned());
                 for rates in some {
                     accelerations.push(rates.map(|rate| tangents.of(&mut self.ssa, rate)));
                 }
             }
-            motion.accelerations = Some(accelerations);
+            accelerations
+        });
+        LinkRates {
+            velocities,
+            accelerations,
         }
-        motion
     }
 
     /// The rates of what all loops solve, if the motors do this.
@@ -53,7 +60,7 @@ impl Lowering<'_> {
         &mut self,
         positions: &Positions,
         seed: Seed,
-        motion: &mut Motion,
+        equations: &mut LinearEquations,
     ) -> (Tangents, Vec<LoopRates>) {
         let mut tangents = Tangents::new(seed, self.model.motors.len());
         for angle in &positions.angles {
@@ -70,7 +77,7 @@ impl Lowering<'_> {
             };
             let title = format!("{title} the loop that {} close.", solved.place);
             let block = self.ssa.block(format!("{}_{name}", solved.name), title);
-            all.push(self.loop_rates(block, solved, &mut tangents, motion));
+            all.push(self.loop_rates(block, solved, &mut tangents, equations));
         }
         (tangents, all)
     }
@@ -90,13 +97,13 @@ impl Lowering<'_> {
         positions: &Positions,
         rates: &[LoopRates],
         tangents: &mut Tangents,
-        motion: &mut Motion,
+        equations: &mut LinearEquations,
     ) {
         for (solved, rates) in positions.loops.iter().zip(rates) {
             let title = format!("Second rates of the loop that {} close.", solved.place);
             self.ssa
                 .block(format!("{}_second_rates", solved.name), title);
-            self.loop_second_rates(rates, tangents, motion);
+            self.loop_second_rates(rates, tangents, equations);
         }
     }
 
@@ -125,7 +132,7 @@ impl Lowering<'_> {
         block: BlockId,
         solved: &SolvedLoop,
         tangents: &mut Tangents,
-        motion: &mut Motion,
+        equations: &mut LinearEquations,
     ) -> LoopRates {
         let SolvedLoop {
             equation,
@@ -153,15 +160,15 @@ impl Lowering<'_> {
                 tied.columns(&mut self.ssa, &all)
             }
         };
-        let (rates, det) = self.solve_rates(block, &columns, &gap, motion);
+        let (rates, det) = self.solve_rates(block, &columns, &gap, equations);
         self.ssa.name(det, "det");
         let most = self.ssa.greatest_det(&columns);
         let least = self.ssa.part_of(16.0 * self.ssa.epsilon.sqrt(), most);
         let size = self.ssa.abs(det);
         let margin = self.ssa.sub(size, least);
         // What several motors do to a loop hangs on the same determinant.
-        if motion.margins.iter().all(|other| other.margin != margin) {
-            motion.margins.push(RateMargin {
+        if equations.margins.iter().all(|other| other.margin != margin) {
+            equations.margins.push(RateMargin {
                 place: solved.place.clone(),
                 margin,
             });
@@ -201,7 +208,7 @@ impl Lowering<'_> {
         &mut self,
         solved: &LoopRates,
         tangents: &mut Tangents,
-        motion: &mut Motion,
+        equations: &mut LinearEquations,
     ) {
         let ssa = &mut self.ssa;
         let mut gap: Vec<Value> = solved
@@ -216,7 +223,7 @@ impl Lowering<'_> {
                 *gap = ssa.add(*gap, share);
             }
         }
-        let (second, _) = self.solve_rates(solved.block, &solved.columns, &gap, motion);
+        let (second, _) = self.solve_rates(solved.block, &solved.columns, &gap, equations);
         for (&rate, second) in solved.rates.iter().zip(second) {
             // What never moves is never faster.
             if self.ssa.number(rate).is_none() {
@@ -235,12 +242,12 @@ impl Lowering<'_> {
         block: BlockId,
         columns: &[Vec<Value>],
         gap: &[Value],
-        motion: &mut Motion,
+        equations: &mut LinearEquations,
     ) -> (Vec<Value>, Value) {
         if columns.len() <= 3 {
             return self.ssa.solve_linear(block, columns, gap);
         }
-        let (rates, det) = self.solve_dense(columns, gap, motion);
+        let (rates, det) = self.solve_dense(columns, gap, equations);
         for &rate in &rates {
             self.ssa.name(rate, "rate");
         }
@@ -253,10 +260,10 @@ impl Lowering<'_> {
         &mut self,
         columns: &[Vec<Value>],
         right: &[Value],
-        motion: &mut Motion,
+        equations: &mut LinearEquations,
     ) -> (Vec<Value>, Value) {
-        let system = motion.systems.len();
-        motion.systems.push(System {
+        let system = equations.systems.len();
+        equations.systems.push(System {
             block: self.ssa.current(),
             columns: columns.to_vec(),
             right: right.to_vec(),

@@ -6,7 +6,7 @@ use super::lowering::Lowering;
 use super::tangent::{Seed, Tangents};
 use crate::model::{AxisId, JointId, JointKind};
 use crate::plan::{Algebra, Arithmetic};
-use crate::program::Motion;
+use crate::program::LinearEquations;
 use crate::program::node::Value;
 use crate::program::sensitivity::{ParamRates, Sensitivity};
 
@@ -16,8 +16,8 @@ impl Lowering<'_> {
         &mut self,
         positions: &Positions,
         poses: &[[Value; 4]],
-    ) -> (Motion, Sensitivity) {
-        let mut motion = Motion::default();
+        equations: &mut LinearEquations,
+    ) -> Sensitivity {
         let (points, joints) = (
             self.model.shown_points().collect::<Vec<AxisId>>(),
             self.model.dependent_joints().collect::<Vec<JointId>>(),
@@ -26,7 +26,7 @@ impl Lowering<'_> {
         let motors = self.model.motors.len();
         for (number, param) in self.model.params.all().iter().enumerate() {
             let seed = Seed::Alone(motors + number);
-            let (mut tangents, _) = self.all_rates(positions, seed, &mut motion);
+            let (mut tangents, _) = self.all_rates(positions, seed, equations);
             let links = self.link_rates(&format!("{}_rates", param.name), poses, &mut tangents);
             of_params.push(ParamRates {
                 links,
@@ -34,12 +34,11 @@ impl Lowering<'_> {
                 joints: self.joint_rates(&joints, &mut tangents),
             });
         }
-        let sensitivity = Sensitivity {
+        Sensitivity {
             points,
             joints,
             of_params,
-        };
-        (motion, sensitivity)
+        }
     }
 
     fn point_rates(&mut self, points: &[AxisId], tangents: &mut Tangents) -> Vec<[Value; 2]> {

@@ -8,13 +8,16 @@ use super::wrench::{Body, Wrench};
 use crate::model::{LoadKind, MotorId};
 use crate::plan::{Algebra, Arithmetic};
 use crate::program::node::{Op, Value};
-use crate::program::{Forces, Inertia, Motion};
+use crate::program::{Inertia, LinearEquations};
 
 impl Lowering<'_> {
     /// The torques of the motors that hold everything at rest.
-    pub(super) fn derive_holding(&mut self, positions: &Positions) -> Motion {
-        let mut motion = Motion::default();
-        let mut influence_coefficients = self.influence_coefficients(positions, &mut motion);
+    pub(super) fn derive_holding(
+        &mut self,
+        positions: &Positions,
+        equations: &mut LinearEquations,
+    ) -> Vec<Value> {
+        let mut influence_coefficients = self.influence_coefficients(positions, equations);
         self.ssa.block("forces".to_owned(), "What acts.".to_owned());
         let bodies = self.bodies();
         let wrenches = self.wrenches(&bodies);
@@ -24,16 +27,18 @@ impl Lowering<'_> {
             torques.push(self.ssa.neg(power));
         }
         self.name_motors(&torques, "torque");
-        motion.forces = Some(Forces::Holding(torques));
-        motion
+        torques
     }
 
     /// Inertia and forces as the motors feel them.
-    pub(super) fn derive_inertia(&mut self, positions: &Positions) -> Motion {
-        let mut motion = Motion::default();
-        let mut alone = self.influence_coefficients(positions, &mut motion);
-        let (mut coasting, rates) = self.all_rates(positions, Seed::Coasting, &mut motion);
-        self.add_second_rates(positions, &rates, &mut coasting, &mut motion);
+    pub(super) fn derive_inertia(
+        &mut self,
+        positions: &Positions,
+        equations: &mut LinearEquations,
+    ) -> Inertia<Value> {
+        let mut alone = self.influence_coefficients(positions, equations);
+        let (mut coasting, rates) = self.all_rates(positions, Seed::Coasting, equations);
+        self.add_second_rates(positions, &rates, &mut coasting, equations);
         self.ssa.block(
             "inertia".to_owned(),
             "Inertia and forces as the motors feel them.".to_owned(),
@@ -52,23 +57,22 @@ impl Lowering<'_> {
         let matrix = self.reduced_inertia(&bodies, &mut alone);
         let kinetic = self.kinetic_energy(&matrix);
         let potential = self.potential_energy(&bodies);
-        motion.forces = Some(Forces::Inertia(Inertia {
+        Inertia {
             matrix,
             drive,
             energy: [kinetic, potential],
-        }));
-        motion
+        }
     }
 
     /// The rates of everything for a unit rate of each motor alone.
     pub(super) fn influence_coefficients(
         &mut self,
         positions: &Positions,
-        motion: &mut Motion,
+        equations: &mut LinearEquations,
     ) -> Vec<Tangents> {
         let motors = 0..self.model.motors.len();
         motors
-            .map(|motor| self.all_rates(positions, Seed::Alone(motor), motion).0)
+            .map(|motor| self.all_rates(positions, Seed::Alone(motor), equations).0)
             .collect()
     }
 

@@ -117,12 +117,11 @@ impl Pieces {
             return row.arguments.iter().map(|term| term.value).collect();
         }
         let own: BTreeSet<Value> = piece.values.iter().copied().collect();
-        let motion = program.motion.as_ref();
         let systems = piece.values.iter().filter_map(|&value| {
             let Op::Linear(number, _) = program.node(value).op else {
                 return None;
             };
-            motion.map(|motion| &motion.systems[number])
+            Some(&program.systems()[number])
         });
         let coefficients = systems.flat_map(System::coefficients).copied();
         let operands = piece
