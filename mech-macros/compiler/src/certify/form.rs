@@ -17,7 +17,7 @@ pub(super) struct Forms {
     parts: Vec<f64>,
 }
 
-/// What an operation is made from.
+/// An operand of an operation.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Operand {
     /// All its values.
