@@ -1,5 +1,5 @@
-//! The printed plan and program of each text in `displayed`. Renew them with `INSTA_UPDATE=always cargo test -p mech-compiler --test
-//! display`, and read them.
+//! The printed plan and program of each text in `displayed`. Renew them with
+//! `INSTA_UPDATE=always cargo test -p mech-compiler --test display`, and read them.
 
 use mech_compiler::compile;
 use mech_compiler::syntax::parse;

@@ -17,7 +17,6 @@ pub(super) struct Forms {
     parts: Vec<f64>,
 }
 
-/// An operand of an operation.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Operand {
     /// All its values.

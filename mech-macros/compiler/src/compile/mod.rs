@@ -123,7 +123,7 @@ fn saved_cost(model: &Model, plan: &Plan, program: &Program, choices: &[Choice])
     (!all_needed || saved != Cost::default()).then_some(saved)
 }
 
-/// The extent of the examination of a mechanism.
+/// The depth to which a mechanism is examined.
 #[derive(Clone, Copy, PartialEq)]
 enum Depth {
     /// At its start.

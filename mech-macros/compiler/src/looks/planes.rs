@@ -172,7 +172,7 @@ impl Rules {
         self.crossed(ranks, &self.crossings) + behind(ranks, self.pairs.iter())
     }
 
-    /// Returns the total weight of those of these crossings that an order leaves.
+    /// Returns the total weight of these crossings, as far as an order leaves them.
     fn crossed(&self, ranks: &[usize], some: &[(Crossing, usize)]) -> usize {
         let crossed = some.iter();
         let crossed = crossed.filter(|(crossing, _)| self.is_crossed(*crossing, ranks));

@@ -113,7 +113,7 @@ pub(super) fn rack(
     let out = Vector2::new(along.y, -along.x) * rack.radius.signum();
     let center = start.frame(pinion_link)? * pinion.center;
     let pitch_point = center + out * pinion.radius;
-    // The distance of the pitch point from a tooth of the pinion, in teeth: a gap of the rack is there.
+    // The distance of the pitch point beyond a tooth of the pinion, in teeth: a gap of the rack is there.
     let turned = start.frame(pinion_link)?.rotation.angle() + pinion.phase;
     let beyond = (angle(out) - turned) / TAU * f64::from(pinion.teeth?);
     let forwards = rack.radius.signum();

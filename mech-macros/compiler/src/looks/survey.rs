@@ -149,7 +149,6 @@ struct Surveyor<'a> {
     program: &'a Program,
     slides: &'a [Slide],
     walker: Walker<'a>,
-    /// The size of the mechanism.
     size: f64,
     /// From where to where each motor goes: as it is declared, or alone from the start. What can be turned for ever has no ends.
     ranges: Vec<[f64; 2]>,

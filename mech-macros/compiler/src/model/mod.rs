@@ -180,7 +180,7 @@ pub struct Model {
     pub instances: Vec<Instance>,
 }
 
-/// The allowances: what they let pass is otherwise an error.
+/// The allowances: each lets something pass that is otherwise an error.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Allowances {
     /// Joints that hold a part more than once, where lengths match exactly.

@@ -60,7 +60,7 @@ impl<'m> Trials<'m> {
         }
     }
 
-    /// Tries these changes.
+    /// Tries these changes and returns the outcome.
     pub(super) fn of(&mut self, repairs: &[Repair]) -> Trial {
         if let Some((_, trial)) = self.known.iter().find(|(known, _)| known == repairs) {
             return *trial;

@@ -71,7 +71,7 @@ pub enum Standing {
 }
 
 impl Standing {
-    /// Returns the standing that this number of the state means.
+    /// Reads a standing from its number in the state.
     #[must_use]
     pub fn of<T: Real>(number: T) -> Self {
         if number > T::ZERO {

@@ -1,5 +1,4 @@
-//! The remainder of a float of any size by right angles, by additions and subtractions of long fractions: neither 2/pi nor a product is in
-//! it.
+//! The remainder of a float of any size by right angles: additions and subtractions of long fractions, without 2/pi and without products.
 
 use crate::reference::Pair;
 

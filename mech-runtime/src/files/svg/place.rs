@@ -47,7 +47,7 @@ impl Place {
         }
     }
 
-    /// Bounds the displacement of a figure from one place to another; it reaches `reach` pixels from its origin.
+    /// Bounds the movement of a figure from one place to another; it reaches `reach` pixels from its origin.
     pub(super) fn distance(self, other: Self, reach: f64) -> f64 {
         let shift = (other.x - self.x).hypot(other.y - self.y);
         shift + reach * (other.angle - self.angle).abs()

@@ -1,4 +1,4 @@
-//! The displacement of a link from where it should be: an error of its angle moves its far end in proportion to the arm.
+//! The errors of places on links: an error of a link's angle moves its far end in proportion to the arm.
 
 use crate::model::{LinkId, Model};
 use crate::program::Position;
@@ -30,7 +30,7 @@ impl Extents {
         Self(corners.collect())
     }
 
-    /// Returns the greatest displacement of each link.
+    /// Returns the greatest error of a place on each link.
     pub(super) fn displacements<T: Real>(
         &self,
         is: &Position<T>,

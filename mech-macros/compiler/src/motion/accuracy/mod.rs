@@ -30,8 +30,8 @@ const MOST_ROUNDS: u32 = 4;
 /// The number of combinations of solvers that are tried. Each solver was good enough by itself.
 const COMBINATIONS: usize = 6;
 
-/// The accuracy of a mechanism: the greatest displacement of anything on its links from where it should be, in scene units. An estimate
-/// from samples, with a reserve; no bound.
+/// The accuracy of a mechanism: the greatest error of a place on its links, in scene units. An estimate from samples, with a
+/// reserve; no bound.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Prediction {
     /// Of anything.
@@ -48,8 +48,8 @@ pub struct SolvedLoop {
     pub number: usize,
     /// By which method, in words.
     pub method: String,
-    /// The greatest displacement of links that wait for this loop and for no later one, in scene units, if it was estimated. Infinite if
-    /// the loop may stop where the mechanism could move on.
+    /// The greatest error of links that wait for this loop and for no later one, in scene units, if it was estimated. Infinite if the
+    /// loop may stop where the mechanism could move on.
     pub error: Option<f64>,
     /// Its operations.
     pub cost: Cost,

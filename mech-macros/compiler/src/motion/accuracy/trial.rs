@@ -37,7 +37,7 @@ const MOST_PATTERNS: usize = 16;
 #[derive(Clone, Debug)]
 pub(super) struct Rival {
     pub(super) program: Program,
-    /// The greatest displacement of each link.
+    /// The greatest error of each link.
     pub(super) worst: Vec<f64>,
     /// Whether it stopped where the other one moved.
     pub(super) stopped: bool,
@@ -52,7 +52,7 @@ impl Rival {
         }
     }
 
-    /// Returns the greatest displacement of any link; infinite if it stopped.
+    /// Returns the greatest error of any link; infinite if it stopped.
     pub(super) fn error(&self) -> f64 {
         if self.stopped {
             return f64::INFINITY;
@@ -64,7 +64,7 @@ impl Rival {
 /// The findings about the exact program.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Exact {
-    /// The greatest displacement of each link in single precision.
+    /// The greatest error of each link in single precision.
     pub(super) single: Vec<f64>,
     /// Whether single precision was of any use.
     pub(super) seen: bool,

@@ -75,7 +75,6 @@ struct Survey<'a> {
     program: &'a Program,
     seen: SeenPoints,
     walker: Walker<'a>,
-    /// The size of the mechanism.
     size: f64,
     /// The values of each motor that are tried, and whether it may go beyond them.
     ranges: Vec<([f64; 2], bool)>,

@@ -133,7 +133,6 @@ impl<'d> Paces<'d> {
         scale.unwrap_or(size)
     }
 
-    /// Returns the goal of a loop.
     fn goal(&mut self, number: usize) -> &Goal {
         if !self.loops.contains_key(&number) {
             let goal = self.found_goal(number);

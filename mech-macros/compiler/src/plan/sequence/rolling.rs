@@ -282,7 +282,7 @@ fn relation(rolling: &Rolling) -> LinearForm {
     })
 }
 
-/// Returns the displacement of a wheel or bar on its carrier.
+/// Returns the coordinate of a wheel or bar on its carrier, as a linear form.
 fn quantity(rolling: &Rolling, end: RollingEnd) -> LinearForm {
     match end {
         RollingEnd::Wheel(wheel) => LinearForm::turn(rolling.carrier, wheel),

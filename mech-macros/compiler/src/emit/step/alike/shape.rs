@@ -22,7 +22,6 @@ impl Kind {
     }
 }
 
-/// An operand of an operation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Operand {
     /// The result of an operation of the same piece, or its opposite.
