@@ -1,4 +1,4 @@
-//! What is true of all symbols and arrows.
+//! Properties of all symbols and arrows.
 
 use crate::looks::{TURNED, on, picture, symbols};
 use mech_runtime::overlay::{Arrows, Symbol, arrow, moment};
@@ -107,7 +107,7 @@ impl Recorder {
     }
 }
 
-/// How far a straight line reaches: before its ends and beside them.
+/// Returns the outermost places of a straight line: before its ends and beside them.
 fn around(points: &[[f64; 2]], width: f64) -> Vec<[f64; 2]> {
     let [from, to] = [points[0], points[points.len() - 1]];
     let offset = [to[0] - from[0], to[1] - from[1]];

@@ -1,4 +1,4 @@
-//! What the rasteriser promises: see the documentation of `raster`.
+//! Tests of the rasteriser: see the documentation of `raster`.
 
 use mech_runtime::{Canvas, Frame, Outline, Palette, Pose, Scalar, View};
 use proptest::prelude::*;

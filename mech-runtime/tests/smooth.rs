@@ -1,4 +1,4 @@
-//! What the anti-aliased picture promises: each pixel is covered as much as it is.
+//! Tests of the anti-aliased picture: it paints as much of each pixel as an outline covers.
 
 use mech_runtime::{Canvas, Frame, Outline, Palette, Pose, Real, Scalar, Smooth, View};
 use proptest::prelude::*;

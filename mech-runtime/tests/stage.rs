@@ -1,4 +1,4 @@
-//! What is painted in parts looks as though it were painted whole.
+//! A picture that is painted in parts looks as though it were painted whole.
 
 use crate::outlines::Any;
 use mech_runtime::{Canvas, Frame, Outline, OwnedOutline, Pose, Stage, Trace, View};
@@ -40,7 +40,7 @@ fn paint(thing: &Any, canvas: &mut impl Canvas<f64>, color: u8, angle: f64) {
     thing.draw_at(Pose { cos, sin, x, y }, canvas, color);
 }
 
-/// How far each thing has turned; one that is not finite is not seen.
+/// Makes the angle of a thing; a thing whose angle is not finite is not seen.
 fn angle() -> impl Strategy<Value = f64> {
     prop_oneof![4 => Just(0.0), 3 => 0.0..7.0, 1 => Just(f64::NAN)]
 }

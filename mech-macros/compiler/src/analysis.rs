@@ -10,20 +10,20 @@ use proc_macro2::{Span, TokenStream};
 
 /// A text, and what was found out about it.
 pub struct Analysis {
-    /// What the text says.
+    /// The parsed text.
     pub parsed: Parsed,
     /// The compiled mechanism, or what is wrong.
     pub result: Result<Box<Compiled>, Faults>,
 }
 
-/// What is wrong with a mechanism, or with its text.
+/// The faults of a mechanism, or of its text.
 #[derive(Clone, Debug)]
 pub struct Faults {
     /// All of it in words, at its places; never empty.
     pub messages: Vec<Message>,
-    /// What the analysis found, without words; empty if the text itself is wrong.
+    /// The diagnoses of the analysis, without words; empty if the text itself is wrong.
     pub diagnoses: Vec<Diagnosis>,
-    /// What would mend each of these.
+    /// The repairs that mend each of these.
     pub offers: Vec<Offers>,
 }
 

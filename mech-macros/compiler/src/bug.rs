@@ -4,9 +4,9 @@ use std::any::Any;
 use std::fmt::Arguments;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// What an internal error begins with, wherever it is read.
+/// The beginning of the message of an internal error, wherever it is read.
 const BEFORE: &str = "internal error in mech: ";
-/// What it ends with.
+/// The end of that message.
 const AFTER: &str = "; please report this with the mechanism";
 
 /// Ends the analysis, because an invariant of our own is broken and any answer might be wrong.
@@ -35,7 +35,7 @@ pub fn catch<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     catch_unwind(AssertUnwindSafe(work)).map_err(|panic| broken_in(panic.as_ref()))
 }
 
-/// What a panic says is broken. One that is not from [`bug!`], as of an index beyond its list, says it in its own words.
+/// Returns what a panic says is broken: the whole message, if it is not from [`bug!`] (as of an index beyond its list).
 fn broken_in(panic: &(dyn Any + Send)) -> String {
     let text = match (panic.downcast_ref::<String>(), panic.downcast_ref::<&str>()) {
         (Some(text), _) => text.as_str(),

@@ -97,7 +97,7 @@ impl<'m> LinkFrames<'m> {
         misfits.fold(0.0, f64::max)
     }
 
-    /// How far axes are from the origins of the scene and of their links, at most.
+    /// Returns the greatest distance of an axis from the origins of the scene and of its link.
     pub(crate) fn extent(&self) -> f64 {
         let axes = self.model.axes.iter().zip(0..);
         let far = axes.flat_map(|(axis, id)| {

@@ -1,5 +1,5 @@
-//! What the plan and the program of each text in `displayed` look like when they are printed. Renew with
-//! `INSTA_UPDATE=always cargo test -p mech-compiler --test display`, and read it.
+//! The printed plan and program of each text in `displayed`. Renew them with
+//! `INSTA_UPDATE=always cargo test -p mech-compiler --test display`, and read them.
 
 use mech_compiler::compile;
 use mech_compiler::syntax::parse;

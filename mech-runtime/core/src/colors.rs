@@ -42,7 +42,7 @@ pub const fn main(number: u8) -> u8 {
     FIRST_MAIN + number % MAIN_COUNT
 }
 
-/// How many main colours there are.
+/// The number of main colours.
 pub const MAIN_COUNT: u8 = LAST_MAIN - FIRST_MAIN + 1;
 
 /// The entry of a darker main colour, ground or steel. Any other entry stays the same.

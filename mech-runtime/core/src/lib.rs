@@ -1,4 +1,4 @@
-//! What generated code, its compiler and the studio share: numerics, so that all compute the same bits, and what is drawn of a mechanism.
+//! The base of generated code, its compiler and the studio: numerics that compute the same bits in all of them, symbols and outlines.
 //!
 //! [`trig`] has the sine and cosine of an angle in radians, in portable code that compilers can vectorise. [`Phase`] is an angle that a
 //! motor may turn through for years without losing a bit. [`Symbol`] and [`Outline`] are what is drawn, over any numbers.

@@ -5,7 +5,7 @@
 
 use crate::Real;
 
-/// How many positions are interpolated, half of them on each side.
+/// The number of positions that are interpolated, half of them on each side.
 pub const NODES: usize = 6;
 /// Their distances from the middle, in units of that of the nearest.
 const PLACES: [f64; NODES] = [-3.0, -2.0, -1.0, 1.0, 2.0, 3.0];
@@ -34,7 +34,7 @@ pub trait Surroundings<T: Real> {
     /// The rates or forces at a position.
     type Rates;
 
-    /// How many motors and params there are.
+    /// Returns the number of motors and params.
     fn inputs(&self) -> usize;
     /// The least size at a position of the sines of all loops that pass change points.
     fn sine(&self, position: &Self::Position) -> T;
@@ -179,7 +179,7 @@ impl<P, T: Real> Nodes<P, T> {
             let rough = roughness(&numbers);
             if rough != T::ZERO {
                 let part = rough / (size(&numbers) + self.width * greatest);
-                // What is no number is as rough as can be.
+                // A roughness that is no number counts as infinite.
                 worst = if part > worst {
                     part
                 } else if part <= worst {

@@ -129,7 +129,7 @@ pub fn pieces<T: Real>(max_steps: impl IntoIterator<Item = T>, displacements: &[
     })
 }
 
-/// What lies as far beyond a number as another lies before it.
+/// Returns the number that lies as far beyond `at` as `before` lies before it.
 #[inline]
 pub fn mirrored<T: Real>(before: T, at: T) -> T {
     at + (at - before)

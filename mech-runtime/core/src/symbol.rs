@@ -72,14 +72,14 @@ pub enum Symbol<T, L = usize> {
     Spring {
         /// Its ends.
         ends: [Spot<T, L>; 2],
-        /// How many pixels to the left of the line between them it is drawn.
+        /// The distance at which it is drawn to the left of the line between them, in pixels.
         beside: f32,
     },
     /// A damper between two points.
     Damper {
         /// Its ends.
         ends: [Spot<T, L>; 2],
-        /// How many pixels to the left of the line between them it is drawn.
+        /// The distance at which it is drawn to the left of the line between them, in pixels.
         beside: f32,
     },
     /// A torsional spring at a joint.

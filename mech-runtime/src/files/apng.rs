@@ -134,7 +134,7 @@ impl<W: Write> Apng<W> {
             (Last::Rgba(before), Pixels::Rgba(now)) => {
                 let patch = Patch::of_change(before, now, width);
                 let pairs = || patch.of(before, width).zip(patch.of(now, width));
-                // What is clear would let the last frame shine through.
+                // A clear pixel would let the last frame shine through.
                 let is_in_frame =
                     |(before, now): (&[u8; 4], &[u8; 4])| before == now || now[3] == 255;
                 let tells_changes = pairs().all(is_in_frame);

@@ -194,7 +194,7 @@ where
     Ok(now)
 }
 
-/// What would stop the motion if it went on at these rates for so long: a loop that does not close, or the end of a range.
+/// Finds the stop of a motion that goes on at these rates for so long: a loop that does not close, or the end of a range.
 #[cold]
 fn reason<T, const I: usize, const M: usize, const L: usize, const K: usize>(
     now: &Simulated<T, I, M, L, K>,

@@ -123,7 +123,7 @@ impl<T: Scalar, const MOTORS: usize> Inertia<T, MOTORS> {
         for pivot in 0..MOTORS {
             let own = rows[pivot];
             let square = own[pivot] - products(&own[..pivot], &own[..pivot]);
-            // What rounding leaves of nothing is no mass.
+            // A square within rounding of zero is no mass.
             let least = <T as Real>::from_f64(16.0 * T::EPSILON) * self.matrix[pivot][pivot];
             let resists = square > least;
             if !resists {

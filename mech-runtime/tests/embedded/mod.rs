@@ -1,4 +1,4 @@
-//! What the bridge to embedded-graphics promises: see the documentation of `raster::embedded`.
+//! Tests of the bridge to embedded-graphics: see the documentation of `raster::embedded`.
 
 mod drawn_on;
 mod heap;

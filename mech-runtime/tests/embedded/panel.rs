@@ -11,10 +11,10 @@ pub(crate) const SIDE: usize = 240;
 pub(crate) struct Panel {
     pub(crate) pixels: Vec<[Rgb565; SIDE]>,
     corner: Point,
-    /// What was asked for: rectangles, and whatever came in pixels.
+    /// The areas that were asked for: rectangles, and areas that came in pixels.
     pub(crate) rectangles: Vec<Rectangle>,
     pub(crate) contiguous: Vec<Rectangle>,
-    /// How many calls succeed.
+    /// The number of calls that succeed.
     pub(crate) patience: usize,
 }
 

@@ -1,4 +1,4 @@
-//! What has changed, sent to a display.
+//! Changes that are sent to a display.
 
 use super::panel::{Panel, SIDE};
 use embedded_graphics::prelude::*;

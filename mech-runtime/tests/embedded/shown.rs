@@ -107,7 +107,7 @@ fn an_image_has_its_place() {
 }
 
 proptest! {
-    /// What is shown in part is that part of what is shown as a whole, and the rest is as it was.
+    /// A part that is shown looks as in the whole picture, and the rest is as it was.
     #[test]
     fn a_part(x in -300..300, y in -300..300, width in 0_u32..300, height in 0_u32..300, shape in any(-9.0..200.0)) {
         let mut frame = motley::<200, 260>();

@@ -29,7 +29,7 @@ fn shapes() -> [Any; 4] {
     ]
 }
 
-/// How many calls succeed, and what `finish` says then.
+/// Paints on a panel where so many calls succeed; returns it with the result of `finish`.
 fn paint(patience: usize) -> (Panel, Result<(), Failed>) {
     let mut panel = Panel::new();
     panel.patience = patience;
@@ -122,7 +122,7 @@ proptest! {
     }
 }
 
-/// What has more pixels than can be counted has a first place and a last.
+/// A display with more pixels than can be counted has a first place and a last.
 #[test]
 fn displays_without_end() {
     let corners = [i32::MIN, -1, 0, i32::MAX - 5, i32::MAX];

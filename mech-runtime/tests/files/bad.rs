@@ -1,4 +1,4 @@
-//! What cannot be a file is an error that says why, and leaves what was there.
+//! A picture that cannot be a file is an error that says why, and leaves the file as it was.
 
 use mech_runtime::files::{Apng, FileError, Gif, Picture};
 use mech_runtime::{Frame, Palette};

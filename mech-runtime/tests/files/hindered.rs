@@ -129,7 +129,7 @@ proptest! {
         }
     }
 
-    /// What is refused leaves no trace.
+    /// A picture that is refused leaves no trace.
     #[test]
     fn by_frames(
         (size, pictures) in films(any::<u8>()),

@@ -1,8 +1,8 @@
-//! What a viewer shows of a file.
+//! The frames that a viewer shows of a file.
 
 use std::io::Cursor;
 
-/// What is seen of an animation, frame by frame, as red, green, blue and opacity; and how long each.
+/// The frames of an animation as they are seen, in red, green, blue and opacity; and the time of each.
 pub(crate) type Film = Vec<(Vec<[u8; 4]>, u32)>;
 
 /// The frames of a GIF, put one over the other as its specification says; delays in hundredths of a second.

@@ -1,4 +1,4 @@
-//! What is painted on the heap looks as in an array, pixel for pixel.
+//! Pictures on the heap look like those in arrays, pixel for pixel.
 
 use crate::outlines::{Any, any as outline};
 use mech_runtime::{

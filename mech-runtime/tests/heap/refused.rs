@@ -6,7 +6,7 @@ use mech_runtime::{Canvas, HeapFrame, HeapSmooth, HeapStage, Outline, Palette, P
 
 const MOST: usize = 1 << 21;
 
-/// What all kinds of pictures say of a size.
+/// Returns the errors of all kinds of pictures of this size.
 fn refusals([width, height]: [usize; 2]) -> [Option<TooLarge>; 6] {
     [
         HeapFrame::new(width, height).err(),

@@ -1,4 +1,4 @@
-//! What is promised of pictures besides their pixels.
+//! Promises about pictures besides their pixels.
 
 use super::Arm;
 use core::mem::size_of;
@@ -86,7 +86,7 @@ fn a_picture_on_the_heap_is_a_value() {
     assert!(format!("{stage:?}").starts_with("Stage { frame: Frame<8, 6>"));
 }
 
-/// What the documentation says pictures take, but for a few words.
+/// Pictures take the space that the documentation says, but for a few words.
 #[test]
 fn pictures_take_what_is_said() {
     const WORDS: usize = 200;

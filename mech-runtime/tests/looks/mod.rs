@@ -1,4 +1,4 @@
-//! What shapes, letters, symbols and arrows look like, pixel for pixel: `looks/*.txt`, which somebody has looked at.
+//! The looks of shapes, letters, symbols and arrows, pixel for pixel: `looks/*.txt`, which somebody has looked at.
 //!
 //! The first line of a file says what it shows. `.` is the background, `o` what is within a symbol, `+` blue, and `#` everything else.
 //! After a picture was changed on purpose, `UPDATE_PICTURES=1` paints it anew: look at it.

@@ -7,7 +7,7 @@ use super::tape::{Outcome, Tape};
 use crate::program::{BlockId, Value};
 use std::collections::VecDeque;
 
-/// What is asked of a loop: its outputs in a cone.
+/// A question about a loop: its outputs in a cone.
 #[derive(Clone, Debug)]
 pub(crate) struct Question {
     /// The loop's block.
@@ -15,7 +15,7 @@ pub(crate) struct Question {
     /// The discriminant, and the floor below which rounding may push it.
     pub(crate) discriminant: Value,
     pub(crate) tolerance: Value,
-    /// What else is wanted where it closes.
+    /// The other values that are wanted where it closes.
     pub(crate) found: Vec<Value>,
 }
 
@@ -83,7 +83,7 @@ fn widest(place: &[Interval], ranges: &[Interval]) -> (usize, f64) {
         if !place.is_bounded() {
             f64::INFINITY
         } else if !range.is_bounded() {
-            // What is left of it between its ends: as wide as it is far.
+            // The part of the box in a range without ends: its width over its distance from zero.
             place.width() / (place.abs().high() + FIRST_PART)
         } else if range.width() > 0.0 {
             place.width() / range.width()

@@ -145,7 +145,7 @@ pub(crate) fn turned_along(
         .iter()
         .zip(&turns)
         .all(|(stays, turns)| *stays || *turns);
-    // What does both is nothing at all.
+    // A vector that both stays and turns is zero: it counts as one that stays.
     all.then(|| stays.into_iter().map(|stays| !stays).collect())
 }
 

@@ -1,10 +1,10 @@
-//! What has to hold for a program never to be blocked.
+//! The conditions under which a program is never blocked.
 
 use super::Interval;
 use crate::plan::Dyad;
 use crate::program::{AtZero, BlockId, Op, Program, Value, Watch};
 
-/// What must hold for a loop to close, by the values that tell.
+/// A condition for a loop to close, with the values that decide it.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Test {
     /// This slack is not less than zero by more than this floor.
@@ -14,7 +14,7 @@ pub(super) enum Test {
 }
 
 impl Test {
-    /// What it is made of.
+    /// Returns the values that decide it.
     pub(super) fn values(self) -> Vec<Value> {
         match self {
             Self::Discriminant(discriminant, tolerance) => vec![discriminant, tolerance],
@@ -52,7 +52,7 @@ impl Group {
     }
 }
 
-/// What must hold for the loops to close that do not hang on an iteration, in the order in which they are found.
+/// Returns the conditions for the loops to close that depend on no iteration, in the order in which these are found.
 pub(super) fn tests(program: &Program) -> Vec<(BlockId, Test)> {
     let mut hangs = vec![false; program.ssa.nodes.len()];
     for (index, node) in program.ssa.nodes.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! What some values of a program are made from, by itself: back to where the program is cut.
+//! Cones: the values from which a program makes some outputs, back to where the cone is cut.
 //!
 //! A program of many loops is proved loop by loop: what earlier loops find is taken to be anything at all, unless that is too
 //! little. So a proof costs no more in a long chain than in a short one.
@@ -8,14 +8,14 @@ use crate::plan::Solution;
 use crate::program::{ClosedForm, Node, Op, Program, Value};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What a cone is made from where it is cut.
+/// A variable of a cone: a value at which it is cut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Variable {
     /// An angle of which only sine and cosine are read.
     Angle(Value),
-    /// What a loop finds, both by number: a direction, taken as its angle, or a way.
+    /// An unknown that a loop finds, both by number: a direction, taken as its angle, or a displacement.
     Found(usize, usize),
-    /// What is given from outside: a motor's value or a param.
+    /// The value of a motor or of a param.
     Input(usize),
 }
 
@@ -28,7 +28,7 @@ pub(crate) struct Cone {
     pub(crate) outputs: Vec<Value>,
 }
 
-/// What a value is of a loop's unknown.
+/// The part of a loop's unknown that a value is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Share {
     Cos,
@@ -40,7 +40,7 @@ enum Share {
 #[derive(Clone, Debug)]
 pub(crate) struct Cutter<'p> {
     pub(crate) program: &'p Program,
-    /// What every value is at the start.
+    /// The values at the start.
     pub(crate) at_start: Vec<f64>,
     found: BTreeMap<Value, (usize, usize, Share)>,
 }
@@ -79,7 +79,7 @@ impl<'p> Cutter<'p> {
         for (number, solutions) in &program.solutions {
             for (index, solution) in solutions.iter().enumerate() {
                 let mut note = |value: Value, share| {
-                    // What is constant is so whatever the loop does, and what was there before the loop is not found by it.
+                    // A loop does not find a constant, nor a value that was there before the loop.
                     let before = starts.get(number).is_some_and(|start| value <= *start);
                     if !before && !matches!(program.node(value).op, Op::Constant(_)) {
                         found.entry(value).or_insert((*number, index, share));
@@ -101,7 +101,7 @@ impl<'p> Cutter<'p> {
         }
     }
 
-    /// What these values are made from.
+    /// Returns the cone of these outputs.
     pub(crate) fn cone(&self, outputs: &[Value], cuts: &Cuts<'_>) -> Cone {
         let mut needed: BTreeSet<Value> = BTreeSet::new();
         let mut waiting: BTreeSet<Value> = outputs.iter().copied().collect();
@@ -168,7 +168,7 @@ impl<'p> Cutter<'p> {
         }
     }
 
-    /// What a loop finds, both by number.
+    /// Returns an unknown that a loop finds, both by number.
     pub(crate) fn solution(&self, number: usize, index: usize) -> Option<Solution<Value>> {
         let (_, found) = self
             .program

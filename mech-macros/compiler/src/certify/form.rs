@@ -17,7 +17,6 @@ pub(super) struct Forms {
     parts: Vec<f64>,
 }
 
-/// What an operation is made from.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Operand {
     /// All its values.

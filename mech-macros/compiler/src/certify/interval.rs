@@ -62,7 +62,7 @@ impl Interval {
         self.high
     }
 
-    /// How far it reaches, rounded upwards.
+    /// Returns its width, rounded upwards.
     #[must_use]
     pub fn width(self) -> f64 {
         add_up(self.high, -self.low)
@@ -91,7 +91,7 @@ impl Interval {
         }
     }
 
-    /// What both intervals have in common; this one, if they have nothing in common.
+    /// Returns the intersection of both intervals; this one, if they have no number in common.
     #[must_use]
     pub fn meet(self, other: Self) -> Self {
         let (low, high) = (self.low.max(other.low), self.high.min(other.high));

@@ -13,7 +13,7 @@ pub(super) struct Line {
     width: f64,
 }
 
-/// What is looked for.
+/// The kind of places that is looked for on a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Ground {
     /// Where all loops close.
@@ -22,7 +22,7 @@ enum Ground {
     Blocked,
 }
 
-/// What was found on the way along a line.
+/// The result of a walk along a line.
 struct Walk {
     /// Up to here the motor has the ground that was looked for, except where it cannot be told (`open`).
     reached: f64,
@@ -118,7 +118,7 @@ impl Line {
                     break;
                 }
                 (Sight::BlockedInside(test), Ground::Free) => {
-                    // What lies beyond is of no interest any more.
+                    // Places beyond do not matter any more.
                     walk.wall = Some((middle, test));
                     waiting.clear();
                     if is_cut && !is_narrow(part) && !search.is_spent() {

@@ -34,7 +34,7 @@ use tape::Tape;
 /// More loops than this that carry their side are not tried with every side of each.
 const MOST_SIDES: usize = 4;
 
-/// What could be proved of a mechanism whose motors have ranges.
+/// The result of a proof about a mechanism whose motors have ranges.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
     /// Every loop closes wherever the motors are within their ranges. One that was declared to stop at its change points still does
@@ -80,7 +80,7 @@ pub struct Blocked {
     pub at: Vec<f64>,
     /// The motor that is moved to there, by its number, while all others have the values of that place.
     pub motor: usize,
-    /// How far this motor moves, coming from its start value: to the dead point.
+    /// The dead point: the value that this motor reaches, coming from its start value.
     pub limit: f64,
     /// The values of this motor, within its range, from this dead point to where the loop closes again, if it does: as far as
     /// that could be told.
@@ -114,7 +114,7 @@ pub fn certify_beside(program: &Program, ranges: &[Interval], free: &[BlockId]) 
         (Verdict::Proved { touching }, None) => {
             on_all_sides(program, &groups, &ranges, touching, &mut effort)
         }
-        // What blocks a loop before an iteration is certain all the same.
+        // A loop that is blocked before an iteration is certainly blocked.
         (verdict @ Verdict::Blocked(_), _) | (verdict, None) => verdict,
         (_, Some(block)) => Verdict::NoClosedForm { block },
     }

@@ -5,7 +5,7 @@ use super::tape::{Outcome, Tape};
 use super::{Interval, Verdict};
 use crate::program::{BlockId, Program};
 
-/// How many intervals may be computed for one verdict: that takes some hundredths of a second.
+/// The number of intervals that may be computed for one verdict: that takes some hundredths of a second.
 const BUDGET: usize = 800_000;
 
 /// The part of the budget for telling loops that only just close from loops that stay clear of dead points.
@@ -28,7 +28,7 @@ impl Share {
     }
 }
 
-/// What is seen on a box.
+/// The result of all tests on a box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sight {
     /// All loops close; whether all of them stay clear of rounding.

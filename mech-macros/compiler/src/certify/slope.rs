@@ -1,4 +1,4 @@
-//! How fast values of a cone change with its variables, on a box: by intervals, operation by operation.
+//! The partial derivatives of a cone's values by its variables, on a box: by intervals, operation by operation.
 
 use super::Interval;
 use super::cone::Cone;
@@ -46,7 +46,7 @@ impl<'c> Slopes<'c> {
         self.values[value.index()]
     }
 
-    /// How fast a value changes with a variable.
+    /// Returns the partial derivative of a value by a variable.
     pub(crate) fn slope(&self, value: Value, variable: usize) -> Interval {
         self.rates[variable][value.index()]
     }
@@ -61,7 +61,7 @@ fn times(a: Interval, b: Interval) -> Interval {
     }
 }
 
-/// How fast the result of an operation changes, if its operands change so fast.
+/// Returns the derivative of an operation's result, from those of its operands.
 fn slope(op: Op, values: &[Interval], result: Interval, slopes: &[Interval]) -> Interval {
     let value = |a: Value| values[a.index()];
     let rate = |a: Value| slopes[a.index()];

@@ -9,7 +9,7 @@ use crate::program::{BlockId, Node, Op, Program, Slot, Value};
 /// A program whose single run costs more is not proved at all.
 const MOST: usize = 100_000;
 
-/// What is known about a test on a box.
+/// The result of a test on a box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Outcome {
     /// It passes everywhere, by more than rounding.
@@ -27,7 +27,7 @@ pub(super) enum Outcome {
 pub(super) struct Tape<'p> {
     nodes: &'p [Node],
     motors: usize,
-    /// What depends on motors, in order; all other values are known once and for all.
+    /// The values that depend on motors, in order; all others are known once and for all.
     moving: Vec<Value>,
     tests: Vec<(BlockId, Test)>,
     /// Which values are directions, whatever they are made from.
@@ -162,7 +162,7 @@ impl<'p> Tape<'p> {
         self.values[value.index()]
     }
 
-    /// How many tests there are.
+    /// Returns the number of tests.
     pub(super) fn tests(&self) -> usize {
         self.tests.len()
     }
@@ -172,12 +172,12 @@ impl<'p> Tape<'p> {
         self.tests.get(test).map(|(block, _)| *block)
     }
 
-    /// How many intervals were computed so far.
+    /// Returns the number of intervals that were computed so far.
     pub(super) fn evaluations(&self) -> usize {
         self.evaluations
     }
 
-    /// How many numbers are found in one run, a part of a form for a sixteenth of an interval.
+    /// Returns the cost of one run, in intervals: a part of a form counts as a sixteenth of one.
     pub(super) fn cost(&self) -> usize {
         let steps = self.moving.len();
         steps * (4 + (self.motors + steps / 2) / 16)
@@ -379,12 +379,12 @@ impl<'p> Tape<'p> {
         })
     }
 
-    /// What is known about a test on the box on which it was run last.
+    /// Returns the result of a test on the box on which it was run last.
     pub(super) fn on_box(&self, test: usize) -> Outcome {
         self.outcome(test, &self.values)
     }
 
-    /// What is known about a test at the middle of that box.
+    /// Returns the result of a test at the middle of that box.
     pub(super) fn at_centre(&self, test: usize) -> Outcome {
         self.outcome(test, &self.middles)
     }
@@ -443,7 +443,7 @@ impl<'p> Tape<'p> {
 
 #[cfg(test)]
 impl Tape<'_> {
-    /// What every step gave, and what its form alone says.
+    /// Returns the interval of each step, and that from its form alone.
     pub(super) fn all(&self) -> Vec<(Interval, Interval)> {
         let ranges =
             |(step, value): (usize, &Value)| (self.values[value.index()], self.forms.range(step));

@@ -5,7 +5,7 @@ use crate::model::{LinkId, Model, Near, Origin, StartValue};
 use crate::plan::{self, Plan};
 use crate::structure::{Diagnosis, Structure};
 
-/// How far from the start it is assembled: in radians, and for slides as a part of the mechanism's size.
+/// The distance from the start at which it is assembled: in radians, and for slides as a part of the mechanism's size.
 const DISTANCE: f64 = 0.02;
 
 /// A plan beside the start; none if the start is not a change point but a dead point, beyond which the mechanism cannot move.

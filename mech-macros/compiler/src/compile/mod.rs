@@ -119,7 +119,7 @@ fn saved_cost(model: &Model, plan: &Plan, program: &Program, choices: &[Choice])
     (!all_needed || saved != Cost::default()).then_some(saved)
 }
 
-/// How far a mechanism is examined.
+/// The depth to which a mechanism is examined.
 #[derive(Clone, Copy, PartialEq)]
 enum Depth {
     /// At its start.
@@ -133,7 +133,7 @@ struct Coherent {
     structure: Structure,
     plan: Plan,
     program: Program,
-    /// How each loop of the plan is solved and watched.
+    /// The choice for each loop of the plan.
     choices: Vec<Choice>,
     prediction: Option<Prediction>,
 }

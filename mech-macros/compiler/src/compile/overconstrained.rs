@@ -42,7 +42,7 @@ pub(super) fn assemble(model: &Model) -> Option<Overconstrained> {
             redundant: true,
             ..model.allow
         },
-        // What is not shown must close too.
+        // Links that are not shown must close too.
         show: None,
         ..model.clone()
     };
@@ -105,7 +105,7 @@ pub(super) fn assemble(model: &Model) -> Option<Overconstrained> {
     })
 }
 
-/// What became of a displacement.
+/// The outcome of a displacement.
 #[derive(Clone, Copy, PartialEq)]
 enum Outcome {
     /// The motor went there.
@@ -183,7 +183,7 @@ fn all_move(model: &Model, program: &Program, displacement: f64) -> bool {
     machine.move_to(&motors).is_ok()
 }
 
-/// How much the two parts that roll on each other have slipped from one scene to another, as a part of their size.
+/// Returns the slip of the two parts that roll on each other, from one scene to another, as a part of their size.
 fn slip(rolling: &Rolling, start: &LinkFrames<'_>, now: &LinkFrames<'_>) -> f64 {
     let sizes = rolling.ends.map(|(_, factor)| size(factor).abs());
     let moved = moved(rolling, start, now);

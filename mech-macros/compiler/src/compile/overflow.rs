@@ -6,7 +6,7 @@ use crate::model::{Model, MotorId, Precision};
 use crate::program::{Program, Real, Results, build_timing};
 use crate::structure::{Diagnosis, Extreme};
 
-/// What is wrong if a program computes with numbers, or has forces at the start, that its scalar type does not hold.
+/// Finds numbers of a program, or forces at the start, that its scalar type does not hold.
 pub(super) fn overflow(model: &Model, compiled: &Compiled) -> Option<Diagnosis> {
     let derived = [
         &compiled.moving,

@@ -1,4 +1,4 @@
-//! What a position costs: the operations of a program, counted, and weighed for a machine.
+//! The cost of a position: the operations of a program, counted, and weighed for a machine.
 
 use crate::model::{Precision, Target, in_32_bits};
 use crate::program::{Block, BlockId, BlockKind, Newton, Op, Program, Rounds, Value};

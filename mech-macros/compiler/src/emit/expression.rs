@@ -1,4 +1,4 @@
-//! What is drawn, as expressions.
+//! Expressions of generated code for outlines and symbols.
 
 use super::emitter::Emitter;
 use super::tokens::integer;
@@ -8,7 +8,7 @@ use crate::symbols::Spot;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// What is written as an expression of generated code.
+/// Data that can be written as an expression of generated code.
 pub(super) trait Expression {
     fn expression(&self, emitter: &Emitter<'_>) -> TokenStream;
 }

@@ -22,7 +22,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
         ..
     } = emitter;
     let reduced_range = emitter.number(reduced_range(program, &emitter.compiled.plan));
-    // What the vector unit of any x86-64 holds in a few registers; more lanes spill.
+    // So many numbers fill a few vector registers of any x86-64; with more lanes, registers spill.
     let lanes = integer(match program.precision {
         Precision::F32 => 8,
         Precision::F64 => 4,

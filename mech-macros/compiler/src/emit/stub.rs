@@ -223,7 +223,7 @@ impl Stub<'_> {
         trees.collect()
     }
 
-    /// What a word of the table stands for.
+    /// Returns the tokens for a word of the table.
     fn meaning(&self, word: &Ident, part: Option<&Part>) -> TokenStream {
         let (krate, model) = (self.krate, &self.parsed.model);
         let count = |count: usize| integer(count).into_token_stream();

@@ -141,7 +141,7 @@ fn camel_case(path: &str) -> String {
     words.map(capital).collect()
 }
 
-/// What a view is taken from.
+/// The type from which a view is taken.
 enum Holder {
     Mechanism,
     View,

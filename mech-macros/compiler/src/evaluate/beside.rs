@@ -13,7 +13,7 @@ pub(super) trait Interpolated<T>: Sized {
     fn interpolate(nodes: &[Self; NODES], by: &mut impl FnMut([T; NODES]) -> T) -> Self;
 }
 
-/// What is computed at a position: beside a change point its limit, if it has one.
+/// Computes rates or forces at a position: beside a change point their limit, if they have one.
 pub(super) fn limit<T: Real, R: Interpolated<T>>(
     runner: &Runner<'_, T>,
     here: &Position<T>,

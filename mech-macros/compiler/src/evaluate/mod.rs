@@ -91,7 +91,7 @@ impl<'p, T: Real> Machine<'p, T> {
         self.runner.left.set(operations);
     }
 
-    /// How many operations of these are left.
+    /// Returns the number of operations that it may still make.
     pub(crate) fn left(&self) -> usize {
         self.runner.left.get()
     }

@@ -26,22 +26,22 @@ pub(super) struct MotionInputs<'g, T> {
 pub(super) struct Runner<'p, T: Real> {
     pub(super) program: &'p Program,
     prepared: Cow<'p, Prepared<T>>,
-    /// How many operations it may still make.
+    /// The number of operations that it may still make.
     pub(super) left: Cell<usize>,
     /// The values of the last step, the constants among them, to be used again.
     values: RefCell<Vec<T>>,
 }
 
-/// What is made once of a program so that it can be run.
+/// The data that are made once of a program so that it can be run.
 #[derive(Clone, Debug)]
 pub struct Prepared<T> {
     /// For each node its value if that is a constant, else zero.
     constants: Vec<T>,
-    /// What is computed once, constants apart, in order.
+    /// The operations that are computed once, without constants, in order.
     steps: Vec<Step>,
     /// The number of steps up to the last that positions need: rates and forces stand behind it.
     of_position: usize,
-    /// What each block computes anew in every round of its iteration.
+    /// The operations that each block repeats in every round of its iteration.
     rounds: Vec<Vec<Step>>,
 }
 
@@ -187,7 +187,7 @@ impl<'p, T: Real> Runner<'p, T> {
         given: MotionInputs<'_, T>,
     ) -> Result<Vec<T>, Stop> {
         let values = self.values(at, (&at.motors, &at.turns), given);
-        // What closed where it is and does not once more is at its limit.
+        // A loop that closed where it is, and does not once more, is at its limit.
         let values = values.map_err(|stop| match stop {
             Stop::Open(block) | Stop::DeadPoint(block) => Stop::Singular(self.number(block)),
             other => other,

@@ -67,7 +67,7 @@ impl Import {
         }
     }
 
-    /// What is wrong with the path; none if it is a path.
+    /// Returns the fault of the path; none if it is a path.
     #[must_use]
     pub fn fault(&self) -> Option<Message> {
         const ROOTS: [&str; 4] = ["crate", "$crate", "self", "super"];
@@ -128,7 +128,7 @@ fn ends(tree: &TokenTree) -> bool {
     }
 }
 
-/// How many tokens the path of Rust has that stands before a `;`. A single word is one, too: a macro in scope.
+/// Returns the number of tokens of the Rust path before a `;`. A single word is one, too: a macro in scope.
 fn length_of_path(trees: &[TokenTree]) -> Option<usize> {
     let length = trees.iter().position(|tree| match tree {
         TokenTree::Punct(mark) => mark.as_char() != ':' && mark.as_char() != '$',

@@ -62,7 +62,7 @@ fn stub(krate: &TokenStream, body: TokenStream) -> TokenStream {
     })
 }
 
-/// What remains of a text beside an import and all that follow it.
+/// Returns a text without an import and the imports after it.
 fn without_imports(import: Import) -> TokenStream {
     let mut text = import.others;
     while let Some(next) = Import::first(&text) {

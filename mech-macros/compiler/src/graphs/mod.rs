@@ -25,7 +25,7 @@ pub struct Graph {
 /// A vertex.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Vertex {
-    /// What it stands for.
+    /// Its kind.
     pub kind: VertexKind,
     /// Its name.
     pub name: String,
@@ -35,7 +35,7 @@ pub struct Vertex {
     pub level: usize,
 }
 
-/// What a vertex stands for.
+/// The kind of a vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum VertexKind {
     /// The fixed link.
@@ -55,7 +55,7 @@ pub struct Edge {
     pub from: usize,
     /// The index of the vertex at which it ends.
     pub to: usize,
-    /// What it stands for.
+    /// Its kind.
     pub kind: EdgeKind,
     /// The names of its joints.
     pub name: String,
@@ -65,7 +65,7 @@ pub struct Edge {
     pub motor: bool,
 }
 
-/// What an edge stands for.
+/// The kind of an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EdgeKind {
     /// A joint that belongs to a loop.

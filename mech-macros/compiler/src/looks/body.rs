@@ -16,8 +16,8 @@ use std::f64::consts::TAU;
 
 /// A link of a single pin is a disc, of this radius in widths of a bar.
 const DISC: f64 = 0.9;
-/// How far the lighter inset of a plate is from the plate's middle lines, in widths of a bar. An inset smaller than the second number, as
-/// a part of the plate, is left out.
+/// The distance of the lighter inset of a plate from the plate's middle lines, in widths of a bar. An inset smaller than the second number,
+/// as a part of the plate, is left out.
 const INSET: f64 = 0.75;
 const LEAST_INSET: f64 = 0.3;
 /// A block: half its length and half its height; a slot: how wide it is, and its cheeks.
@@ -31,7 +31,7 @@ const MOTOR: [f64; 2] = [0.48, 0.38];
 /// A named point without a joint.
 const POINT: f64 = 0.2;
 
-/// How a link of three or more pins looks.
+/// The form of a link with three or more pins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
     /// A plate that fills the corners between its pins.
@@ -44,7 +44,7 @@ pub(super) enum Form {
 #[derive(Clone, Default)]
 pub(super) struct Body {
     pub(super) outlines: Vec<(Outline, u8)>,
-    /// What is painted above all bodies of its plane: eyes, marks.
+    /// The outlines above all bodies of its plane, such as eyes and marks.
     pub(super) top: Vec<(Outline, u8)>,
     pub(super) footprint: Footprint,
     /// The nearest plane of the link's own shapes.
@@ -352,7 +352,7 @@ impl Builder<'_, '_> {
         has_racks
     }
 
-    /// What slides: blocks and piston rods.
+    /// Adds the blocks and piston rods.
     fn blocks(&mut self) {
         for slide in self.slides(false) {
             let line = self.scene.model.axis(slide.block);

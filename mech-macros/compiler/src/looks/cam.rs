@@ -14,7 +14,7 @@ const ROLLER: f64 = 0.6;
 /// A disc that is thinner somewhere, in widths of a bar, is not drawn.
 const THINNEST: f64 = 0.7;
 
-/// What a cam looks like: the disc, and the roller that runs on it, each on its link.
+/// The body of a cam: the disc, and the roller that runs on it, each on its link.
 pub(super) struct CamBody {
     pub(super) disc: (LinkId, Vec<Place>),
     pub(super) roller: (LinkId, Point2<f64>, f64),

@@ -7,11 +7,11 @@ use nalgebra::{Point2, Vector2};
 
 /// A pin that is so near to the line of a slide is on it, in widths of a bar.
 const ON_LINE: f64 = 0.05;
-/// What is left between barrel and pin at the shortest, in widths of a bar.
+/// The least distance between barrel and pin, in widths of a bar.
 const CLEAR: f64 = 1.2;
 /// The least part of the distance of both pins at the start that the barrel takes.
 const LEAST: f64 = 0.45;
-/// How much of the rod stays in the barrel.
+/// The length of the rod that stays in the barrel, in widths of a bar.
 const HELD: f64 = 1.0;
 
 /// Where the parts of a cylinder begin and end: the barrel along the line of its link, the rod along that of its own.
@@ -59,7 +59,7 @@ impl Scene<'_> {
         })
     }
 
-    /// How far along a line of a link its joints are, if all are in one place on it.
+    /// Returns the place of a link's joints along a line of it, if all are at one place on the line.
     fn only_on(&self, link: LinkId, line: crate::model::AxisId) -> Option<f64> {
         let line = self.model.axis(line);
         let (at, along) = (Point2::from(line.at), Vector2::from(line.direction));

@@ -3,7 +3,7 @@
 use super::hull::{depth, distance_to};
 use nalgebra::Point2;
 
-/// What a link covers, in its own frame.
+/// The area that a link covers, in its own frame.
 #[derive(Clone, Default)]
 pub(super) struct Footprint {
     /// Bars: their middle lines, and half their width.

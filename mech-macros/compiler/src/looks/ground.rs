@@ -1,4 +1,4 @@
-//! What the ground looks like: stands under fixed pivots, and rails under what slides.
+//! The body of the ground: stands under fixed pivots, and rails under blocks.
 
 use super::outline::{Outline, fixed};
 use super::scene::Scene;
@@ -21,7 +21,7 @@ const THICK: f64 = 0.24;
 const STEP: f64 = 0.9;
 const STROKE: f64 = 0.75;
 const THIN: f64 = 0.26;
-/// How wide a rail is with its hatching, in widths of a bar.
+/// The width of a rail with its hatching, in widths of a bar.
 pub(super) const RAIL: f64 = THICK + STROKE;
 /// A rail goes so much farther than the block at each end.
 const BEYOND: f64 = 1.7;
@@ -29,7 +29,7 @@ const BEYOND: f64 = 1.7;
 const ABOVE: f64 = 0.95;
 /// The rails of a slot are so far from the middle of its pin.
 const BESIDE_PIN: f64 = 0.4;
-/// What moves about a pivot counts as below it if its mean height is below the pivot by this part of its mean distance.
+/// Mounts that move about a pivot count as below it if their mean height is below the pivot by this part of their mean distance.
 const BELOW: f64 = 0.3;
 
 /// A fixed pivot that is to have a stand.

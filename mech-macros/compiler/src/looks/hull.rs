@@ -44,7 +44,7 @@ fn is_thin(points: &[Point2<f64>], corners: &[usize], width: f64) -> bool {
         < width
 }
 
-/// How far corners are from the line through two of them, at most.
+/// Returns the greatest distance of corners from the line through two of them.
 fn breadth(points: &[Point2<f64>], corners: &[usize], a: usize, b: usize) -> f64 {
     let along = points[b] - points[a];
     let length = along.norm().max(f64::MIN_POSITIVE);
@@ -54,7 +54,7 @@ fn breadth(points: &[Point2<f64>], corners: &[usize], a: usize, b: usize) -> f64
     away.fold(0.0, f64::max) / length
 }
 
-/// How far a point is within a convex polygon whose corners are counter-clockwise; negative outside of it.
+/// Returns the distance of a point from the edge of a convex polygon with counter-clockwise corners; negative outside of it.
 pub(super) fn depth(corners: &[Point2<f64>], point: Point2<f64>) -> f64 {
     let edges = corners.iter().zip(corners.iter().cycle().skip(1));
     let depths = edges.map(|(a, b)| {

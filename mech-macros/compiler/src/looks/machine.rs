@@ -22,7 +22,7 @@ const GROUND_PLANE: i32 = 0;
 const FIRST_PLANE: i32 = 2;
 /// A pixel of the symbols of springs and dampers, in widths of a bar.
 const PIXEL: f64 = 0.12;
-/// What a spring is fixed to on the ground: a disc of this radius, in widths of a bar.
+/// The disc on the ground to which a spring is fixed: its radius, in widths of a bar.
 const ANCHOR: f64 = 0.7;
 
 /// The outlines of the ground and of all links, and the symbols of what stretches between links. Of a link whose shapes are its body,
@@ -84,7 +84,7 @@ impl Arrangement {
         }
     }
 
-    /// How each link looks if plates that cross a pin are branches instead.
+    /// Returns the form of each link if plates that cross a pin become branches.
     fn forms_of_branches(&self) -> impl Iterator<Item = Form> {
         let pairs = self.bodies.iter().zip(&self.order.conflicts);
         pairs.map(|(body, &conflicts)| {
@@ -145,7 +145,7 @@ impl Arrangement {
     }
 }
 
-/// What bodies are made from.
+/// The data from which bodies are made.
 struct Wardrobe<'a, 's> {
     scene: &'a Scene<'s>,
     wheels: &'a Wheels,
@@ -238,7 +238,7 @@ fn ground(scene: &Scene<'_>, wheels: &Wheels, elastic: Option<&Symbols>) -> Vec<
     painted(LinkId::GROUND, GROUND_PLANE, outlines).collect()
 }
 
-/// What springs and dampers on the ground are fixed to.
+/// Returns the discs on the ground to which springs and dampers are fixed.
 fn anchors(scene: &Scene<'_>, elastic: Option<&Symbols>) -> Vec<(Outline, u8)> {
     let Some(Symbols::Elastic { symbols, .. }) = elastic else {
         return Vec::new();

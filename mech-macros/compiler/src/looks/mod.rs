@@ -1,4 +1,4 @@
-//! What a mechanism looks like: declared shapes, and bodies for links that declare none.
+//! The outlines and symbols of a mechanism: declared shapes, and bodies for links that declare none.
 //!
 //! `machine` gives every link a body that is made from what it carries. All outlines are constants of the generated code; only springs
 //! and dampers are painted anew in each position.
@@ -35,13 +35,13 @@ use wheel::Wheels;
 /// A spring or damper may reach so many pixels beyond its ends.
 const BESIDE_PIXELS: f64 = 18.0;
 
-/// What is painted of a mechanism.
+/// The outlines and symbols that are painted of a mechanism.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Looks {
     /// The outlines of the ground and of all links whose poses are known, from the plane farthest from the eye to the nearest. Within
     /// a plane the ground's come first, then those of each link, in the order of declaration.
     pub painted: Vec<Painted>,
-    /// What is painted over them anew in each position: symbols of a size in scene units.
+    /// The symbols that are painted over them anew in each position, of a size in scene units.
     pub symbols: Option<Symbols>,
 }
 
@@ -54,7 +54,7 @@ pub enum Symbols {
     Elastic {
         /// The symbols.
         symbols: Vec<Symbol>,
-        /// How large a pixel of theirs is, in scene units.
+        /// The size of one of their pixels, in scene units.
         unit: f64,
     },
 }
@@ -99,7 +99,7 @@ impl Looks {
     }
 }
 
-/// What a coherent mechanism looks like.
+/// Finds the outlines and symbols of a coherent mechanism.
 #[must_use]
 pub fn looks(model: &Model, compiled: &Compiled) -> Looks {
     let look = model.look();
@@ -112,7 +112,7 @@ pub fn looks(model: &Model, compiled: &Compiled) -> Looks {
     let has_figures = shapes
         .iter()
         .any(|(_, shape)| matches!(shape.kind, ShapeKind::Figure(_)));
-    // What depends on how the mechanism moves.
+    // The scene depends on how the mechanism moves.
     let scene = (look == Look::Machine || has_figures).then(|| Scene::new(model, compiled));
     let scene = scene.as_ref().map(|scene| (scene, Wheels::new(scene)));
     let outlines = shapes

@@ -9,7 +9,7 @@ pub(super) fn fixed(place: [f64; 2]) -> Place {
     place.map(Measure::fixed)
 }
 
-/// What is filled, in the frame of a link.
+/// An outline that is filled, in the frame of a link.
 pub type Outline = mech_core::Outline<Measure, Points>;
 
 /// A list of points.
@@ -67,7 +67,7 @@ pub struct Toothed {
     pub center: [f64; 2],
     /// The corners of the first tooth, counter-clockwise around the centre, and as seen from it.
     pub tooth: Vec<[f64; 2]>,
-    /// How many teeth.
+    /// The number of teeth.
     pub count: u32,
     /// The radius of the ring that has its teeth inside; none of a wheel.
     pub rim: Option<f64>,
@@ -137,7 +137,7 @@ pub(super) fn rounded(outline: &Outline, grid: Grid) -> Outline {
 /// Numbers with so many digits that nobody sees what was rounded off.
 #[derive(Clone, Copy)]
 pub(super) struct Grid {
-    /// How many numbers there are from one whole number to the next: a power of ten.
+    /// The number of steps from one whole number to the next: a power of ten.
     fineness: f64,
 }
 
@@ -161,7 +161,7 @@ pub struct Painted {
     pub link: LinkId,
     /// The plane it lies in: greater is nearer to the eye.
     pub plane: i32,
-    /// What is filled.
+    /// The outline.
     pub outline: Outline,
     /// Its entry in the palette.
     pub color: u8,

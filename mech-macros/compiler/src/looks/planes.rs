@@ -55,7 +55,7 @@ pub(super) struct Order {
     pub(super) conflicts: Vec<usize>,
 }
 
-/// What the order has to respect.
+/// The rules that the order has to respect.
 struct Rules {
     /// For each pin with something in its way: the bodies that it joins, and whether it is fixed to the ground.
     pins: Vec<(Vec<usize>, bool)>,
@@ -141,7 +141,7 @@ impl Rules {
         rules
     }
 
-    /// How many pins a link crosses that it does not carry.
+    /// Counts the pins that a link crosses and does not carry.
     fn crossings_of(&self, link: usize, ranks: &[usize]) -> usize {
         let crossings = self.crossings.iter().map(|(crossing, _)| *crossing);
         let own = crossings.filter(|crossing| crossing.link == link);
@@ -167,12 +167,12 @@ impl Rules {
         self.crossed(ranks, &self.crossings_with[link]) + behind(ranks, pairs)
     }
 
-    /// What is wrong with an order.
+    /// Returns the weight of all faults of an order.
     fn faults(&self, ranks: &[usize]) -> usize {
         self.crossed(ranks, &self.crossings) + behind(ranks, self.pairs.iter())
     }
 
-    /// What the crossings weigh that an order leaves, of some.
+    /// Returns the total weight of these crossings, as far as an order leaves them.
     fn crossed(&self, ranks: &[usize], some: &[(Crossing, usize)]) -> usize {
         let crossed = some.iter();
         let crossed = crossed.filter(|(crossing, _)| self.is_crossed(*crossing, ranks));

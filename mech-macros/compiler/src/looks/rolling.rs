@@ -1,4 +1,4 @@
-//! What wheels, racks and belts look like.
+//! The bodies of wheels, racks and belts.
 
 use super::outline::{Outline, Toothed, fixed};
 use super::scene::Scene;
@@ -17,11 +17,11 @@ const HUB: f64 = 1.0;
 const MOST_HUB: f64 = 0.45;
 /// A wheel whose web would be narrower, in widths of a bar, has none.
 const LEAST_WEB: f64 = 1.8;
-/// How thick a ring is outside its teeth, in modules.
+/// The thickness of a ring outside its teeth, in modules.
 const RIM: f64 = 3.0;
 /// The groove of a pulley, as a part of its radius.
 const GROOVE: f64 = 0.9;
-/// How thick a belt is, in widths of a bar.
+/// The thickness of a belt, in widths of a bar.
 const BELT: f64 = 0.3;
 /// The back of a rack below its teeth, in modules.
 const BACK: f64 = 2.4;
@@ -113,7 +113,7 @@ pub(super) fn rack(
     let out = Vector2::new(along.y, -along.x) * rack.radius.signum();
     let center = start.frame(pinion_link)? * pinion.center;
     let pitch_point = center + out * pinion.radius;
-    // How far beyond a tooth of the pinion the pitch point is, in teeth: a gap of the rack is there.
+    // The distance of the pitch point beyond a tooth of the pinion, in teeth: a gap of the rack is there.
     let turned = start.frame(pinion_link)?.rotation.angle() + pinion.phase;
     let beyond = (angle(out) - turned) / TAU * f64::from(pinion.teeth?);
     let forwards = rack.radius.signum();

@@ -1,4 +1,4 @@
-//! What is known of a mechanism when its links are given bodies.
+//! The scene: a mechanism, its motion and the width of its bars, from which its links get bodies.
 
 use super::cover::covers;
 use super::slide::Slide;
@@ -137,13 +137,13 @@ impl<'a> Scene<'a> {
         [slide.guide, other].map(|axis| self.model.axis(axis).link)
     }
 
-    /// How far along its guide the block of a slide comes, seen from the guide's origin.
+    /// Returns the least and greatest place of a slide's block along its guide, from the guide's origin.
     pub(super) fn travel(&self, slide: Slide) -> Option<[f64; 2]> {
         self.survey.range(|frames| frames.travel(self.model, slide))
     }
 }
 
-/// What is fixed to each link: pins and welds, then named points.
+/// Returns the mounts of each link: pins and welds, then named points.
 fn mounts(model: &Model, structure: &Structure) -> Vec<Vec<Mount>> {
     let pins = structure.pins.iter().flat_map(|pin| &pin.members);
     let pins = pins.map(|member| member.1);

@@ -11,7 +11,7 @@ use nalgebra::{Isometry2, Point2, Vector2};
 use std::f64::consts::{PI, TAU};
 use std::rc::Rc;
 
-/// How many operations all positions may cost if each takes one step, and if moves go in pieces.
+/// The number of operations that all positions may cost if each takes one step, and if moves go in pieces.
 const BUDGET: usize = 400_000;
 const BUDGET_OF_PIECES: usize = 1_600_000;
 /// So many positions a sweep may cost whose moves need pieces.
@@ -67,13 +67,13 @@ impl Frames {
         Some(self.frame(axis.link)? * Vector2::from(axis.direction))
     }
 
-    /// How far a place is along a line, seen from the line's origin.
+    /// Returns the distance of a place along a line, from the line's origin.
     pub(super) fn along(&self, model: &Model, line: AxisId, place: Point2<f64>) -> Option<f64> {
         let offset = place - self.place(model, line)?;
         Some(offset.dot(&self.direction(model, line)?))
     }
 
-    /// How far along its guide the block of a slide is, seen from the guide's origin.
+    /// Returns the distance of a slide's block along its guide, from the guide's origin.
     pub(super) fn travel(&self, model: &Model, slide: Slide) -> Option<f64> {
         let place = self.place(model, slide.pin.unwrap_or(slide.block))?;
         self.along(model, slide.guide, place)
@@ -88,7 +88,7 @@ pub(super) struct Survey {
 impl Survey {
     /// Moves a mechanism with these slides as its motors can move it.
     pub(super) fn new(model: &Model, plan: &Plan, program: &Program, slides: &[Slide]) -> Self {
-        // What has all its axes in one place is drawn as if it were so large.
+        // A mechanism with all its axes in one place is drawn as if its size were 1.
         let size = Some(model.size()).filter(|size| *size > 0.0);
         let size = size.unwrap_or(1.0);
         let mut surveyor = Surveyor::new(model, program, (slides, size));
@@ -149,7 +149,6 @@ struct Surveyor<'a> {
     program: &'a Program,
     slides: &'a [Slide],
     walker: Walker<'a>,
-    /// How large the mechanism is.
     size: f64,
     /// From where to where each motor goes: as it is declared, or alone from the start. What can be turned for ever has no ends.
     ranges: Vec<[f64; 2]>,

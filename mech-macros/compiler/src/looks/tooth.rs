@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 /// The angle at which flanks press on each other at the pitch circle, in degrees.
 const PRESSURE_ANGLE: f64 = 25.0;
-/// How far teeth stand out from the pitch circle, and how deep gaps are, in modules.
+/// The height of teeth above the pitch circle, and the depth of gaps below it, in modules.
 const ADDENDUM: f64 = 0.7;
 const DEDENDUM: f64 = 0.9;
 /// The part of a tooth's width that is left free between meshing teeth.
@@ -14,7 +14,7 @@ const CORNERS: u32 = 5;
 /// A tooth is at least this part of its width at the pitch circle wide at its tip.
 const TIP: f64 = 0.2;
 
-/// What a tooth belongs to.
+/// The kind of wheel that a tooth belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Side {
     /// A wheel with its teeth outside.

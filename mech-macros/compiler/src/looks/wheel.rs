@@ -28,7 +28,7 @@ pub(super) struct Wheel {
     pub(super) center: Point2<f64>,
     /// Its pitch radius, in scene units.
     pub(super) radius: f64,
-    /// How many teeth it has; none if it is smooth.
+    /// The number of teeth; none if it is smooth.
     pub(super) teeth: Option<u32>,
     pub(super) side: Side,
     /// The direction of its first tooth in the frame of the link.
@@ -86,7 +86,7 @@ impl Wheels {
             meshes: Vec::new(),
         };
         for rolling in &scene.structure.rollings {
-            // What has no pose is not drawn.
+            // Wheels of links without poses are not drawn.
             let _ = wheels.add(scene, rolling);
         }
         // A rack's teeth are as large as those of the wheels with which its pinion meshes.

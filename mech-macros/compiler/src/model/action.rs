@@ -1,4 +1,4 @@
-//! What acts on links: gravity, springs, dampers and loads.
+//! The actions on links: gravity, springs, dampers and loads.
 
 use super::{AxisId, JointId, LinkId, Origin};
 
@@ -15,7 +15,7 @@ pub struct Actions {
     pub loads: Vec<Load>,
 }
 
-/// What a spring or a damper lies between.
+/// The ends of a spring or a damper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Between {
     /// Two points of different links: it pulls and pushes along the line between them.
@@ -31,7 +31,7 @@ pub struct Spring {
     pub name: String,
     /// Where its name was declared.
     pub origin: Origin,
-    /// What it lies between.
+    /// Its ends.
     pub between: Between,
     /// Force a unit of length, or torque a radian; not negative.
     pub stiffness: f64,
@@ -46,7 +46,7 @@ pub struct Damper {
     pub name: String,
     /// Where its name was declared.
     pub origin: Origin,
-    /// What it lies between.
+    /// Its ends.
     pub between: Between,
     /// Force a unit of the rate of its length, or torque a unit of angular velocity; not negative.
     pub damping: f64,
@@ -59,11 +59,11 @@ pub struct Load {
     pub name: String,
     /// Where its name was declared.
     pub origin: Origin,
-    /// What it acts on.
+    /// Its kind, with the point or link on which it acts.
     pub kind: LoadKind,
 }
 
-/// What a load acts on.
+/// The kind of a load, with the point or link on which it acts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LoadKind {
     /// A force at a point, in the directions of the scene.
@@ -73,7 +73,7 @@ pub enum LoadKind {
 }
 
 impl LoadKind {
-    /// How many numbers it has.
+    /// Returns the number of its components.
     #[must_use]
     pub fn numbers(self) -> usize {
         match self {
@@ -84,7 +84,7 @@ impl LoadKind {
 }
 
 impl Actions {
-    /// What the numbers of all loads are called.
+    /// Returns the names of the components of all loads.
     #[must_use]
     pub fn load_names(&self) -> Vec<String> {
         let names = |load: &Load| match load.kind {

@@ -1,4 +1,4 @@
-//! What the drawing fixes to links: axes that no text names.
+//! Axes that the drawing fixes to links and no text names.
 
 use super::{Axis, AxisId, AxisKind, FormulaId, JointKind, LinkId, Model, Origin};
 

@@ -1,4 +1,4 @@
-//! What is computed beyond positions.
+//! The effects: results beyond positions.
 
 /// The effects that were asked for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -17,7 +17,7 @@ pub struct Effects {
     pub dynamics: bool,
     /// The diagram: joint symbols, arrows.
     pub overlay: bool,
-    /// How links, points and joints follow the params.
+    /// The rates of links, points and joints for each param.
     pub sensitivity: bool,
 }
 

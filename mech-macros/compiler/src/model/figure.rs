@@ -9,7 +9,7 @@ pub enum Figure {
         center: [f64; 2],
         /// Its pitch radius; if none is given, the one with which the wheel meshes.
         radius: Option<f64>,
-        /// How many teeth it has.
+        /// The number of teeth.
         teeth: u32,
         /// The direction of its first tooth; if none is given, one in which the wheel meshes at the start.
         turned: Option<f64>,
@@ -18,7 +18,7 @@ pub enum Figure {
     Stand {
         /// The pivot.
         at: [f64; 2],
-        /// How far below it the base is; without, as on every other stand.
+        /// The distance of the base below it; without, as on every other stand.
         height: Option<f64>,
         /// By how much it is turned about the pivot.
         turned: f64,
@@ -27,14 +27,14 @@ pub enum Figure {
     Rail {
         /// Where it begins and ends.
         ends: [[f64; 2]; 2],
-        /// How wide it is with its hatching; without, as every other rail.
+        /// Its width with its hatching; without, as every other rail.
         width: Option<f64>,
     },
     /// A zigzag from end to end.
     Spring {
         /// Where it begins and ends.
         ends: [[f64; 2]; 2],
-        /// How wide it is.
+        /// Its width.
         width: f64,
     },
     /// A text.
@@ -45,7 +45,7 @@ pub enum Figure {
         height: f64,
         /// The direction in which it is read.
         turned: f64,
-        /// What it says.
+        /// Its letters.
         text: String,
     },
 }

@@ -4,7 +4,7 @@ use super::{BinaryFunction, FormulaId, Function, Number, ParamId};
 use std::collections::HashMap;
 use std::fmt;
 
-/// How a number is computed.
+/// The operation that computes a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Formula {
     /// A number that never changes.
@@ -36,7 +36,7 @@ impl Formula {
         Self::Constant(Number::new(value))
     }
 
-    /// What it is made from.
+    /// Returns its operands.
     fn operands(self) -> impl Iterator<Item = FormulaId> {
         let pair = match self {
             Self::Constant(_) | Self::Variable | Self::Param(_) => [None, None],

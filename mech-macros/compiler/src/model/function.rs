@@ -38,7 +38,7 @@ pub enum BinaryFunction {
     Min,
     /// The greater of the two.
     Max,
-    /// What is left of the first beyond whole times the second, on the second's side of zero.
+    /// The remainder of the first after whole times the second, on the second's side of zero.
     Mod,
 }
 
@@ -58,7 +58,7 @@ impl Function {
         Self::Sign,
     ];
 
-    /// What it is called.
+    /// Returns its name in the text.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -137,7 +137,7 @@ impl BinaryFunction {
     /// All of them.
     pub const ALL: [Self; 5] = [Self::Atan2, Self::Hypot, Self::Min, Self::Max, Self::Mod];
 
-    /// What it is called.
+    /// Returns its name in the text.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -192,7 +192,7 @@ impl BinaryFunction {
     }
 }
 
-/// What the functions are called.
+/// Returns the names of all functions.
 pub(crate) fn function_names() -> impl Iterator<Item = &'static str> {
     let of_one = Function::ALL.into_iter().map(Function::name);
     of_one.chain(BinaryFunction::ALL.into_iter().map(BinaryFunction::name))

@@ -58,7 +58,7 @@ id! {
     FormulaId
 }
 id! {
-    /// What is given to a mechanism: a motor's value, by the number of the motor, or a param's. Params come after all motors.
+    /// An input of a mechanism: a motor's value, by the number of the motor, or a param's. Params come after all motors.
     InputId
 }
 

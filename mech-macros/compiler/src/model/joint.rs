@@ -10,7 +10,7 @@ pub struct Joint {
     pub name: String,
     /// Where its name was declared.
     pub origin: Origin,
-    /// What it joins, and how.
+    /// Its kind, and the parts that it joins.
     pub kind: JointKind,
     /// Whether it is the pivot of a slot: then the slide that follows it has the slot's name and coordinate, and this one is
     /// not shown.

@@ -56,7 +56,7 @@ impl Law {
     }
 }
 
-/// How a number changes when the variable grows by a whole turn.
+/// The change of a number when the variable grows by a whole turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Winding {
     /// It never changes.
@@ -76,7 +76,7 @@ impl Winding {
         }
     }
 
-    /// What comes of two, if they go on by these.
+    /// Combines two of them: `turns` gives the turns of the result from those of both.
     fn join(self, other: Self, turns: impl FnOnce(f64, f64) -> Option<f64>) -> Self {
         let both = self.by().zip(other.by());
         both.and_then(|(a, b)| turns(a, b))
@@ -164,7 +164,7 @@ impl FormulaArithmetic for Windings {
             (BinaryFunction::Min | BinaryFunction::Max, a, b) => {
                 a.join(b, |a, b| (a == b).then_some(a))
             }
-            // What goes on by whole times what it is measured by is where it was.
+            // A number that goes on by whole times the divisor is where it was.
             (BinaryFunction::Mod, Winding::By(turns), Winding::Fixed(by))
                 if (turns * TAU / by).fract() == 0.0 =>
             {

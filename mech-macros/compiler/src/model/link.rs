@@ -12,7 +12,7 @@ pub struct Link {
     pub origin: Origin,
     /// Whether its frame is the scene's at the start, because joints were placed on it in the drawing (`at`).
     pub drawn: bool,
-    /// What is seen of it.
+    /// The shapes that are seen of it.
     pub shapes: Vec<Shape>,
     /// Its mass, if it has any.
     pub mass: Option<Mass>,
@@ -51,11 +51,11 @@ pub struct Axis {
     pub kind: AxisKind,
     /// Its origin, in the frame of the link: at the start, if it depends on params.
     pub at: [f64; 2],
-    /// How each coordinate of its origin is computed that depends on params.
+    /// The formulas of those coordinates of its origin that depend on params.
     pub formulas: [Option<FormulaId>; 2],
     /// Its direction, of length one, in the frame of the link: at the start, if it depends on params.
     pub direction: [f64; 2],
-    /// How both parts of its direction are computed, if that depends on params: a line's may.
+    /// The formulas of both parts of its direction, if that depends on params: a line's may.
     pub direction_formulas: [Option<FormulaId>; 2],
 }
 
@@ -80,7 +80,7 @@ impl Axis {
     }
 }
 
-/// What an axis allows.
+/// The kind of an axis: the motion that it allows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AxisKind {
     /// Rotation about it.

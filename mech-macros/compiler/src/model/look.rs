@@ -1,10 +1,10 @@
-//! How a mechanism looks.
+//! The look of a mechanism.
 
 use super::{Axis, LinkId, Model, Shape};
 use crate::bug::bug;
 use mech_core::colors::{GROUND, MAIN_COUNT, darker, lighter, main};
 
-/// How a mechanism looks where no shape says so.
+/// The look of a mechanism where no shape is declared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Look {
     /// Every link without shapes has a body that is made from what it carries.
@@ -16,7 +16,7 @@ pub enum Look {
 }
 
 impl Model {
-    /// How it looks: as declared, or else a machine, unless every link and the ground have shapes.
+    /// Returns its look: the declared one, or else a machine, unless every link and the ground have shapes.
     #[must_use]
     pub fn look(&self) -> Look {
         self.look.unwrap_or_else(|| {

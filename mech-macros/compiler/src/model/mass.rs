@@ -1,4 +1,4 @@
-//! How mass is distributed in a link.
+//! The distribution of mass in a link.
 
 use super::polygon::Moments;
 use super::{Figure, Shape, ShapeKind};
@@ -137,9 +137,9 @@ impl Mass {
         Self::together(&parts)
     }
 
-    /// What is painted of it. It is measured from its first corner, so that what lies far from the origin is as exact as what is near.
+    /// Returns the mass of the painted area, measured from its first corner: so an area far from the origin is as exact as a near one.
     fn of_polygon(corners: &[[f64; 2]]) -> Self {
-        // What has no corners has no mass, wherever it is.
+        // An area without corners has no mass, wherever it is.
         let [x0, y0] = corners.first().copied().unwrap_or([0.0, 0.0]);
         let near: Vec<[f64; 2]> = corners.iter().map(|[x, y]| [x - x0, y - y0]).collect();
         let Moments {

@@ -5,9 +5,9 @@ use super::FormulaId;
 /// A number of what is drawn: a share of another, which may depend on params.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measure {
-    /// What it is a share of, at the start.
+    /// The number of which it is a share, at the start.
     pub value: f64,
-    /// How that is computed, if it depends on params.
+    /// The formula of that number, if it depends on params.
     pub formula: Option<FormulaId>,
     /// The share.
     pub share: f64,

@@ -90,7 +90,7 @@ impl Precision {
     }
 }
 
-/// How the loops are solved at run time.
+/// The method by which the loops are solved at run time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Method {
     /// Each dyad in closed form; what has none (coupled and tied loops) by Newton's iteration until it closes to rounding.
@@ -114,7 +114,7 @@ pub enum Target {
     CortexM4f,
 }
 
-/// How a mechanism passes its change points.
+/// The behaviour of a mechanism at its change points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum AtChangePoints {
     /// It goes on as it came: velocities are continuous.
@@ -147,7 +147,7 @@ pub struct Model {
     pub laws: Vec<Law>,
     /// The numbers that may be changed while it runs.
     pub params: Params,
-    /// How the mechanism is assembled.
+    /// The start values, and the choice of an assembly.
     pub start: Start,
     /// The method by which loops are solved, if one was declared. Without it a declared `accuracy` decides; without both the method is
     /// exact.
@@ -158,21 +158,21 @@ pub struct Model {
     pub accuracy: Option<f64>,
     /// Whose operations are counted when a method is chosen.
     pub target: Target,
-    /// How change points are passed.
+    /// The behaviour at change points.
     pub change_points: AtChangePoints,
-    /// What the pictures look like that it makes for itself.
+    /// The quality of the pictures that it makes for itself.
     pub quality: Quality,
-    /// What it looks like, if that was said.
+    /// The look, if one was declared.
     pub look: Option<Look>,
-    /// What is to be shown. Steps on which none of it depends are left out. Without a `show`, everything is shown.
+    /// The links, points and joints to be shown. Steps on which none depends are left out. Without a `show`, everything is shown.
     pub show: Option<Vec<Shown>>,
     /// The revolute joints whose coordinates are to go on over whole turns.
     pub continuous: Vec<JointId>,
-    /// What is let pass.
+    /// The allowances.
     pub allow: Allowances,
-    /// What is computed beyond positions.
+    /// The results that are computed beyond positions.
     pub effects: Effects,
-    /// What acts on links.
+    /// The actions on links.
     pub actions: Actions,
     /// The points whose paths are recorded.
     pub traces: Vec<Trace>,
@@ -180,7 +180,7 @@ pub struct Model {
     pub instances: Vec<Instance>,
 }
 
-/// What is let pass that is otherwise an error.
+/// The allowances: each lets something pass that is otherwise an error.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Allowances {
     /// Joints that hold a part more than once, where lengths match exactly.
@@ -264,7 +264,7 @@ impl Model {
         axes.map(|axis| axis.at)
     }
 
-    /// How large it is: the greatest distance of an axis from the origin of its link.
+    /// Returns its size: the greatest distance of an axis from the origin of its link.
     #[must_use]
     pub fn size(&self) -> f64 {
         let reach = |axis: &Axis| axis.at[0].hypot(axis.at[1]);

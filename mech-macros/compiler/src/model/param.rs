@@ -47,7 +47,7 @@ impl Params {
         &self.all
     }
 
-    /// How many there are.
+    /// Returns the number of params.
     #[must_use]
     pub fn len(&self) -> usize {
         self.all.len()
@@ -97,7 +97,7 @@ impl Axis {
         self.direction_formulas.iter().any(Option::is_some)
     }
 
-    /// How everything of it is computed that depends on params.
+    /// Returns the formulas of all its numbers that depend on params.
     pub(crate) fn all_formulas(&self) -> impl Iterator<Item = FormulaId> + '_ {
         let all = self.formulas.iter().chain(&self.direction_formulas);
         all.flatten().copied()
@@ -105,7 +105,7 @@ impl Axis {
 }
 
 impl Model {
-    /// How many numbers are given from outside: the values of the motors, and after these those of the params.
+    /// Returns the number of inputs: the values of the motors, and after these those of the params.
     #[must_use]
     pub fn inputs(&self) -> usize {
         self.motors.len() + self.params.len()

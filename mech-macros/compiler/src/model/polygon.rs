@@ -1,4 +1,4 @@
-//! How much a polygon covers that may cross itself: what lies inside by the even-odd rule, as it is painted.
+//! The area of a polygon that may cross itself: the places inside it by the even-odd rule, as it is painted.
 
 type Point = [f64; 2];
 

@@ -1,4 +1,4 @@
-//! How large a mechanism may be whose loops are solved: fourth powers of its lengths have to be numbers.
+//! The bounds on the size of a mechanism with loops: fourth powers of its lengths have to be numbers.
 
 use super::{JointKind, Model, Precision};
 

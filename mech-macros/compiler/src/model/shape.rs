@@ -13,7 +13,7 @@ pub struct Shape {
     pub plane: i32,
     /// Its entry in the palette.
     pub color: u8,
-    /// How each of its [`numbers`](ShapeKind::numbers) is computed that depends on params.
+    /// The formulas of those of its [`numbers`](ShapeKind::numbers) that depend on params.
     pub formulas: Vec<Option<FormulaId>>,
 }
 
@@ -48,16 +48,16 @@ pub enum ShapeKind {
     Bar {
         /// Where it leads through.
         pins: Vec<[f64; 2]>,
-        /// How wide it is, greater than zero.
+        /// Its width, greater than zero.
         width: f64,
     },
     /// A filled simple polygon of at least three corners.
     Polygon(Vec<[f64; 2]>),
-    /// What depends on no param, and of which lengths and directions that are not given follow from the mechanism.
+    /// A figure: it depends on no param, and lengths and directions that are not given follow from the mechanism.
     Figure(Figure),
 }
 
-/// What a picture looks like that a mechanism makes for itself.
+/// The quality of a picture that a mechanism makes for itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Quality {
     /// A pixel belongs to a shape or does not: a `Frame`.

@@ -1,4 +1,4 @@
-//! What is asked of a mechanism.
+//! The links, points and joints of a mechanism that are to be shown.
 
 use super::{AxisId, AxisKind, Between, JointId, JointKind, LinkId, Model};
 

@@ -7,7 +7,7 @@ use super::{AxisId, LinkId, Model, Origin};
 pub struct Trace {
     /// The point: of a moving link, and named.
     pub point: AxisId,
-    /// How many places are recorded.
+    /// The number of places that are recorded.
     pub length: usize,
     /// The plane it is drawn in, above the ground's shapes and below all others there; without, below all links.
     pub plane: Option<i32>,

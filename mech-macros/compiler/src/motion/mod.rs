@@ -1,5 +1,5 @@
-//! What the compiler learns by watching a mechanism move: which loops have to be watched at run time, how exact each method is,
-//! whether declared ranges are free, and how much room the mechanism takes.
+//! Tests of a moving mechanism at compile time: which loops must be watched at run time, how exact each method is, whether declared ranges
+//! are free, and how much room the mechanism takes.
 
 pub mod accuracy;
 pub(crate) mod extent;

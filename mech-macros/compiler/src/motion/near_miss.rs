@@ -71,7 +71,7 @@ pub(crate) fn near_misses(model: &Model, plan: &Plan, program: &Program) -> Vec<
     let positions = BUDGET / price(program) / model.motors.len().max(1);
     let positions = positions.clamp(POSITIONS[0], POSITIONS[1]);
     let is_last = |number: usize| loops.last().is_some_and(|one| one.closed.number == number);
-    // What comes after a change point follows from how that was passed.
+    // Positions after a change point depend on how that was passed.
     let mut watches = program.watches.iter();
     let walks = !program.is_closed()
         || watches.any(|watch| watch.at_zero == AtZero::ChangeBranch && !is_last(watch.number));
@@ -112,7 +112,7 @@ pub(crate) fn near_misses(model: &Model, plan: &Plan, program: &Program) -> Vec<
     found
 }
 
-/// How flat a loop is.
+/// A loop whose flatness is measured.
 struct Flatness<'p> {
     closed: &'p ClosedForm,
     /// The numbers that tell it.
@@ -123,7 +123,7 @@ struct Flatness<'p> {
     rounding: f64,
 }
 
-/// How flat a loop is in one of two ways: stretched out, or folded.
+/// The flatness of a loop in one of two ways: stretched out, or folded.
 #[derive(Clone, Copy, Debug, Default)]
 struct Flat {
     /// A difference of squares, as a part of the square of the loop's size: zero at a change point, negative where it is open.
@@ -150,7 +150,7 @@ impl<'p> Flatness<'p> {
         })
     }
 
-    /// How flat it is where its numbers are these.
+    /// Computes both flatnesses from these numbers.
     fn of(&self, numbers: &[f64]) -> [Flat; 2] {
         let vector = |index: usize| [numbers[2 * index], numbers[2 * index + 1]];
         let length = |[x, y]: [f64; 2]| x.hypot(y);
@@ -213,14 +213,14 @@ struct Way<'l, 'p> {
     wanted: Vec<Value>,
     motor: usize,
     samples: Vec<Sample>,
-    /// How many positions each motor may take, and how many are left.
+    /// The number of positions that each motor may take, and the number that is left.
     positions: usize,
     left: usize,
 }
 
 impl Way<'_, '_> {
-    /// How flat all loops are with the motor at this value. The step begins at a position. Nothing is told of what comes after a loop
-    /// that does not close. None if the budget is used up.
+    /// Computes the flatness of all loops with the motor at this value, in one step from a position. Loops after one that does not close
+    /// get none. Returns none if the budget is used up.
     fn look(&mut self, from: &Position<f64>, at: f64) -> Option<Sample> {
         self.left = self.left.checked_sub(1)?;
         self.machine.put_back(from.clone());
@@ -289,7 +289,7 @@ impl Way<'_, '_> {
         true
     }
 
-    /// What was found on the way: for each loop the nearest place.
+    /// Returns the near misses on the way: for each loop the nearest place.
     fn finish(&mut self) -> Vec<NearMiss> {
         let mut samples = std::mem::take(&mut self.samples);
         samples.sort_by(|a, b| a.at.total_cmp(&b.at));

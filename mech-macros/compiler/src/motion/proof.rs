@@ -99,7 +99,7 @@ fn find_touching(
         own: None,
         into: &|angle| domain.parts(angle).is_some(),
     };
-    // What was proved to close whatever moves it needs no other proof.
+    // A loop that is free wherever motors move needs no other proof.
     let is_free = |closed: &ClosedForm| {
         let choice = choices.get(closed.number);
         choice.is_some_and(|choice| choice.watching.is_none())

@@ -16,11 +16,11 @@ const TURNS_OF_SLIDE: usize = 2;
 pub(crate) struct Sweep {
     /// The displacement of each motor, and after these of each param, in radians or scene units.
     pub(crate) displacements: Vec<f64>,
-    /// How many turns the fastest link makes. Each of them takes the samples of one turn.
+    /// The number of turns that the fastest link makes. Each of them takes the samples of one turn.
     pub(crate) turns: usize,
 }
 
-/// How far a motor is turned at most.
+/// The greatest number of turns of a motor.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum MostTurns {
     /// So many turns of the motor itself.
@@ -63,7 +63,7 @@ pub(crate) fn sweep_motors(
     }
 }
 
-/// How far a motor that slides without a range is moved to either side, in sizes of the mechanism.
+/// The greatest displacement to either side of a motor that slides without a range, in sizes of the mechanism.
 pub(crate) const FARTHEST_SLIDE: f64 = 4.0;
 
 /// Makes the sweeps of each motor alone, of a mechanism of this size.
@@ -140,7 +140,7 @@ pub(crate) fn sweep_together(model: &Model, run: &mut impl FnMut(&Sweep) -> bool
     }
 }
 
-/// How many turns everything that a motor drives by gears and cams makes in one turn of it.
+/// Returns the turns of everything that a motor drives by gears and cams, in one turn of the motor.
 fn parts_of(plan: &Plan, motor: MotorId) -> Vec<&Rational> {
     let parts = plan.steps.iter().flat_map(|step| match step {
         Step::Mesh(mesh) => &mesh.parts[..],
@@ -151,7 +151,7 @@ fn parts_of(plan: &Plan, motor: MotorId) -> Vec<&Rational> {
     own.map(|(_, part)| part).collect()
 }
 
-/// How many turns of a motor it takes until everything that it drives has turned as a whole.
+/// Returns the number of turns of a motor after which everything that it drives has made whole turns.
 fn turns_until_whole(parts: &[&Rational], most_turns: i64) -> i64 {
     parts.iter().fold(1, |turns, part| {
         // One that is larger is beyond the most that is examined anyway.
@@ -160,7 +160,7 @@ fn turns_until_whole(parts: &[&Rational], most_turns: i64) -> i64 {
     })
 }
 
-/// How many turns the fastest of all makes while the motor makes this many, as far as they are examined one by one.
+/// Returns the number of turns that the fastest makes in so many turns of the motor, as far as they are examined one by one.
 fn turns_of_fastest(parts: &[&Rational], turns: f64) -> usize {
     #[expect(
         clippy::cast_possible_truncation,
@@ -173,7 +173,7 @@ fn turns_of_fastest(parts: &[&Rational], turns: f64) -> usize {
     turns
 }
 
-/// How many turns the fastest makes in one turn of the motor.
+/// Returns the number of turns that the fastest makes in one turn of the motor.
 fn fastest(parts: &[&Rational]) -> f64 {
     // A ratio beyond the floats is beyond the most that is examined anyway.
     let ratios = parts

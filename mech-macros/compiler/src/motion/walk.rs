@@ -17,7 +17,7 @@ const FIRST: f64 = 0.25;
 /// A step that nothing foretells may move poses by this part of the greatest one, and change a sine by this part of it.
 const BEGUN: f64 = 0.1;
 const BEGUN_SINE: f64 = 0.75;
-/// What a step finds may differ from what was foretold by this part of how far it went.
+/// The position after a step may differ from the foretold one by this part of the step.
 const ASTRAY: f64 = 0.4;
 /// Towards a dead point each step covers at most this part of what is left until there. When less than the second number is left of the
 /// move, and nothing closes beyond, the end is foretold.
@@ -49,7 +49,7 @@ const APART: f64 = 1.0 / 64.0;
 /// So many positions foretell the next one, beside that from which it goes.
 const TRAIL: usize = 3;
 
-/// What became of a move.
+/// The outcome of a move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Arrival {
     /// It came to where it should.
@@ -76,7 +76,7 @@ pub(crate) struct Walker<'p> {
     pub(crate) is_unsure: bool,
     /// Whether it may end where nothing foretells how it goes on.
     is_rough: bool,
-    /// How long a step may be, after those before it.
+    /// The greatest length of the next step, as the steps before it allow.
     reach: f64,
     /// The operations that are left, and those of them that journeys on this way may use.
     left: usize,
@@ -276,7 +276,7 @@ impl<'p> Walker<'p> {
             *sine = sine.abs().max(f64::EPSILON).copysign(side);
         }
         end.motors = motors;
-        // What flies away may be foretold beyond all numbers.
+        // Parts that fly away may be foretold beyond all numbers.
         let mut numbers = end.poses.as_flattened().iter().chain(&end.state);
         self.end = numbers.all(|number| number.is_finite()).then_some(end);
         self.passed.push(before);
@@ -357,8 +357,8 @@ impl<'p> Walker<'p> {
         zeros.min_by(f64::total_cmp)
     }
 
-    /// What a polynomial through known places comes to at the end of a way: from there an iteration begins, and past a change point a loop is
-    /// on its other side.
+    /// Extrapolates a polynomial through known places to the end of a way: from there an iteration begins. Past a change point a loop is on
+    /// its other side.
     fn foretell(&self, places: &[(f64, Rc<Position<f64>>)], zero: Option<f64>) -> Position<f64> {
         let root = |place: f64| zero.map_or(place, |zero| (zero - place).max(0.0).sqrt());
         let roots: Vec<f64> = places.iter().map(|place| root(place.0)).collect();
@@ -398,8 +398,8 @@ impl<'p> Walker<'p> {
         foretold
     }
 
-    /// How far the mechanism is from where it was foretold to be, as a part of what is allowed. Without a prediction, how far it is from
-    /// where it was.
+    /// Returns the difference between the position and the foretold one, as a part of what is allowed. Without a prediction, `foretold` is
+    /// the position before.
     fn astray(&self, from: &Position<f64>, foretold: &Position<f64>, is_begun: bool) -> f64 {
         let to = self.position();
         // Of directions and of places.
@@ -539,7 +539,7 @@ struct Way<'t> {
     start: Vec<f64>,
     target: &'t [f64],
     vector: Vec<f64>,
-    /// How long it is.
+    /// Its length.
     whole: f64,
     /// The part that is done, and that of the next step.
     done: f64,
@@ -564,7 +564,7 @@ impl<'t> Way<'t> {
         }
     }
 
-    /// What is done after a step of such a part; all of it if little is left.
+    /// Returns the part that is done after a step of such a part; all of it if little is left.
     fn after(&self, length: f64) -> f64 {
         let next = self.done + length;
         if next + 0.5 * length < 1.0 { next } else { 1.0 }
@@ -590,7 +590,7 @@ fn factor(known: usize, astray: f64) -> f64 {
     RESERVE * astray.powf(-1.0 / power)
 }
 
-/// How much of what is allowed was used.
+/// Returns the part of what is allowed that was used.
 fn part_of(found: f64, allowed: f64) -> f64 {
     if found == 0.0 { 0.0 } else { found / allowed }
 }

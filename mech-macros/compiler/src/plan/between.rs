@@ -80,7 +80,7 @@ pub(super) fn ring_of_two(first: Between, second: Between) -> Option<Block> {
     })
 }
 
-/// What slides on what in one direction, over whatever is between.
+/// Links and clusters that slide on each other in one direction, directly or over others.
 pub(super) struct Sliding {
     /// Links or clusters, for each direction on which they slide.
     places: BTreeMap<(usize, LinkId), usize>,

@@ -1,4 +1,4 @@
-//! How fast something changes at most.
+//! Bounds on rates.
 
 use crate::model::JointId;
 

@@ -94,7 +94,7 @@ impl Reach {
             return LoopSolutions::DeadPoint;
         }
         let normalise = |unknown| match unknown {
-            // What the gap leaves must not stretch a link.
+            // The remaining gap must not stretch a link.
             Solution::Direction([cos, sin]) => {
                 let length = f64::hypot(cos, sin);
                 Solution::Direction([cos / length, sin / length])

@@ -82,7 +82,7 @@ impl<S: Copy + PartialEq> Dyad<S> {
         }
     }
 
-    /// What its unknowns reach together.
+    /// Returns the vector that its unknowns reach together.
     pub(crate) fn goal(&self) -> [S; 2] {
         match *self {
             Self::TwoCircles { goal, .. }

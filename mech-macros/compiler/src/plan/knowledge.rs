@@ -1,4 +1,4 @@
-//! What a known coordinate depends on.
+//! The dependences of a known coordinate.
 
 /// On which loops a known coordinate depends directly, and how many loops lead to it one after the other.
 #[derive(Clone, Debug, Default)]

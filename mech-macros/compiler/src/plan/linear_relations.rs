@@ -1,5 +1,5 @@
-//! What is known of angles and slides because of gears, belts, racks, slides and welds: linear relations with constant
-//! rational coefficients, solved exactly.
+//! The relations of angles and slides by gears, belts, racks, slides and welds: linear relations with constant rational coefficients,
+//! solved exactly.
 
 use crate::bug::bug;
 use crate::model::{JointId, LinkId};
@@ -105,7 +105,7 @@ impl LinearRelations {
             .rev()
             .find(|variable| !matches!(variable, Variable::Source(_)))
             .copied();
-        // What is left without one follows from what is known: a relation too many.
+        // A remainder without a pivot follows from the relations before: this relation is redundant.
         let Some(pivot) = pivot else { return };
         let Some(coefficient) = remainder.0.remove(&pivot) else {
             return;

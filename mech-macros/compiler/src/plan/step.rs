@@ -8,7 +8,7 @@ use crate::model::{AxisId, JointId, LinkId, MotorId};
 /// One step: it merges clusters of links, so that the links inside keep known relative positions.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Step {
-    /// What never turns: its coordinate is the same for ever.
+    /// A joint that never turns: its coordinate is the same for ever.
     Weld(Weld),
     /// A motor gives the coordinate of its joint.
     Drive(Drive),
@@ -23,7 +23,7 @@ pub enum Step {
 /// A weld, or a pin that does not turn in its slot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Weld {
-    /// What it joins.
+    /// The connection that it makes.
     pub connection: Connection,
     /// The direction of the second axis, seen from the first.
     pub direction: [f64; 2],

@@ -40,7 +40,7 @@ pub(super) fn sets(connections: &[Between], rolls: &[Vec<LinkId>]) -> Vec<Vec<Li
     smallest
 }
 
-/// What has freedoms: the places of clusters, then angles, then pins.
+/// The parts that have freedoms: the places of clusters, then angles, then pins.
 struct Parts {
     clusters: Vec<LinkId>,
     /// For each cluster the part that is its angle.
@@ -152,7 +152,7 @@ impl Count {
         };
         for equation in 0..count.equations.len() {
             let ends = count.equations[equation].clone();
-            // What follows from the equations before takes nothing.
+            // An equation that follows from those before takes no freedom.
             if count.gather(&ends, BODY + 1)
                 && let Some(&end) = ends.iter().find(|&&end| count.free[end] > 0)
             {

@@ -1,4 +1,4 @@
-//! How the links of a cluster hang together: a tree of the joints by which its parts were brought together, with the base as its root.
+//! The tree of a cluster's links: its edges are the joints by which the parts were brought together, its root is the base.
 
 use super::step::Connection;
 use crate::model::{AxisId, LinkId};
@@ -10,7 +10,7 @@ pub(super) struct Joining<S> {
     pub(super) displacement: Option<S>,
 }
 
-/// How a link hangs on another.
+/// The edge of the tree by which a link hangs on another.
 #[derive(Clone, Copy, Debug)]
 struct Hold<S> {
     on: LinkId,
@@ -40,7 +40,7 @@ pub(super) enum Leg<S> {
 #[derive(Debug)]
 pub(super) struct Route<S> {
     pub(super) legs: Vec<Leg<S>>,
-    /// What carries the whole way: the joints between it and the base.
+    /// The joints between it and the base, which carry the whole way.
     pub(super) carriers: Vec<Joining<S>>,
 }
 
@@ -82,7 +82,7 @@ impl<S: Copy> Tree<S> {
         if stays == comes {
             return;
         }
-        // What the link hung on hangs on it.
+        // The link on which this one hung now hangs on it.
         while let Some(before) = self.0[link.index()].replace(hold) {
             hold = Hold {
                 on: link,

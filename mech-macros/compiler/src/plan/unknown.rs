@@ -1,4 +1,4 @@
-//! What a loop is solved for.
+//! The unknowns of a loop.
 
 use crate::model::{JointId, LinkId};
 

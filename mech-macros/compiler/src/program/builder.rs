@@ -123,7 +123,7 @@ impl SsaBuilder {
     }
 
     pub(super) fn current(&self) -> BlockId {
-        // What is made before the first block stands in it.
+        // A value before the first block stands in that block.
         BlockId::at(self.ssa.blocks.len().saturating_sub(1))
     }
 

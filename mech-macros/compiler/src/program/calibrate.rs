@@ -49,7 +49,7 @@ impl Program {
     /// All values at the start, where every loop is already closed.
     pub(crate) fn values_at_start(&self) -> Vec<f64> {
         let mut values: Vec<f64> = Vec::with_capacity(self.ssa.nodes.len());
-        // What a loop finds that is left out, because nothing shown needs it, is read by nobody.
+        // Nobody reads the unknowns of a loop that is left out because nothing shown needs it.
         let first = |block: BlockId, index: usize| {
             let newton = self.newton(block)?;
             Some(newton.scalars[index].first)

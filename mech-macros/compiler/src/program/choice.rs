@@ -1,4 +1,4 @@
-//! How each loop is solved.
+//! The choices of how each loop is solved and watched.
 
 use super::newton::Rounds;
 use crate::model::{Method, Model};

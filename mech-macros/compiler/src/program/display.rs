@@ -385,7 +385,7 @@ impl Program {
             }
             op => format!("{op:?}"),
         };
-        // What stands before the operands.
+        // The name is the text before the operands.
         let name = name.split('(').next().unwrap_or(&name).to_lowercase();
         let operands: Vec<Value> = op.operands().collect();
         format!("{name} {}", self.list(&operands))

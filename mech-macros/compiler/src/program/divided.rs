@@ -93,7 +93,7 @@ impl Program {
                 (*bound - 1) / PART
             });
         }
-        // What has no name comes before its only use.
+        // A value without a name stands in the part of its only use.
         let values: Vec<Value> = self
             .live_values()
             .filter(|&value| is_in_long(value))

@@ -1,4 +1,4 @@
-//! What the numbers of a position's state are.
+//! The layout of the numbers in a position's state.
 
 use super::Program;
 use crate::model::{FormulaId, JointId};
@@ -27,7 +27,7 @@ pub struct JointAngle {
 /// A number that depends on params: of the place or direction of an axis in its link, or of a shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// How it is computed.
+    /// The formula that computes it.
     pub formula: FormulaId,
     /// The index in the state.
     pub state: usize,

@@ -1,4 +1,4 @@
-//! What could be changed.
+//! The changes that might cure a diagnosis.
 
 use super::sketch::Sketch;
 use super::{NewKind, Repair, completions, drivable, sizes};

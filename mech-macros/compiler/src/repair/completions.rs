@@ -1,4 +1,4 @@
-//! What could be added: joints and links that a drawing suggests, and joints of other kinds.
+//! The joints and links that could be added: those that a drawing suggests, and joints of other kinds.
 
 use super::Repair;
 use super::declaration::{
@@ -321,7 +321,7 @@ pub(super) fn welds(model: &Model, joints: &[JointId]) -> Vec<Repair> {
     inner.into_iter().filter_map(weld).take(WELDS).collect()
 }
 
-/// How much two links bend where a joint joins them: from 0, if they are drawn in one line, to 2.
+/// Returns the bend of two links where a joint joins them: from 0, if they are drawn in one line, to 2.
 fn bend(model: &Model, joint: JointId) -> f64 {
     const MOST: f64 = 2.0;
     let Some((links, at)) = drawn_joint(model, joint) else {

@@ -9,7 +9,7 @@ use crate::model::{AxisId, JointId, JointKind, LinkId, Model};
 /// Links and joints that are to be declared, some in place of others.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Declaration {
-    /// What they are for.
+    /// Their purpose.
     pub purpose: Purpose,
     /// A link that is to be declared with them. Their ends mean it by the number after that of the last link.
     pub link: Option<String>,
@@ -19,14 +19,14 @@ pub struct Declaration {
     pub replaced: Vec<JointId>,
 }
 
-/// What a new joint is for.
+/// The purpose of a new joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Purpose {
     /// To pin a link to the ground.
     Ground,
     /// To join two links.
     Join {
-        /// How far apart they are drawn where they are joined, in scene units.
+        /// The distance in the drawing between their places for the joint, in scene units.
         apart: f64,
     },
     /// To join two links somewhere: nothing says where.
@@ -52,13 +52,13 @@ pub enum Purpose {
 pub struct NewJoint {
     /// Its name.
     pub name: String,
-    /// What it allows.
+    /// Its kind.
     pub kind: NewKind,
-    /// What it joins.
+    /// Its ends.
     pub ends: Ends,
 }
 
-/// What a joint allows that is to be declared. Directions are of length one.
+/// The kind of a joint that is to be declared: the motion that it allows. Directions are of length one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NewKind {
     /// To turn.
@@ -71,7 +71,7 @@ pub enum NewKind {
     Slot([f64; 2]),
 }
 
-/// What a joint joins that is to be declared.
+/// The ends of a joint that is to be declared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Ends {
     /// Two links, at a place in the scene, as the drawing has them.

@@ -1,4 +1,4 @@
-//! What would mend a mechanism: each repair is written as a change of the text, and the changed text compiled, before it is offered.
+//! Repairs of a mechanism: each is written as a change of the text, and the changed text compiled, before it is offered.
 
 mod candidates;
 mod completions;
@@ -30,7 +30,7 @@ pub enum Repair {
     Replace {
         /// The joint.
         joint: JointId,
-        /// What it becomes.
+        /// Its new kind.
         by: NewKind,
     },
     /// Take this motor away.

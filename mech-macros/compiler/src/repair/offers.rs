@@ -9,7 +9,7 @@ use crate::model::Model;
 use crate::structure::{Diagnosis, MeshTrouble};
 use crate::syntax::Source;
 
-/// What would mend a mechanism, as far as it was searched for. Everything in it was applied, and compiled.
+/// The repairs that mend a mechanism, as far as they were searched for. Each of them was applied, and compiled.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Offers {
     /// Changes each of which is enough. What is then left to do, at most, is to pick one of several assemblies.
@@ -22,11 +22,11 @@ pub struct Offers {
     pub partial: Vec<Repair>,
     /// Where no single change is enough: changes that are, together.
     pub pairs: Vec<[Repair; 2]>,
-    /// How far it was searched.
+    /// The extent of the search.
     pub search: Search,
 }
 
-/// How far cures were searched for.
+/// The extent of a search for repairs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Search {
     /// Single changes.
@@ -41,7 +41,7 @@ pub enum Search {
 /// The most pairs that are found.
 const PAIRS: usize = 6;
 
-/// What would mend the mechanism of a text, for each of the things that are wrong with it.
+/// Finds the repairs of the mechanism of a text, for each of its diagnoses.
 #[must_use]
 pub fn offers(model: &Model, source: &Source, diagnoses: &[Diagnosis]) -> Vec<Offers> {
     let mut trials = Trials::new(model, source);
@@ -277,7 +277,7 @@ fn attempt(trials: &mut Trials<'_>, offers: &mut Offers, pair: [Repair; 2]) {
     }
 }
 
-/// How many motors are missing, if what is wrong is a matter of freedom.
+/// Returns the number of missing motors, if a diagnosis is about freedom.
 fn freedom(diagnoses: &[Diagnosis]) -> Option<usize> {
     let missing = |diagnosis: &Diagnosis| match diagnosis {
         Diagnosis::NoMotor { freedom, .. } | Diagnosis::Undetermined { freedom, .. } => {
@@ -288,7 +288,7 @@ fn freedom(diagnoses: &[Diagnosis]) -> Option<usize> {
     diagnoses.iter().map(missing).sum()
 }
 
-/// What might mend what is still wrong after a first change.
+/// Finds changes that might mend the remaining faults after a first change.
 fn seconds(trials: &mut Trials<'_>, first: &Repair, found: &[Diagnosis]) -> Vec<Repair> {
     /// Of the joints on which a motor would do, so many are enough.
     const MOTORS: usize = 3;

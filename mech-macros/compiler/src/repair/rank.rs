@@ -21,7 +21,7 @@ impl<'m> Ranking<'m> {
         }
     }
 
-    /// What the drawing suggests comes first, then one kind after the other, each as declared.
+    /// Returns the rank of a repair: those that the drawing suggests come first, then one kind after the other, each as declared.
     pub(super) fn of(&self, repair: &Repair) -> (usize, usize) {
         match repair {
             Repair::Declare(Declaration { purpose, .. }) => match purpose {

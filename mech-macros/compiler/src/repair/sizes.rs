@@ -13,7 +13,7 @@ const MOST_PARTS: u8 = 100;
 /// So exactly is a ratio met by whole numbers.
 const EXACT: f64 = 1e-9;
 
-/// What the sizes of a gear could be instead, the likely ones first: the same ratio, then one of the wheels as it is.
+/// Returns sizes that would fit a gear, the likely ones first: the same ratio, then one of the wheels as it is.
 pub(super) fn fitting_sizes(ratio: Ratio, trouble: MeshTrouble) -> Vec<Ratio> {
     let distance = match trouble {
         MeshTrouble::OneShaft => return Vec::new(),

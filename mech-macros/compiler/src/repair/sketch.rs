@@ -1,4 +1,4 @@
-//! What a drawing shows: its pins, and the ends of links that no joint holds.
+//! The drawn parts of a mechanism: its pins, and the ends of links that no joint holds.
 
 use crate::model::{Axis, AxisId, AxisKind, JointKind, LinkId, Model, ShapeKind};
 
@@ -21,7 +21,7 @@ pub(super) struct LooseEnd {
     pub(super) at: [f64; 2],
 }
 
-/// What is drawn in the scene. Places that depend on params are left out.
+/// The drawn places of the scene. Places that depend on params are left out.
 pub(super) struct Sketch {
     /// The diagonal of the box around all places.
     pub(super) size: f64,
@@ -31,7 +31,6 @@ pub(super) struct Sketch {
     pub(super) ends: Vec<LooseEnd>,
 }
 
-/// How far apart two places are.
 pub(super) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
 }

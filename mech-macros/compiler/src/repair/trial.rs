@@ -6,7 +6,7 @@ use crate::model::{Model, MotorId, StartValue};
 use crate::structure::{self, Diagnosis};
 use crate::syntax::Source;
 
-/// What becomes of a mechanism that was changed to see whether that would mend it.
+/// The outcome of a change that was tried on a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Trial {
     /// It compiles, or would with a `near`.
@@ -60,7 +60,7 @@ impl<'m> Trials<'m> {
         }
     }
 
-    /// How it goes with these changes.
+    /// Tries these changes and returns the outcome.
     pub(super) fn of(&mut self, repairs: &[Repair]) -> Trial {
         if let Some((_, trial)) = self.known.iter().find(|(known, _)| known == repairs) {
             return *trial;
@@ -74,7 +74,7 @@ impl<'m> Trials<'m> {
         trial
     }
 
-    /// What is wrong with the structure after this change; nothing if there is no time left to find that out.
+    /// Returns the diagnoses of the structure after this change; none if there is no time left to find them.
     pub(super) fn wrong(&mut self, repair: &Repair) -> Vec<Diagnosis> {
         if !self.has_work() {
             return Vec::new();
@@ -111,7 +111,7 @@ impl<'m> Trials<'m> {
 
     fn run(&mut self, model: &Model) -> Trial {
         self.spend(COUNTING);
-        // What is not allowed to be redundant must pass the count: that is soon known.
+        // A mechanism that may not be redundant must pass the count, which takes little time.
         if !model.allow.redundant && !structure::is_sound(model) {
             return Trial::Fails;
         }

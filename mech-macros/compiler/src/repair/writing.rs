@@ -11,7 +11,7 @@ use crate::syntax::{Edits, Rewriter, StatementText, Tokens};
 pub fn edits(repairs: &[Repair], model: &Model, tokens: &Tokens) -> Option<Edits> {
     let rewriter = Rewriter::new(tokens);
     let mut writing = Writing { model, rewriter };
-    // What is added stands after something that stays.
+    // An added statement stands after one that stays.
     let mut repairs: Vec<&Repair> = repairs.iter().collect();
     repairs.sort_by_key(|repair| !takes_out(repair));
     for repair in repairs {

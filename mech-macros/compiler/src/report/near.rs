@@ -7,7 +7,7 @@ use crate::motion::near_miss::NearMiss;
 /// More notes than these say nothing new.
 const MOST: usize = 8;
 
-/// What is worth knowing of how a mechanism moves.
+/// Returns the notes on how a mechanism moves.
 pub(crate) fn notes(model: &Model, compiled: &Compiled) -> Vec<String> {
     let all = &compiled.near_misses;
     let mut notes: Vec<String> = all

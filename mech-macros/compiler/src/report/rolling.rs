@@ -31,7 +31,7 @@ pub(super) fn coupling_lines(model: &Model, structure: &Structure, plan: &Plan) 
     lines
 }
 
-/// How many coordinates the joints have, and what determines how many of them; none where only motors and loops do.
+/// Counts the coordinates of the joints by what determines them; none where only motors and loops do.
 fn freedoms(plan: &Plan) -> Option<String> {
     let count = |of: fn(&Step) -> usize| plan.steps.iter().map(of).sum::<usize>();
     let motors = count(|step| usize::from(matches!(step, Step::Drive(_))));

@@ -35,7 +35,7 @@ impl Words<'_> {
         (law.origin, text)
     }
 
-    /// What to say about a cam whose law does not begin where its follower is drawn, if there is one.
+    /// Returns the message about a cam whose law does not begin where its follower is drawn, if there is one.
     pub(super) fn cam_off_the_drawing(&self) -> Option<(Origin, String)> {
         const SLACK: f64 = 1e-7;
         let (cam, follower, law, value) =
@@ -63,7 +63,7 @@ impl Words<'_> {
         Some((law.origin, text))
     }
 
-    /// What to say about the start of a joint that follows a cam.
+    /// Returns the message about the start of a joint that follows a cam.
     pub(super) fn start_by_cam(&self, joint: JointId) -> Option<String> {
         let mut cams = self.model.cams();
         let (cam, shaft, ..) = cams.find(|(_, _, follower, _)| *follower == joint)?;

@@ -1,4 +1,4 @@
-//! What carries gears, belts and racks.
+//! Messages about the carriers of gears, belts and racks.
 
 use super::Words;
 use super::wording::one_of;

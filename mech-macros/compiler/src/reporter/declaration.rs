@@ -7,7 +7,7 @@ use crate::model::LinkId;
 use crate::repair::{Declaration, Purpose};
 
 impl Words<'_> {
-    /// What a declaration is for, and its text.
+    /// Returns the purpose of a declaration, and its text.
     pub(super) fn declaration(&self, declared: &Declaration) -> String {
         let text = declared.statements(self.model);
         let verb = if declared.replaced.is_empty() {

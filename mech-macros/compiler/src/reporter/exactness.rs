@@ -1,4 +1,4 @@
-//! What is said about accuracy.
+//! Messages about accuracy.
 
 use super::Words;
 use crate::model::{MotorId, Origin, Precision};

@@ -1,4 +1,4 @@
-//! What the user called things. The dies of slots are never named, and a slot's two joints are one.
+//! The names that the user gave. The dies of slots are never named, and a slot's two joints are one.
 
 use super::Words;
 use super::wording::{and, brief};
@@ -7,7 +7,7 @@ use crate::model::{Axis, AxisId, AxisKind, JointId, JointKind, LinkId};
 impl Words<'_> {
     pub(super) fn axis(&self, id: AxisId) -> String {
         let axis = self.model.axis(id);
-        // What a die should lie on is the other part of its slot.
+        // The point of a die stands for the line of its slot, and its line for the point.
         let stands_for = match (self.model.link(axis.link).die, axis.kind) {
             (Some((_, line)), AxisKind::Point) => Some(line),
             (Some((point, _)), AxisKind::Line) => Some(point),
@@ -117,7 +117,7 @@ impl Words<'_> {
         }
     }
 
-    /// What rolls here, in the word of the language.
+    /// Returns the word of the language for a joint that rolls.
     pub(super) fn rolling(&self, id: JointId) -> &'static str {
         self.model.joint(id).kind.plain().word()
     }

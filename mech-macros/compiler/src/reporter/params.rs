@@ -1,4 +1,4 @@
-//! What is said about params.
+//! Messages about params.
 
 use super::{Words, wording};
 use crate::model::{JointId, ParamId};

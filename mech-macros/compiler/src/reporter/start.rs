@@ -28,7 +28,7 @@ impl Words<'_> {
         (value.origin, text)
     }
 
-    /// How to say which assembly is meant instead, from where the joint is in each.
+    /// Returns a help that says which assembly is meant instead, from the coordinate of the joint in each.
     fn assembly_near(&self, joint: JointId) -> String {
         let wanted = self.model.start.value(joint);
         let mut free = self.model.clone();
@@ -90,7 +90,7 @@ impl Words<'_> {
     }
 }
 
-/// What can be said where no assembly was found.
+/// The help where no assembly was found.
 const NO_ANGLE: &str =
     "\nhelp: leave this out; `near` after a link chooses one of several assemblies";
 

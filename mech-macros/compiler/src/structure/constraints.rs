@@ -1,4 +1,4 @@
-//! What the joints say about rates, at random geometry of the declared kinds.
+//! The equations of the joints for rates, at random geometry of the declared kinds.
 //!
 //! Links that can only slide on each other, or are welded, keep their direction: they form an angle class and share one
 //! angular rate.

@@ -1,8 +1,8 @@
-//! What can be wrong with a mechanism, as data: tests match it, the reporter puts it into words.
+//! Diagnoses of mechanisms, as data: tests match them, the reporter puts them into words.
 
 use crate::model::{AxisId, JointId, LinkId, MotorId, ParamId, Ratio};
 
-/// What has numbers that forces are made from.
+/// An owner of numbers from which forces are made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Extreme {
     /// The mass of a link, its moment of inertia or its centre.
@@ -93,14 +93,14 @@ pub enum Diagnosis {
     },
     /// There is no motor at all.
     NoMotor {
-        /// How many motors it takes.
+        /// The number of motors that it takes.
         freedom: usize,
         /// Joints on each of which a motor would do, or, where it takes several, joints that would do together.
         candidates: Vec<JointId>,
     },
     /// Joints stay free with all motors held.
     Undetermined {
-        /// How many motors are missing.
+        /// The number of missing motors.
         freedom: usize,
         /// The joints that stay free.
         free: Vec<JointId>,
@@ -132,7 +132,7 @@ pub enum Diagnosis {
     CannotClose {
         /// The joints of the loop whose coordinates are unknown.
         unknowns: Vec<JointId>,
-        /// How far apart the nearest approach leaves the axes, in scene units.
+        /// The distance of the axes at their nearest approach, in scene units.
         gap: f64,
         /// The axes that cannot be made to coincide.
         axes: (AxisId, AxisId),
@@ -170,7 +170,7 @@ pub enum Diagnosis {
         motor: MotorId,
         /// The joints of unknown coordinate of the loop it is about.
         unknowns: Vec<JointId>,
-        /// What is wrong.
+        /// The trouble with the range.
         trouble: RangeTrouble,
     },
     /// Forces cannot say how these motors move: nothing that they move has a mass.
@@ -189,14 +189,14 @@ pub enum Diagnosis {
     TooSmall,
     /// An accuracy is declared, and rounding errors grow with the turns of a motor that has no range.
     EndlessAccuracy {
-        /// What is declared, in scene units.
+        /// The declared accuracy, in scene units.
         accuracy: f64,
         /// The motor.
         motor: MotorId,
     },
     /// More accuracy is declared than the scalar type has.
     TooAccurate {
-        /// What is declared, in scene units.
+        /// The declared accuracy, in scene units.
         accuracy: f64,
         /// The greatest error of a position that is to be expected when everything is solved as exactly as it can be.
         best: f64,
@@ -232,9 +232,9 @@ pub enum MeshTrouble {
     SmallRing,
     /// The pitch radii contradict the places of the axes.
     Distance {
-        /// How far apart the axes are, in scene units.
+        /// The distance of the axes, in scene units.
         distance: f64,
-        /// How far apart the radii want them: their sum, or for a ring their difference.
+        /// The distance that the radii ask for: their sum, or for a ring their difference.
         asked: f64,
     },
 }
@@ -260,7 +260,7 @@ pub enum RangeTrouble {
     },
     /// The loop is solved by iteration, for which there is no proof.
     Iterated,
-    /// What is proved holds for one shape of the mechanism, and this param may change it.
+    /// The proof holds for one shape of the mechanism, and this param may change it.
     Varies {
         /// The param.
         param: ParamId,

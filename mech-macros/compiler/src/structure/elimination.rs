@@ -59,7 +59,7 @@ struct Pivot {
     made_of: Sparse,
 }
 
-/// What became of a row that was added.
+/// The kind of a row that was added.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum RowKind {
     /// It says something new.

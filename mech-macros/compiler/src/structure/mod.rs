@@ -26,7 +26,7 @@ pub use welded::Welded;
 use crate::bug::bug;
 use crate::model::{AxisId, Joint, JointId, JointKind, LinkId, Model};
 
-/// What was found out about a coherent mechanism.
+/// The structure of a coherent mechanism.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Structure {
     /// The mobility by the count `3N − 2(R + P) − G`.

@@ -31,7 +31,7 @@ impl Parallels {
 struct Direction {
     /// The first of these links.
     first: LinkId,
-    /// How params turn the lines in their links.
+    /// The formulas by which params turn the lines in their links.
     formulas: [Option<FormulaId>; 2],
     /// The direction seen from the first link, at the start.
     along: [f64; 2],

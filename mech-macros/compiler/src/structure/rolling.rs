@@ -1,4 +1,4 @@
-//! What rolls: gears, belts and racks.
+//! Rolling pairs: gears, belts and racks.
 
 use super::pin::Pin;
 use super::welded::Welded;
@@ -12,7 +12,7 @@ pub struct Rolling {
     pub joint: JointId,
     /// The link in which both axes keep their place.
     pub carrier: LinkId,
-    /// What rolls.
+    /// The two parts that roll on each other, each with its factor.
     pub ends: [(RollingEnd, Factor); 2],
 }
 

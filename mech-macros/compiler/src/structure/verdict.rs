@@ -97,7 +97,7 @@ impl<'m> Rank<'m> {
 
     /// The rate of a joint's coordinate in a motion.
     fn rate(&self, id: JointId, motion: &[Element]) -> Element {
-        // What has no coordinate does not move.
+        // A joint without a coordinate does not move.
         let rate = self.constraints.rate(id).unwrap_or_default();
         rate.iter().fold(Element::ZERO, |sum, &(column, factor)| {
             sum + factor * motion[column]

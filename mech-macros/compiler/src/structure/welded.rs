@@ -6,7 +6,7 @@ use petgraph::unionfind::UnionFind;
 /// Places on a body that differ by no more than so many roundings are the same.
 const ROUNDINGS: f64 = 64.0;
 
-/// What is welded to what.
+/// The bodies into which links are welded.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Welded {
     /// For each link the first of its body, and where it is on that at the start.

@@ -4,7 +4,7 @@ use super::diagram::Diagram;
 use super::{Spot, Symbol};
 use crate::model::{AxisId, Between, JointId};
 
-/// How many pixels to the left of the line between its ends a spring or damper is drawn: beside it, another lies between the same points.
+/// The place of a spring or damper, in pixels to the left of the line between its ends: beside it, if another has the same ends.
 const MIDDLE: f32 = 0.0;
 const LEFT: f32 = 8.0;
 const RIGHT: f32 = -8.0;

@@ -21,7 +21,7 @@ pub(super) struct Text {
     pub statements: Vec<Statement>,
     /// Where each statement begins, attributes included, with its number among them. Some that report mistakes begin nowhere.
     pub beginnings: Vec<(usize, Span)>,
-    /// How many of them begin with `motor`, readable or not.
+    /// The number of them that begin with `motor`, readable or not.
     pub motors: usize,
     /// Whether one of these goes on with a law, readable or not.
     pub has_laws: bool,
@@ -86,9 +86,9 @@ pub(super) enum Statement {
 
 /// A statement or an item that could not be read.
 pub(super) struct Broken {
-    /// What is wrong with it.
+    /// The message about it.
     pub error: Message,
-    /// What it seems to declare: whoever refers to this name is not to blame.
+    /// The name that it seems to declare: whoever refers to it is not to blame.
     pub name: Option<Ident>,
 }
 
@@ -104,7 +104,7 @@ pub(super) struct Constant {
 pub(super) struct Ground {
     /// The word `ground`.
     pub keyword: Span,
-    /// What is fixed to it.
+    /// The items that are fixed to it.
     pub items: Read<Vec<Item>>,
 }
 
@@ -112,7 +112,7 @@ pub(super) struct Ground {
 pub(super) struct Link {
     /// Its name.
     pub name: Ident,
-    /// What is fixed to it.
+    /// The items that are fixed to it.
     pub items: Read<Vec<Item>>,
 }
 
@@ -160,11 +160,11 @@ pub(super) enum Direction {
 pub(super) struct Matter {
     /// The word it begins with.
     pub keyword: Span,
-    /// How it is given.
+    /// The mass, or the density.
     pub kind: MatterKind,
 }
 
-/// How the mass of a link is given.
+/// The mass of a link, or its density.
 pub(super) enum MatterKind {
     /// `mass 0.4 at (0.1, 0) inertia 2e-3`
     Mass {
@@ -180,13 +180,13 @@ pub(super) enum MatterKind {
 pub(super) struct Elastic {
     /// Its name.
     pub name: Ident,
-    /// What it lies between, and how strong it is.
+    /// Its ends, and its strength.
     pub body: Read<ElasticBody>,
 }
 
-/// What a spring or damper lies between, and how strong it is.
+/// The ends of a spring or damper, and its strength.
 pub(super) struct ElasticBody {
-    /// What it lies between.
+    /// Its ends.
     pub between: BetweenEnds,
     /// Its stiffness or damping.
     pub strength: Expr,
@@ -194,7 +194,7 @@ pub(super) struct ElasticBody {
     pub rest: Option<Expr>,
 }
 
-/// What a spring or damper lies between.
+/// The ends of a spring or damper.
 pub(super) enum BetweenEnds {
     /// `linear(a.p, b.q)`
     Points([End; 2]),
@@ -206,11 +206,11 @@ pub(super) enum BetweenEnds {
 pub(super) struct Load {
     /// Its name.
     pub name: Ident,
-    /// What it acts on.
+    /// The point or link on which it acts.
     pub on: Read<LoadOn>,
 }
 
-/// What a load acts on.
+/// The point or link on which a load acts.
 pub(super) enum LoadOn {
     /// `force(link.point)`
     Force(End),
@@ -222,19 +222,19 @@ pub(super) enum LoadOn {
 pub(super) struct Joint {
     /// Its name.
     pub name: Ident,
-    /// What it joins, and how.
+    /// Its kind, and the parts that it joins.
     pub body: Read<JointBody>,
 }
 
-/// What a joint joins, and how: `kind(first, second, size) at (x, y) along (dx, dy)`.
+/// The body of a joint: `kind(first, second, size) at (x, y) along (dx, dy)`.
 pub(super) struct JointBody {
     /// The word for its kind.
     pub word: Ident,
-    /// What that word means.
+    /// The kind.
     pub kind: JointWord,
-    /// What it joins.
+    /// The two parts that it joins.
     pub ends: [End; 2],
-    /// What rolls in it, where something does.
+    /// The sizes and the carrier of its rolling parts, if it has any.
     pub rolling: Option<Rolling>,
     /// The law of a cam, a function of the coordinate `q`.
     pub law: Option<Expr>,
@@ -269,7 +269,7 @@ pub(super) enum JointWord {
 pub(super) struct Clause<T> {
     /// The word it begins with.
     pub keyword: Span,
-    /// What follows.
+    /// The value after it.
     pub value: T,
 }
 
@@ -301,7 +301,7 @@ impl fmt::Display for End {
     }
 }
 
-/// What rolls in a gear, belt or rack: `20 : 40 on arm`.
+/// The sizes and the carrier of a gear, belt or rack: `20 : 40 on arm`.
 pub(super) struct Rolling {
     /// Its sizes.
     pub size: Size,
@@ -333,7 +333,7 @@ pub(super) struct Motor {
 pub(super) struct Start {
     /// The word `start`.
     pub keyword: Span,
-    /// How it is assembled.
+    /// The clauses that assemble the mechanism.
     pub clauses: Vec<Read<StartClause>>,
 }
 
@@ -359,7 +359,7 @@ pub(super) enum Effect {
 pub(super) struct Trace {
     /// The point.
     pub point: End,
-    /// How many places are kept.
+    /// The number of places that are kept.
     pub length: Expr,
     /// Its plane, if given.
     pub plane: Option<Expr>,
@@ -385,7 +385,7 @@ pub(super) struct Part {
     pub name: Ident,
     /// Its numbers, each with the value it has where a use gives none.
     pub parameters: Vec<Constant>,
-    /// What stands in its braces.
+    /// The statements in its braces.
     pub body: Read<Vec<Statement>>,
 }
 
@@ -393,7 +393,7 @@ pub(super) struct Part {
 pub(super) struct Port {
     /// Its name.
     pub name: Ident,
-    /// What the part fixes to it.
+    /// The items that the part fixes to it.
     pub items: Read<Vec<Item>>,
 }
 
@@ -401,7 +401,7 @@ pub(super) struct Port {
 pub(super) struct Use {
     /// Its name.
     pub name: Ident,
-    /// How many instances there are, in brackets; without them there is one.
+    /// The number of instances, in brackets; without them there is one.
     pub count: Option<(Expr, Place)>,
     /// The part.
     pub part: Ident,

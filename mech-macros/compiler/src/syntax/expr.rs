@@ -19,13 +19,13 @@ pub(super) struct Pair {
 
 /// A number to be computed.
 pub(super) struct Expr {
-    /// How it is computed.
+    /// Its operation.
     pub kind: ExprKind,
     /// From its first token to its last.
     pub place: Place,
 }
 
-/// How a number is computed. Chains are flat, so that a long one cannot exhaust the stack.
+/// The operation that computes a number. Chains are flat, so that a long one cannot exhaust the stack.
 pub(super) enum ExprKind {
     /// A literal without a decimal point or an exponent: its decimal digits.
     Integer(String),

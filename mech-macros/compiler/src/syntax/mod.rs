@@ -22,14 +22,14 @@ pub use source::{Edit, Edits, Rewriter, Source, StatementText, Tokens};
 use crate::model::Model;
 use proc_macro2::{Ident, TokenStream};
 
-/// What the text says.
+/// A parsed text.
 pub struct Parsed {
     /// The `struct` line, if it could be read.
     pub header: Option<Header>,
     /// The mechanism; where there are errors, as much of it as could be understood. Also then, no two of its
     /// declared links, shown joints and points would be the same method, and all names are fit for one.
     pub model: Model,
-    /// How many motors the text has, those included that an error keeps out of the model.
+    /// The number of motors in the text, with those that an error keeps out of the model.
     pub motors: usize,
     /// Whether any of them is declared with a law, right or wrong.
     pub has_laws: bool,

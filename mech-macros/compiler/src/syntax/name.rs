@@ -21,7 +21,7 @@ pub(super) struct Segment {
     pub index: Option<Index>,
 }
 
-/// What stands in the brackets of a path.
+/// The index in the brackets of a path.
 pub(super) enum Index {
     /// `[2]`
     At(Expr),

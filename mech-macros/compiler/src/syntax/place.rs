@@ -77,7 +77,7 @@ impl Places {
 pub struct Message {
     /// Where.
     pub place: Place,
-    /// What.
+    /// The text.
     pub text: String,
 }
 

@@ -1,4 +1,4 @@
-//! What is seen of a link, as it was written.
+//! The shapes of a link, as they are written.
 
 use super::Place;
 use super::expr::{Expr, Pair};

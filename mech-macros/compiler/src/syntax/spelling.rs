@@ -1,4 +1,4 @@
-//! What the user may have meant.
+//! Words that the user may have meant.
 
 /// The candidate that looks most like the word, if one does.
 pub(super) fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {

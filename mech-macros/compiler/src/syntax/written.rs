@@ -3,7 +3,7 @@
 use super::ast::{Expr, ExprKind};
 use std::fmt::{self, Display, Formatter};
 
-/// How tightly the parts of an expression hold together.
+/// The precedence of an expression, the weakest first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Bond {
     Sum,

@@ -8,8 +8,8 @@ use super::sine::{NEAREST, distance, has_passed, is_near, is_stepped_over, is_ze
 use super::{AtZero, Journey};
 use crate::Real;
 
-/// How far beyond a zero an iteration begins, in fourth roots of the precision: one distance, and a greater one if that fails. There
-/// curvature and rounding are both small beside the distance from the other branch.
+/// The distances beyond a zero at which an iteration begins, in fourth roots of the precision: the second is for where the first fails.
+/// There curvature and rounding are both small beside the distance from the other branch.
 const OFFSETS: [f64; 2] = [8.0, 32.0];
 /// The same distances for loops in closed form, whose positions are exact to rounding.
 const TOGETHER: [f64; 3] = [0.25, NEAREST, 2.0];
@@ -57,7 +57,7 @@ pub(super) struct Beyond<P, T> {
     pub(super) stops: bool,
 }
 
-/// How an iterated loop comes to a possible change point: its iteration failed, or its sine was found to be zero.
+/// Finds the meeting of an iterated loop with a possible change point: its iteration failed, or its sine was found to be zero.
 pub(super) fn meeting<T: Real, J: Journey<T>>(
     journey: &J,
     (from, done): (&J::Position, T),
@@ -188,7 +188,7 @@ fn touch<T: Real, J: Journey<T>>(
 struct Touch<P, T> {
     /// The position halfway between the zero and where it was seen.
     halfway: P,
-    /// How far before the zero it was seen.
+    /// The distance before the zero at which it was seen.
     offset: T,
 }
 
@@ -274,7 +274,7 @@ impl<P: Clone, T: Real> Line<'_, P, T> {
         let last = self.last.0;
         let mut beyond = journey.beyond(self.before.0, last);
         let mut stops = false;
-        // What has passed its change point does not pass it once more.
+        // A loop that has passed its change point does not pass it once more.
         let turns = |index| {
             journey.watch(index).at_zero != AtZero::Stay
                 && !has_passed(journey, last, index)

@@ -60,7 +60,7 @@ fn leave_straight<T: Real, J: Journey<T>>(
     let mut seen: [Option<J::Position>; 4] = [const { None }; 4];
     for _ in 0..DOUBLINGS {
         let end = done + sense * distance;
-        // What does not close from the last may close from where it stood.
+        // A position that is not reached from the last one may be reached from `from`.
         let to = journey.at(seen[3].as_ref().unwrap_or(from), end).ok();
         seen.rotate_left(1);
         seen[3] = to;

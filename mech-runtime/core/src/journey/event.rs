@@ -1,4 +1,4 @@
-//! What happens to watched loops on a piece: where the sine of one is zero, or something does not close.
+//! Events of watched loops on a piece: the sine of one is zero, or something does not close.
 
 use super::pace::{is_far, is_far_at_ends, lesser};
 use super::reach::{Reach, position_at};
@@ -21,7 +21,7 @@ const DIP: f64 = 0.0625;
 /// The least square found is taken for zero if it is at most so many times what rounding hides, which is only estimated.
 const BARELY_SEEN: f64 = 16.0;
 
-/// What happens to a watched loop in a piece.
+/// An event of a watched loop in a piece.
 pub(super) enum Event<T> {
     None,
     /// A loop passes its change point.
@@ -88,7 +88,7 @@ fn soonest<T: Real, J: Journey<T>>(
         if is_far || !looks_at(index) {
             continue;
         }
-        // What has just passed its zero does not come to it once more. But it may have been a dead point.
+        // A loop that has just passed its zero does not come to it once more. But it may have been a dead point.
         let event = match (
             has_passed(journey, from, index),
             is_zero(journey, from, index),
@@ -136,7 +136,7 @@ fn least_sine<T: Real, J: Journey<T>>(
     let mut narrowed = 0;
     let mut at = straight(a, b);
     let mut least: Option<(T, T)> = None;
-    // What rounding hides there.
+    // The square that rounding hides there.
     let mut hidden = T::ZERO;
     for round in 1..=HALVINGS {
         if !(at > a.0 && at < b.0) {

@@ -24,7 +24,7 @@ pub struct Watch<T> {
     pub change: T,
     /// Whether that is no bound but a guess, to be corrected by what the pieces show.
     pub guessed: bool,
-    /// What happens where the sine is zero and the loop closes on both sides.
+    /// The behaviour where the sine is zero and the loop closes on both sides.
     pub at_zero: AtZero,
     /// Whether it is solved by iteration, which fails where the sine is zero.
     pub iterated: bool,
@@ -39,7 +39,7 @@ pub struct Turn<T> {
     pub guessed: bool,
 }
 
-/// What makes something change faster than its rates say.
+/// A cause that makes something change faster than its rates say.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Growth<T> {
     /// So many times as fast as one is greater than the sine of an earlier watched loop.
@@ -48,7 +48,7 @@ pub enum Growth<T> {
     Far(usize, T),
 }
 
-/// What a loop does at a change point.
+/// The behaviour of a loop at a change point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AtZero {
     /// It has none: it touches a dead point at most.
@@ -71,7 +71,7 @@ pub enum Standing {
 }
 
 impl Standing {
-    /// What a number of the state says.
+    /// Reads a standing from its number in the state.
     #[must_use]
     pub fn of<T: Real>(number: T) -> Self {
         if number > T::ZERO {
@@ -106,19 +106,19 @@ pub trait Journey<T: Real> {
     /// # Errors
     /// Why it cannot be there.
     fn at(&self, last: &Self::Position, part: T) -> Result<Self::Position, Self::Stop>;
-    /// How many loops are watched.
+    /// Returns the number of watched loops.
     fn watches(&self) -> usize;
     /// A loop that is watched.
     fn watch(&self, index: usize) -> Watch<T>;
-    /// What makes the square of its sine change faster.
+    /// Returns the causes that make the square of its sine change faster.
     fn growth(&self, index: usize) -> impl Iterator<Item = Growth<T>>;
-    /// How many angles are followed over whole turns.
+    /// Returns the number of angles that are followed over whole turns.
     fn follows(&self) -> usize;
     /// Such an angle.
     fn turn(&self, index: usize) -> Turn<T>;
     /// Its value, in radians, whole turns included.
     fn angle(&self, position: &Self::Position, index: usize) -> T;
-    /// What makes such an angle change faster.
+    /// Returns the causes that make such an angle change faster.
     fn turn_growth(&self, index: usize) -> impl Iterator<Item = Growth<T>>;
     /// The value of a motor or param.
     fn input(&self, position: &Self::Position, input: usize) -> T;
@@ -210,7 +210,7 @@ fn is_endless<T: Real, J: Journey<T>>(journey: &J) -> bool {
 /// Moves to the target, past the change points before it. A move that even the longest pieces would divide too often is not begun.
 ///
 /// # Errors
-/// How far it came and why it went no farther.
+/// The position that it reached, and why it went no farther.
 pub fn travel<T: Real, J: Journey<T>>(
     journey: &J,
     start: &J::Position,

@@ -1,4 +1,4 @@
-//! How long a piece may be: from the sines where it begins and how fast they change.
+//! The length of a piece: from the sines where it begins and their rates.
 
 use super::sine::is_zero;
 use super::{Growth, Journey, Standing, Turn};
@@ -34,7 +34,7 @@ const OFF_HALF: f64 = 0.25;
 const OF_GUESS: f64 = 1.0 / 64.0;
 /// A loop stays away from zero if the sum of the squares of its sine at both ends exceeds so many times the change that a bound allows.
 const OF_BOUND: f64 = 2.0;
-/// What rests on a guess is taken to be so many times as fast where pieces are short.
+/// Where pieces are short, rates that rest on a guess are taken to be so many times as great.
 const LEAST_GUESSED: f64 = 4.0;
 
 /// Whether nothing can stop a step between two positions that are this part of the move apart. Then no watched loop comes to zero, and no angle
@@ -94,7 +94,7 @@ pub(super) fn first<T: Real, J: Journey<T>>(journey: &J, longest: T) -> T {
     })
 }
 
-/// How many times as long as a piece the next one may be.
+/// Returns the greatest ratio of the length of the next piece to that of this one.
 pub(super) fn most_stretch<T: Real, J: Journey<T>>(journey: &J) -> T {
     let is_guessed = guesses(journey).next().is_some();
     T::from_f64(if is_guessed { LONGER_GUESSED } else { LONGER })
@@ -198,7 +198,7 @@ fn squares<T: Real, J: Journey<T>>(
     a * a + b * b
 }
 
-/// How many times as fast something changes between two positions as its rates say.
+/// Returns the factor by which something changes faster between two positions than its rates say.
 #[inline]
 fn speed<T: Real, J: Journey<T>>(
     journey: &J,

@@ -72,7 +72,7 @@ pub(super) fn travel_piece<T: Real, J: Journey<T>>(
         }
         match event {
             Event::None if reach.stop.is_none() && reach.end < target => {
-                // What was blocked in a step that long is not in this one: on from here.
+                // A longer step was blocked, but this one was not: the move goes on from here.
                 (from, done, aim) = (reach.to, reach.end, target);
             }
             Event::None if let Some(other) = other_side(journey, &reach, aim) => {
@@ -218,7 +218,7 @@ fn leave<T: Real, J: Journey<T>>(
     reach: &Reach<J::Position, J::Stop, T>,
 ) -> Leaving {
     let to = &reach.to;
-    // What does not close right behind is at a dead point.
+    // A loop that does not close right behind is at a dead point.
     let is_open = |index| {
         let is_open = |stop| journey.is_open(stop, index) && is_beside_zero(journey, to, index);
         reach.stop.as_ref().is_some_and(is_open)

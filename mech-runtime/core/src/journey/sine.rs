@@ -1,4 +1,4 @@
-//! How near the sine of a watched loop is to zero, and what rounding hides of that.
+//! The distance of a watched loop's sine from zero, and the part of it that rounding hides.
 
 use super::{AtZero, Growth, Journey, Standing};
 use crate::Real;

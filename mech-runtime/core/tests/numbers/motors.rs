@@ -99,7 +99,7 @@ fn turns_of(x: f64) -> (i128, i128) {
     (sign * turns.cast_signed(), sign * remainder)
 }
 
-/// What is left in radians, from parts of 2¹²⁶ of a turn.
+/// Converts a remainder from units of 2⁻¹²⁶ turns to radians.
 #[allow(clippy::cast_precision_loss, reason = "rounded once")]
 fn radians(remainder: i128) -> f64 {
     remainder as f64 / 2_f64.powi(126) * TAU

@@ -1,5 +1,4 @@
-//! What is left of a float of any size when right angles are taken from it, by additions and subtractions of long fractions:
-//! neither 2/pi nor a product is in it.
+//! The remainder of a float of any size by right angles: additions and subtractions of long fractions, without 2/pi and without products.
 
 use crate::reference::Pair;
 
@@ -136,8 +135,7 @@ impl Remainders {
         }
     }
 
-    /// What is left of a finite float of at least 2^-10 less the nearest number of right angles, and that number modulo
-    /// four.
+    /// Returns the remainder of a finite float of at least 2^-10 by the nearest number of right angles, and that number modulo four.
     pub(crate) fn of(&self, x: f64) -> (Pair, i64) {
         let bits = x.to_bits();
         let whole = bits & ((1 << 52) - 1) | 1 << 52;

@@ -1,4 +1,4 @@
-//! What all moments show in the same order, and what changes.
+//! The figures that all moments show in the same order, and the changes between them.
 
 use super::drawing::Part;
 use super::element::Figure;
@@ -13,7 +13,7 @@ const STEP: f64 = 0.5;
 #[derive(Clone, Debug)]
 pub(super) struct Layers {
     pub(super) all: Vec<Layer>,
-    /// What changes in front of all layers.
+    /// The changes in front of all layers.
     pub(super) front: Vec<Change>,
 }
 

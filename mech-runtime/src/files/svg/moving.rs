@@ -41,7 +41,7 @@ pub struct AnimatedSvg {
     /// The canvas of the next moment.
     canvas: Svg,
     period: Duration,
-    /// How many moments there are.
+    /// The number of moments.
     moments: usize,
     layers: Layers,
 }
@@ -132,7 +132,7 @@ impl AnimatedSvg {
         self.canvas.sheet.document(&style, &body)
     }
 
-    /// How often changing figures are shown in a period.
+    /// Returns the number of times in a period at which changing figures are shown.
     fn count_of_changes(&self) -> usize {
         #[expect(
             clippy::cast_possible_truncation,

@@ -35,7 +35,7 @@ impl fmt::Display for Number {
     }
 }
 
-/// How many decimals more a number has that is multiplied by lengths up to `extent` pixels.
+/// Returns the number of further decimals of a number that is multiplied by lengths up to `extent` pixels.
 pub(super) fn digits(extent: f64) -> usize {
     #[expect(
         clippy::cast_possible_truncation,

@@ -47,7 +47,7 @@ impl Place {
         }
     }
 
-    /// How far a figure moves, from one place to another, that reaches so far from the origin.
+    /// Bounds the movement of a figure from one place to another; it reaches `reach` pixels from its origin.
     pub(super) fn distance(self, other: Self, reach: f64) -> f64 {
         let shift = (other.x - self.x).hypot(other.y - self.y);
         shift + reach * (other.angle - self.angle).abs()

@@ -47,7 +47,7 @@ pub(super) fn mix_pixel(pixel: [u8; 4], paint: [u8; 4], share: u32) -> [u8; 4] {
         let channels = u64::from(u32::from_le_bytes(channels));
         (channels | channels << 24) & LOW
     });
-    // What a channel of the difference borrows from the next, the whole pixel gives back.
+    // A channel of the difference may borrow from the next; adding the whole pixel gives that back.
     let sum =
         (pixel * 255 + HALVES).wrapping_add(paint.wrapping_sub(pixel).wrapping_mul(share.into()));
     // Divisions by 255, rounded.

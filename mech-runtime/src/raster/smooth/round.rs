@@ -17,7 +17,7 @@ pub(super) struct Round<T> {
     turn: Turn<T>,
     /// The direction from the centre to the end of the step, of length one. The y axis points down.
     direction: [T; 2],
-    /// What is left of the step: from where to where, from the centre to the right and from the top of the picture down.
+    /// The ends of the rest of the step: pixels to the right of the centre, and pixels down from the top of the picture.
     from: [T; 2],
     to: [T; 2],
 }

@@ -131,6 +131,6 @@ fn by_cover<T: Scalar, F: Fn(usize) -> [T; 2], M: Memory>(
     for descent in descents {
         descent.cover(borders, cover);
     }
-    // What is covered once is so by either rule.
+    // An area that is covered once is covered by either rule.
     picture.paint(row, 0, Rule::NonZero, paint);
 }

@@ -59,7 +59,7 @@ fn is_sound(interval: Interval) -> bool {
         && interval.high() > f64::NEG_INFINITY
 }
 
-/// What is lost when a sum is rounded, exactly.
+/// Returns the rounding error of a sum, exactly.
 fn lost(a: f64, b: f64) -> f64 {
     let sum = a + b;
     let remainder = sum - a;
@@ -95,7 +95,7 @@ proptest! {
         let quotient = x / y;
         prop_assert!(is_sound(a / b));
         if y != 0.0 {
-            // What is left over has the sign of the correction, times that of the divisor.
+            // The correction has the sign of the remainder, times that of the divisor.
             let remainder = (-quotient).mul_add(y, x);
             prop_assert!(holds(a / b, quotient, remainder * y.signum()));
         }

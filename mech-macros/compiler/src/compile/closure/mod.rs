@@ -1,7 +1,7 @@
 //! The compiler checks its own work: a program that was built is run, and wherever it then is, every joint is measured.
 //!
-//! What it is held to is the geometry as it was declared: where axes are in their links, and how large wheels are. Nothing of the plan, from
-//! which the program was built, has a part in it.
+//! The geometry is checked as it was declared: where axes are in their links, and how large wheels are. The check does not use the plan,
+//! from which the program was built.
 
 use crate::bug::bug;
 use crate::evaluate::Machine;
@@ -11,8 +11,8 @@ use crate::program::Program;
 use crate::structure::{Factor, Rolling, RollingEnd, Structure};
 use std::f64::consts::TAU;
 
-/// How far motors go from the start, one distance after the other: in radians, or as a part of the mechanism's size. A wrong formula
-/// tears a joint wherever it is evaluated, so few positions are enough, and they are reached in single steps.
+/// The distances of motors from the start, one after the other: in radians, or as a part of the mechanism's size. A wrong formula tears a
+/// joint wherever it is evaluated, so few positions are enough, and they are reached in single steps.
 const DISTANCES: [f64; 3] = [1e-3, 0.05, 0.3];
 /// So many motors are moved alone; of more, some go together.
 const GROUPS: usize = 4;
@@ -86,9 +86,9 @@ struct Judge<'m> {
     structure: &'m Structure,
     program: &'m Program,
     start: LinkFrames<'m>,
-    /// What rounding leaves of one.
+    /// The rounding error of a radian, or of the extent 1.
     rounding: f64,
-    /// How many times as fast as the slowest part a wheel may turn.
+    /// A bound on the ratio of the speeds of two wheels.
     fastest: f64,
 }
 
@@ -123,7 +123,7 @@ impl<'m> Judge<'m> {
             let Some(_) = self.torn(machine, near) else {
                 return;
             };
-            // What has a fixed number of rounds closes by and by; what is torn stays torn.
+            // Loops with a fixed number of rounds close after several steps; a torn joint stays torn.
             let here = machine.position().motors.clone();
             if machine.step_to(&here).is_err() {
                 return;
@@ -238,8 +238,8 @@ impl<'m> Judge<'m> {
     }
 }
 
-/// How far two parts that roll on each other have moved on their carrier, as a length on their rims. Wheels are taken to have turned less than
-/// half of a turn.
+/// Returns the displacements of two parts that roll on each other, on their carrier, as lengths on their rims. Wheels are taken to have
+/// turned less than half of a turn.
 pub(super) fn moved(rolling: &Rolling, start: &LinkFrames<'_>, now: &LinkFrames<'_>) -> [f64; 2] {
     rolling.ends.map(|(end, factor)| {
         let moved = match end {
@@ -274,7 +274,7 @@ pub(super) fn size(factor: Factor) -> f64 {
     }
 }
 
-/// How far a number is from a whole number of turns.
+/// Returns the distance of a number from the nearest whole number of turns.
 fn whole_turns_off(number: f64, turn: f64) -> f64 {
     (number - turn * (number / turn).round()).abs()
 }

@@ -220,7 +220,7 @@ fn closed_step(
         None => quote!(pub(super)),
         Some(_) => TokenStream::new(),
     };
-    // What has loops is long: where an angle is beyond the usual range, a call costs little beside it.
+    // A function with loops is long: where an angle is beyond the usual range, a call costs little beside it.
     let inline = if scope.has_arrays() && takes_sines(program) {
         quote!(inline(never))
     } else {

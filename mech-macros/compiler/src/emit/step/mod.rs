@@ -56,7 +56,7 @@ pub(super) fn lanes_module(program: &Program) -> Ident {
     }
 }
 
-/// What functions are for.
+/// The purpose of the functions of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Purpose {
     /// To find what a program computes.

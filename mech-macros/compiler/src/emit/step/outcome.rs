@@ -1,4 +1,4 @@
-//! What a step computes besides a position: rates or forces.
+//! The results of a step besides a position: rates or forces.
 
 use super::scope::Scope;
 use crate::bug::bug;

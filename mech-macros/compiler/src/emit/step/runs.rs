@@ -99,7 +99,7 @@ fn runs<const N: usize>(rows: &[[Value; N]], scope: &Scope<'_>) -> (Vec<Run>, Ve
     (runs, others)
 }
 
-/// What a value is in a function.
+/// Returns the form of a value in a function: an element of an array, or a number.
 fn part(value: Value, scope: &Scope<'_>) -> Part {
     match (scope.place_of(value), scope.program.node(value).op) {
         (Some(Place { array, row }), _) => Part::Element(array, row),
@@ -142,7 +142,7 @@ impl Run {
         (count >= LEAST).then_some(run)
     }
 
-    /// What the row of this number in it has to be.
+    /// Returns the row that must have this number in the run.
     fn row(&self, number: usize) -> Vec<Part> {
         let parts = self.parts.iter().map(|part| match part {
             RunPart::Elements(array, Progression { first, step }) => {

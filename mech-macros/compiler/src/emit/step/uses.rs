@@ -1,4 +1,4 @@
-//! How often values are used: one that is used more than once gets a name.
+//! The number of uses of values: a value that is used more than once gets a name.
 
 use crate::program::{BlockId, Program, Value};
 use std::collections::BTreeMap;

@@ -1,4 +1,4 @@
-//! How far a link is from where it should be: an angle that is off moves its far end by as much as its arm is long.
+//! The errors of places on links: an error of a link's angle moves its far end in proportion to the arm.
 
 use crate::model::{LinkId, Model};
 use crate::program::Position;
@@ -30,7 +30,7 @@ impl Extents {
         Self(corners.collect())
     }
 
-    /// How far each link is off.
+    /// Returns the greatest error of a place on each link.
     pub(super) fn displacements<T: Real>(
         &self,
         is: &Position<T>,

@@ -10,7 +10,7 @@ const TURNS: u32 = 8;
 /// So near to its start an angle has come back.
 const NEAR: f64 = 1e-6;
 
-/// What is known about a value.
+/// The growth of a value and of its rounding error.
 #[derive(Clone, Copy, Debug, Default)]
 struct Growth {
     /// The motor with whose turns the value grows without bound, if one does.

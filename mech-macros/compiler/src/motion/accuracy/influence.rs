@@ -2,7 +2,7 @@
 
 use crate::program::{BlockKind, Op, Program, Value};
 
-/// What some values depend on.
+/// The motors and loops on which some values depend.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Influence {
     /// For each motor whether it moves them.

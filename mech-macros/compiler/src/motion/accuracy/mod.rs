@@ -1,5 +1,4 @@
-//! How exact a mechanism will be, found by trying it; and, where an accuracy is declared, the cheapest way to solve each loop that
-//! keeps it.
+//! The accuracy of a mechanism, found by trying it; and, where an accuracy is declared, the cheapest way to solve each loop that keeps it.
 
 mod extent;
 mod growth;
@@ -28,11 +27,11 @@ const ROUNDING_SAFETY: [f64; 2] = [8.0, 12.0];
 const LEAST_ROUNDING: f64 = 16.0;
 /// More rounds than this are not promised: an iteration that needs more is better left to run until its loop closes.
 const MOST_ROUNDS: u32 = 4;
-/// How many combinations of solvers are tried. Each solver was good enough by itself.
+/// The number of combinations of solvers that are tried. Each solver was good enough by itself.
 const COMBINATIONS: usize = 6;
 
-/// How exact a mechanism will be: the greatest distance of anything on its links from where it should be, in scene units. An estimate
-/// from samples, with a reserve; no bound.
+/// The accuracy of a mechanism: the greatest error of a place on its links, in scene units. An estimate from samples, with a
+/// reserve; no bound.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Prediction {
     /// Of anything.
@@ -42,21 +41,21 @@ pub struct Prediction {
     pub loops: Vec<Option<f64>>,
 }
 
-/// How a loop is solved.
+/// The method by which a loop is solved, and its accuracy.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SolvedLoop {
     /// Its number among the loops of the plan: some may be left out.
     pub number: usize,
     /// By which method, in words.
     pub method: String,
-    /// How far off the links may be that wait for this loop and for no later one, in scene units, if that was estimated. Infinite if the
+    /// The greatest error of links that wait for this loop and for no later one, in scene units, if it was estimated. Infinite if the
     /// loop may stop where the mechanism could move on.
     pub error: Option<f64>,
     /// Its operations.
     pub cost: Cost,
 }
 
-/// How the loops of a program are solved.
+/// Lists the loops of a program, with their methods.
 pub(crate) fn solved_loops(program: &Program, prediction: Option<&Prediction>) -> Vec<SolvedLoop> {
     let blocks = program
         .ssa
@@ -104,7 +103,7 @@ pub(crate) fn choose(
         .map(|candidate| Rival::new(candidate.program.clone()))
         .collect();
     let mut exact_program = judge.reference.clone();
-    // What does not even start is told elsewhere.
+    // A mechanism that does not start is reported elsewhere.
     let starts = evaluate::settle(&mut exact_program).is_ok();
     let found = compare(&judge.model, plan, &exact_program, &mut rivals);
     let rounding = judge.rounding(&found);
@@ -137,7 +136,7 @@ pub(crate) fn choose(
     Ok((choices, prediction))
 }
 
-/// How exact a mechanism will be with these choices. None unless the steps are declared of all motors that move a loop with a fixed
+/// Predicts the accuracy of a mechanism with these choices. None unless the steps are declared of all motors that move a loop with a fixed
 /// number of rounds.
 pub(crate) fn predict(model: &Model, plan: &Plan, choices: &[Choice]) -> Option<Prediction> {
     let counted = |choice: &Choice| {

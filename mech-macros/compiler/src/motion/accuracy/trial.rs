@@ -14,7 +14,7 @@ use crate::program::{Position, Program};
 use mech_core::Real;
 use std::f64::consts::TAU;
 
-/// How many operations a trial may cost.
+/// The number of operations that a trial may cost.
 const BUDGET: usize = 1_200_000;
 /// The operations that moves of the exact program may cost where they go in pieces.
 const BUDGET_OF_PIECES: usize = 8_000_000;
@@ -26,7 +26,7 @@ const SAMPLES: [usize; 2] = [24, 180];
 const WANDERING: [usize; 2] = [240, 600];
 /// Parts of it are never near each other.
 const GOLDEN: f64 = 0.618_033_988_749_895;
-/// How near to its end rounding is looked at, as parts of a sample.
+/// The distances from the end of a range at which rounding is looked at, as parts of a sample.
 const NEAR_THE_END: [f64; 5] = [0.25, 0.063, 0.016, 0.004, 0.001];
 /// Steps from a sample.
 const STEPS: usize = 2;
@@ -37,7 +37,7 @@ const MOST_PATTERNS: usize = 16;
 #[derive(Clone, Debug)]
 pub(super) struct Rival {
     pub(super) program: Program,
-    /// How far each link was off, at most.
+    /// The greatest error of each link.
     pub(super) worst: Vec<f64>,
     /// Whether it stopped where the other one moved.
     pub(super) stopped: bool,
@@ -52,7 +52,7 @@ impl Rival {
         }
     }
 
-    /// How far any link was off.
+    /// Returns the greatest error of any link; infinite if it stopped.
     pub(super) fn error(&self) -> f64 {
         if self.stopped {
             return f64::INFINITY;
@@ -61,10 +61,10 @@ impl Rival {
     }
 }
 
-/// What was found about the exact program.
+/// The findings about the exact program.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Exact {
-    /// How far each link was off in single precision, at most.
+    /// The greatest error of each link in single precision.
     pub(super) single: Vec<f64>,
     /// Whether single precision was of any use.
     pub(super) seen: bool,
@@ -116,7 +116,7 @@ fn patterns(model: &Model) -> Vec<Vec<f64>> {
     let steps: Vec<f64> = model
         .motors
         .iter()
-        // What has no step is not moved.
+        // A motor without a declared step is not moved.
         .map(|motor| motor.step.unwrap_or(0.0))
         .collect();
     let moved: Vec<usize> = (0..steps.len())

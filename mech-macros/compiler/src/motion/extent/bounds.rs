@@ -20,7 +20,7 @@ type Region = [Interval; 2];
 /// Bounds on the angles of links and on the places of their joints.
 pub(super) struct Bounds<'m> {
     model: &'m Model,
-    /// How far each motor goes.
+    /// The range of each motor.
     ranges: &'m [Interval],
     /// The angle of each link.
     angles: Vec<Interval>,
@@ -103,7 +103,7 @@ impl<'m> Bounds<'m> {
                 }
             }
             let is_same = |(a, b): (&Interval, &Interval)| {
-                // What was infinite and is not is a gain.
+                // A bound that was infinite and is finite is a gain.
                 let close = |a: f64, b: f64| a == b || (a - b).abs() <= GAIN * (1.0 + a.abs());
                 close(a.low(), b.low()) && close(a.high(), b.high())
             };
@@ -113,12 +113,12 @@ impl<'m> Bounds<'m> {
             if all.all(is_same) {
                 return;
             }
-            // What is declared last may be nearest to the ground.
+            // The joint that is declared last may be nearest to the ground.
             order.reverse();
         }
     }
 
-    /// What a joint says about its two ends.
+    /// Narrows the bounds of a joint's two ends to each other.
     fn narrow_joint(&mut self, id: JointId) {
         let model = self.model;
         match model.joint(id).kind {
@@ -143,7 +143,7 @@ impl<'m> Bounds<'m> {
         }
     }
 
-    /// How far the motor of a joint goes, if it has one.
+    /// Returns the range of the motor of a joint, if it has one.
     fn range(&self, joint: JointId) -> Option<Interval> {
         let mut motors = self.model.motors.iter().zip(self.ranges);
         motors
@@ -168,7 +168,7 @@ impl<'m> Bounds<'m> {
     }
 
     fn put(&mut self, axis: AxisId, place: Region) {
-        // What is on the ground is known.
+        // Places on the ground are known.
         if self.model.axis(axis).link != LinkId::GROUND {
             self.places[axis.index()] = place;
         }

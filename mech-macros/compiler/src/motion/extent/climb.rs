@@ -33,8 +33,8 @@ struct Top {
     from: Rc<Position<f64>>,
 }
 
-/// How far out a link is on a side, and the rates of that with the motors. With them stand the rates of the squared sine of the loop that
-/// is nearest to its end.
+/// The place of a link on a side, greater farther out, and its rates with the motors. With them stand the rates of the squared sine of the
+/// loop that is nearest to its end.
 struct Slope {
     here: f64,
     out: Vec<f64>,
@@ -100,8 +100,8 @@ impl Survey<'_> {
         }
     }
 
-    /// How far out a link comes on a side if the effects of all motors add up. With it come the motors' values there, and a position on
-    /// the way of the motor that does most.
+    /// Returns a link's expected place on a side if the effects of all motors add up. With it come the motors' values there, and a position
+    /// on the way of the motor that does most.
     fn expected(&self, side: usize, link: usize) -> (f64, Vec<f64>, Rc<Position<f64>>) {
         let out = |sample: &&Sample| sample.links[link].sides[side];
         let mut from = Rc::new(self.program.start.clone());
@@ -220,7 +220,7 @@ impl Survey<'_> {
         }
     }
 
-    /// How much farther out a link comes with each motor, in parts of the motors' ranges; none if nothing moves it.
+    /// Finds the rates of a link's place on a side with the motors, in parts of the motors' ranges; none if nothing moves it.
     fn slope(&mut self, top: &Top) -> Option<Slope> {
         let Top {
             side, link, from, ..

@@ -30,7 +30,7 @@ impl Sample {
     }
 }
 
-/// How far out something may be seen between two positions, and where.
+/// The outermost place that is guessed between two positions, and the motor's value there.
 #[derive(Clone, Copy)]
 pub(super) struct Guess {
     pub(super) out: f64,
@@ -75,7 +75,7 @@ impl Line {
         }
     }
 
-    /// How far out anything may be between a position and the next, on each side.
+    /// Guesses the outermost place between a position and the next, on each side.
     fn guess(
         &self,
         pair: usize,

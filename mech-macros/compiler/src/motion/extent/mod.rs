@@ -1,4 +1,4 @@
-//! How much room a mechanism takes: found by moving it within a budget, and held by what lengths and ranges allow at most.
+//! The space that a mechanism takes: found by moving it within a budget, and held by what lengths and ranges allow at most.
 //!
 //! Each motor goes alone through its range or whole turns, then all go together. Between two positions of one motor parabolas tell how far
 //! out something may be seen, and there the next position is tried. What is guessed stays in the box, but nothing beyond what [`Bounds`]
@@ -34,7 +34,7 @@ const MOST_TURNS: i64 = 1 << 16;
 /// Positions of one turn of the fastest link, at least and at most, and of all turns if that is between.
 const OF_TURN: [usize; 2] = [12, 24];
 const OF_TURNS: usize = 96;
-/// How often a way is continued if it does not end where it began.
+/// The number of times that a way is continued if it does not end where it began.
 const MOST_WAYS: usize = 4;
 /// A link without any bound is followed no farther than so many sizes of the mechanism beyond the start. It may fly away where slides
 /// become parallel.
@@ -43,7 +43,7 @@ const LIMIT: f64 = 32.0;
 const BETWEEN: usize = 32;
 /// The search ends when no guess exceeds what was seen by more than this part of the box.
 const WELL_KNOWN: f64 = 1e-7;
-/// What is farther out by less than this part of the box may be rounding.
+/// A place that is farther out by less than this part of the box may be so by rounding.
 const ROUNDING: f64 = 1e-14;
 /// Two positions count as equal if their parts differ by less than this part of the mechanism's size.
 const SAME: f64 = 1e-6;
@@ -75,16 +75,15 @@ struct Survey<'a> {
     program: &'a Program,
     seen: SeenPoints,
     walker: Walker<'a>,
-    /// How large the mechanism is.
     size: f64,
     /// The values of each motor that are tried, and whether it may go beyond them.
     ranges: Vec<([f64; 2], bool)>,
-    /// How far out each link can be at most.
+    /// The outermost place that each link can have on each side.
     most: Vec<Sides>,
-    /// How far out each link was seen, and everything.
+    /// The outermost places that were seen of each link, and of everything.
     links: Vec<Sides>,
     sides: Sides,
-    /// How far out each link is seen at the start.
+    /// The outermost places of each link at the start.
     start: Vec<Outermost>,
     /// For each link whether several motors move it.
     is_shared: Vec<bool>,
@@ -106,7 +105,7 @@ impl<'a> Survey<'a> {
         let positions = POSITIONS[0] + POSITIONS[1] * model.motors.len();
         let walker = Walker::new(program, BUDGET.min(positions * price(program)));
         let start = &program.start;
-        // What has all its axes in one place is as large as what is seen of it.
+        // A mechanism with all its axes in one place is as large as its shapes.
         let size = if model.size() > 0.0 {
             model.size()
         } else {
@@ -407,7 +406,7 @@ impl<'a> Survey<'a> {
     }
 }
 
-/// How far out each link can be at most, wherever the motors are within what is tried of them.
+/// Bounds each link's outermost place on each side, for all values of the motors that are tried.
 fn most(
     (model, size): (&Model, f64),
     program: &Program,
@@ -457,7 +456,7 @@ fn motors_of_links(program: &Program) -> Vec<u64> {
             Op::Input(input) | Op::Turns(input) | Op::PartOfTurns(input, ..) => {
                 1 << input.index().min(63)
             }
-            // What is iterated waits for everything.
+            // An iterated value may depend on all motors.
             Op::Unknown(..) | Op::Solved(..) | Op::Dense(..) => u64::MAX,
             op => op
                 .operands()

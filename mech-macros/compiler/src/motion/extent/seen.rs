@@ -1,4 +1,4 @@
-//! What is seen of a mechanism, and the box around it.
+//! The places that are seen of a mechanism, and the box around it.
 
 use crate::model::{LinkId, Model};
 use crate::program::Program;
@@ -15,7 +15,7 @@ pub(super) type Sides = [f64; 4];
 /// A box that holds nothing.
 pub(super) const EMPTY: Sides = [f64::NEG_INFINITY; 4];
 
-/// How far out a link is seen on each side, and the number of the point that is farthest.
+/// The sides of the box around a link, and the number of the point that is outermost on each.
 #[derive(Clone, Copy)]
 pub(super) struct Outermost {
     pub(super) sides: Sides,
@@ -61,12 +61,12 @@ impl SeenPoints {
             .fold(0.0, f64::max)
     }
 
-    /// How many points move.
+    /// Returns the number of points that move.
     pub(super) fn count(&self) -> usize {
         self.moving.iter().map(Vec::len).sum()
     }
 
-    /// How far out each link is seen, if the links have these poses.
+    /// Returns the outermost places of each link, if the links have these poses.
     pub(super) fn outermost(&self, poses: &[[f64; 4]]) -> Vec<Outermost> {
         let poses = poses.iter().enumerate();
         poses
@@ -74,7 +74,7 @@ impl SeenPoints {
             .collect()
     }
 
-    /// How far out a link is seen, if it has this pose.
+    /// Returns the outermost places of a link, if it has this pose.
     pub(super) fn of_link(&self, link: usize, pose: [f64; 4]) -> Outermost {
         let mut found = Outermost {
             sides: EMPTY,
@@ -93,7 +93,7 @@ impl SeenPoints {
     }
 }
 
-/// How far out a point is seen on each side, if its link has this pose.
+/// Returns the sides of the box around a point's shape, if its link has this pose.
 pub(super) fn outwards(([u, v], radius): Reach, [cos, sin, x, y]: [f64; 4]) -> Sides {
     let [x, y] = [x + cos * u - sin * v, y + sin * u + cos * v];
     [radius - x, radius - y, radius + x, radius + y]

@@ -1,4 +1,4 @@
-//! What the variables of a cone can be: whole turns of what turns, declared ranges, what earlier loops were proved to find.
+//! The ranges of a cone's variables: whole turns of angles, declared ranges, and what earlier loops were proved to find.
 
 use super::known::LoopProof;
 use crate::certify::Interval;
@@ -18,7 +18,7 @@ pub(crate) struct Domain<'a> {
     pub(super) cutter: Cutter<'a>,
     /// The loops that a param has a part in.
     pub(super) varying: BTreeSet<usize>,
-    /// What was found out about each loop, by its number.
+    /// The proof about each loop, by its number.
     pub(super) known: Vec<LoopProof>,
 }
 
@@ -37,7 +37,7 @@ impl<'a> Domain<'a> {
         self.cutter.parts(angle)
     }
 
-    /// What is given at the start.
+    /// Returns the value of an input at the start.
     pub(crate) fn start(&self, input: usize) -> f64 {
         self.cutter.program.start.motors[input]
     }
@@ -101,7 +101,7 @@ impl<'a> Domain<'a> {
             Interval::point(*part) * (self.of_input(*input) - from)
         };
         let moved = parts.iter().map(moved).reduce(|sum, next| sum + next);
-        // What is made of no input does not move.
+        // An angle that depends on no input does not move.
         let moved = moved.unwrap_or(Interval::ZERO);
         if moved.is_bounded() && moved.width() < TAU {
             Interval::point(self.cutter.at_start[angle.index()]) + moved
@@ -160,7 +160,7 @@ impl<'a> Domain<'a> {
         variables.iter().map(range).collect()
     }
 
-    /// How far a motor has to turn until everything that is read of it has turned as a whole.
+    /// Returns the turn of a motor after which all angles that are read of it have made whole turns; none if its value itself is read.
     pub(crate) fn period(&self, input: usize, read: &InputReads) -> Option<f64> {
         if read.inputs.contains(&input) {
             return None;
@@ -184,7 +184,7 @@ impl<'a> Domain<'a> {
         Some((TAU * whole as f64 / often as f64).next_up())
     }
 
-    /// What is read of the inputs by these outputs.
+    /// Finds the reads of the inputs by these outputs.
     pub(crate) fn read(&self, outputs: &[Value], cuts: &Cuts<'_>) -> InputReads {
         let mut read = InputReads::default();
         let mut seen: BTreeSet<Value> = BTreeSet::new();
@@ -207,7 +207,7 @@ impl<'a> Domain<'a> {
     }
 }
 
-/// What is read of the inputs.
+/// The reads of the inputs.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct InputReads {
     /// Angles of which only sine and cosine are read.

@@ -12,7 +12,7 @@ use crate::plan::Solution;
 use crate::program::{BlockId, ClosedForm, Dyad, Value};
 use std::f64::consts::{PI, TAU};
 
-/// How many intervals may be computed for a loop by itself, for one together with those before it, and for all loops.
+/// The numbers of intervals that may be computed for a loop by itself, for one together with those before it, and for all loops.
 const ALONE: usize = 60_000;
 const TOGETHER: usize = 240_000;
 const ALL: usize = 1_500_000;
@@ -34,7 +34,7 @@ pub(super) fn prove(domain: &mut Domain<'_>, motors: &[Motors]) {
     }
 }
 
-/// What is known of a loop if it is free.
+/// Proves that a loop is free; none if that fails.
 fn prove_free(
     domain: &Domain<'_>,
     block: BlockId,
@@ -162,7 +162,7 @@ fn hangs_together(domain: &Domain<'_>, cone: &Cone, carriers: &[Carrier]) -> boo
     inputs.len() < count || with_part.iter().any(found)
 }
 
-/// What is asked about a loop.
+/// The values of a loop that are asked for.
 struct LoopQuery<'c> {
     block: BlockId,
     closed: &'c ClosedForm,

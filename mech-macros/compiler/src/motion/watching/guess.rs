@@ -7,11 +7,11 @@ use crate::program::{Bound, Growth, Op};
 
 /// The greatest factor that the small sine of a single free loop adds to a bound.
 const MOST_SHARP_OF_ONE: f64 = 1024.0;
-/// How fast the square of a sine is guessed to change with a param, over its scale.
+/// A guess of the rate of a squared sine with a param, over the param's scale.
 const WITH_PARAM: f64 = 4.0;
 
 impl Paces<'_> {
-    /// How fast the square of a tied loop's sine is guessed to change: at least as fast as motors turn its unknowns through the ties.
+    /// Guesses the rate of the square of a tied loop's sine: at least that at which motors turn its unknowns through the ties.
     pub(super) fn of_tied(&self, ties: &[Tie]) -> Bound {
         let mut bound = Bound::still(self.inputs());
         bound.rates.fill(f64::INFINITY);
@@ -32,7 +32,7 @@ impl Paces<'_> {
         bound
     }
 
-    /// What a param does is known in its neighbourhood only.
+    /// Guesses the rates with the params: they are known in the neighbourhood of a param's value only.
     pub(super) fn with_params(&self, bound: &mut Bound, number: usize) {
         let model = self.domain.model;
         if !self.domain.varying.contains(&number) {

@@ -82,7 +82,7 @@ impl Joined<'_> {
                 return Some(motors);
             }
             for (next, own) in &self.of_link[link.index()] {
-                // What any motor may have a part in leads nowhere.
+                // A connection in which any motor may have a part leads nowhere.
                 if let (true, Some(own)) = (*next != before, own) {
                     waiting.push((*next, link, &motors | own));
                 }

@@ -1,8 +1,8 @@
-//! What is known about a loop, once it was looked at.
+//! The proofs about loops.
 
 use crate::certify::Interval;
 
-/// What was proved about a loop in closed form, if anything was.
+/// The proof about a loop in closed form, if there is one.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct LoopProof {
     /// Where it always closes, and stays clear of its dead points and change points.

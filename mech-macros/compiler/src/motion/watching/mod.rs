@@ -3,7 +3,7 @@
 //! A loop is looked at by itself: of the directions and ways that it is made from, each may be anything that motors or earlier
 //! loops can make it. If its dyad closes on all of that by more than rounding, it needs no watching. If not, it is looked at
 //! together with the free loops before it, from the motors on, through as many turns as bring everything back to where it was.
-//! What then is not proved is watched, with bounds on how fast it can change.
+//! Loops without such a proof are watched, with bounds on how fast they can change.
 
 mod boxes;
 mod domain;
@@ -24,10 +24,10 @@ use pace::Paces;
 /// Below this square of the distance of pins, as a part of the product of lengths, rounding stretches links.
 const NEAR_PINS: f64 = 0.1;
 
-/// What is decided for every loop, and for every angle that is followed over whole turns.
+/// The decisions about every loop, and about every angle that is followed over whole turns.
 pub(crate) struct Decisions {
     pub(crate) choices: Vec<Choice>,
-    /// How fast each angle turns at most whose turns are counted.
+    /// The bound on the rate of each angle whose turns are counted.
     pub(crate) turning: Vec<(Turning, Bound)>,
 }
 

@@ -8,7 +8,7 @@ pub(super) const MOST: f64 = 16.0;
 pub(super) const MOST_OF_SINE: f64 = 4.0;
 /// The same for angles behind gears, which may be much faster than what drives them.
 pub(super) const MOST_OF_ANGLE: f64 = 1024.0;
-/// What motors move directly is bounded well.
+/// The same for values that motors move directly: their bounds are good.
 pub(super) const MOST_DIRECT: f64 = 256.0;
 /// The greatest factor that the small sines of several free loops together add to a bound.
 pub(super) const MOST_SHARP: f64 = 64.0;

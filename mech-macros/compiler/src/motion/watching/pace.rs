@@ -1,7 +1,7 @@
-//! How fast things change at most with the motors: bounds by intervals, loop after loop.
+//! Bounds on rates with the motors: by intervals, loop after loop.
 //!
-//! What a loop finds moves by no more than its goal does, over the length of an arm and the sine of the loop. That sine is known
-//! from below where the loop is free; where it is watched, the bound grows without end near its zero, and says so.
+//! An unknown of a loop moves by no more than its goal, over the length of an arm and the sine of the loop. That sine has a lower bound
+//! where the loop is free. Where the loop is watched, the bound grows without end near its zero, and says so.
 //!
 //! Through several loops such bounds become far wider than any motion: a product of the worst of each. A bound that is too wide is
 //! cut down to a guess and says that, too: then a move goes no piece in which a sine is seen to change much.
@@ -35,25 +35,25 @@ pub(super) struct Paces<'d> {
     pub(super) fastest: Vec<f64>,
 }
 
-/// What a loop reaches for.
+/// The goal of a loop: the vector that its unknowns reach together.
 #[derive(Clone, Debug)]
 struct Goal {
-    /// How fast it moves, arms and lines taken with it.
+    /// The rate at which it moves, arms and lines taken with it.
     moves: Bound,
-    /// How fast the lines turn, if they do.
+    /// The rate at which the lines turn, if they do.
     turns: Bound,
-    /// How far away the goal is at most, and what takes it farther.
+    /// The greatest distance of the goal, and the causes that take it farther.
     reach: f64,
     far: Vec<Growth>,
     /// The lengths of the arms, at least and at most.
     arms: Vec<[f64; 2]>,
     /// Whether it is moved by motors and params alone.
     direct: bool,
-    /// How fast what turns the loop as a whole turns with each input, at most: motors, and gears behind earlier loops.
+    /// The greatest rate, with each input, of the motors and gears that turn the loop as a whole.
     driven: Vec<f64>,
 }
 
-/// What a cone of vectors is, over all its boxes: for each variable how fast goal, arms and lines change.
+/// The rates of a cone of vectors, over all its boxes: of goal, arms and lines with each variable.
 #[derive(Clone, Debug, Default)]
 struct ConeRates {
     goal: Vec<f64>,
@@ -87,7 +87,7 @@ impl<'d> Paces<'d> {
         self.domain.model.inputs()
     }
 
-    /// How fast the square of a loop's sine changes.
+    /// Bounds the rate of the square of a loop's sine.
     pub(super) fn of_sine(&mut self, closed: &ClosedForm) -> Bound {
         let goal = self.goal(closed.number).clone();
         let mut bound = Bound::still(self.inputs());
@@ -133,7 +133,6 @@ impl<'d> Paces<'d> {
         scale.unwrap_or(size)
     }
 
-    /// How fast a loop's goal moves.
     fn goal(&mut self, number: usize) -> &Goal {
         if !self.loops.contains_key(&number) {
             let goal = self.found_goal(number);
@@ -304,7 +303,7 @@ impl<'d> Paces<'d> {
         (ranges, growth)
     }
 
-    /// How far a variable without ends is looked at, and the causes that take it beyond.
+    /// Returns the bound within which a variable without ends is looked at, and the causes that take it beyond.
     fn far(&self, variable: Variable) -> (f64, Vec<Growth>) {
         let size = self.domain.model.size().max(f64::MIN_POSITIVE);
         match variable {
@@ -339,7 +338,7 @@ impl<'d> Paces<'d> {
         }
     }
 
-    /// How fast a variable changes.
+    /// Bounds the rate of a variable.
     fn of_variable(&mut self, variable: Variable) -> Bound {
         match variable {
             Variable::Input(input) => Bound::of_input(input, self.inputs()),
@@ -348,7 +347,7 @@ impl<'d> Paces<'d> {
         }
     }
 
-    /// How fast what a loop finds changes.
+    /// Bounds the rate of an unknown that a loop finds.
     fn of_found(&mut self, number: usize, index: usize) -> Bound {
         let inputs = self.inputs();
         let mut bound = Bound::still(inputs);
@@ -386,14 +385,14 @@ impl<'d> Paces<'d> {
         bound
     }
 
-    /// How fast an angle turns.
+    /// Bounds the rate of an angle.
     pub(super) fn of_angle(&mut self, angle: Value) -> Bound {
         let mut bound = self.of_value(angle);
         self.sharpen(&mut bound, 0.0);
         bound
     }
 
-    /// How fast a value changes: an angle, or what a law or a gear is made from.
+    /// Bounds the rate of a value: of an angle, or of an operand of a law or a gear.
     fn of_value(&mut self, value: Value) -> Bound {
         if let Some(known) = self.values.get(&value) {
             return known.clone();
@@ -413,7 +412,7 @@ impl<'d> Paces<'d> {
             let of = self.of_variable(*variable);
             bound.add(most, &of);
         }
-        // What is a sum of constant parts is as fast everywhere.
+        // A sum of constant parts has the same rate everywhere.
         if self.domain.cutter.parts(value).is_none() {
             if !self.is_steady(&cone) {
                 bound.grow_like(&far);

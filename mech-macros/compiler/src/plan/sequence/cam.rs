@@ -1,4 +1,4 @@
-//! What cams add to the search: joints whose coordinates are functions of others.
+//! The part of the search for cams: joints whose coordinates are functions of others.
 
 use super::Search;
 use super::rolling::coordinate;

@@ -54,7 +54,7 @@ struct Search<'m> {
     structure: &'m Structure,
     graph: KinematicGraph,
     clusters: Clusters,
-    /// What connects them.
+    /// The connections between them.
     open: Open,
     steps: Vec<Step>,
     /// The number of loops that were found.

@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Two clusters, by their bases, the lower first.
 type Pair = (LinkId, LinkId);
 
-/// What connects links, and may connect clusters.
+/// A connector of links, which may connect clusters.
 #[derive(Clone, Copy)]
 enum Connector {
     /// All links on a pin, by its number.
@@ -119,7 +119,7 @@ impl Open {
             return;
         }
         self.pairs.remove(&pair);
-        // What is no longer a pair is in no ring.
+        // Two clusters that are no longer a pair are in no ring together.
         for third in self.common_neighbours(pair) {
             self.rings.remove(&sorted([a, b, third]));
         }
@@ -194,7 +194,7 @@ impl Open {
         connections.flat_map(BTreeMap::values).copied()
     }
 
-    /// What a connector connects by now. If several links of one cluster are on a pin, one stands for all.
+    /// Returns the connections that a connector makes by now. If several links of one cluster are on a pin, one stands for all.
     fn betweens(
         &self,
         model: &Model,

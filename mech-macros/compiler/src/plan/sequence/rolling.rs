@@ -1,4 +1,4 @@
-//! What gears, belts and racks add to the search: joints they move, and directions they tie.
+//! The part of the search for gears, belts and racks: joints they move, and directions they tie.
 
 use super::Search;
 use super::open::named_on;
@@ -282,7 +282,7 @@ fn relation(rolling: &Rolling) -> LinearForm {
     })
 }
 
-/// What a wheel or bar has moved on its carrier.
+/// Returns the coordinate of a wheel or bar on its carrier, as a linear form.
 fn quantity(rolling: &Rolling, end: RollingEnd) -> LinearForm {
     match end {
         RollingEnd::Wheel(wheel) => LinearForm::turn(rolling.carrier, wheel),

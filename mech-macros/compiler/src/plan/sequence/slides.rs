@@ -64,7 +64,7 @@ impl Search<'_> {
     }
 }
 
-/// What a tie says of these displacements.
+/// Returns the equation of a tie in these displacements, as a row.
 fn row_of(tie: &Tie, joints: &[JointId]) -> RowDVector<f64> {
     let place = |unknown: Unknown| {
         joints

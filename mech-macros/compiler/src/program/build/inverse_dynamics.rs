@@ -15,7 +15,7 @@ use crate::program::node::{Op, Value};
 use crate::program::{InverseDynamics, LinearEquations};
 use crate::structure::Structure;
 
-/// How the equations of a link are written: about which point moments are taken, and along which directions forces are summed.
+/// The form of a link's equations: about which point moments are taken, and along which directions forces are summed.
 #[derive(Clone, Copy, Debug)]
 struct Balance {
     /// An axis of the link, or else its origin.

@@ -83,7 +83,7 @@ impl LoopIteration<'_> {
         self.name_residuals(&residuals, &unknowns.names);
         let columns = all_columns(&residuals, now.len());
         let is_coupled = equation.rings.len() > 1;
-        // What only slides has one solution.
+        // A loop whose unknowns are all displacements has one solution.
         let has_several = is_coupled && now.iter().any(Solution::is_direction);
         let choice = &self.site.choice;
         let side = is_coupled

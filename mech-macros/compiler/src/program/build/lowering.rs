@@ -1,4 +1,4 @@
-//! What every pass over a plan adds to: the operations so far, and where they put the links.
+//! The state of lowering, shared by all passes over a plan: the operations so far, and where they put the links.
 
 use crate::model::{AxisId, LinkId, Model};
 use crate::plan::{Connection, ConnectionKind, Placement, Plan, Solution};

@@ -1,5 +1,5 @@
-//! How far motors may go in one piece where no bound is known: loops that are solved together could leap over a place where they do
-//! not close.
+//! The greatest displacement of motors in one piece where no bound is known: loops that are solved together could leap over a place where
+//! they do not close.
 
 use crate::model::{JointKind, Model};
 use crate::plan::{ConnectionKind, Plan, Rational, Source, Step, Unknown, float_of};

@@ -72,7 +72,7 @@ pub fn build_as(model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
         if !idle.is_empty() {
             program = lower(&idle);
         }
-        // What an iteration begins with has to be known too.
+        // The links with which an iteration begins have to be known too.
         let read = program.read_back();
         let before = links.len();
         links.extend(read);

@@ -1,4 +1,4 @@
-//! What a program has to know about the range of its inputs and numbers.
+//! The facts about the range of a program's inputs and numbers.
 
 use crate::model::{Joint, JointKind, Model};
 use crate::plan::{Plan, Rational, Step};

@@ -166,7 +166,7 @@ impl Lowering<'_> {
         let least = self.ssa.part_of(16.0 * self.ssa.epsilon.sqrt(), most);
         let size = self.ssa.abs(det);
         let margin = self.ssa.sub(size, least);
-        // What several motors do to a loop hangs on the same determinant.
+        // The effects of several motors on a loop depend on the same determinant.
         if equations.margins.iter().all(|other| other.margin != margin) {
             equations.margins.push(RateMargin {
                 place: solved.place.clone(),
@@ -225,7 +225,7 @@ impl Lowering<'_> {
         }
         let (second, _) = self.solve_rates(solved.block, &solved.columns, &gap, equations);
         for (&rate, second) in solved.rates.iter().zip(second) {
-            // What never moves is never faster.
+            // A coordinate that never moves has no acceleration.
             if self.ssa.number(rate).is_none() {
                 let name = self.ssa.name_of(rate).map(|name| format!("{name}_change"));
                 if let Some(name) = name {

@@ -1,11 +1,11 @@
-//! How large a loop is, which tolerances are relative to: what it is at the start, unless params change it.
+//! The size of a loop, to which tolerances are relative: that at the start, unless params change it.
 
 use crate::plan::{Arithmetic, Equation};
 use crate::program::builder::SsaBuilder;
 use crate::program::node::{Op, Value};
 use std::collections::HashMap;
 
-/// How far vectors and numbers are known to reach.
+/// The magnitudes of vectors and numbers that were found.
 #[derive(Debug, Default)]
 struct Known {
     vectors: HashMap<[Value; 2], f64>,
@@ -155,7 +155,7 @@ impl SsaBuilder {
             _ if self.is_of_direction(value) => 1.0,
             Op::Neg(a) => of(a),
             Op::Add(a, b) | Op::Sub(a, b) => of(a) + of(b),
-            // What a loop has found is a quotient: how great its parts are tells nothing.
+            // The unknown of a loop is a quotient: the magnitudes of its parts tell nothing about it.
             Op::Mul(a, b) if self.is_part(a) || self.is_part(b) => of(a) * of(b),
             _ => self.at_start(value).abs(),
         };

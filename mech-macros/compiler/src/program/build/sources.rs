@@ -1,4 +1,4 @@
-//! What gears, belts, racks and cams are solved from.
+//! The sources of gears, belts, racks and cams.
 
 use super::lowering::Lowering;
 use super::watching::Watches;

@@ -9,7 +9,7 @@ use crate::plan::{
 use crate::program::node::Op;
 
 impl PositionPass<'_> {
-    /// What never turns.
+    /// Lowers a joint that never turns.
     pub(super) fn weld(&mut self, weld: &Weld) {
         let direction = self.lowering.ssa.vector(weld.direction);
         self.lowering

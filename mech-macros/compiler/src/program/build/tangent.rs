@@ -287,7 +287,7 @@ impl Tangents {
         motor || self.angular_velocities.contains_key(&direction)
     }
 
-    /// How a value is a coordinate of a vector that a direction turns; none if it is made otherwise.
+    /// Finds the rotation that makes a value, a coordinate of a vector that a direction turns; none if it is made otherwise.
     fn find_rotation(&self, ssa: &SsaBuilder, value: Value) -> Option<Rotation> {
         let (first, second, is_x) = match ssa.op(value) {
             Op::Sub(a, b) => (a, b, true),

@@ -1,4 +1,4 @@
-//! How rolling ties the unknowns of a loop, and the iteration of one that is tied.
+//! The ties of a loop's unknowns by rolling, and the iteration of a tied loop.
 
 use super::iteration::{IteratedLoop, LoopIteration, System};
 use super::last::{LastUnknown, last_unknown};
@@ -149,7 +149,7 @@ impl LoopIteration<'_> {
             Some(slides) => self.ssa.add(slides, turns),
             None => turns,
         };
-        // What only slides has one solution.
+        // A loop whose unknowns are all displacements has one solution.
         let has_several = all.iter().any(Solution::is_direction);
         let system = System {
             gap: residuals.gap(),

@@ -1,5 +1,4 @@
-//! What forces do to the motors, by virtual work: each motor moves alone, and the power of everything that acts is what it has to
-//! bring up.
+//! Motor torques by virtual work: each motor moves alone, and its power balances that of all other forces.
 
 use super::Positions;
 use super::lowering::Lowering;

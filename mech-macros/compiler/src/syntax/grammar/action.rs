@@ -1,4 +1,4 @@
-//! What acts on links: `gravity`, `spring`, `damper`, `load`.
+//! The actions on links: `gravity`, `spring`, `damper`, `load`.
 
 use super::beginning::STATEMENTS;
 use super::expression::{expression, one_of, pair};

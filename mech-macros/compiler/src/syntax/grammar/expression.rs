@@ -12,10 +12,10 @@ use proc_macro2::{Delimiter, Ident, Literal, Span, TokenStream, TokenTree};
 use syn::parse::ParseStream;
 use syn::{Lit, Token, token};
 
-/// How many brackets may stand in one another: enough for anybody, and the stack holds it.
+/// The greatest depth of nested brackets: enough for anybody, and the stack holds it.
 const DEPTH: usize = 64;
 
-/// What a function takes.
+/// A function of one number or of two.
 #[derive(Clone, Copy)]
 enum Callee {
     One(Function),
@@ -232,7 +232,7 @@ fn primary(input: ParseStream, depth: usize) -> Read<Expr> {
     Err(expected_message(input, "a number"))
 }
 
-/// What a `macro_rules!` variable such as `$x:expr` stands for comes in invisible brackets.
+/// Takes the tokens of a `macro_rules!` variable such as `$x:expr`: they come in invisible brackets.
 fn take_invisible(input: ParseStream) -> Option<TokenStream> {
     advance(input, |cursor| {
         let (inner, _, rest) = cursor.group(Delimiter::None)?;
@@ -352,7 +352,7 @@ fn unknown_function(input: ParseStream, ident: &Ident, depth: usize) -> Message 
         return Message::new(place.to(brackets), text);
     }
     let names: Vec<&str> = function_names().collect();
-    // What another language calls so is not one of ours that looks like it.
+    // A name from another language is no misspelling of one of ours.
     let text = match spelling::nearest(&name, &names) {
         Some(meant) if !foreign::is_function(&name) => {
             format!("unknown function `{name}`; did you mean `{meant}`?")

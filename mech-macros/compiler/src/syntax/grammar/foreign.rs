@@ -16,7 +16,7 @@ pub(super) fn is_function(name: &str) -> bool {
     FUNCTIONS.contains(&name)
 }
 
-/// How a call of a function that there is not is written, if it can be.
+/// Writes a call of a function that there is not by functions that there are, if it can.
 ///
 /// In brackets, so that it may stand wherever the call stood.
 pub(super) fn call(name: &str, arguments: &[Expr]) -> Option<String> {
@@ -60,7 +60,7 @@ fn spell_power(base: &Expr, power: &Expr) -> Option<String> {
     }
 }
 
-/// What to write for a power.
+/// Returns the message about a power.
 pub(super) fn power(operator: &str, base: &Expr, power: &Expr) -> Message {
     let text = match spell_power(base, power) {
         Some(product) => format!("there is no `{operator}`; write `{product}`"),
@@ -71,7 +71,7 @@ pub(super) fn power(operator: &str, base: &Expr, power: &Expr) -> Message {
     Message::new(base.place.to(power.place), text)
 }
 
-/// What to write for a remainder.
+/// Returns the message about a remainder.
 pub(super) fn remainder(number: &Expr, divisor: &Expr) -> Message {
     let place: Place = number.place.to(divisor.place);
     let text = format!("there is no `%`; write `mod({number}, {divisor})`");

@@ -1,4 +1,4 @@
-//! What is fixed to a link: `{ point pin = (1, 0); circle (0, 0) radius 0.2; }`.
+//! The items of a link: `{ point pin = (1, 0); circle (0, 0) radius 0.2; }`.
 
 use super::beginning::{ITEMS, STATEMENTS, at_beginning};
 use super::ending::missing_after;

@@ -50,7 +50,7 @@ fn body(input: ParseStream) -> Read<JointBody> {
     })
 }
 
-/// What stands in the brackets: the ends, what rolls, and a cam's law.
+/// The text in the brackets: the ends, the sizes of rolling parts, and a cam's law.
 type Parts = ([End; 2], (Option<Rolling>, Option<Expr>));
 
 fn parts(input: ParseStream, kind: JointWord) -> Read<Parts> {

@@ -16,7 +16,7 @@ const OF_RUST: [&str; 8] = [
     "macro_rules",
 ];
 
-/// What to do about a word that begins no statement, but something else.
+/// Returns the help for a word that begins no statement, but something else.
 pub(super) fn as_statement(word: &str) -> Option<String> {
     if VALUES.contains(&word) {
         Some(format!(
@@ -35,7 +35,7 @@ pub(super) fn as_statement(word: &str) -> Option<String> {
     }
 }
 
-/// What to do about a word that begins no item of a link, but something else.
+/// Returns the help for a word that begins no item of a link, but something else.
 pub(super) fn as_item(word: &str) -> Option<String> {
     STATEMENTS.contains(&word).then(|| {
         format!("`{word}` is a statement of its own; write it after the braces of the link")

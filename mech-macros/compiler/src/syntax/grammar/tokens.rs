@@ -131,7 +131,7 @@ pub(super) fn name(input: ParseStream, what: &str) -> Read<Ident> {
     if !input.peek(Ident::peek_any) {
         return Err(expected_message(input, what));
     }
-    // What is a keyword to `syn`, and what became one in edition 2024, in which generated code is written.
+    // A keyword to `syn` is no name, nor is one of edition 2024, in which generated code is written.
     let valid = input.peek(syn::Ident) && !comes_word(input, "gen");
     let ident = any_word(input).ok_or_else(|| expected_message(input, what))?;
     let text = match ident.to_string() {

@@ -34,7 +34,7 @@ pub(super) fn is_declared(rest: Cursor) -> bool {
     assigned || rest.ident().is_some_and(|(word, _)| word == "near")
 }
 
-/// What to write for a number with such a unit.
+/// Returns the message about a number with such a unit.
 pub(super) fn trouble(number: &Expr, unit: &str, place: Place) -> Message {
     let text = if DEGREES.contains(&unit) {
         let degrees = match number.kind {

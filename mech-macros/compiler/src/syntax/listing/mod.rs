@@ -24,7 +24,7 @@ pub struct Listing<P = Place> {
 /// A name at one place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ListedName<P = Place> {
-    /// What it names.
+    /// The kind of thing that it names.
     pub noun: Noun,
     /// The words that lead to it, itself included, without indices: `left.foot.tip`.
     pub path: String,
@@ -36,7 +36,7 @@ pub struct ListedName<P = Place> {
     pub place: P,
 }
 
-/// What a name stands for, as far as the grammar knows.
+/// The kind of thing that a name stands for, as far as the grammar knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Noun {
     /// A link, a port, or the use of a part.
@@ -58,9 +58,9 @@ pub enum Noun {
 /// A number, or a pair of them, at its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ListedNumber<P = Place> {
-    /// What it belongs to: `crank.pin`, or the word of a statement without a name.
+    /// Its owner: `crank.pin`, or the word of a statement without a name.
     pub owner: String,
-    /// What it says of that: `x`, `shape 2 radius`.
+    /// Its role in the owner: `x`, `shape 2 radius`.
     pub role: String,
     /// The part in whose braces it stands.
     pub part: Option<String>,

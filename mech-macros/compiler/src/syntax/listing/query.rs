@@ -1,4 +1,4 @@
-//! What is asked of a listing.
+//! Queries of a listing.
 
 use super::{ListedName, ListedNumber, Listing, Noun};
 
@@ -12,7 +12,7 @@ impl<P> Default for Listing<P> {
 }
 
 impl<P> ListedNumber<P> {
-    /// What it belongs to, with the part in which that is declared: `Leg.foot.tip`.
+    /// Returns the path of its owner, with the part in which that is declared: `Leg.foot.tip`.
     #[must_use]
     pub fn path(&self) -> String {
         match &self.part {
@@ -96,7 +96,7 @@ impl<P> Listing<P> {
         (next.noun == Noun::Part && !next.is_declared).then_some(next.path.as_str())
     }
 
-    /// What a path means: the part in which it is declared, and its words there.
+    /// Resolves a path: returns the part in which the named thing is declared, and its path there.
     #[must_use]
     pub fn resolve<'a>(
         &'a self,

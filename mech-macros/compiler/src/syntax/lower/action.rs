@@ -1,4 +1,4 @@
-//! What acts on the links.
+//! The actions on the links.
 
 use super::draft::Draft;
 use super::find;
@@ -86,7 +86,7 @@ pub(super) fn damper(reader: &mut Reader, draft: &mut Draft, damper: &Elastic) {
     });
 }
 
-/// What a spring or damper lies between, its strength, and what else was said of it.
+/// Reads the ends of a spring or damper and its strength; returns them with the rest of its body.
 fn elastic<'e>(
     reader: &mut Reader,
     draft: &mut Draft,
@@ -230,9 +230,9 @@ pub(super) fn load(reader: &mut Reader, draft: &mut Draft, load: &ast::Load) {
     }
 }
 
-/// What acts must have something to act on, and something must ask for it.
+/// Reports actions that have nothing to act on, and actions whose effects nothing asks for.
 pub(super) fn check(draft: &Draft, statements: &[Located], report: &mut Report) {
-    // What is missing may only be wrong.
+    // A statement that seems to be missing may only be wrong.
     if !report.is_empty() {
         return;
     }

@@ -64,7 +64,7 @@ fn cam_end(reader: &mut Reader, draft: &Draft, end: &End) -> Option<JointId> {
     joint
 }
 
-/// How many times the coordinate that a part gives a joint is that which the joint has.
+/// Returns the factor from the coordinate of a joint as a part gives it to that of the joint itself.
 fn factor_of(reader: &mut Reader, draft: &Draft, joint: Option<JointId>) -> Quantity {
     match joint.map(|joint| draft.model.joint(joint).kind) {
         Some(JointKind::Prismatic(..)) => reader.frame.scale,
@@ -73,7 +73,7 @@ fn factor_of(reader: &mut Reader, draft: &Draft, joint: Option<JointId>) -> Quan
     }
 }
 
-/// What a joint is called that cannot be the shaft or the follower of a cam.
+/// Returns the word for a joint that cannot be the shaft or the follower of a cam; none for others.
 fn unfit_for_cam(model: &Model, joint: JointId) -> Option<&'static str> {
     let kind = model.joint(joint).kind;
     let (a, b) = model.ends(joint);

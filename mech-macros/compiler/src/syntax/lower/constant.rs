@@ -10,10 +10,10 @@ use proc_macro2::Ident;
 /// Names of the language that no constant or param may take, beside those of the functions.
 const BUILT_IN: [&str; 2] = ["PI", "deg"];
 
-/// What the number of an instance is called where a part is used several times.
+/// The name of an instance's number, where a part is used several times.
 pub(super) const INSTANCE: &str = "k";
 
-/// What a number of a part is called in messages.
+/// The word in messages for a number of a part.
 const NUMBER: &str = "number";
 
 /// The time, in laws of motors.
@@ -22,7 +22,7 @@ pub(super) const TIME: &str = "t";
 /// The coordinate of the shaft, in laws of cams.
 pub(super) const COORDINATE: &str = "q";
 
-/// What the variables of laws are called.
+/// The names of the variables of laws.
 const VARIABLES: [&str; 2] = [TIME, COORDINATE];
 
 /// All constants of the text.
@@ -40,7 +40,7 @@ pub(super) struct Value {
     pub(super) integer: Option<i64>,
 }
 
-/// What stands among the constants for as long as something is read.
+/// The names that count as constants for as long as something is read.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Passing {
     /// The variable of the law that is read.
@@ -54,7 +54,7 @@ struct Entry {
     /// The number of the statement that declares it; 0 for what was there before.
     statement: usize,
     value: Value,
-    /// What it is called in messages: a constant, or a param.
+    /// The word for it in messages: constant, or param.
     word: &'static str,
 }
 
@@ -130,7 +130,7 @@ impl Constants {
         value.is_some_and(|value| value.formula.is_some())
     }
 
-    /// What this is called in messages: a constant, or a param.
+    /// Returns the word for it in messages: constant, or param.
     pub(super) fn word_for(&self, name: &Ident) -> &'static str {
         self.find(&name.to_string())
             .map_or("constant", |entry| entry.word)
@@ -203,7 +203,7 @@ impl Constants {
         report.refuse(Place::at(name.span()), trouble)
     }
 
-    /// What to say about a name that nothing has; one of Rust's may be meant, which a macro cannot see.
+    /// Returns the message about an unknown name; one of Rust's may be meant, which a macro cannot see.
     fn unknown_name(&self, text: &str, passing: Passing, here: usize) -> String {
         let beginning = format!("unknown constant `{text}`");
         if text == "TAU" {

@@ -21,8 +21,8 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, joints: &[Name]) {
     reader.report.next_item();
 }
 
-/// What to say about a joint whose coordinate cannot go on over whole turns, or does already. A motor may be on it: what it is
-/// given goes on, too, and the motor may be moved.
+/// Returns the message about a joint whose coordinate cannot go on over whole turns, or does already. A motor may be on it: its value goes
+/// on, too, and the motor may be moved.
 fn cannot_go_on(model: &Model, name: &Name, joint: JointId) -> Option<String> {
     if let Some(text) = coordinate::missing(model, name, joint, "ask for") {
         return Some(text);

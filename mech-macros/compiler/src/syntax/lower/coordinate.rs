@@ -5,7 +5,7 @@ use super::similarity::Similarity;
 use crate::model::{JointId, JointKind, Model};
 use crate::syntax::ast::Name;
 
-/// What to say about a joint that has no coordinate that somebody could give or show.
+/// Returns the message about a joint that has no coordinate that somebody could give or show.
 pub(super) fn missing(model: &Model, name: &Name, joint: JointId, verb: &str) -> Option<String> {
     let kind = model.joint(joint).kind;
     let (word, remedy) = match (rolling::word_for(kind), kind) {

@@ -20,13 +20,13 @@ pub(super) struct Draft {
     pub(super) has_params: bool,
     /// The axes that the drawing has put on links.
     drawn: BTreeMap<LinkId, Vec<AxisId>>,
-    /// What the text says of each motor of the model.
+    /// The motors of the model, as the text declares them.
     pub(super) motors: Vec<WrittenMotor>,
     /// Names of points and lines that are left out of the model because of an error; of all, if there is no name.
     lost: Vec<(Body, Option<String>)>,
 }
 
-/// What the text says of a motor of the model, for messages.
+/// A motor of the model, as the text declares it, for messages.
 pub(super) struct WrittenMotor {
     /// The number of its statement.
     pub(super) statement: usize,

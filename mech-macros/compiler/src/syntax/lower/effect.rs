@@ -1,4 +1,4 @@
-//! What is computed beyond positions, and the methods that return it.
+//! The effects, and the methods that return their results.
 
 use super::draft::Draft;
 use super::path::choices;
@@ -71,7 +71,7 @@ fn lower_plain(reader: &mut Reader, draft: &mut Draft, effect: &Ident) {
 /// Effects that contradict what motors do.
 pub(super) fn check(draft: &Draft, report: &mut Report) {
     let model = &draft.model;
-    // What stands beside them may only be wrong.
+    // With an error elsewhere, there may be no contradiction.
     if let Some((motor, _)) = model.lawful_motors().next()
         && model.effects.dynamics
         && report.is_empty()

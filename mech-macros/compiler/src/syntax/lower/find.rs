@@ -1,4 +1,4 @@
-//! What is meant by a name; reported if there is nothing of that name.
+//! The search for the referents of names; unknown names are reported.
 
 use super::draft::Draft;
 use super::name::{Body, Referent, divide, word_for};
@@ -9,7 +9,7 @@ use crate::syntax::ast::Name;
 use crate::syntax::{Place, spelling};
 use proc_macro2::Ident;
 
-/// What this name stands for, if anything.
+/// Returns the referent of this name, if there is one.
 pub(super) fn look_up(reader: &mut Reader, name: &Name) -> Option<Referent> {
     match key(reader, name) {
         Some(key) => reader.names.get(&key),
@@ -147,7 +147,7 @@ pub(super) fn axis(
     reader.report.refuse(Place::at(name.span()), message)
 }
 
-/// What to say about a use of a part where one of its links or joints should be.
+/// Returns the message about a use of a part where one of its links or joints should be.
 fn used_as(name: &str, what: &str) -> String {
     format!("`{name}` is a use of a part; name one of its {what}s, as `{name}.{what}`")
 }

@@ -130,7 +130,7 @@ fn want_axis(
     reader.report.error(name.place(), text);
 }
 
-/// What a joint of axes takes.
+/// Returns the words for the axes that a joint takes.
 fn operands_of(kind: JointWord) -> &'static str {
     match kind {
         JointWord::Prismatic => "lines",

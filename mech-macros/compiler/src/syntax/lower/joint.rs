@@ -8,7 +8,7 @@ use super::{cam, given, rolling, weld};
 use crate::model::{self, AxisKind, JointId, JointKind};
 use crate::syntax::ast::{Joint, JointWord};
 
-/// What the name of a joint stands for; its axes follow when all links are known.
+/// Declares a joint and returns its referent; its axes follow when all links are known.
 pub(super) fn declare(reader: &mut Reader, draft: &mut Draft, joint: &Joint) -> Referent {
     let is_taken = draft.claims.take_name(reader, &joint.name, "joint");
     reader.report.read(&joint.body);

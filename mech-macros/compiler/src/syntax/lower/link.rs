@@ -26,20 +26,20 @@ pub(super) fn declare_ground(reader: &mut Reader, draft: &mut Draft, ground: &Gr
     fix(reader, draft, LinkId::GROUND.into(), &ground.items);
 }
 
-/// What the name of a link stands for.
+/// Declares a link and returns its referent.
 pub(super) fn declare(reader: &mut Reader, draft: &mut Draft, link: &Link) -> Referent {
     if draft.claims.take_name(reader, &link.name, "link") {
         let id = LinkId::new(draft.model.links.len());
         let origin = draft.note(&link.name);
         let key = reader.key_of(&link.name);
         draft.model.links.push(model::Link::new(&key, origin));
-        // What belongs to a part comes to its place when its ports are lent.
+        // The items of a part get their places when its ports are lent.
         if reader.here().part.is_none() {
             fix(reader, draft, id.into(), &link.items);
         }
         return Referent::Link(id.into());
     }
-    // What the second of a name has, the first has not; but that is not the trouble.
+    // The first link of a name lacks the axes of the second; but that is not the fault to report.
     if let Some(Referent::Link(first)) = reader.names.get(&reader.key_of(&link.name)) {
         draft.lose_axis(first, None);
     }
@@ -299,7 +299,7 @@ fn spots(reader: &mut Reader, pairs: &[Pair]) -> Option<Spots> {
     Some((points, formulas.concat()))
 }
 
-/// What could not be read of the items of a link.
+/// Returns the messages about items of a link that could not be read.
 pub(super) fn errors_of<'t>(items: &'t Read<Vec<Item>>) -> Vec<&'t Message> {
     let error_of = |item: &'t Item| match item {
         Item::Axis(axis) => axis.value.as_ref().err(),

@@ -7,7 +7,7 @@ use crate::model::{Figure, LinkId, Mass, Shape, ShapeKind};
 use crate::syntax::Place;
 use crate::syntax::ast::{Expr, Matter, MatterKind, Pair};
 
-/// What the mass of a link is made from, once all its shapes are known.
+/// The declared mass or density of a link, from which its mass is made once all its shapes are known.
 #[derive(Clone, Copy)]
 pub(super) enum Massive {
     Given(Mass),

@@ -1,4 +1,4 @@
-//! How the loops are solved.
+//! The method and the accuracy with which loops are solved.
 
 use super::draft::Draft;
 use super::reader::Reader;

@@ -48,7 +48,7 @@ use super::ast::{Statement, Text};
 use super::{Message, Places};
 use crate::model::Model;
 
-/// What a text means, as far as it could be understood.
+/// The meaning of a text, as far as it could be understood.
 pub(super) struct Lowered {
     pub(super) model: Model,
     /// Where everything in the model was declared.
@@ -110,7 +110,7 @@ pub(super) fn lower(text: &mut Text) -> Lowered {
     }
 }
 
-/// What refers to joints.
+/// Lowers a setting, or a statement that refers to joints.
 fn set(reader: &mut Reader, draft: &mut Draft, statement: &Statement) {
     match statement {
         Statement::Motor(motor) => motor::lower(reader, draft, motor),
@@ -139,7 +139,7 @@ fn begin(reader: &mut Reader, draft: &mut Draft, statement: &Statement) {
     }
 }
 
-/// What of it goes on over whole turns, where it is shown.
+/// Lowers a list of joints that go on over whole turns, once it is known what is shown.
 fn go_on(reader: &mut Reader, draft: &mut Draft, statement: &Statement) {
     if let Statement::Continuous { joints, .. } = statement {
         continuous::lower(reader, draft, joints);

@@ -1,4 +1,4 @@
-//! What the names mean.
+//! The meaning of names.
 
 use super::scope::{Scope, Scopes};
 use super::similarity::Similarity;
@@ -19,7 +19,7 @@ impl From<LinkId> for Body {
     }
 }
 
-/// What a name of the text stands for.
+/// The thing that a name of the text stands for.
 #[derive(Clone, Copy)]
 pub(super) enum Referent {
     /// A link.
@@ -32,7 +32,7 @@ pub(super) enum Referent {
     Broken,
 }
 
-/// What has taken a name.
+/// A name that is taken, and its referent.
 struct Entry {
     /// With the path to its scope.
     name: String,
@@ -43,7 +43,7 @@ struct Entry {
 pub(super) struct LentLink {
     /// The path of its port.
     pub(super) path: String,
-    /// What the numbers that the part fixes to it undergo.
+    /// The similarity of the numbers that the part fixes to it.
     pub(super) similarity: Similarity,
 }
 
@@ -52,7 +52,7 @@ pub(super) struct Names {
     entries: Vec<Entry>,
     /// Where each name stands among them. Looked up only, never iterated.
     places: HashMap<String, usize>,
-    /// What is local to the mechanism, and to each instance of a part.
+    /// The scopes of the mechanism, and of each instance of a part.
     pub(super) scopes: Scopes,
     /// The links that are lent to parts.
     pub(super) ports: Vec<LentLink>,
@@ -168,7 +168,7 @@ impl Names {
         axes.filter_map(|axis| axis.name.as_deref()).collect()
     }
 
-    /// What the numbers undergo that are written in the frame of this link.
+    /// Returns the similarity of the numbers that are written in the frame of this link.
     pub(super) fn frame_of(&self, body: Body) -> Similarity {
         match body.port {
             Some(port) => self.ports[port].similarity,
@@ -185,7 +185,7 @@ pub(super) fn divide(name: &str) -> (&str, &str) {
     name.rsplit_once('.').unwrap_or(("", name))
 }
 
-/// What an axis is called in the text.
+/// Returns the word for an axis in the text.
 pub(super) fn word_for(kind: AxisKind) -> &'static str {
     match kind {
         AxisKind::Point => "point",

@@ -117,7 +117,7 @@ impl<'t> Expansion<'t> {
         let body = part.body.as_deref().unwrap_or_default();
         for instance in 0..count {
             let index = known.is_array.then_some(instance);
-            // What is wrong with the numbers of the first instance is so with all.
+            // Errors in the numbers of the first instance are in those of all.
             let numbers = if self.report.len() == said {
                 let (mut reader, _) = self.read(scope);
                 reader.passing.instance = index;
@@ -197,7 +197,7 @@ fn check_unused(text: &Text, statements: &[Located], report: &mut Report) {
     }
 }
 
-/// What the name of a use stands for.
+/// Declares a use and returns its referent.
 fn declare_use(reader: &mut Reader, draft: &mut Draft, used: &Use) -> Referent {
     let name = &used.name;
     let method = format!("{}_mut", reader.key_of(name));
@@ -211,7 +211,7 @@ fn declare_use(reader: &mut Reader, draft: &mut Draft, used: &Use) -> Referent {
     }
 }
 
-/// What to say about a statement that does not belong into this scope.
+/// Returns the message about a statement that does not belong into this scope.
 fn misplacement(scope: &Scope, statement: &Statement) -> Option<(Place, String)> {
     let Some(part) = &scope.part else {
         return match statement {
@@ -257,7 +257,7 @@ fn misplacement(scope: &Scope, statement: &Statement) -> Option<(Place, String)>
     }
 }
 
-/// How many instances a use has.
+/// Returns the number of instances of a use.
 fn count(reader: &mut Reader, used: &Use) -> Option<usize> {
     let Some((count, place)) = &used.count else {
         return Some(1);
@@ -299,7 +299,7 @@ fn find_part<'t>(reader: &mut Reader, text: &'t Text, name: &Ident) -> Option<(u
     reader.report.refuse(Place::at(name.span()), trouble)
 }
 
-/// How an instance is mirrored and scaled by its use.
+/// Returns the similarity by which a use mirrors and scales an instance.
 fn own_similarity(reader: &mut Reader, used: &Use) -> Option<Similarity> {
     let mut own = Similarity::IDENTITY;
     own.is_mirrored = used.mirrored.is_some();
@@ -350,7 +350,7 @@ fn arguments(reader: &mut Reader, used: &Use, part: &Part) -> Vec<Option<Value>>
     values
 }
 
-/// What could not be read of a statement.
+/// Returns the messages about parts of a statement that could not be read.
 fn unread(statement: &Statement) -> Vec<&Message> {
     match statement {
         Statement::Broken(broken) => vec![&broken.error],

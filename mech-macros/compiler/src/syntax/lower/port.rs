@@ -76,7 +76,7 @@ impl Expansion<'_> {
                 );
                 self.report.error(Place::at(used.part.span()), text);
             }
-            // What is wrong with the first instance is so with all.
+            // Errors in the first instance are in all.
             if self.report.len() > said {
                 return self.lose_ports(&known.instances, &ports);
             }

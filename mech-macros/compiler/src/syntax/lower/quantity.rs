@@ -6,9 +6,9 @@ use crate::model::{Formula, FormulaId, Formulas};
 /// A number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Quantity {
-    /// What it is at the start; none if that depends on the variable of a law.
+    /// Its value at the start; none if that depends on the variable of a law.
     pub(super) value: Option<f64>,
-    /// How it is computed, if it depends on a param or on the variable of a law.
+    /// Its formula, if it depends on a param or on the variable of a law.
     pub(super) formula: Option<FormulaId>,
 }
 

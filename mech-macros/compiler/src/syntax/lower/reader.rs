@@ -20,16 +20,16 @@ pub(super) struct Located<'t> {
     pub(super) is_named: bool,
 }
 
-/// What names and numbers mean at a place of the text.
+/// The meaning of names and numbers at a place of the text.
 pub(super) struct Reader<'r> {
     pub(super) names: &'r Names,
     /// The scope in which the text stands.
     pub(super) scope: usize,
-    /// What stands among the constants.
+    /// The names that count as constants here.
     pub(super) passing: Passing,
     /// Which instances `[*]` stands for, from the outermost inwards.
     pub(super) every: &'r [usize],
-    /// What lengths and angles undergo.
+    /// The similarity of lengths and angles.
     pub(super) frame: Similarity,
     /// Why numbers may not depend on params, if there is a reason of their own.
     pub(super) why_fixed: Option<&'static str>,
@@ -43,7 +43,7 @@ pub(super) struct Reader<'r> {
 pub(super) struct LawReading {
     /// By what its variable is divided, where a part is scaled or mirrored.
     pub(super) input: Quantity,
-    /// What it is made from.
+    /// Its formulas.
     pub(super) formulas: Formulas,
 }
 

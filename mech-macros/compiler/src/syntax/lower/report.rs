@@ -55,7 +55,7 @@ impl Report {
         inner.unwrap_or(outer)
     }
 
-    /// How many messages there are.
+    /// Returns the number of messages.
     pub(super) fn len(&self) -> usize {
         self.entries.len()
     }
@@ -102,7 +102,7 @@ impl Report {
         });
     }
 
-    /// What was read; told if it could not be.
+    /// Returns the value that was read; reports the error if there is none.
     pub(super) fn read<'t, T>(&mut self, read: &'t Read<T>) -> Option<&'t T> {
         read.as_ref()
             .map_err(|error| self.pass_on(error.clone()))

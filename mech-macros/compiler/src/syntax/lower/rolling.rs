@@ -7,7 +7,7 @@ use super::reader::Reader;
 use crate::model::{JointId, JointKind, LinkId, Model, Ratio};
 use crate::syntax::ast::{Expr, ExprKind, JointWord, Name, Size};
 
-/// What a joint without a coordinate is called, one that rolls or a cam; nothing for other joints.
+/// Returns the word for a joint without a coordinate, one that rolls or a cam; none for other joints.
 pub(super) fn word_for(kind: JointKind) -> Option<&'static str> {
     match kind {
         JointKind::Gear { .. } => Some("gear"),
@@ -191,7 +191,7 @@ fn drives(model: &Model, joint: JointId, link: LinkId, bar: bool) -> bool {
     fits && !on_die && (a == link || b == link)
 }
 
-/// How large what rolls is, in each kind of joint.
+/// The size of a rolling pair, in each kind of joint.
 enum RollingSize {
     Gear(Ratio),
     Belt(Ratio),

@@ -1,4 +1,4 @@
-//! What is local to the mechanism itself, and to each instance of a part.
+//! The scopes: the names and numbers of the mechanism itself, and of each instance of a part.
 
 use super::constant::Constants;
 use super::similarity::Similarity;
@@ -6,7 +6,7 @@ use proc_macro2::Ident;
 
 /// The mechanism, or an instance of a part in it.
 pub(super) struct Scope {
-    /// What stands before the names of its links and joints: nothing, or `left[2].`
+    /// The prefix of the names of its links and joints: empty, or `left[2].`
     pub(super) prefix: String,
     /// The name of the part of which it is an instance.
     pub(super) part: Option<String>,
@@ -14,7 +14,7 @@ pub(super) struct Scope {
     parent: Option<usize>,
     /// Its numbers.
     pub(super) constants: Constants,
-    /// What its own links, lengths and angles undergo.
+    /// The similarity of its own links, lengths and angles.
     pub(super) similarity: Similarity,
     /// The angle of the frame of its first port, in radians: angles of links are counted from there.
     pub(super) angle: f64,
@@ -31,7 +31,7 @@ pub(super) struct UsedPart {
     pub(super) name: String,
     /// Whether it was declared with brackets.
     pub(super) is_array: bool,
-    /// How it mirrors and scales its instances.
+    /// The similarity by which it mirrors and scales its instances.
     pub(super) own: Similarity,
     /// The numbers of its scopes.
     pub(super) instances: Vec<usize>,
@@ -107,7 +107,6 @@ impl Scopes {
         &mut self.0[scope]
     }
 
-    /// How many there are.
     pub(super) fn len(&self) -> usize {
         self.0.len()
     }

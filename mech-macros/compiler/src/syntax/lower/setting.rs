@@ -1,4 +1,4 @@
-//! What is wanted of the mechanism and its pictures, in one word.
+//! Settings of the mechanism and its pictures, each of one word.
 
 use super::report::Report;
 use crate::model::{Look, Model, Quality, Target};
@@ -17,7 +17,7 @@ const MACHINES: [(&str, Target); 2] = [
 ];
 const PERMISSIONS: [&str; 2] = ["redundant", "coupled"];
 
-/// What a word stands for, one of these; told if it is none.
+/// Returns the value of a word, one of these; reports any other word.
 pub(super) fn choose<T: Copy, const N: usize>(
     word: &Ident,
     what: &str,

@@ -1,4 +1,4 @@
-//! What is asked for.
+//! The statement `show`.
 
 use super::draft::Draft;
 use super::name::{Body, Referent};
@@ -40,7 +40,7 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, keyword: Span, what:
     }
 }
 
-/// What is to be shown, if it can be.
+/// Finds a thing that is to be shown; reports it if it cannot be.
 fn find_shown(reader: &mut Reader, draft: &Draft, end: &End) -> Option<Shown> {
     match (find::look_up(reader, &end.link), &end.axis) {
         (Some(Referent::Broken), _) => None,
@@ -91,7 +91,7 @@ fn shown_point(
     Some(Shown::Point(axis))
 }
 
-/// What to say about something that is shown already.
+/// Returns the message about something that is shown already.
 fn again(model: &Model, end: &End, one: Shown, before: &[(Place, Shown)]) -> Option<String> {
     let known = |wanted: Shown| before.iter().any(|(_, shown)| *shown == wanted);
     if known(one) {

@@ -53,7 +53,7 @@ impl Similarity {
         join([x.plus(dx, formulas), y.plus(dy, formulas)])
     }
 
-    /// What becomes of a direction.
+    /// Mirrors and turns a direction.
     pub(super) fn direction(&self, direction: Spot, formulas: &mut Formulas) -> Spot {
         let [mut x, y] = parts(direction);
         if self.is_mirrored {

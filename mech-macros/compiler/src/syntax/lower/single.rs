@@ -15,7 +15,7 @@ pub(super) struct Single {
     pub(super) keyword: Span,
     /// With which words.
     pub(super) word: &'static str,
-    /// What to do with a second.
+    /// The remedy for a second.
     remedy: &'static str,
     /// Whether it belongs to the whole mechanism.
     pub(super) is_whole: bool,

@@ -1,4 +1,4 @@
-//! How the mechanism is assembled.
+//! The statement `start`: how the mechanism is assembled.
 
 use super::angle::is_degrees_perhaps;
 use super::coordinate::{self, is_drawn};
@@ -69,7 +69,7 @@ fn misfit(reader: &mut Reader, draft: &Draft, clause: &StartClause, named: Optio
     reader.report.error(name.place(), text);
 }
 
-/// What to write for `near` with a joint: its coordinate, if that can be given, or else the angle of a link.
+/// Returns the message about `near` with a joint: to write its coordinate, if that can be given, or else the angle of a link.
 fn near_a_joint(model: &Model, clause: &StartClause, joint: JointId) -> String {
     let (name, value) = (&clause.name, &clause.value);
     let beginning = format!("`{name}` is a joint, and `near` takes a link");

@@ -77,7 +77,7 @@ fn tell_no_point(reader: &mut Reader, draft: &Draft, end: &End) {
     }
 }
 
-/// What of a link could be traced.
+/// Returns the remedy for a trace of a link: one of its points.
 fn one_of_its_points(reader: &mut Reader, draft: &Draft, link: Body) -> String {
     let name = reader.names.name_of(&draft.model, link);
     let points = reader

@@ -91,7 +91,7 @@ impl Reader<'_> {
         self.report.finite(value, place)
     }
 
-    /// What a name stands for: the variable of the law, the number of the instance, or a constant.
+    /// Returns the value of a name: of the variable of the law, the number of the instance, or a constant.
     fn constant(&mut self, name: &Ident, place: Place) -> Option<Quantity> {
         let passing = self.passing;
         if passing.variable.is_some_and(|variable| name == variable) {
@@ -309,7 +309,7 @@ impl Reader<'_> {
     }
 }
 
-/// What a chain of numbers is.
+/// The kind of a chain of numbers.
 #[derive(Clone, Copy)]
 enum Chain {
     Sum,

@@ -118,7 +118,7 @@ impl Source {
         lower(&mut self.tree.borrow_mut())
     }
 
-    /// What the text says with these changes; none if it is wrong then, or was before.
+    /// Returns the model of the text with these changes; none if the text is wrong then, or was before.
     pub fn model_with(&self, edits: &Edits) -> Option<Model> {
         let written = self.written(edits)?;
         let tree = &mut *self.tree.borrow_mut();
@@ -167,7 +167,7 @@ impl Source {
         let mut next = 0;
         for (statement, number) in statements.iter().zip([None].into_iter().chain(numbers)) {
             if let Some(number) = number {
-                // What reports a mistake of something else begins nowhere.
+                // A statement that reports a mistake of another begins nowhere.
                 all.extend((next..number).map(Written::Kept));
                 next = number + 1;
             }

@@ -81,7 +81,7 @@ impl<'s> StatementText<'s> {
         self.range.start + index
     }
 
-    /// How many tokens it has.
+    /// Returns the number of its tokens.
     #[must_use]
     pub fn len(&self) -> usize {
         self.range.len()
@@ -93,7 +93,7 @@ impl<'s> StatementText<'s> {
         self.range.is_empty()
     }
 
-    /// What begins with this word: `joint`, `motor`.
+    /// Whether it begins with this word: `joint`, `motor`.
     #[must_use]
     pub fn is(&self, word: &str) -> bool {
         self.word(0) == word

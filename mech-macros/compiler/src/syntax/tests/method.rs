@@ -1,4 +1,4 @@
-//! How the loops are solved.
+//! The settings of how loops are solved: method, accuracy, cost and change points.
 
 use super::good;
 use crate::model::{AtChangePoints, Method, Model, Target};

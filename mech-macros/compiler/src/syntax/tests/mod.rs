@@ -62,7 +62,7 @@ fn places_of(marked: &str) -> (String, Vec<(Spot, Spot)>) {
     (text, places)
 }
 
-/// What a message offers first: what is to be written, or else what it quotes.
+/// Returns the first offer of a message: the text to be written, or else the text that it quotes.
 fn first_offer(message: &str) -> Option<&str> {
     let (_, first) = message.split_once('`')?;
     let offer = message.split_once("write `");

@@ -1,4 +1,4 @@
-//! What newcomers write, and that what they are offered instead can be read.
+//! Mistakes of newcomers: the texts that are offered instead can be read.
 
 use super::parsed;
 

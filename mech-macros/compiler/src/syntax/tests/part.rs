@@ -75,7 +75,7 @@ fn what_is_lent_stands_where_it_is_said() {
         "{:?}",
         model.axes[0].at
     );
-    // What belongs to the part is in frames of its own: only mirrored and scaled.
+    // The numbers of the part are in frames of its own: only mirrored and scaled.
     assert_eq!(model.axes[2].at, [-2.0, 2.0]);
     assert_eq!(model.start.values[0].value, -30.0_f64.to_radians());
     let angle = model.start.near[0].angle;

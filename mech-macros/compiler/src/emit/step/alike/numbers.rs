@@ -2,7 +2,7 @@
 
 use super::class::Class;
 
-/// How a number stands in the function that pieces share.
+/// The place of a number in the function that pieces share.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Cell {
     /// It is the same in all rows.
@@ -13,7 +13,7 @@ pub(super) enum Cell {
 
 /// The numbers of a class.
 pub(super) struct Numbers {
-    /// How each number of its operations stands there.
+    /// The cells of the numbers of its operations.
     pub(super) cells: Vec<Cell>,
     /// The columns of its table, each with a number for each row.
     pub(super) columns: Vec<Vec<f64>>,

@@ -12,7 +12,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// A block or a part of it.
 pub(super) struct Piece {
     pub(super) block: BlockId,
-    /// What it computes, in the order in which it is made.
+    /// The values that it computes, in order.
     pub(super) values: Vec<Value>,
     /// The same, and in a class also values that another piece computes already: they are computed again.
     anew: Vec<Value>,
@@ -27,7 +27,7 @@ pub(super) struct Piece {
 pub(super) enum Part {
     /// All of it.
     Whole,
-    /// What is known before its loop is solved.
+    /// The part that is known before its loop is solved.
     Before,
     /// The solution of its loop.
     Solution,

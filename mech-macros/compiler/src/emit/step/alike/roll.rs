@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 /// The largest number of pieces that are computed in one round.
 const LONGEST_ROUND: usize = 12;
 
-/// What is computed next.
+/// The pieces that are computed next.
 pub(super) enum Entry {
     /// A piece by itself.
     One(usize),
@@ -64,7 +64,7 @@ pub(super) fn entries(program: &Program, pieces: &Pieces, order: &[usize]) -> Ve
     entries
 }
 
-/// How much code entries are, by the number of calls in it.
+/// Returns the number of calls in the code of these entries.
 pub(super) fn calls(entries: &[Entry]) -> usize {
     let calls = entries.iter().map(|entry| match entry {
         Entry::One(_) => 1,

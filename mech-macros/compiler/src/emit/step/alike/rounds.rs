@@ -22,7 +22,7 @@ pub(super) struct Rounds<'r, 'w, 'p> {
     row: Ident,
     before: TokenStream,
     body: TokenStream,
-    /// What a round leaves to the next.
+    /// The statements that a round leaves to the next.
     after: TokenStream,
     /// The variables of the results that a round has computed.
     results: Vec<(usize, Output, Ident)>,
@@ -179,7 +179,7 @@ impl<'r, 'w, 'p> Rounds<'r, 'w, 'p> {
         tokens
     }
 
-    /// What is known before the loop, and differs from round to round.
+    /// Writes an argument that is known before the loop, and differs from round to round.
     fn each(&mut self, terms: &[Term]) -> TokenStream {
         let row = self.row.clone();
         if let Some(array) = self.writer.scope.array(terms.iter().map(|term| term.value)) {

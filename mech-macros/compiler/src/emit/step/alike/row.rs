@@ -51,7 +51,7 @@ impl Row {
     }
 }
 
-/// What stands for an operation.
+/// The operation of a shape that is paired with one of the first shape.
 #[derive(Clone, Copy)]
 struct Partner {
     position: usize,
@@ -61,7 +61,7 @@ struct Partner {
     swapped: bool,
 }
 
-/// What the comparison has found so far. It is forgotten if it leads nowhere.
+/// A pair that the comparison has found. It is forgotten if it leads nowhere.
 #[derive(Clone, Copy)]
 enum Found {
     Partner(usize),
@@ -83,7 +83,7 @@ struct Unifier<'u> {
 impl Unifier<'_> {
     fn run(mut self) -> Option<Row> {
         for (&theirs, &ours) in self.first.ends.iter().zip(&self.shape.ends) {
-            // What a piece gives may be the opposite: its reader knows.
+            // The result of a piece may be the opposite: its reader knows.
             self.operation(theirs, ours)?;
         }
         let partners: Vec<Partner> = self.partners.iter().copied().collect::<Option<_>>()?;
@@ -117,7 +117,7 @@ impl Unifier<'_> {
         let mut orders = vec![false];
         if their.kind.commutes() {
             orders.push(true);
-            // What is known already settles the order.
+            // Pairs that are known already settle the order.
             orders.sort_by_key(|&swapped| Reverse(self.known_pairs(their, our, swapped)));
         }
         for swapped in orders {
@@ -150,7 +150,7 @@ impl Unifier<'_> {
     fn operands(&mut self, theirs: &Operation, ours: &Operation, swapped: bool) -> Option<bool> {
         let mut is_changed = false;
         let mut changes = 0;
-        // What comes from outside first: it tells apart what is made in the same way.
+        // Operands from outside come first: they distinguish operations that are made in the same way.
         let (inner, outer): (Vec<_>, Vec<_>) = pairs(theirs, ours, swapped)
             .partition(|(theirs, _)| matches!(theirs, Operand::Inner { .. }));
         for (theirs, ours) in outer.into_iter().chain(inner) {

@@ -34,7 +34,7 @@ struct Waiting<'p> {
     alone: BTreeSet<usize>,
     /// For each class its pieces that can be computed now.
     ready: BTreeMap<usize, BTreeSet<usize>>,
-    /// How many of each class are not computed yet.
+    /// The number of pieces of each class that are not computed yet.
     left: Vec<usize>,
 }
 

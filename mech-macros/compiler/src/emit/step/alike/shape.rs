@@ -22,12 +22,11 @@ impl Kind {
     }
 }
 
-/// What an operation is made from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Operand {
     /// The result of an operation of the same piece, or its opposite.
     Inner { position: usize, negative: bool },
-    /// What is known before the piece.
+    /// A value that is known before the piece.
     Outer(Term),
     /// A number.
     Number(f64),
@@ -79,7 +78,7 @@ impl Shape {
         Some(shape)
     }
 
-    /// What shapes have in common that may be alike.
+    /// Returns the hashes of its ends: shapes that are alike have the same.
     pub(super) fn hashes(&self) -> Vec<u64> {
         let ends = self.ends.iter();
         ends.map(|&position| self.operations[position].hash)

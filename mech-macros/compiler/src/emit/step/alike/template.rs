@@ -15,7 +15,7 @@ use quote::quote;
 use std::collections::BTreeMap;
 use std::slice;
 
-/// What the function of a class is written from.
+/// The data from which the function of a class is written.
 pub(super) struct Shared<'c> {
     pub(super) program: &'c Program,
     pub(super) class: &'c Class,
