@@ -224,7 +224,7 @@ impl<'t> Chart<'t> {
         Ok(())
     }
 
-    /// What the upward axis of a graph shows.
+    /// Returns the label of the upward axis of a graph.
     fn label(&self, panel: &Panel<'_>) -> String {
         match panel.columns[..] {
             [only] => format!("{} [{}]", self.table.columns[only].0, panel.unit),

@@ -68,7 +68,7 @@ fn negative(text: &str) -> String {
     if is_word(text) {
         return format!("-{text}");
     }
-    // What was mirrored before is as it was.
+    // A second mirroring gives the first text again.
     match text
         .strip_prefix("-(")
         .and_then(|inner| inner.strip_suffix(')'))

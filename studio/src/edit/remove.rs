@@ -1,4 +1,4 @@
-//! What is taken out of a mechanism.
+//! The removal of things from a mechanism.
 
 use super::declare::{matter, unwritten};
 use super::{Change, Kind, Refusal, Scene};

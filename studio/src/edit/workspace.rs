@@ -208,7 +208,7 @@ impl Workspace {
         saved
     }
 
-    /// What writes the text: over the file from which it was read, or to one that is not there yet. From then on it counts as written.
+    /// Prepares to write the text: over the file that it was read from, or to a new one. From then on the text counts as written.
     ///
     /// # Errors
     /// If nobody has said which file.
