@@ -88,7 +88,7 @@ pub enum Command {
     },
     /// Uses a part: `left[6]: Leg(phase = k * 60 deg) { frame = ground }`.
     Use {
-        /// The statement without its semicolon.
+        /// The text between `use` and the semicolon.
         body: String,
     },
     /// Records the path of a point.

@@ -1,4 +1,4 @@
-//! What the compiler makes of a text.
+//! Snapshots: the compiler's findings on a text.
 
 use super::drawing::Drawing;
 use super::path::{Path, whole_paths};
@@ -14,7 +14,7 @@ use mech_compiler::Compiled;
 use mech_compiler::model::{LinkId, Model};
 use std::sync::Arc;
 
-/// What the compiler makes of a text.
+/// The compiler's findings on a text.
 pub(crate) struct Snapshot {
     /// The file with this text.
     pub(crate) document: Document,
@@ -24,7 +24,7 @@ pub(crate) struct Snapshot {
     pub(crate) reading: Option<Arc<Reading>>,
     /// The names and numbers in the text.
     pub(crate) listing: Listing,
-    /// What went wrong in the compiler itself.
+    /// A failure of the compiler itself.
     pub(crate) failure: Option<Failure>,
 }
 
@@ -108,7 +108,7 @@ impl Snapshot {
         }
     }
 
-    /// What is wrong, at its places.
+    /// Returns the messages on the faults, with their places.
     pub(crate) fn messages(&self) -> &[Message] {
         let faults = self
             .reading
@@ -173,7 +173,7 @@ fn played(model: &Model, compiled: &Compiled) -> Result<Played, Failure> {
     Ok((mechanism, ranges, paths))
 }
 
-/// How far the motors go, and the whole paths of traced points.
+/// Finds the ranges of the motors, and the whole paths of traced points.
 fn traced(model: &Model, compiled: &Compiled) -> Result<(Vec<MotorRange>, Vec<Path>), Failure> {
     let ranges = ranges(model, compiled)?;
     let points: Vec<_> = model.traces.iter().map(|trace| trace.point).collect();
