@@ -12,11 +12,11 @@ use mech_runtime::{HeapSmooth, Palette, View};
 pub(super) struct Picture {
     painted: Option<HeapSmooth>,
     texture: Option<TextureHandle>,
-    /// What the texture shows.
+    /// The subject of the texture.
     subject: Option<Subject>,
 }
 
-/// What a picture is of.
+/// The subject of a picture.
 #[derive(Clone, Copy, PartialEq)]
 struct Subject {
     revision: Revision,

@@ -68,7 +68,7 @@ fn is_mentioned(texts: &[String], name: &str) -> bool {
     any_within(texts, |one| one.mentions(name))
 }
 
-/// What is copied from a text.
+/// The selection of statements to copy from a text.
 struct Copy<'c> {
     text_of: &'c dyn Fn(&StatementText<'_>) -> &'c str,
     model: &'c Model,
