@@ -1,4 +1,4 @@
-//! How far a place is from what is drawn.
+//! The distance of a place from the drawn shapes.
 
 use mech_runtime::Outline;
 

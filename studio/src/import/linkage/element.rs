@@ -49,7 +49,7 @@ impl<'d> Element<'d> {
         start..start + 1 + self.name().len()
     }
 
-    /// What is wrong with the element itself.
+    /// Makes a message on the element itself.
     pub(super) fn wrong(&self, text: impl Into<String>) -> Message {
         let text = text.into();
         Message {
@@ -58,7 +58,7 @@ impl<'d> Element<'d> {
         }
     }
 
-    /// What is wrong with one of its attributes.
+    /// Makes a message on one of its attributes.
     pub(super) fn wrong_at(&self, name: &str, text: impl Into<String>) -> Message {
         let place = self.attribute(name).map(|found| found.range_value());
         Message {

@@ -80,7 +80,7 @@ impl<'q> Correction<'q> {
         Ok(true)
     }
 
-    /// What it says.
+    /// Returns its text.
     pub(super) fn text(&self) -> &'q str {
         self.whole.text()
     }

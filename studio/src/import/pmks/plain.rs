@@ -11,7 +11,7 @@ use crate::import::omission::Omission;
 const WORDS: [(&str, usize); 4] = [("cm", 1), ("m", 2), ("in", 0), ("inch", 0)];
 /// The sections that are read.
 const READ: [&str; 4] = ["j=", "l=", "f=", "s="];
-/// What stands for a number that something has not.
+/// The word for a missing number.
 const NONE: &str = "Null";
 
 /// Whether a query is one of these.
