@@ -142,8 +142,7 @@ impl Way {
         }))
     }
 
-    /// Computes the distance of the motor from its start after so many strokes and a part of one, and the first and second derivative of
-    /// that.
+    /// Computes the distance of the motor from its start after so many strokes and a part of one, with its first and second derivative.
     fn at(self, round: f64, part: f64) -> [f64; 3] {
         match self {
             Self::Round => [TAU * (round + part), TAU, 0.0],

@@ -1,4 +1,4 @@
-//! What is so: each verb is a judge of what the window shows, of the text, or of the disk.
+//! The judges of scripts: each verb judges what the window shows, the text, or the disk.
 
 use super::words::Words;
 use super::{Line, Scene, Texts};
@@ -124,7 +124,7 @@ fn is_mended(user: &mut User, repair: &str) {
     plays(user);
 }
 
-/// What is offered to mend it, in words.
+/// Returns the offered repairs, in words.
 pub(super) fn offers(user: &User) -> Vec<String> {
     let offered = user.editor().mendings().iter();
     offered.map(|mending| mending.words.clone()).collect()
@@ -134,7 +134,7 @@ fn is_near(one: [f64; 2], other: [f64; 2], tolerance: f64) -> bool {
     (one[0] - other[0]).hypot(one[1] - other[1]) < tolerance
 }
 
-/// What is found where the words of a judge look.
+/// Finds what the words of a judge ask for.
 fn finding(
     user: Option<&User>,
     texts: &Texts,

@@ -108,7 +108,7 @@ impl Words {
     }
 }
 
-/// What stands in quotes at the beginning: `\n` is a new line, `\"` a quote.
+/// Reads a word in quotes at the beginning: `\n` is a new line, `\"` a quote.
 fn quoted(line: &str) -> Result<(Word, &str), String> {
     let mut text = String::new();
     let mut letters = line.char_indices().skip(1);
