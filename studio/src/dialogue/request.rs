@@ -40,11 +40,9 @@ pub(crate) enum Request {
 
 /// A row of the table.
 pub(super) struct Row {
-    /// The pattern of its lines.
     pub(super) pattern: &'static str,
     /// Its description in `help`.
     pub(super) help: &'static str,
-    /// Makes the request.
     pub(super) request: fn(Taken) -> Result<Request, Failure>,
 }
 

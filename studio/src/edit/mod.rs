@@ -172,7 +172,6 @@ fn judge_joints(
     joints.try_for_each(|assembly| assemble::judge(&scene, assembly, &applied.reading))
 }
 
-/// Makes the change of a command.
 fn change(scene: &Scene, command: &Command) -> Result<Change, Refusal> {
     match command {
         Command::Move { path, to, pose } => place::shift(scene, path, *to, pose.as_deref()),

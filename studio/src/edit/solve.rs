@@ -13,7 +13,6 @@ pub(super) struct Goal<'g> {
     pub(super) what: &'g str,
     /// Where it stands.
     pub(super) number: &'g NumberText,
-    /// The wanted value.
     pub(super) value: f64,
     /// Reads it from the model.
     pub(super) read: &'g dyn Fn(&Model) -> Option<f64>,

@@ -15,7 +15,6 @@ use std::sync::Arc;
 pub(super) struct Ghost {
     /// The number of the repair, from 1.
     number: usize,
-    /// The drawing of the repaired mechanism.
     pub(super) drawing: Drawing,
 }
 
@@ -26,7 +25,6 @@ pub(super) struct Analysis {
     /// The snapshot of the present text; of an earlier text while the compiler works.
     pub(super) snapshot: Arc<Snapshot>,
     pub(super) repairs: Repairs,
-    /// The ghost of a repair.
     pub(super) ghost: Option<Ghost>,
 }
 

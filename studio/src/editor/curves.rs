@@ -26,7 +26,6 @@ pub(crate) struct Wanted {
 pub(crate) struct Curves {
     /// The text, and what the compiler makes of it.
     pub(crate) snapshot: Arc<Snapshot>,
-    /// The quantities and the motion that were asked for.
     pub(crate) wanted: Wanted,
     /// The measured values, or why there are none.
     pub(crate) table: Result<Table, Failure>,

@@ -18,10 +18,8 @@ pub(super) enum Hand {
 /// The played mechanism, if the drawn text moves.
 #[derive(Default)]
 pub(super) struct Playing {
-    /// The snapshot of its text.
     pub(super) snapshot: Option<Arc<Snapshot>>,
     pub(super) player: Option<Player>,
-    /// The ranges of its motors.
     pub(super) ranges: Vec<MotorRange>,
     /// The whole paths of its traced points.
     pub(super) paths: Vec<Path>,

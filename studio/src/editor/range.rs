@@ -13,7 +13,6 @@ pub(crate) struct MotorRange {
     pub(crate) name: String,
     /// Its lowest and highest value, in radians or scene units.
     pub(crate) ends: [f64; 2],
-    /// The basis on which it is known.
     pub(crate) basis: Basis,
     /// Whether its values are angles.
     pub(crate) turns: bool,

@@ -18,7 +18,6 @@ pub(crate) struct Film {
     pub(crate) motor: Option<String>,
     /// Where it begins, and where it ends or turns back.
     pub(crate) span: Span,
-    /// The duration.
     pub(crate) seconds: u32,
     /// The number of frames in a second. Moving SVG has no frames.
     pub(crate) rate: u32,

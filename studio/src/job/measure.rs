@@ -16,7 +16,6 @@ pub(crate) struct Measure {
     pub(crate) motor: Option<String>,
     /// Where it begins and ends.
     pub(crate) span: Span,
-    /// The number of steps.
     pub(crate) steps: u32,
     /// The speed of the motor, in radians or scene units per second: without, 1, and forces are those at rest.
     pub(crate) rate: Option<f64>,

@@ -7,7 +7,6 @@ use mech_compiler::model::{AxisId, Effects, JointId, LinkId, MotorId};
 pub(crate) struct Quantity {
     /// Its name: `velocity:coupler.tip.x`.
     pub(crate) name: String,
-    /// Its subject.
     pub(crate) subject: Subject,
 }
 

@@ -23,7 +23,6 @@ pub(crate) struct Table {
     pub(crate) rows: Vec<Vec<Option<f64>>>,
     /// The number of the column over which the others are shown: the first, or the second.
     pub(crate) across: usize,
-    /// The precision of the numbers.
     pub(crate) precision: Precision,
 }
 

@@ -409,7 +409,6 @@ fn zoom(camera: &mut Camera, background: &Response, ui: &egui::Ui) {
     }
 }
 
-/// Shows the menu of a handle.
 fn menu(editor: &mut Editor, handle: Handle, ui: &mut egui::Ui) {
     ui.strong(handle.item.to_string());
     for tool in [Tool::Motor, Tool::Pivot, Tool::Trace, Tool::Force] {

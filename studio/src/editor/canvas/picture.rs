@@ -12,7 +12,6 @@ use mech_runtime::{HeapSmooth, Palette, View};
 pub(super) struct Picture {
     painted: Option<HeapSmooth>,
     texture: Option<TextureHandle>,
-    /// The subject of the texture.
     subject: Option<Subject>,
 }
 

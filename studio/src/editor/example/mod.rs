@@ -11,7 +11,6 @@ pub(crate) struct Example {
     pub(super) name: &'static str,
     /// The description, for a reader.
     pub(super) help: &'static str,
-    /// The name of the file.
     pub(super) file: &'static str,
     /// The text of a file in which it stands: Rust, or the inside of a mechanism.
     source: &'static str,

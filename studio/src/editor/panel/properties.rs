@@ -67,7 +67,6 @@ fn whole(snapshot: &Snapshot, ui: &mut egui::Ui, commands: &mut Vec<Command>) {
     });
 }
 
-/// Shows the buttons of an item.
 fn buttons(editor: &mut Editor, item: &Item, ui: &mut egui::Ui, commands: &mut Vec<Command>) {
     let name = item.name().to_owned();
     ui.horizontal_wrapped(|ui| {

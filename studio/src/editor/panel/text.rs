@@ -221,7 +221,6 @@ fn is_keyword(word: &str) -> bool {
     KEYWORDS.split(' ').any(|keyword| keyword == word)
 }
 
-/// Finds the ranges to mark in the text.
 fn marks(editor: &Editor) -> Marks {
     let snapshot = &editor.analysis.snapshot;
     let messages = snapshot.messages().iter();

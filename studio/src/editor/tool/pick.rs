@@ -9,7 +9,6 @@ use crate::editor::drawing::{Drawing, Hit};
 pub(crate) struct Pick {
     /// Where, in the scene.
     pub(crate) place: [f64; 2],
-    /// The thing at the place.
     pub(crate) hit: Hit,
 }
 

@@ -16,7 +16,6 @@ pub(in crate::editor) struct Hold {
     pub(in crate::editor) pose: Option<Vec<(String, f64)>>,
     /// Where it is at the beginning, as the drag counts.
     pub(in crate::editor) from: [f64; 2],
-    /// The things that go with it.
     pub(in crate::editor) followers: Vec<Follower>,
 }
 

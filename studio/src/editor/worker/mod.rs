@@ -27,7 +27,6 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 #[cfg(not(target_arch = "wasm32"))]
 use std::thread;
 
-/// A task for the worker.
 pub(super) enum Task {
     /// A gesture is tried on a text.
     Try {
@@ -62,7 +61,6 @@ pub(super) enum Task {
     Mend(Arc<Snapshot>),
 }
 
-/// A finding of the worker.
 pub(super) enum Finding {
     /// The result of the gesture with this number, and the snapshot after it; or why it is refused.
     Tried(u64, Box<Result<(Applied, Arc<Snapshot>), Refusal>>),
@@ -78,7 +76,6 @@ pub(super) enum Finding {
     Moves(Arc<Snapshot>, Box<Result<Played, Failure>>),
     /// The repairs of a snapshot.
     Mended(Arc<Snapshot>, Result<Vec<Mending>, Failure>),
-    /// The measured curves.
     Measured(Box<Curves>),
     /// A note on the written file, or why nothing was written.
     Exported(Result<String, Failure>),

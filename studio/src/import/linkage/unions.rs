@@ -84,7 +84,6 @@ impl Unions {
         connectors.len() > 1
     }
 
-    /// Returns the member of the drawing for a link.
     pub(super) fn member(&self, link: usize) -> Option<Member> {
         self.ends[link]
     }
