@@ -24,7 +24,7 @@ struct Panel<'t> {
     unit: &'t str,
     /// The numbers of their columns.
     columns: Vec<usize>,
-    /// Whether they are over a length too: then both axes have the same scale.
+    /// Whether they are shown over the same unit: then both axes have the same scale.
     is_path: bool,
 }
 

@@ -247,7 +247,7 @@ impl Writing {
     }
 }
 
-/// Whether a mechanism moves, in a line.
+/// Says in a line whether a mechanism moves.
 fn state(reading: &Reading) -> String {
     match &reading.result {
         Ok(compiled) => verdict_line(&reading.model, compiled),

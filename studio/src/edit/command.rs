@@ -253,7 +253,7 @@ pub enum ActionKind {
     Load,
 }
 
-/// The kind of a thing that can be taken out.
+/// A kind of what can be taken out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A link, with its joints and what acts on it.

@@ -10,7 +10,7 @@ use mech_compiler::plan::{self, Plan};
 pub struct Drag {
     scene: Scene,
     path: String,
-    /// The things that go with it, and its own place at the beginning, as the caller gives it.
+    /// The followers, and its own place at the beginning, as the caller gives it.
     followers: Vec<Follower>,
     from: [f64; 2],
     /// The values of motors at which it is seen, in degrees or scene units; none for the start.

@@ -49,7 +49,7 @@ impl Analysis {
         }
     }
 
-    /// Whether what is known is of this text, and nothing is tried on it.
+    /// Whether the snapshot is of this text, and no gesture is tried or waits.
     pub(super) fn is_present(&self, workspace: &Workspace) -> bool {
         self.snapshot.is_of(workspace) && self.pending.is_empty()
     }

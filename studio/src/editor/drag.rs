@@ -160,7 +160,7 @@ impl Drag {
         }
     }
 
-    /// Whether it is not known yet whether it can go where it was led last.
+    /// Whether the answer for the place to which it was led last is awaited.
     pub(crate) fn is_awaited(&self) -> bool {
         self.following().is_some_and(Following::is_awaited)
     }

@@ -87,7 +87,7 @@ impl Drawing {
         }
     }
 
-    /// Whether something is there.
+    /// Whether the drawing has this item.
     pub(crate) fn has(&self, item: &Item) -> bool {
         match item {
             Item::Link(name) => self.link(name).is_some(),

@@ -6,7 +6,7 @@ use super::snapshot::Snapshot;
 use crate::play::Player;
 use std::sync::Arc;
 
-/// The thing by which a user moves the motors.
+/// The link or the motor that a user moves by hand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Hand {
     /// A link, which is dragged.

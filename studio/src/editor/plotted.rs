@@ -89,7 +89,7 @@ impl Plotted {
         Some(Task::Measure { snapshot, wanted })
     }
 
-    /// Whether what was measured last is of what is seen.
+    /// Whether the last measurement fits the mechanism that is seen.
     pub(super) fn is_present(&self, playing: &Playing, snapshot: &Arc<Snapshot>) -> bool {
         let wanted = self.wanted(playing, snapshot);
         wanted.is_some_and(|wanted| self.fits(&wanted, snapshot))

@@ -1,4 +1,4 @@
-//! The gestures that take things out of a text, and leave the rest as it is.
+//! The gestures that remove items from a text, and leave the rest as it is.
 
 use super::drawing::{Drawing, distance};
 use super::{Gesture, Item};

@@ -26,7 +26,7 @@ pub(crate) enum Visible {
 pub(crate) struct Settings {
     /// Whether places snap to the grid and to what is near.
     pub(crate) snaps: bool,
-    /// The things that are visible beside the handles.
+    /// The kinds of marks that are visible beside the handles.
     pub(crate) visible: BTreeSet<Visible>,
     /// The panel beside the drawing; none if all are closed.
     pub(crate) panel: Option<Panel>,

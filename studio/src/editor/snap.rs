@@ -11,7 +11,7 @@ pub(super) struct Snapped {
     pub(super) guides: Vec<[f64; 2]>,
 }
 
-/// The things to snap to, at a magnification.
+/// The targets of snapping, at a magnification.
 pub(super) struct Snapping<'d> {
     pub(super) drawing: Option<&'d Drawing>,
     /// Pixels in a scene unit.
@@ -20,7 +20,7 @@ pub(super) struct Snapping<'d> {
     pub(super) is_on: bool,
     /// From where angles count, if they are to be multiples of 15 degrees.
     pub(super) angles_from: Option<[f64; 2]>,
-    /// Whether places on bars are meant: not of what is dragged, which takes its bars along.
+    /// Whether places snap to bars: not those of a dragged item, which takes its bars along.
     pub(super) snaps_to_bars: bool,
     /// The dragged items, which do not snap to themselves.
     pub(super) without: &'d [super::Item],

@@ -69,7 +69,7 @@ impl Snapshot {
         self.index == workspace.index() && self.document.source().text() == workspace.text()
     }
 
-    /// Whether the text says what a mechanism is, even one that does not move yet.
+    /// Whether the text can be read as a mechanism, even one that does not move yet.
     pub(crate) fn is_readable(&self) -> bool {
         self.reading
             .as_ref()
@@ -95,7 +95,7 @@ impl Snapshot {
         self.reading.as_ref()?.result.as_deref().ok()
     }
 
-    /// Whether the mechanism moves, in a line.
+    /// Says in a line whether the mechanism moves.
     pub(crate) fn verdict(&self) -> String {
         match (&self.reading, self.compiled()) {
             (Some(reading), Some(compiled)) => verdict_line(&reading.model, compiled),

@@ -5,7 +5,7 @@ use std::fmt::{self, Display, Formatter};
 /// Something that could not be carried over, and why.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Omission {
-    /// The thing that it concerns: `connector 3`.
+    /// The name of its subject: `connector 3`.
     pub(super) of: String,
     /// The loss, in a sentence.
     pub(super) what: String,

@@ -338,7 +338,7 @@ fn follow(document: &Document, (path, to): (&str, [f64; 2]), applied: Option<&Ap
     }
 }
 
-/// Checks that a moved thing is where it should be.
+/// Checks that a moved point or joint is where it should be.
 fn moved(applied: &Applied, path: &str, to: [f64; 2], said: &str) {
     let model = &applied.reading.model;
     let named = model.axes.iter().find(|axis| {

@@ -125,7 +125,7 @@ fn select_all(field: egui::Id, text: &str, context: &egui::Context) {
     state.store(context, field);
 }
 
-/// Whether the keys go to something in this window of its own.
+/// Whether a field or a button of this window has the focus of keys.
 fn is_focus_in(ui: &egui::Ui) -> bool {
     let focused = ui.memory(egui::Memory::focused);
     let focused = focused.and_then(|focused| ui.ctx().read_response(focused));

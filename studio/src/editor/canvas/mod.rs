@@ -22,7 +22,6 @@ pub(super) struct Canvas {
     picture: Picture,
     /// Where the pointer means, while a tool is used or something is dragged.
     snapped: Option<Snapped>,
-    /// Whether the pointer has taken hold of a link or of the paper.
     holds: Holds,
     /// Where the keyboard points, in the scene.
     cross: [f64; 2],

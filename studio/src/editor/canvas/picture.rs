@@ -22,7 +22,7 @@ struct Subject {
     view: View,
     size: [usize; 2],
     is_dark: bool,
-    /// Whether what is behind the bodies is seen where there are none.
+    /// Whether the picture is transparent where there are no bodies.
     is_glass: bool,
 }
 

@@ -101,7 +101,7 @@ impl Copy<'_> {
         self.links.contains(&self.model.link(link).name)
     }
 
-    /// Whether what is joined to a link comes along with other links.
+    /// Whether a link is copied, or is the ground and several links are.
     fn comes(&self, link: LinkId) -> bool {
         self.is_copied(link) || link == LinkId::GROUND && self.links.len() > 1
     }

@@ -38,7 +38,7 @@ pub(in crate::editor) struct PicturePlace {
 }
 
 impl PicturePlace {
-    /// Whether a picture can be there.
+    /// Whether all numbers are finite, and the width is positive.
     pub(in crate::editor) fn is_sound(&self) -> bool {
         let [x, y] = self.center;
         let numbers = [x, y, self.width, self.angle, f64::from(self.opacity)];

@@ -58,7 +58,7 @@ impl Desk {
         output::replace(&file, format!("{text}\n").as_bytes())
     }
 
-    /// Whether the file says what is so. This is asked for each frame, so that nothing is copied for it.
+    /// Whether the file has the content of the desk. Each frame asks this, so nothing is copied for it.
     fn says_the_same(&self) -> bool {
         let Record {
             picture,

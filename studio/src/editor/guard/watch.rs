@@ -105,7 +105,7 @@ impl Watch {
         Ok(())
     }
 
-    /// Whether something has happened, and is over.
+    /// Whether it is time to look at the file: it has changed, and is left alone now.
     fn is_time(&self, context: &egui::Context) -> bool {
         let focused = |event: &egui::Event| *event == egui::Event::WindowFocused(true);
         // Some disks tell nothing of what happens on them.
@@ -191,7 +191,7 @@ fn note(stirred: &Stirred, at: Option<Instant>) {
     *stirred.lock().unwrap_or_else(PoisonError::into_inner) = at;
 }
 
-/// Whether something has happened to the file of this name. That it was read does not count.
+/// Whether an event may have changed the file of this name. Reading does not count.
 fn concerns(event: &Event, name: &OsStr) -> bool {
     let is_read = matches!(event.kind, EventKind::Access(_));
     let has_name = |path: &PathBuf| path.file_name() == Some(name);

@@ -14,7 +14,7 @@ impl Editor {
         let Some(drawing) = self.sight.drawing() else {
             return;
         };
-        // A thing that was let go comes to rest first.
+        // An item that was let go comes to rest first.
         if self.sight.drag.is_awaited() {
             return;
         }

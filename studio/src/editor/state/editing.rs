@@ -31,7 +31,7 @@ impl Editor {
         self.sight.obey(Control::Release);
         let picks = Vec::new();
         self.picking = Picking { tool, picks };
-        // A thing that was let go stays where it was let go.
+        // An item that was let go stays where it was let go.
         self.sight.drag.give_up_if(|drag| drag.held().is_some());
         self.talk.notice = None;
     }

@@ -157,7 +157,7 @@ impl Editor {
         messages.map(|message| &*message.text).collect()
     }
 
-    /// Whether the text can be read; if not, what is drawn is of an earlier one.
+    /// Whether the text can be read; if not, the drawing is of an earlier one.
     #[must_use]
     pub fn is_readable(&self) -> bool {
         self.analysis.snapshot.is_readable()
@@ -172,12 +172,12 @@ impl Editor {
         is_let_go || !is_known || self.analysis.is_mending()
     }
 
-    /// Whether nothing is under way that would be lost if the text became another one.
+    /// Whether no drag is under way, and no gesture is tried or waits.
     pub(in crate::editor) fn is_at_rest(&self) -> bool {
         self.sight.drag.is_nothing() && self.analysis.pending.is_empty()
     }
 
-    /// Whether something is lost if the text is left as it is.
+    /// Whether leaving the text would lose work.
     #[must_use]
     pub fn has_work(&self) -> bool {
         !self.is_at_rest() || self.workspace().has_work()

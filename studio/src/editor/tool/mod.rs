@@ -55,7 +55,7 @@ pub enum Tool {
 struct Row {
     tool: Tool,
     name: &'static str,
-    /// The things that the user picks, one after the other.
+    /// The descriptions of the places to pick, one after the other.
     picks: &'static [&'static str],
     help: &'static str,
     build: fn(&mut Builder<'_>, &[Pick]) -> Result<(), String>,
@@ -212,7 +212,7 @@ impl Tool {
         self.row().help
     }
 
-    /// Returns the things to pick, in this order.
+    /// Returns the descriptions of the places to pick, in this order.
     #[must_use]
     pub fn picks(self) -> &'static [&'static str] {
         self.row().picks

@@ -27,7 +27,7 @@ impl Picking {
         is_last.then(|| std::mem::take(&mut self.picks))
     }
 
-    /// Returns the thing to pick next.
+    /// Returns the description of the next place to pick.
     pub(crate) fn wanted(&self) -> Option<&'static str> {
         self.tool.picks().get(self.picks.len()).copied()
     }

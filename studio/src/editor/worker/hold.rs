@@ -1,4 +1,4 @@
-//! The things that are held during a drag.
+//! The items that are held during a drag.
 
 use crate::document::Document;
 use crate::edit::{Command, Drag, Dragged, Follower, Refusal};
@@ -6,11 +6,11 @@ use crate::editor::Gesture;
 use crate::editor::snapshot::Snapshot;
 use std::sync::Arc;
 
-/// The thing to be held, and the things that go with it.
+/// The item to be held, and its followers.
 pub(in crate::editor) struct Hold {
     /// Which of all drags it is for.
     pub(in crate::editor) number: u64,
-    /// The path of the dragged thing in the language.
+    /// The path of the dragged item in the language.
     pub(in crate::editor) path: String,
     /// The values of motors at which it is seen, in degrees or scene units; none for the start.
     pub(in crate::editor) pose: Option<Vec<(String, f64)>>,

@@ -46,7 +46,7 @@ pub(super) enum Task {
     },
     /// Something is taken hold of in a text.
     Hold(Box<Hold>, Held),
-    /// The held thing is led to a place, as the drag counts.
+    /// The held item is led to a place, as the drag counts.
     Lead { number: u64, to: [f64; 2] },
     /// A mechanism is measured.
     Measure {
@@ -88,7 +88,7 @@ pub(super) enum Finding {
 pub(super) enum Undone {
     /// A gesture was not tried.
     Try,
-    /// The thing held in the drag with this number was not led.
+    /// The item held in the drag with this number was not led.
     Drag(u64),
     /// The text of the drag with this number was not read.
     Preview(u64),

@@ -1,4 +1,4 @@
-//! The things that ids name, and the losses where they name nothing.
+//! The connectors and links that ids name, and the losses where they name nothing.
 
 use super::document::{Connector, Fastening, Link};
 use super::element::{Element, Id};

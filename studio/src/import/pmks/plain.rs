@@ -135,7 +135,7 @@ fn flag(field: &Field<'_>) -> Result<bool, Message> {
     }
 }
 
-/// Whether a word means that something slides; nothing if it says neither.
+/// Whether a letter means a joint that slides; none if it is neither `P` nor `R`.
 fn is_prismatic(field: &Field<'_>) -> Option<bool> {
     match field.text().trim() {
         "R" => Some(false),

@@ -92,7 +92,7 @@ impl<'q> Sections<'q> {
         };
         let joints = section("the end of its joints")?;
         let links = section("the end of its links")?;
-        // Since August 2023, the selected things stand behind the forces.
+        // Since August 2023, the selection stands behind the forces.
         let forces: Vec<Field<'q>> = tokens
             .by_ref()
             .take_while(|token| !token.text().is_empty())
@@ -228,7 +228,7 @@ fn slot_of<'q>(
     })
 }
 
-/// Whether the input turns clockwise, and whether gravity acts: links of before its switch mean that it does.
+/// Reads whether the input turns clockwise, and whether gravity acts: links of before its switch mean that it does.
 fn settings(field: &Field<'_>) -> Result<(bool, bool), Message> {
     let is_right = field.text().chars().count() == SETTINGS;
     let digits = field.last().filter(|_| is_right);

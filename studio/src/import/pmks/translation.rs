@@ -121,7 +121,7 @@ fn firsts(linkage: &Linkage) -> Vec<usize> {
     firsts
 }
 
-/// Whether what has these joints cannot move, as two pivots hold it to the ground.
+/// Whether two pivots hold the link with these joints to the ground.
 fn are_fixed<'l>(linkage: &Linkage, joints: impl Iterator<Item = &'l usize>) -> bool {
     let joints = joints.map(|joint| &linkage.joints[*joint]);
     let mut pivots = joints.filter(|joint| joint.is_grounded && joint.along.is_none());

@@ -10,7 +10,7 @@ use similar::TextDiff;
 use std::fmt::Debug;
 use std::fs;
 
-/// Whether something is so, and what is there.
+/// Whether a judge holds, and the value that it found.
 struct Finding {
     is_so: bool,
     found: String,
@@ -26,7 +26,7 @@ impl Finding {
         Self::of(found == expected, found)
     }
 
-    /// Whether a text is another, and how they differ.
+    /// Compares a text with the expected one; the finding shows the differences.
     fn text(found: &str, expected: &str) -> Self {
         let changes = TextDiff::from_lines(expected, found);
         Self {
@@ -87,7 +87,7 @@ fn by_doing(user: &mut User, words: &mut Words) -> Result<bool, String> {
     Ok(true)
 }
 
-/// Whether the window is closed, by the click that a line names or as the system does it.
+/// Closes the window by the click that a line names, or as the system does it. Returns whether it is closed.
 fn closes(user: &mut User, words: &mut Words) -> Result<bool, String> {
     if words.is_at_end() {
         return Ok(user.close());
