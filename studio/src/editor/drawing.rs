@@ -168,8 +168,8 @@ impl Drawing {
         index::axis_of_joint(&self.model, joint)
     }
 
-    /// Finds the path to move in the text so that a joint or a point comes to another place, and the axis that moves with it: those of the
-    /// joint itself, if it was placed in the drawing, or else those of its point.
+    /// Finds the path to move in the text so that a joint or a point changes its place, and the axis that moves with it. A joint that was
+    /// placed in the drawing moves itself; any other moves by its point.
     pub(crate) fn mover(&self, item: &Item) -> Option<(String, AxisId)> {
         match item {
             Item::Joint(name) => {

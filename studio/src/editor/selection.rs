@@ -99,7 +99,7 @@ impl Selection {
         items
     }
 
-    /// Finds an item of a link by which the whole selection can be dragged, and its place; none if the link is not selected with others.
+    /// Finds an item of a link that drags the whole selection, and its place; none if the link is not selected with others.
     pub(super) fn handle_of(
         &self,
         link: LinkId,

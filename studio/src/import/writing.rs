@@ -372,7 +372,7 @@ impl Writer<'_> {
         shortest(value, self.tolerance(self.size))
     }
 
-    /// Computes the tolerance of a length on a figure of this size.
+    /// Computes the tolerance of a length, relative to this size.
     fn tolerance(&self, size: f64) -> f64 {
         (size * PRECISION).max(self.drawing.rounding)
     }
