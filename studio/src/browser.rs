@@ -1,4 +1,4 @@
-//! What the page asks of its browser.
+//! Requests of the page to its browser.
 
 use crate::failure::Failure;
 use web_sys::js_sys::encode_uri_component;

@@ -11,15 +11,15 @@ use mech_compiler::syntax::Edits;
 /// A repair that was tried, and compiles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mending {
-    /// What it changes, in words.
+    /// A description of the change, in words.
     pub words: String,
-    /// What is left to do after it, if anything is.
+    /// The work that remains after it, if any.
     pub remainder: Remainder,
     /// The whole text of the file after it.
     pub text: String,
 }
 
-/// What is left to do after a repair.
+/// The work that remains after a repair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Remainder {
     /// Nothing, but at most to choose one of several assemblies.
@@ -84,7 +84,7 @@ pub fn mendings(
     Ok(found)
 }
 
-/// What is offered, in the order of the messages: repairs that are made together.
+/// Lists the offered repairs in the order of the messages; each entry holds the repairs that are made together.
 fn offered(offers: &Offers) -> Vec<(Vec<Repair>, Remainder)> {
     let single = offers.single.iter().map(|repair| vec![repair.clone()]);
     let coupled = offers.coupled.iter();

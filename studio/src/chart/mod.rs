@@ -24,7 +24,7 @@ struct Panel<'t> {
     unit: &'t str,
     /// The numbers of their columns.
     columns: Vec<usize>,
-    /// Whether they are over a length too: then both axes have the same scale.
+    /// Whether they are shown over the same unit: then both axes have the same scale.
     is_path: bool,
 }
 
@@ -224,7 +224,7 @@ impl<'t> Chart<'t> {
         Ok(())
     }
 
-    /// What the upward axis of a graph shows.
+    /// Returns the label of the upward axis of a graph.
     fn label(&self, panel: &Panel<'_>) -> String {
         match panel.columns[..] {
             [only] => format!("{} [{}]", self.table.columns[only].0, panel.unit),

@@ -45,7 +45,7 @@ impl<'u> Scale<'u> {
         self.range = middle - 0.5 * length..middle + 0.5 * length;
     }
 
-    /// How many numbers are written at it.
+    /// Returns the number of labels on the axis.
     pub(super) fn count(&self) -> usize {
         self.ticks().len()
     }
@@ -84,7 +84,7 @@ fn range_of(values: impl Iterator<Item = f64>) -> Range<f64> {
         // There is no value.
         return 0.0..1.0;
     }
-    // What varies by rounding alone is shown as constant.
+    // Values that differ by rounding alone are shown as constant.
     let least = 1e-9 * low.abs().max(high.abs());
     if high - low > least {
         return low..high;

@@ -22,14 +22,14 @@ struct Mechanism<'a> {
     moves: bool,
     place: Place,
     messages: Vec<Message<'a>>,
-    /// What was tried and mends it, the likeliest first.
+    /// The repairs that compile, the likeliest first.
     repairs: Vec<Repair<'a>>,
 }
 
 #[derive(Serialize)]
 struct Repair<'a> {
     text: &'a str,
-    /// What is left to do after it: `nothing`, `other start` or `other faults`.
+    /// The work that remains after it: `nothing`, `other start` or `other faults`.
     remainder: &'static str,
     /// The replacements that make it, in the order of their places.
     edits: Vec<Edit>,

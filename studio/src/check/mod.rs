@@ -1,4 +1,4 @@
-//! What is wrong with the mechanisms of a document, and how that is told.
+//! The check of the mechanisms of a document, and its messages.
 
 mod json;
 mod rendering;

@@ -1,4 +1,4 @@
-//! What is found out about each mechanism of a document.
+//! The verdict on each mechanism of a document.
 
 use crate::document::{Declaration, Document, Message, Reading};
 use crate::failure::Failure;
@@ -7,7 +7,7 @@ use mech_compiler::Compiled;
 use mech_compiler::model::Model;
 use std::ops::Range;
 
-/// What is found out about a mechanism, or about the parts of a document.
+/// The verdict on a mechanism, or on the parts of a document.
 pub(crate) enum Verdict {
     /// It moves.
     Moves {
@@ -17,7 +17,7 @@ pub(crate) enum Verdict {
         place: Range<usize>,
         /// This in one line.
         line: String,
-        /// What is worth knowing of how it moves.
+        /// Notes on its motion that are worth knowing.
         notes: Vec<String>,
     },
     /// Something is wrong.
@@ -26,15 +26,15 @@ pub(crate) enum Verdict {
         name: Option<String>,
         /// Where it stands, in bytes.
         place: Range<usize>,
-        /// What is wrong.
+        /// The faults.
         messages: Vec<Message>,
-        /// What would mend it, if that was asked.
+        /// The repairs, if the user asked for them.
         repairs: Vec<Mending>,
     },
 }
 
-/// What is found out about the mechanism of this name; without a name about all, and about the parts for other files. Repairs are looked
-/// for where they are asked for.
+/// Judges the mechanism of this name; without a name, all mechanisms and the parts for other files. Looks for repairs if
+/// `are_repairs_asked`.
 pub(crate) fn verdicts(
     document: &Document,
     name: Option<&str>,

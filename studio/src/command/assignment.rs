@@ -35,7 +35,7 @@ impl Assignment {
         let declaration =
             declaration.ok_or_else(|| Failure::internal("a mechanism is not in its file"))?;
         let Some(listing) = document.listing(declaration)? else {
-            // What is wrong with the brackets is told when the text is read.
+            // The reading of the text reports faults of the brackets.
             return Ok(document.clone());
         };
         let Self { name, value } = self;

@@ -49,7 +49,7 @@ pub(super) fn parse<L: Parser>(
             console.complain(&error.to_string());
             Err(Failure::reported(FailureKind::Usage))
         }
-        // What was asked for: the help, or the version.
+        // The user asked for the help, or the version.
         Err(error) => console.answer(error.to_string()).map(|()| None),
     }
 }

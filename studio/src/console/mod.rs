@@ -12,7 +12,7 @@ pub struct Console {
     complaints: Box<dyn Write>,
     /// Whether complaints are read by somebody who sees colours.
     has_colors: bool,
-    /// How far the present job is.
+    /// The progress of the present job.
     #[cfg(not(target_arch = "wasm32"))]
     progress: Option<indicatif::ProgressBar>,
 }

@@ -1,4 +1,4 @@
-//! How a job goes, to somebody who watches.
+//! The progress of a job, as shown to a user.
 
 use super::Console;
 use crate::job::Listener;

@@ -1,4 +1,4 @@
-//! How a line may go on.
+//! The completion of a line.
 
 use super::line::beginnings;
 use super::pattern::{Element, What, fit, read};
@@ -52,7 +52,7 @@ fn optional_words(elements: &[Element]) -> Vec<String> {
     optional.collect()
 }
 
-/// What may stand for an element.
+/// Lists the words that fit an element.
 fn words_for(element: &Element, listing: &Listing) -> Vec<String> {
     let names = |is_it: fn(Noun) -> bool| {
         let declared = listing.names.iter();

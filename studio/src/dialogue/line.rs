@@ -6,7 +6,7 @@ use super::table::ROWS;
 use super::words::{Word, words};
 use crate::failure::Failure;
 
-/// What a line asks for; nothing if it is empty or a comment.
+/// Reads the request of a line; nothing if the line is empty or a comment.
 pub(crate) fn request(line: &str) -> Result<Option<Request>, Failure> {
     let line = without_comment(line).trim();
     if line.is_empty() {
@@ -72,7 +72,7 @@ fn complaint(line: &str, words: &[Word], misfits: &[(&Row, Misfit)]) -> String {
     format!("expected {wanted}{found}; say {}", patterns.join(" or "))
 }
 
-/// What could stand at a place, in words.
+/// Describes an element in words.
 fn in_words(element: &Element) -> String {
     match element {
         Element::Word(word) => format!("`{word}`"),

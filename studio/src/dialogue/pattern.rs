@@ -1,4 +1,4 @@
-//! How a line may be formed: `point <path:new> at <at:place>`.
+//! The patterns of lines: `point <path:new> at <at:place>`.
 //!
 //! A pattern consists of words, of slots `<name:what>`, and of what may be left out, in square brackets.
 
@@ -10,18 +10,18 @@ use std::collections::BTreeMap;
 pub(super) enum Element {
     /// This word.
     Word(&'static str),
-    /// What the user fills in.
+    /// A slot, which the user fills in.
     Slot {
         /// The name under which it is found again.
         name: &'static str,
-        /// What may stand there.
+        /// The kind of words that fit it.
         what: What,
     },
-    /// What may be left out; it begins with a word.
+    /// An optional part; it begins with a word.
     Optional(Vec<Element>),
 }
 
-/// What may stand in a slot.
+/// The kind of words that fit a slot.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum What {
     /// A new name or path.
@@ -46,7 +46,7 @@ pub(super) enum What {
     Rest,
 }
 
-/// What a user filled in.
+/// The words that a user filled in, by the names of the slots.
 pub(super) type Found = BTreeMap<&'static str, String>;
 
 /// A line that does not fit a pattern.
@@ -54,7 +54,7 @@ pub(super) type Found = BTreeMap<&'static str, String>;
 pub(super) struct Misfit {
     /// At which of its words.
     pub(super) at: usize,
-    /// What could stand there.
+    /// The elements that would fit there.
     pub(super) wants: Vec<Element>,
 }
 
@@ -145,7 +145,7 @@ struct Fitting<'l> {
     words: &'l [Word],
     at: usize,
     found: Found,
-    /// What could have stood at the present word and was left out.
+    /// The optional elements that were left out before the present word.
     skipped: Vec<Element>,
 }
 
@@ -221,7 +221,7 @@ impl Fitting<'_> {
         Ok(())
     }
 
-    /// How many words there are up to one that may follow.
+    /// Counts the words of a slot: up to a word that may follow it.
     fn length_to(&self, following: &[Element], is_value: bool) -> usize {
         let mut stops = Vec::new();
         for element in following {

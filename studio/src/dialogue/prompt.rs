@@ -14,7 +14,7 @@ use rustyline::validate::Validator;
 use rustyline::{Config, Context, Editor, Helper};
 use std::io::{self, BufRead, IsTerminal};
 
-/// What the user reads first.
+/// The first lines for the user.
 const GREETING: &str = "`help` lists what can be said, `quit` ends.\n";
 
 /// Talks until the user ends it.

@@ -1,10 +1,10 @@
-//! What a line asks for, and how what the user filled in becomes that.
+//! The requests of lines, made from the words that the user filled in.
 
 use super::pattern::Found;
 use crate::edit::{ActionKind, Assembly, Command, JointForm, Pair};
 use crate::failure::Failure;
 
-/// What a line asks for.
+/// The request of a line.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Request {
     /// A change of the mechanism.
@@ -32,7 +32,7 @@ pub(crate) enum Request {
     },
     /// The text is written.
     Save(Option<String>),
-    /// What can be said.
+    /// The help: on all lines, or on a topic.
     Help(Option<String>),
     /// The end.
     Quit,
@@ -40,15 +40,13 @@ pub(crate) enum Request {
 
 /// A row of the table.
 pub(super) struct Row {
-    /// How it is said.
     pub(super) pattern: &'static str,
-    /// What it does, as `help` tells.
+    /// Its description in `help`.
     pub(super) help: &'static str,
-    /// What it asks for.
     pub(super) request: fn(Taken) -> Result<Request, Failure>,
 }
 
-/// What a user filled in.
+/// The words that a user filled in.
 pub(super) struct Taken(pub(super) Found);
 
 impl Taken {

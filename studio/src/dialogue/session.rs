@@ -26,7 +26,7 @@ pub(crate) enum Turn {
 /// A session: a file, its text as it is now, and the steps that led there.
 pub(crate) struct Session {
     pub(crate) workspace: Workspace,
-    /// What is written at the end, if everything went well; none if it is written at once.
+    /// The files to write at the end, if all goes well; none if each is written at once.
     deferred: Option<Vec<Writing>>,
 }
 
@@ -34,7 +34,7 @@ pub(crate) struct Session {
 enum Writing {
     /// A text.
     Text(Saving),
-    /// What a subcommand writes, of a text as it was.
+    /// The files of a subcommand, for a text as it was.
     Answer {
         words: Vec<String>,
         document: Document,
@@ -140,7 +140,7 @@ impl Session {
     /// Writes the text: over the file from which it was read, or to one that is not there yet.
     fn save(&mut self, file: Option<&str>, console: &mut Console) -> Result<(), Failure> {
         let path = file.map(|file| Path::new(file.trim_matches('"')));
-        // What could not be written does not count as written.
+        // A text that could not be written does not count as written.
         let before = self.workspace.clone();
         let saving = self.workspace.save_to(path)?;
         let done = self.write(Writing::Text(saving), console);
@@ -247,7 +247,7 @@ impl Writing {
     }
 }
 
-/// Whether a mechanism moves, in a line.
+/// Says in a line whether a mechanism moves.
 fn state(reading: &Reading) -> String {
     match &reading.result {
         Ok(compiled) => verdict_line(&reading.model, compiled),

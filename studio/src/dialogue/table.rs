@@ -1,4 +1,4 @@
-//! What can be said in the dialogue: one table, from which come reading, help and completion.
+//! The table of the dialogue's lines: reading, help and completion use it.
 
 use super::request::{
     Request, Row, action, ask, constant, edit, join, numbers, pose, rolling, start,

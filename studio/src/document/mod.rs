@@ -44,7 +44,7 @@ pub struct Declaration {
     pub name: Option<String>,
     /// The whole call of the macro; in a file of its own all of it.
     pub whole: Range<usize>,
-    /// What the macro is given; none if its brackets are not closed.
+    /// The input of the macro; none if its brackets are not closed.
     pub body: Option<Range<usize>>,
 }
 
@@ -178,7 +178,7 @@ impl Document {
         reading::check(self, declaration)
     }
 
-    /// What the text of one of its mechanisms says, whether or not that is a mechanism; none if the text is wrong.
+    /// Reads the model from the text of one of its mechanisms, even if that is no mechanism; none if the text is wrong.
     ///
     /// # Errors
     /// If the compiler itself fails, which is a mistake of ours.
@@ -202,7 +202,7 @@ impl Document {
         listing::listing(self, declaration)
     }
 
-    /// What is wrong with the texts of the parts that are kept for other mechanisms.
+    /// Finds the faults in the texts of the parts that are kept for other mechanisms.
     ///
     /// # Errors
     /// If the compiler itself fails, which is a mistake of ours.

@@ -26,23 +26,23 @@ pub struct Reading {
     whole: Range<usize>,
 }
 
-/// What is wrong with a mechanism.
+/// The faults of a mechanism.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Faults {
     /// All of it in words, at its places; never empty.
     pub messages: Vec<Message>,
-    /// What the analysis found, without words; empty if the text itself is wrong.
+    /// The diagnoses of the analysis; empty if the text itself is wrong.
     pub diagnoses: Vec<Diagnosis>,
-    /// What would mend each of these.
+    /// The repairs that each diagnosis offers.
     pub offers: Vec<Offers>,
 }
 
-/// What is wrong at a place. After its first line it has lines that begin with `note:` or `help:`.
+/// A fault at a place. Lines that begin with `note:` or `help:` may follow its first line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Message {
     /// Where it stands in the file, in bytes.
     pub place: Range<usize>,
-    /// What the user reads.
+    /// The text for the user.
     pub text: String,
 }
 
@@ -109,7 +109,7 @@ fn read(
     })
 }
 
-/// What the text of a mechanism says; none if it is wrong.
+/// Reads the model from the text of a mechanism; none if the text is wrong.
 pub(super) fn model(
     document: &Document,
     declaration: &Declaration,
@@ -123,7 +123,7 @@ pub(super) fn model(
     Ok(is_right.then_some(parsed.model))
 }
 
-/// What is wrong with the text of a part that is kept for other mechanisms.
+/// Finds the faults in the text of a part that is kept for other mechanisms.
 pub(super) fn faults_of_part(
     document: &Document,
     part: &Declaration,
@@ -236,7 +236,7 @@ fn instances(document: &Document, declaration: &Declaration) -> Vec<Instance> {
     found
 }
 
-/// What is wrong within a part from elsewhere is told at the instance that it names: all of the part stands at the word that brings it in.
+/// Moves faults within a part from elsewhere to the instance that they name: all of the part stands at the word that brings it in.
 fn at_instances(mut messages: Vec<Message>, instances: &[Instance]) -> Vec<Message> {
     for message in &mut messages {
         let mention = |one: &Instance| {

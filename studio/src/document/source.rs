@@ -123,7 +123,7 @@ impl Source {
         Ok(text_of(&self.path)? == self.text)
     }
 
-    /// What a browser downloads is a new file each time.
+    /// Returns true: a browser's download is a new file each time.
     #[cfg(target_arch = "wasm32")]
     #[expect(clippy::unnecessary_wraps, reason = "as with files")]
     const fn is_as_read(&self) -> Result<bool, Failure> {

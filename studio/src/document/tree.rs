@@ -54,12 +54,12 @@ impl TextTree {
         self.places.replacements(text, edits)
     }
 
-    /// What the text says after changes; none if it is wrong then.
+    /// Reads the model after changes; none if the text is wrong then.
     pub(crate) fn model_with(&self, edits: &Edits) -> Result<Option<Model>, Failure> {
         catch(|| self.source.model_with(edits)).map_err(Failure::internal)
     }
 
-    /// What the text says after replacements; none if it is wrong then, or if they begin or end within tokens.
+    /// Reads the model after replacements; none if the text is wrong then, or if they begin or end within tokens.
     pub(crate) fn model_after(&self, edits: &[Replacement]) -> Result<Option<Model>, Failure> {
         match self.places.edits(edits) {
             Some(edits) => self.model_with(&edits),

@@ -1,4 +1,4 @@
-//! What can be done to a mechanism: the intermediate form between what a user says and what becomes of the text.
+//! The commands on a mechanism: data between the words of a user and the replacements in the text.
 
 /// A number as it is to be written: `1.2`, `30 deg`, `2 * THROW`.
 pub type Expression = String;
@@ -6,7 +6,7 @@ pub type Expression = String;
 /// A place as it is to be written.
 pub type Pair = [Expression; 2];
 
-/// What can be done to a mechanism.
+/// A command on a mechanism.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Command {
     /// Declares a mechanism, in a text that has none.
@@ -83,19 +83,19 @@ pub enum Command {
         kind: ActionKind,
         /// Its name.
         name: String,
-        /// What it is.
+        /// The text after its name and `=`.
         body: String,
     },
     /// Uses a part: `left[6]: Leg(phase = k * 60 deg) { frame = ground }`.
     Use {
-        /// What is used, and how.
+        /// The text between `use` and the semicolon.
         body: String,
     },
     /// Records the path of a point.
     Trace {
         /// The point.
         point: String,
-        /// How many places are kept.
+        /// The number of places that it keeps.
         length: Expression,
     },
     /// Says something of the whole mechanism, in place of what was said: `gravity (0, -9.81)`, `look diagram`.
@@ -105,7 +105,7 @@ pub enum Command {
     },
     /// Moves a point, the origin of a line, or a joint that is placed in the drawing.
     Move {
-        /// What is moved.
+        /// The path of the joint, point or link that moves.
         path: String,
         /// Where to: in the frame of its link; at a pose, in the scene.
         to: [f64; 2],
@@ -114,7 +114,7 @@ pub enum Command {
     },
     /// Sets a number by its role: `x` of `crank.pin`, `shape 2 radius` of `crank`.
     Set {
-        /// What it belongs to.
+        /// The owner of the number.
         owner: String,
         /// Its role.
         role: String,
@@ -150,14 +150,14 @@ pub enum Command {
     },
     /// Gives something another name, wherever it is used.
     Rename {
-        /// What: `rod`, `crank.pin`, `Leg.foot`.
+        /// Its present path: `rod`, `crank.pin`, `Leg.foot`.
         path: String,
         /// Its new name.
         name: String,
     },
     /// Takes something out, with what cannot be without it.
     Remove {
-        /// What it is.
+        /// Its kind.
         kind: Kind,
         /// Its name or path.
         name: String,
@@ -193,9 +193,9 @@ pub enum Command {
 pub struct Assembly {
     /// Its name.
     pub name: String,
-    /// What it allows.
+    /// The form of the joint.
     pub kind: JointForm,
-    /// What it joins: points, lines, or links; a cam's are joints.
+    /// The points, lines or links that it joins; a cam joins joints.
     pub ends: [String; 2],
     /// Where it is in the drawing.
     pub at: Option<Pair>,
@@ -242,7 +242,7 @@ pub enum JointForm {
     },
 }
 
-/// What acts on links.
+/// The kind of an action on links.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ActionKind {
     /// A spring.
@@ -253,7 +253,7 @@ pub enum ActionKind {
     Load,
 }
 
-/// What can be taken out.
+/// A kind of what can be taken out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A link, with its joints and what acts on it.
@@ -270,7 +270,7 @@ pub enum Kind {
     Action,
     /// A use of a part.
     Use,
-    /// What was said of where a joint or a link starts.
+    /// The clause on where a joint or a link starts.
     Start,
     /// The mass of a link.
     Mass,
@@ -306,7 +306,7 @@ impl JointForm {
 }
 
 impl Command {
-    /// What it does, in a few words, for the list of what can be undone.
+    /// Returns a short description, for the list of steps.
     #[must_use]
     pub fn title(&self) -> String {
         match self {

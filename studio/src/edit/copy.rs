@@ -46,7 +46,7 @@ pub(super) fn mirror(scene: &Scene, name: &str) -> Result<Change, Refusal> {
     Ok(edits.into())
 }
 
-/// Whether a number changes its sign where left and right do.
+/// Whether mirroring changes the sign of a number with this role.
 fn changes_sign(role: &str) -> bool {
     let word = role.rsplit(' ').next().unwrap_or(role);
     matches!(word, "y" | "dy" | "direction" | "turned")
@@ -68,7 +68,7 @@ fn negative(text: &str) -> String {
     if is_word(text) {
         return format!("-{text}");
     }
-    // What was mirrored before is as it was.
+    // A second mirroring gives the first text again.
     match text
         .strip_prefix("-(")
         .and_then(|inner| inner.strip_suffix(')'))

@@ -1,4 +1,4 @@
-//! What is declared, as statements of the language.
+//! Declarations, as statements of the language.
 
 use super::{ActionKind, Change, Command, Expression, Pair, Refusal, Scene};
 use crate::document::NumberText;

@@ -10,7 +10,7 @@ use mech_compiler::plan::{self, Plan};
 pub struct Drag {
     scene: Scene,
     path: String,
-    /// What goes with it, and where it is itself at the beginning, as it is told.
+    /// The followers, and its own place at the beginning, as the caller gives it.
     followers: Vec<Follower>,
     from: [f64; 2],
     /// The values of motors at which it is seen, in degrees or scene units; none for the start.
@@ -21,7 +21,7 @@ pub struct Drag {
 /// Something that goes with what is dragged, by the same way in the scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Follower {
-    /// What it is, as [`Command::Move`] names it.
+    /// Its path, as in [`Command::Move`].
     pub path: String,
     /// Where it is at the beginning, as [`Command::Move`] counts.
     pub from: [f64; 2],
@@ -29,7 +29,7 @@ pub struct Follower {
     pub turn: [f64; 2],
 }
 
-/// How the poses of links become known after a move.
+/// The way to the poses of links after a move.
 enum Renewal {
     /// The plan stays, and is assembled with other numbers.
     Assembly(Box<Plan>),
@@ -41,11 +41,11 @@ enum Renewal {
 /// Where a drag has come.
 #[derive(Clone, Debug)]
 pub struct Dragged {
-    /// What changes in the text, in the order of the places.
+    /// The replacements in the text, in the order of the places.
     pub edits: Vec<Replacement>,
-    /// What else there is to tell: a constant that was solved for, for example.
+    /// Further notes: on a constant that was solved for, for example.
     pub notes: Vec<String>,
-    /// What the text says after that.
+    /// The model of the text after them.
     pub model: Model,
     /// For each link the cosine, sine, x and y of its pose in the scene, at the values of the motors where the drag is seen; none where the
     /// mechanism cannot be assembled, or does not show the link.

@@ -5,14 +5,14 @@
 pub struct History {
     first: String,
     steps: Vec<Step>,
-    /// How many of the steps are made; the others are undone.
+    /// The number of steps that are made; the others are undone.
     made: usize,
 }
 
 /// A step from one text to the next.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Step {
-    /// What it did.
+    /// The title of the gesture or command.
     pub title: String,
     /// The text after it.
     pub text: String,

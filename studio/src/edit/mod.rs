@@ -39,11 +39,11 @@ use similar::{DiffTag, TextDiff};
 /// A command that was accepted.
 #[derive(Clone, Debug)]
 pub struct Applied {
-    /// What it did, in a few words.
+    /// A short description of the command.
     pub title: String,
-    /// What it replaced, in the order of the places.
+    /// The replacements, in the order of the places.
     pub edits: Vec<Replacement>,
-    /// What else there is to tell: a constant that was solved for, for example.
+    /// Further notes: on a constant that was solved for, for example.
     pub notes: Vec<String>,
     /// The file after it.
     pub document: Document,
@@ -51,7 +51,7 @@ pub struct Applied {
     pub reading: Reading,
 }
 
-/// What a command does to a text, before that is tried.
+/// The change that a command makes to a text, before it is tried.
 #[derive(Default)]
 struct Change {
     edits: Vec<Replacement>,
@@ -172,7 +172,6 @@ fn judge_joints(
     joints.try_for_each(|assembly| assemble::judge(&scene, assembly, &applied.reading))
 }
 
-/// What a command does to the text.
 fn change(scene: &Scene, command: &Command) -> Result<Change, Refusal> {
     match command {
         Command::Move { path, to, pose } => place::shift(scene, path, *to, pose.as_deref()),
@@ -302,7 +301,7 @@ fn repair(document: &Document, index: usize, number: usize) -> Result<Applied, R
     })
 }
 
-/// What was replaced between two texts, line by line.
+/// Finds the replacements between two texts, line by line.
 pub(crate) fn differences(before: &str, after: &str) -> Vec<Replacement> {
     let difference = TextDiff::from_lines(before, after);
     let starts = |lines: &[&str]| {

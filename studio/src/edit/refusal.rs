@@ -16,7 +16,7 @@ pub enum Rule {
     HeldOnce,
     /// The axes can coincide.
     Coincidence,
-    /// What rolls has a carrier, and its sizes fit.
+    /// A rolling pair has a carrier, and its sizes fit.
     Rolling,
 }
 
@@ -43,7 +43,7 @@ pub struct Refusal {
     reason: String,
     /// The rule of assembly that forbids it.
     rule: Option<Rule>,
-    /// What the compiler says of the text that would result.
+    /// The compiler's messages on the text that would result.
     messages: Vec<String>,
     kind: FailureKind,
 }
@@ -103,7 +103,7 @@ impl Refusal {
         self.rule
     }
 
-    /// What the compiler says of the text that would result.
+    /// Returns the compiler's messages on the text that would result.
     #[must_use]
     pub fn messages(&self) -> &[String] {
         &self.messages

@@ -1,4 +1,4 @@
-//! What is taken out of a mechanism.
+//! The removal of declarations from a mechanism.
 
 use super::declare::{matter, unwritten};
 use super::{Change, Kind, Refusal, Scene};
@@ -85,7 +85,7 @@ pub(super) fn remove(scene: &Scene, kind: Kind, name: &str) -> Result<Change, Re
     Ok(change)
 }
 
-/// Whether only one thing acts, so that nobody may ask for forces without it.
+/// Whether a single spring, damper or load acts. Without it, the text may not ask for forces.
 fn is_last_force(model: &Model) -> bool {
     let actions = &model.actions;
     let count = actions.springs.len() + actions.dampers.len() + actions.loads.len();

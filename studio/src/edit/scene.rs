@@ -15,9 +15,9 @@ pub struct Known<'k> {
     pub document: &'k Document,
     /// The number of the mechanism in the file.
     pub index: usize,
-    /// What [`Document::analyse`] gives.
+    /// The result of [`Document::analyse`].
     pub reading: &'k Arc<Reading>,
-    /// What [`Document::listing`] gives.
+    /// The result of [`Document::listing`].
     pub listing: &'k Listing,
 }
 
@@ -27,12 +27,12 @@ pub(super) struct Scene {
     pub(super) declaration: Declaration,
     /// The number of the mechanism in the file.
     pub(super) index: usize,
-    /// What the text says; where it is wrong, as much of it as could be understood.
+    /// The model of the text; of a wrong text, as much as could be understood.
     pub(super) model: Model,
     /// Whether the text can be read.
     pub(super) is_readable: bool,
     pub(super) listing: Listing,
-    /// What the compiler makes of it, once somebody asks.
+    /// The compiler's reading of the text, once it is needed.
     reading: OnceCell<Arc<Reading>>,
     /// The text as a tree, once somebody changes it; none if it is no text of Rust.
     tree: OnceCell<Option<TextTree>>,
@@ -82,7 +82,7 @@ impl Scene {
         self.document.source().text()
     }
 
-    /// What the compiler makes of the text before the command.
+    /// Returns the compiler's reading of the text before the command.
     pub(super) fn reading(&self) -> Result<&Reading, Refusal> {
         if let Some(reading) = self.reading.get() {
             return Ok(reading);
@@ -96,7 +96,7 @@ impl Scene {
         Ok(self.tree()?.rewriter())
     }
 
-    /// What the text says after changes in the order of their places; none if it cannot be read.
+    /// Reads the model after changes in the order of their places; none if the text cannot be read.
     pub(super) fn model_after(&self, edits: &[Replacement]) -> Result<Option<Model>, Refusal> {
         if let Ok(tree) = self.tree()
             && let Some(model) = tree.model_after(edits)?

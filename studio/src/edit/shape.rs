@@ -4,7 +4,7 @@ use super::declare::{check_expression, check_fragment, replaced};
 use super::{Change, Refusal, Scene};
 use mech_compiler::syntax::{Rewriter, StatementText};
 
-/// What is fixed to a link and is no shape.
+/// The words of statements within a link that are no shapes.
 const OTHERS: [&str; 4] = ["point", "line", "mass", "density"];
 
 /// Takes a shape out.

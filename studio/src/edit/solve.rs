@@ -9,11 +9,10 @@ use std::ops::Range;
 
 /// A number of the text, and what it should be.
 pub(super) struct Goal<'g> {
-    /// What it is, for messages.
+    /// The name of the quantity, for messages.
     pub(super) what: &'g str,
     /// Where it stands.
     pub(super) number: &'g NumberText,
-    /// What it should be.
     pub(super) value: f64,
     /// Reads it from the model.
     pub(super) read: &'g dyn Fn(&Model) -> Option<f64>,
@@ -136,7 +135,7 @@ fn candidates(scene: &Scene, number: &NumberText) -> Vec<Candidate> {
     found
 }
 
-/// What a literal has to be so that the goal is reached, if it can be that.
+/// Finds the literal with which the goal is reached, if there is one.
 fn solve(
     scene: &Scene,
     goal: &Goal<'_>,

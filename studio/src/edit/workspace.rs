@@ -165,7 +165,7 @@ impl Workspace {
         saved != self.text()
     }
 
-    /// Whether something is lost if the text is left as it is. What nobody has named or changed can be had again.
+    /// Whether leaving the text would lose work. A text that nobody has named or changed can be had again.
     #[must_use]
     pub fn has_work(&self) -> bool {
         self.is_changed() && (self.is_named || !self.history.made().is_empty())
@@ -182,7 +182,7 @@ impl Workspace {
         self.source = text.map(|text| Source::new(&self.path, text));
     }
 
-    /// Whether somebody has said which file it is, whether that is there or not.
+    /// Whether the user has named the file, even if it is not there.
     #[must_use]
     pub const fn is_named(&self) -> bool {
         self.is_named
@@ -208,7 +208,7 @@ impl Workspace {
         saved
     }
 
-    /// What writes the text: over the file from which it was read, or to one that is not there yet. From then on it counts as written.
+    /// Prepares to write the text: over the file that it was read from, or to a new one. From then on the text counts as written.
     ///
     /// # Errors
     /// If nobody has said which file.

@@ -1,4 +1,4 @@
-//! What the compiler is asked, and what it has found out.
+//! The questions to the compiler, and its findings.
 
 use super::Gesture;
 use super::drawing::Drawing;
@@ -11,22 +11,20 @@ use crate::failure::Failure;
 use crate::mend::Mending;
 use std::sync::Arc;
 
-/// What a repair would make of the mechanism, seen before it is made.
+/// A ghost: the mechanism as a repair would make it.
 pub(super) struct Ghost {
     /// The number of the repair, from 1.
     number: usize,
-    /// How the mechanism would be drawn.
     pub(super) drawing: Drawing,
 }
 
-/// What the compiler is asked, and what it has found out.
+/// The questions to the compiler, and its findings.
 pub(super) struct Analysis {
     pub(super) worker: Worker,
     pub(super) pending: Pending,
-    /// What the compiler makes of the present text; of an earlier one, while it works.
+    /// The snapshot of the present text; of an earlier text while the compiler works.
     pub(super) snapshot: Arc<Snapshot>,
     pub(super) repairs: Repairs,
-    /// What a repair would make of the mechanism.
     pub(super) ghost: Option<Ghost>,
 }
 
@@ -51,7 +49,7 @@ impl Analysis {
         }
     }
 
-    /// Whether what is known is of this text, and nothing is tried on it.
+    /// Whether the snapshot is of this text, and no gesture is tried or waits.
     pub(super) fn is_present(&self, workspace: &Workspace) -> bool {
         self.snapshot.is_of(workspace) && self.pending.is_empty()
     }

@@ -7,7 +7,7 @@ use super::snapshot::Snapshot;
 use crate::play::{Mechanism, Rates};
 use crate::quantity::load_numbers;
 
-/// What an arrow shows.
+/// The quantity that an arrow shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ArrowKind {
     /// The velocity of a point.
@@ -21,13 +21,13 @@ pub enum ArrowKind {
 /// An arrow over the drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arrow {
-    /// What it shows.
+    /// The quantity that it shows.
     pub kind: ArrowKind,
     /// Where it begins, in the scene.
     pub place: [f64; 2],
-    /// What it shows, while the plotted motor moves by 1 radian or scene unit in a second, and the others rest.
+    /// The value of the quantity, while the plotted motor moves by 1 radian or scene unit in a second, and the others rest.
     pub vector: [f64; 2],
-    /// How long it is, in scene units for each unit of what it shows.
+    /// The length of the arrow, in scene units for each unit of the quantity.
     pub scale: f64,
 }
 

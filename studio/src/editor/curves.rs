@@ -7,7 +7,7 @@ use crate::motion::{Drive, Setting, Span};
 use crate::quantity::{self, Load, Measurement, Table, Units};
 use std::sync::Arc;
 
-/// What is to be measured, and in which motion.
+/// The quantities to measure, and the motion in which they are measured.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Wanted {
     /// The quantities, as `mech table` calls them.
@@ -22,13 +22,12 @@ pub(crate) struct Wanted {
     pub(crate) loads: Vec<Load>,
 }
 
-/// What was measured of a text.
+/// The measured curves of a text.
 pub(crate) struct Curves {
     /// The text, and what the compiler makes of it.
     pub(crate) snapshot: Arc<Snapshot>,
-    /// What was asked for.
     pub(crate) wanted: Wanted,
-    /// What was found, or why nothing was.
+    /// The measured values, or why there are none.
     pub(crate) table: Result<Table, Failure>,
     /// Why some quantities cannot be measured.
     pub(crate) missing: Vec<Failure>,
@@ -64,7 +63,7 @@ fn measured(
     for name in &wanted.names {
         match quantity::quantities(model, &dyads, name) {
             Ok(found) => quantities.extend(found),
-            // What an edit has taken away does not take the others with it.
+            // A quantity that an edit has removed does not take the others with it.
             Err(failure) => missing.push(failure),
         }
     }

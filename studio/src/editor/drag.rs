@@ -14,7 +14,7 @@ use mech_compiler::model::AxisId;
 use std::collections::BTreeSet;
 use std::mem;
 
-/// What is dragged, from when the pointer takes hold of it until the text says where it stays.
+/// A drag: from when the pointer takes hold of something until the text says where it stays.
 #[derive(Default)]
 pub(crate) enum Drag {
     /// Nothing.
@@ -30,11 +30,11 @@ pub(crate) enum Drag {
     Left(u64, Box<Stay>),
 }
 
-/// What was taken hold of.
+/// The items that the pointer has taken hold of.
 pub(crate) struct Grabbed {
     /// Which of all drags it is.
     number: u64,
-    /// What is dragged, and what goes with it.
+    /// The dragged item, and those that go with it.
     items: Vec<Item>,
     /// The frame in which the places of the drag are told, as a pose in the scene.
     frame: Pose,
@@ -44,7 +44,7 @@ pub(crate) struct Grabbed {
     tolerance: f64,
 }
 
-/// What follows the pointer.
+/// The grabbed items that follow the pointer.
 pub(crate) struct Following {
     grabbed: Grabbed,
     /// Where the pointer has led it last, in the scene.
@@ -61,19 +61,19 @@ pub(crate) struct Following {
 
 /// A place where something that is dragged can stay.
 pub(crate) struct Stay {
-    /// What leaves it there.
+    /// The gesture that leaves it there.
     gesture: Gesture,
     /// The edits of the text that say so.
     pub(crate) edits: Vec<Replacement>,
-    /// What is told of it.
+    /// The notes for the user.
     notes: String,
-    /// How that looks.
+    /// The drawing of the result.
     pub(crate) drawing: Drawing,
-    /// What the compiler makes of that; of a place a little before, while it works.
+    /// The preview of the result; of a place a little before, while the compiler works.
     pub(crate) preview: Preview,
 }
 
-/// What the compiler makes of a text while something is dragged.
+/// The preview of a text while something is dragged.
 #[derive(Default)]
 pub(crate) struct Preview {
     /// Whether a text is being read.
@@ -84,7 +84,7 @@ pub(crate) struct Preview {
     pub(crate) player: Option<Player>,
     /// The whole paths of its traced points.
     pub(crate) paths: Vec<Path>,
-    /// What is wrong first.
+    /// The first fault.
     pub(crate) fault: Option<String>,
 }
 
@@ -144,7 +144,7 @@ impl Drag {
         matches!(self, Self::Nothing)
     }
 
-    /// What the pointer holds, with what goes with it; none if it holds nothing.
+    /// Returns the items that the pointer holds, with those that go with them; none if it holds nothing.
     pub(crate) fn held(&self) -> Option<&[Item]> {
         match self {
             Self::Grabbing(grabbed) | Self::Led(Following { grabbed, .. }) => Some(&grabbed.items),
@@ -152,7 +152,7 @@ impl Drag {
         }
     }
 
-    /// What follows the pointer, or has to come to rest.
+    /// Returns the grabbed items that follow the pointer, or have to come to rest.
     fn following(&self) -> Option<&Following> {
         match self {
             Self::Led(following) | Self::Released(following) => Some(following),
@@ -160,7 +160,7 @@ impl Drag {
         }
     }
 
-    /// Whether it is not known yet whether it can go where it was led last.
+    /// Whether the answer for the place to which it was led last is awaited.
     pub(crate) fn is_awaited(&self) -> bool {
         self.following().is_some_and(Following::is_awaited)
     }
@@ -232,7 +232,7 @@ impl Drag {
         Some((following.grabbed.number, edits.clone()))
     }
 
-    /// What the compiler makes of the text of the drag with this number.
+    /// Returns the preview of the drag with this number.
     pub(crate) fn preview_mut(&mut self, number: u64) -> Option<&mut Preview> {
         if self.number() != Some(number) {
             return None;

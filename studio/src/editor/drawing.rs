@@ -21,15 +21,15 @@ pub struct Drawing {
 /// A place that can be taken hold of.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Handle<'d> {
-    /// What is there.
+    /// The item there.
     pub item: &'d Item,
     /// Where, in the scene.
     pub place: [f64; 2],
-    /// What it looks like.
+    /// The look of the handle.
     pub kind: HandleKind,
 }
 
-/// What is at a place.
+/// The thing that is at a place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Hit {
     /// A joint.
@@ -87,7 +87,7 @@ impl Drawing {
         }
     }
 
-    /// Whether something is there.
+    /// Whether the drawing has this item.
     pub(crate) fn has(&self, item: &Item) -> bool {
         match item {
             Item::Link(name) => self.link(name).is_some(),
@@ -168,8 +168,8 @@ impl Drawing {
         index::axis_of_joint(&self.model, joint)
     }
 
-    /// What has to be moved in the text so that a joint or a point comes to another place, and the axis that then is elsewhere: of a joint
-    /// itself, if it was placed in the drawing, or else its point.
+    /// Finds the path to move in the text so that a joint or a point changes its place, and the axis that moves with it. A joint that was
+    /// placed in the drawing moves itself; any other moves by its point.
     pub(crate) fn mover(&self, item: &Item) -> Option<(String, AxisId)> {
         match item {
             Item::Joint(name) => {
@@ -251,7 +251,7 @@ impl Drawing {
         joint.is_some_and(|joint| self.model.motor_of(joint).is_some())
     }
 
-    /// What is drawn at a place, no farther away than `reach`.
+    /// Finds the item at a place, no farther away than `reach`.
     pub(crate) fn item_at(&self, place: [f64; 2], reach: f64) -> Option<Item> {
         for (name, [from, to]) in self.actions() {
             if distance_to_bar(place, from, to) <= reach {
@@ -261,7 +261,7 @@ impl Drawing {
         self.item_of(&self.hit(place, reach))
     }
 
-    /// What was hit, by its name; none if it is the paper.
+    /// Names a hit; none if it is the paper.
     pub(crate) fn item_of(&self, hit: &Hit) -> Option<Item> {
         match *hit {
             Hit::Joint(joint) => Some(Item::Joint(self.model.joint(joint).name.clone())),
@@ -271,7 +271,7 @@ impl Drawing {
         }
     }
 
-    /// What is hit where something of this name is; none if it is not there.
+    /// Finds the hit for an item; none if the item is not there.
     pub(crate) fn hit_of(&self, item: &Item) -> Option<Hit> {
         match item {
             Item::Joint(name) => self.joint(name).map(Hit::Joint),
@@ -294,7 +294,7 @@ impl Drawing {
             })
     }
 
-    /// What is at a place, no farther away than `reach`.
+    /// Finds the thing at a place, no farther away than `reach`.
     pub(crate) fn hit(&self, place: [f64; 2], reach: f64) -> Hit {
         let near = self
             .handles()
@@ -313,7 +313,7 @@ impl Drawing {
         link.map_or(Hit::Paper, |(_, link)| Hit::Link(link))
     }
 
-    /// How far a place is from the bars of a link, or from its wheel.
+    /// Computes the distance of a place from the bars of a link, or from its wheel.
     fn distance_to(&self, link: LinkId, place: [f64; 2]) -> f64 {
         let bars = self.bars_of(link);
         let away = bars.map(|[from, to]| distance_to_bar(place, from, to));
@@ -392,7 +392,7 @@ pub(crate) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
 }
 
-/// How far a place is from the stretch between two others.
+/// Computes the distance of a place from the stretch between two others.
 fn distance_to_bar(place: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
     distance(place, nearest_on_bar(place, from, to))
 }

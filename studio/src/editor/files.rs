@@ -111,7 +111,7 @@ fn entries(folder: &Path, endings: &[&str]) -> std::io::Result<Vec<Entry>> {
     Ok(entries)
 }
 
-/// What the system's own dialog has answered, until it is looked at.
+/// The answer of the system's own dialog, until it is read.
 type Answer = Arc<Mutex<Option<PathBuf>>>;
 
 /// Opens the system's own dialog if that is wanted. Returns whether it has answered.

@@ -1,11 +1,11 @@
-//! What a user does at once: one step to undo.
+//! Gestures: each is one step to undo.
 
 use crate::edit::Command;
 
-/// What a user does at once: commands that are made one after the other, and undone together.
+/// A gesture: commands that are made one after the other, and undone together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gesture {
-    /// What it does, in a few words.
+    /// A short description.
     pub title: String,
     /// The commands, in their order; one at least.
     pub commands: Vec<Command>,

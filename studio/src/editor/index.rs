@@ -4,7 +4,7 @@ use super::Item;
 use mech_compiler::model::{AxisId, AxisKind, JointId, JointKind, Model};
 use std::collections::HashMap;
 
-/// What a handle looks like.
+/// The look of a handle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HandleKind {
     /// A joint that turns.
@@ -32,7 +32,7 @@ pub(super) struct Index {
     pub(super) pivots: Vec<Option<AxisId>>,
     /// The joint by which each link rolls on another, and whether the link is its first or its second.
     pub(super) wheels: Vec<Option<(JointId, usize)>>,
-    /// What can be taken hold of, where, and what it looks like; joints first.
+    /// The items that can be taken hold of, with their axes and looks; joints first.
     pub(super) handles: Vec<(Item, AxisId, HandleKind)>,
 }
 

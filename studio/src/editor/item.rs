@@ -1,4 +1,4 @@
-//! What can be seen and taken hold of.
+//! Items: things that can be seen and taken hold of.
 
 use serde::{Deserialize, Serialize};
 use std::fmt::{self, Display, Formatter};

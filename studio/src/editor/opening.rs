@@ -1,4 +1,4 @@
-//! What is opened: files of the language, and what other programs wrote.
+//! The opening of files of the language, and of files of other programs.
 
 use super::question::Destination;
 use crate::document::Source;
@@ -11,13 +11,13 @@ use std::path::{Path, PathBuf};
 #[derive(Default)]
 pub(super) struct Opened {
     pub(super) workspace: Workspace,
-    /// What was lost when it was imported, for the journal.
+    /// The omissions of the import, for the journal.
     pub(super) losses: String,
-    /// What is told of it.
+    /// A note for the user.
     pub(super) told: Option<String>,
 }
 
-/// What the user wants to go on with.
+/// Opens the text that the user wants to go on with.
 pub(super) fn opened(to: Destination) -> Result<Opened, Failure> {
     match to {
         Destination::Empty | Destination::Away => Ok(Opened::default()),

@@ -44,7 +44,7 @@ impl Export {
         Self::LoopGraph,
     ];
 
-    /// What it is called in the menu.
+    /// Returns its name in the menu.
     pub(super) const fn name(self) -> &'static str {
         match self {
             Self::Picture => "Picture as PNG",
@@ -62,7 +62,7 @@ impl Export {
         }
     }
 
-    /// How its file may end; first, how it does if nobody says otherwise.
+    /// Returns the endings that its file may have; the first is the default.
     pub(super) const fn endings(self) -> &'static [&'static str] {
         match self {
             Self::Picture | Self::GraphPicture => &["png"],
@@ -76,7 +76,7 @@ impl Export {
         }
     }
 
-    /// What tells its file from others with the same ending.
+    /// Returns the suffix that tells its file from others with the same ending.
     const fn suffix(self) -> &'static str {
         match self {
             Self::Gif | Self::Apng | Self::MovingDrawing => "_film",
@@ -94,7 +94,7 @@ impl Export {
         text.with_file_name(name).display().to_string()
     }
 
-    /// What makes it; none for the text itself. A picture shows the pose that is seen, a table or a graph what is measured.
+    /// Makes the job for it; none for the text itself. A picture shows the pose that is seen, a table or a graph the measured quantities.
     pub(super) fn job(self, seen: &[(String, f64)], measure: &Measure) -> Option<Job> {
         let draw = |kind| {
             let at = seen.iter().cloned().map(Setting::from).collect();
@@ -129,9 +129,9 @@ impl Export {
     }
 }
 
-/// What is to be written where.
+/// An order to write something to a file.
 pub(super) struct Order {
-    /// What is made; none for the text itself as Rust.
+    /// The job that makes it; none for the text itself as Rust.
     job: Option<Job>,
     document: Document,
     index: usize,
@@ -151,7 +151,7 @@ impl Listener for Notes {
 }
 
 impl Order {
-    /// What is to be written to a file of this name; or why it cannot be.
+    /// Prepares to write something to a file of this name; an error says why that is impossible.
     pub(super) fn new(
         kind: Export,
         path: &str,

@@ -5,7 +5,7 @@ use crate::motion::{Mover, place_of};
 use mech_compiler::Compiled;
 use mech_compiler::model::{AxisId, Model};
 
-/// How many places a path has.
+/// The number of steps of a path.
 const PLACES: u32 = 180;
 
 /// A path in the scene: places that follow one another.
@@ -33,7 +33,7 @@ pub(crate) fn whole_paths(
     for place in 0..=PLACES {
         motors[0] = low + (high - low) * f64::from(place) / f64::from(PLACES);
         if machine.move_to(&motors).is_err() {
-            // What comes after a gap is no part of it.
+            // Places after a gap are no part of the path.
             if paths.iter().any(|path| !path.is_empty()) {
                 break;
             }

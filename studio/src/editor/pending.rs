@@ -10,7 +10,7 @@ use std::collections::VecDeque;
 pub(super) struct Pending {
     tried: Option<Tried>,
     waiting: VecDeque<Waiting>,
-    /// How many were tried. A finding of an earlier one is recognised by its number.
+    /// The number of gestures that were tried. It tells the findings of earlier ones.
     count: u64,
 }
 

@@ -156,7 +156,7 @@ impl Jump {
     }
 }
 
-/// What closes a joint. What slides keeps its place along the line.
+/// Computes the jump that closes a joint. A sliding link keeps its place along the line.
 fn jump(model: &Model, poses: &[Pose], joint: &Joint) -> Option<Jump> {
     let [(to, onto), (from, of)] = joint.kind.axes()?.map(|axis| {
         let axis = model.axis(axis);

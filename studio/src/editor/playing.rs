@@ -1,4 +1,4 @@
-//! What plays: the mechanism of a text, and what was moved by hand.
+//! The mechanism that plays, and its motors that were moved by hand.
 
 use super::path::Path;
 use super::range::MotorRange;
@@ -6,7 +6,7 @@ use super::snapshot::Snapshot;
 use crate::play::Player;
 use std::sync::Arc;
 
-/// What somebody moves the motors by.
+/// The link or the motor that a user moves by hand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Hand {
     /// A link, which is dragged.
@@ -15,13 +15,11 @@ pub(super) enum Hand {
     Motor(usize),
 }
 
-/// What plays, if the text that is drawn moves.
+/// The played mechanism, if the drawn text moves.
 #[derive(Default)]
 pub(super) struct Playing {
-    /// What the compiler made of its text.
     pub(super) snapshot: Option<Arc<Snapshot>>,
     pub(super) player: Option<Player>,
-    /// How far its motors go.
     pub(super) ranges: Vec<MotorRange>,
     /// The whole paths of its traced points.
     pub(super) paths: Vec<Path>,

@@ -1,4 +1,4 @@
-//! What is plotted: what the user wants to see, and what was measured last.
+//! Plots: the quantities that the user wants to see, and the last measurement.
 
 use super::curves::{Curves, Wanted};
 use super::playing::Playing;
@@ -13,7 +13,7 @@ use mech_compiler::model::LoadKind;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// What is plotted.
+/// The plotted quantities, and the last measurement.
 #[derive(Default)]
 pub(super) struct Plotted {
     /// The quantities, as `mech plot` calls them.
@@ -22,11 +22,11 @@ pub(super) struct Plotted {
     pub(super) over: Option<String>,
     /// The motor that moves through its range; without, the first.
     pub(super) motor: Option<String>,
-    /// What is typed of the loads, by their names.
+    /// The text that was typed for each load, by the load's name.
     pub(super) loads: BTreeMap<String, String>,
     /// Whether something is being measured.
     is_asked: bool,
-    /// What was measured last.
+    /// The last measurement.
     pub(super) curves: Option<Curves>,
 }
 
@@ -60,7 +60,7 @@ impl Plotted {
         given.collect()
     }
 
-    /// What has to be measured so that the plots fit what is seen.
+    /// Returns the quantities to measure so that the plots fit the mechanism that is seen.
     fn wanted(&self, playing: &Playing, snapshot: &Snapshot) -> Option<Wanted> {
         let mechanism = playing.player.as_ref()?.mechanism();
         let (_, motor) = self.motor_of(&playing.ranges)?;
@@ -89,7 +89,7 @@ impl Plotted {
         Some(Task::Measure { snapshot, wanted })
     }
 
-    /// Whether what was measured last is of what is seen.
+    /// Whether the last measurement fits the mechanism that is seen.
     pub(super) fn is_present(&self, playing: &Playing, snapshot: &Arc<Snapshot>) -> bool {
         let wanted = self.wanted(playing, snapshot);
         wanted.is_some_and(|wanted| self.fits(&wanted, snapshot))
@@ -108,7 +108,7 @@ impl Plotted {
         self.curves = Some(curves);
     }
 
-    /// What is plotted, to be measured for a file.
+    /// Returns the plotted quantities as a measurement for a file.
     pub(super) fn measure(&self, playing: &Playing, snapshot: &Snapshot) -> Measure {
         let wanted = self.wanted(playing, snapshot);
         let wanted = wanted.filter(|wanted| !wanted.names.is_empty());
@@ -129,7 +129,7 @@ impl Plotted {
     }
 }
 
-/// What is typed of a load: its numbers, or nothing for zero.
+/// Reads the numbers that were typed for a load; nothing for zero.
 pub(super) fn read_load(name: &str, kind: LoadKind, typed: &str) -> Result<Option<Load>, String> {
     if typed.trim().is_empty() {
         return Ok(None);

@@ -1,4 +1,4 @@
-//! What is asked in a window of its own, and where the user goes from there.
+//! Questions in a window of their own, and where the user goes from there.
 
 use super::desk;
 use super::example::Example;
@@ -16,7 +16,7 @@ pub(crate) enum Dialog {
     Leave(Destination),
 }
 
-/// What is done with a file.
+/// The use that is made of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum FileUse {
     /// It is read.
@@ -53,7 +53,7 @@ impl FileUse {
         matches!(self, Self::Save(_) | Self::Export(_))
     }
 
-    /// How the names of files end that it can be done with, and what these are.
+    /// Returns a name for the files that fit, and the endings of their names.
     pub(crate) const fn endings(&self) -> (&'static str, &'static [&'static str]) {
         match self {
             Self::Picture => ("pictures", &desk::ENDINGS),

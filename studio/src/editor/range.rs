@@ -1,4 +1,4 @@
-//! How far motors go.
+//! The ranges of motors.
 
 use crate::failure::Failure;
 use crate::motion::{range_of, reach, turns};
@@ -6,14 +6,13 @@ use mech_compiler::Compiled;
 use mech_compiler::model::Model;
 use std::f64::consts::TAU;
 
-/// How far a motor goes alone from the start.
+/// The range of a motor that moves alone from the start.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct MotorRange {
     /// The name of its joint.
     pub(crate) name: String,
     /// Its lowest and highest value, in radians or scene units.
     pub(crate) ends: [f64; 2],
-    /// How this is known.
     pub(crate) basis: Basis,
     /// Whether its values are angles.
     pub(crate) turns: bool,
@@ -39,7 +38,7 @@ impl MotorRange {
     }
 }
 
-/// How a range is known.
+/// The basis on which a range is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Basis {
     /// It was declared, and the compiler has proved it.
@@ -50,7 +49,7 @@ pub(crate) enum Basis {
     Round,
 }
 
-/// How far each motor goes, in the order of their declaration. A motor that slides without a declared range goes half as far as the
+/// Finds the range of each motor, in the order of declaration. A motor that slides without a declared range goes half as far as the
 /// mechanism is large.
 pub(crate) fn ranges(model: &Model, compiled: &Compiled) -> Result<Vec<MotorRange>, Failure> {
     let base = &compiled.program.start.motors[..model.motors.len()];

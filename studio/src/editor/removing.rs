@@ -1,4 +1,4 @@
-//! What takes things out of a text, and leaves the rest as it is.
+//! The gestures that remove items from a text, and leave the rest as it is.
 
 use super::drawing::{Drawing, distance};
 use super::{Gesture, Item};
@@ -60,7 +60,7 @@ fn ends_that_stay(selected: &BTreeSet<Item>, drawing: &Drawing) -> Vec<Command> 
             || found
                 .iter()
                 .any(|(other, place)| other == name && distance(*place, at) <= tolerance);
-        // What a part has is declared there.
+        // The points of a part are declared in that part.
         let is_own = link != LinkId::GROUND && die.is_none() && !name.contains('.');
         if is_own && !is_gone(link) && !stays {
             found.push((name.clone(), at));

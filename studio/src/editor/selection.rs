@@ -1,4 +1,4 @@
-//! What is selected, and what is under the mouse.
+//! The selected items, and the items under the mouse.
 
 use super::Item;
 use super::desk::Desk;
@@ -6,13 +6,13 @@ use super::drawing::Drawing;
 use mech_compiler::model::LinkId;
 use std::collections::BTreeSet;
 
-/// What is selected, and what is under the mouse.
+/// The selected items, and the items under the mouse.
 #[derive(Default)]
 pub(super) struct Selection {
     pub(super) items: BTreeSet<Item>,
-    /// What is under the mouse, in the drawing or in the text.
+    /// The item under the mouse, in the drawing or in the text.
     pub(super) hovered: Option<Item>,
-    /// What is under the mouse or the cursor in the text.
+    /// The item under the mouse or the cursor in the text.
     pub(super) under_text: Option<Item>,
 }
 
@@ -67,12 +67,12 @@ impl Selection {
             .filter(|[a, b]| a != b)
     }
 
-    /// What has to be moved so that what is selected moves.
+    /// Returns the items to move so that all selected items move.
     fn handles(&self, drawing: &Drawing) -> impl Iterator<Item = Item> {
         self.items.iter().flat_map(|item| drawing.handles_of(item))
     }
 
-    /// What is selected, with all that has to be moved so that it moves.
+    /// Returns the selected items, with those to move so that they move.
     pub(super) fn with_handles(&self, drawing: Option<&Drawing>) -> BTreeSet<Item> {
         let handles = drawing
             .into_iter()
@@ -99,7 +99,7 @@ impl Selection {
         items
     }
 
-    /// What of a link can be taken hold of to drag it with all that is selected, and where that is; none if it is not selected with others.
+    /// Finds an item of a link that drags the whole selection, and its place; none if the link is not selected with others.
     pub(super) fn handle_of(
         &self,
         link: LinkId,

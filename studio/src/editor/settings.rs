@@ -1,4 +1,4 @@
-//! What the user has chosen of the window.
+//! The user's settings of the window.
 
 use std::collections::BTreeSet;
 
@@ -21,12 +21,12 @@ pub(crate) enum Visible {
     Forces,
 }
 
-/// What the user has chosen of the window.
+/// The user's settings of the window.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Settings {
     /// Whether places snap to the grid and to what is near.
     pub(crate) snaps: bool,
-    /// What is seen beside the handles.
+    /// The kinds of marks that are visible beside the handles.
     pub(crate) visible: BTreeSet<Visible>,
     /// The panel beside the drawing; none if all are closed.
     pub(crate) panel: Option<Panel>,
@@ -72,15 +72,15 @@ pub(crate) enum Panel {
     Text,
     /// The numbers of what is selected.
     Properties,
-    /// What is wrong, and what would mend it.
+    /// The diagnoses, with their repairs.
     Diagnoses,
     /// Graphs of what moves.
     Plots,
-    /// What the compiler tells of the mechanism.
+    /// The compiler's report on the mechanism.
     Report,
-    /// What can be undone.
+    /// The steps to undo.
     Steps,
-    /// What can be done.
+    /// The help on all actions.
     Help,
 }
 

@@ -1,4 +1,4 @@
-//! What is seen: a mechanism as it is drawn, as it plays, and as it is while it is dragged.
+//! The sight: a mechanism as it is drawn, as it plays, and as it is while it is dragged.
 
 use super::drag::Drag;
 use super::drawing::Drawing;
@@ -11,12 +11,12 @@ use super::worker::Previewed;
 use crate::play::{Camera, Control, Mechanism, Player, SIZE};
 use std::sync::Arc;
 
-/// How many bodies are painted while something is dragged.
+/// The largest number of bodies that are painted while something is dragged.
 const MOST_BODIES: usize = 200;
 
-/// What is seen, and how.
+/// The sight: the mechanism that is seen, and its view.
 pub struct Sight {
-    /// What the compiler made of the last text that could be read, and how that is drawn.
+    /// The snapshot of the last text that could be read, and its drawing.
     drawn: Option<(Arc<Snapshot>, Drawing)>,
     pub(super) playing: Playing,
     pub(super) drag: Drag,
@@ -47,7 +47,7 @@ impl Sight {
         }
     }
 
-    /// What is drawn, if anything is.
+    /// Returns the drawing, if there is one.
     pub(super) fn drawing(&self) -> Option<&Drawing> {
         self.drawn.as_ref().map(|(_, drawing)| drawing)
     }
@@ -58,12 +58,12 @@ impl Sight {
         drawing.is_some_and(|drawing| drawing.has_motor(joint))
     }
 
-    /// What moves, if the mechanism does.
+    /// Returns the player, if the mechanism moves.
     pub(super) const fn player(&self) -> Option<&Player> {
         self.playing.player.as_ref()
     }
 
-    /// How it is seen.
+    /// Returns the camera.
     #[must_use]
     pub const fn camera(&self) -> &Camera {
         &self.camera
@@ -194,13 +194,13 @@ impl Sight {
         moving.unwrap_or_else(|| bounds_of(self.drawing()))
     }
 
-    /// What is seen: while something is dragged, the mechanism as it is then.
+    /// Returns the drawing that is seen: while something is dragged, that of the drag.
     pub(super) fn seen_drawing(&self) -> Option<&Drawing> {
         let stay = self.drag.stay().map(|stay| &stay.drawing);
         stay.or(self.drawing())
     }
 
-    /// What is painted: while something is dragged, the mechanism as it is then, as soon as that is known.
+    /// Returns the player that is painted: while something is dragged, that of the drag, as soon as it is known.
     pub(super) fn seen_player(&self) -> Option<&Player> {
         match self.drag.stay() {
             Some(stay) => stay.preview.player.as_ref(),

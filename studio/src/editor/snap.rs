@@ -11,7 +11,7 @@ pub(super) struct Snapped {
     pub(super) guides: Vec<[f64; 2]>,
 }
 
-/// What there is to snap to, at a magnification.
+/// The targets of snapping, at a magnification.
 pub(super) struct Snapping<'d> {
     pub(super) drawing: Option<&'d Drawing>,
     /// Pixels in a scene unit.
@@ -20,19 +20,19 @@ pub(super) struct Snapping<'d> {
     pub(super) is_on: bool,
     /// From where angles count, if they are to be multiples of 15 degrees.
     pub(super) angles_from: Option<[f64; 2]>,
-    /// Whether places on bars are meant: not of what is dragged, which takes its bars along.
+    /// Whether places snap to bars: not those of a dragged item, which takes its bars along.
     pub(super) snaps_to_bars: bool,
-    /// What is dragged, which does not snap to itself.
+    /// The dragged items, which do not snap to themselves.
     pub(super) without: &'d [super::Item],
 }
 
-/// How near the pointer has to be, in pixels.
+/// The distance within which the pointer takes hold, in pixels.
 pub(super) const REACH: f64 = 11.0;
-/// How near the pointer has to be, in pixels, to snap where snapping is off.
+/// The distance within which the pointer snaps where snapping is off, in pixels.
 pub(super) const CLOSE: f64 = 3.0;
 /// Where snapping is off, places are rounded to the spacing of the grid over this number. More would only add digits.
 const FINE: f64 = 100.0;
-/// How near to an alignment.
+/// The distance within which it snaps to an alignment, in pixels.
 const ALIGNED: f64 = 6.0;
 /// The least distance of lines of the grid, in pixels.
 const APART: f64 = 12.0;

@@ -1,4 +1,4 @@
-//! What the compiler makes of a text.
+//! Snapshots: the compiler's findings on a text.
 
 use super::drawing::Drawing;
 use super::path::{Path, whole_paths};
@@ -14,7 +14,7 @@ use mech_compiler::Compiled;
 use mech_compiler::model::{LinkId, Model};
 use std::sync::Arc;
 
-/// What the compiler makes of a text.
+/// The compiler's findings on a text.
 pub(crate) struct Snapshot {
     /// The file with this text.
     pub(crate) document: Document,
@@ -24,7 +24,7 @@ pub(crate) struct Snapshot {
     pub(crate) reading: Option<Arc<Reading>>,
     /// The names and numbers in the text.
     pub(crate) listing: Listing,
-    /// What went wrong in the compiler itself.
+    /// A failure of the compiler itself.
     pub(crate) failure: Option<Failure>,
 }
 
@@ -69,7 +69,7 @@ impl Snapshot {
         self.index == workspace.index() && self.document.source().text() == workspace.text()
     }
 
-    /// Whether the text says what a mechanism is, even one that does not move yet.
+    /// Whether the text can be read as a mechanism, even one that does not move yet.
     pub(crate) fn is_readable(&self) -> bool {
         self.reading
             .as_ref()
@@ -95,7 +95,7 @@ impl Snapshot {
         self.reading.as_ref()?.result.as_deref().ok()
     }
 
-    /// Whether the mechanism moves, in a line.
+    /// Says in a line whether the mechanism moves.
     pub(crate) fn verdict(&self) -> String {
         match (&self.reading, self.compiled()) {
             (Some(reading), Some(compiled)) => verdict_line(&reading.model, compiled),
@@ -108,7 +108,7 @@ impl Snapshot {
         }
     }
 
-    /// What is wrong, at its places.
+    /// Returns the messages on the faults, with their places.
     pub(crate) fn messages(&self) -> &[Message] {
         let faults = self
             .reading
@@ -173,7 +173,7 @@ fn played(model: &Model, compiled: &Compiled) -> Result<Played, Failure> {
     Ok((mechanism, ranges, paths))
 }
 
-/// How far the motors go, and the whole paths of traced points.
+/// Finds the ranges of the motors, and the whole paths of traced points.
 fn traced(model: &Model, compiled: &Compiled) -> Result<(Vec<MotorRange>, Vec<Path>), Failure> {
     let ranges = ranges(model, compiled)?;
     let points: Vec<_> = model.traces.iter().map(|trace| trace.point).collect();

@@ -140,7 +140,7 @@ impl Studio {
         #[cfg(not(target_arch = "wasm32"))]
         {
             self.guard.stand(editor, &context);
-            // What is being moved is kept when it is let go.
+            // While the pointer is down, something may be moving; the desk is saved afterwards.
             let workspace = &editor.session.workspace;
             if !context.input(|input| input.pointer.any_down()) && workspace.saved().is_some() {
                 let saved = editor.desk.save(workspace.path());

@@ -1,4 +1,4 @@
-//! What is told and asked, and what was typed into the line.
+//! The talk: notices, questions, and the lines that were typed.
 
 use super::question::{Dialog, Ending};
 use crate::console::Console;
@@ -8,23 +8,23 @@ use std::cell::RefCell;
 use std::io::{self, Write};
 use std::rc::Rc;
 
-/// What is told at the foot of the window.
+/// A notice at the foot of the window.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Notice {
-    /// What is told.
+    /// The text of the notice.
     pub text: String,
     /// Whether something was refused.
     pub is_refusal: bool,
 }
 
-/// What is told and asked, and what was typed into the line.
+/// The talk: notices, questions, and the lines that were typed.
 #[derive(Default)]
 pub(super) struct Talk {
     pub(super) notice: Option<Notice>,
     pub(super) journal: Journal,
     /// A line that is to be completed and said.
     pub(super) proposed: Option<String>,
-    /// What is asked in a window of its own.
+    /// The question in a window of its own.
     pub(super) dialog: Option<Dialog>,
     /// Whether the window stays.
     pub(super) ending: Ending,
@@ -64,7 +64,7 @@ impl Talk {
     }
 }
 
-/// What was typed, and what was answered.
+/// The lines that were typed, and the answers.
 #[derive(Debug, Default)]
 pub(crate) struct Journal {
     /// Lines that were typed, from the first to the last.
@@ -98,7 +98,7 @@ impl Journal {
     }
 }
 
-/// What a console has said.
+/// The text that a console has received.
 #[derive(Clone, Default)]
 struct Heard(Rc<RefCell<Vec<u8>>>);
 

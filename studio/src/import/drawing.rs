@@ -15,7 +15,7 @@ pub(super) type Pair = [f64; 2];
 /// A mechanism as it was drawn in another program. All its places are in the scene, at the start.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Drawing {
-    /// What is said of it above the text, a sentence each.
+    /// The remarks above the text, a sentence each.
     pub(super) remarks: Vec<String>,
     pub(super) links: Vec<Link>,
     pub(super) joints: Vec<Joint>,
@@ -23,7 +23,7 @@ pub(super) struct Drawing {
     pub(super) loads: Vec<Load>,
     /// The acceleration of gravity, where it acts.
     pub(super) gravity: Option<f64>,
-    /// How far a length may be off, because it was rounded where it was written.
+    /// The error of lengths that were rounded where they were written.
     pub(super) rounding: f64,
 }
 
@@ -56,7 +56,7 @@ pub(super) struct Mass {
     pub(super) inertia: f64,
 }
 
-/// What a joint joins.
+/// An end of a joint: the ground or a link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum End {
     Ground,
@@ -72,7 +72,7 @@ pub(super) struct Joint {
     pub(super) ends: [End; 2],
 }
 
-/// What a joint allows.
+/// The form of a joint.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Form {
     Revolute {
@@ -128,17 +128,17 @@ pub(super) enum Sizes {
 pub(super) struct Motor {
     /// The number of the joint.
     pub(super) joint: usize,
-    /// How far it goes from the start, where that is known.
+    /// The distance from the start to the end of its range, if known.
     pub(super) stroke: Option<f64>,
     pub(super) speed: Option<Speed>,
 }
 
-/// How fast a motor goes.
+/// The speed of a motor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Speed {
     /// In turns a minute; counter-clockwise above zero.
     Turns(f64),
-    /// How often it goes to the end of its stroke and back, in a minute.
+    /// In cycles a minute: to the end of the stroke and back.
     Cycles(f64),
     /// In units of length a second.
     Way(f64),

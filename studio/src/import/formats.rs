@@ -2,10 +2,10 @@
 
 use crate::document::Message;
 
-/// What is read.
+/// The formats that are read.
 const READ: &str = "`mech import` reads documents of Linkage (`.linkage2`) and links of PMKS+";
 
-/// What files begin with, and what they are.
+/// The beginnings of files, and the formats that they tell.
 const BEGINNINGS: [(&str, &str); 14] = [
     ("±²³SolveSpace", "a drawing of SolveSpace"),
     ("ISO-10303-21", "a STEP file"),
@@ -37,7 +37,7 @@ const ROOTS: [(&str, &str); 4] = [
     ("linkage", "a document of Linkage 1"),
 ];
 
-/// What a text is that is neither a link nor a document of Linkage, at its beginning.
+/// Makes the message on a text that is neither a link nor a document of Linkage, at its beginning.
 pub(super) fn unknown_format(text: &str) -> Message {
     let start = text.len() - plain(text).len();
     let length = text[start..].chars().next().map_or(0, char::len_utf8);

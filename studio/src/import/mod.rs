@@ -25,7 +25,7 @@ use crate::failure::Failure;
 /// Reads what another program wrote: a link of PMKS+, or a document of Linkage.
 ///
 /// # Errors
-/// What is wrong with it, at its place.
+/// If the text is wrong; the message names the fault and its place.
 pub(crate) fn read(source: &Source) -> Result<Imported, Message> {
     let text = source.text();
     if let Some((start, link)) = formats::shortcut(text) {
@@ -56,7 +56,7 @@ pub(crate) struct Written {
 }
 
 impl Imported {
-    /// What it is in the language, under a name, below a remark on where it comes from.
+    /// Writes it in the language, under a name, below a remark on its origin.
     ///
     /// # Errors
     /// If the compiler itself fails, which is a mistake of ours.

@@ -1,13 +1,13 @@
-//! What could not be carried over.
+//! Omissions of an import.
 
 use std::fmt::{self, Display, Formatter};
 
 /// Something that could not be carried over, and why.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Omission {
-    /// What it belongs to: `connector 3`.
+    /// The name of its subject: `connector 3`.
     pub(super) of: String,
-    /// What is lost, in a sentence.
+    /// The loss, in a sentence.
     pub(super) what: String,
 }
 

@@ -1,4 +1,4 @@
-//! What of a text is written only if the compiler takes it: allowances, ranges and laws.
+//! Terms: allowances, ranges and laws, which are written only if the compiler takes them.
 
 use super::drawing::Drawing;
 use super::omission::Omission;
@@ -132,7 +132,7 @@ fn follows(reading: &Reading, times: Times) -> Result<bool, Failure> {
     Ok(true)
 }
 
-/// What the compiler makes of a drawing on these terms, if that moves.
+/// Analyses a drawing on these terms; none if it does not move.
 fn moving(drawing: &Drawing, terms: &Terms) -> Result<Option<Reading>, Failure> {
     let text = writing::text(drawing, terms, "Trial", FileKind::Mechanism)?;
     let document = Document::of(Source::new("trial.mech", text));

@@ -1,10 +1,10 @@
-//! How long several inputs take until all of them are back.
+//! The time that several inputs take until all of them are back.
 
 use super::drawing::{Motor, Speed};
 
 /// For how many turns of the fastest input laws are tried, if not all are back sooner.
 const TURNS: f64 = 64.0;
-/// How many steps a turn of the fastest input is tried in.
+/// The number of steps in which a turn of the fastest input is tried.
 const STEPS: f64 = 90.0;
 /// Speeds are compared in thousandths.
 const THOUSANDTHS: f64 = 1000.0;
@@ -44,7 +44,7 @@ impl Times {
 }
 
 impl Motor {
-    /// How often it is back where it started, in a minute, if a law can say how it moves.
+    /// Counts the times a minute at which it is back at its start, if a law can say how it moves.
     pub(super) fn rounds(&self) -> Option<f64> {
         match (self.speed?, self.stroke) {
             (Speed::Turns(turns), _) => Some(turns.abs()),

@@ -18,11 +18,11 @@ pub(crate) enum FileKind {
 
 /// The places of a path that are recorded: a turn in the pictures and films that divide it most finely.
 const TRACE: u32 = 720;
-/// How many places a window records in a second, by laws.
+/// The number of places that a window records in a second, by laws.
 const PLACES_A_SECOND: f64 = 60.0;
 /// The longest trace.
 const LONGEST_TRACE: u32 = 1 << 14;
-/// What is lost of a number, as a part of the size of the drawing.
+/// The error of a written number, as a part of the size of the drawing.
 const PRECISION: f64 = 1e-9;
 /// The width of a bar, as a part of the size of the drawing.
 const WIDTH: f64 = 0.03;
@@ -254,7 +254,7 @@ impl Writer<'_> {
         format!("motor {name}{law}{range};")
     }
 
-    /// How a motor moves in time, in seconds.
+    /// Writes the law of a motor, by the time in seconds.
     fn law(&self, motor: &Motor) -> Option<String> {
         match (motor.speed?, motor.stroke) {
             (Speed::Turns(turns), _) => {
@@ -272,7 +272,7 @@ impl Writer<'_> {
         }
     }
 
-    /// What is said of speeds above the text: where motors have no laws, all that is known of them.
+    /// Writes the remarks on speeds above the text: where motors have no laws, all that is known of them.
     fn speeds(&self) -> Vec<String> {
         let motors = self.drawing.motors.iter();
         let mut remarks: Vec<String> = motors
@@ -324,7 +324,7 @@ impl Writer<'_> {
         })
     }
 
-    /// How many places make the path of one turn: by laws until all inputs are back.
+    /// Computes the number of places of one turn's path: by laws until all inputs are back.
     fn places_of_trace(&self) -> u32 {
         let laws = Times::of(&self.drawing.motors).filter(|_| self.terms.has_laws);
         let seconds = laws.and_then(|times| times.back).unwrap_or_default();
@@ -372,7 +372,7 @@ impl Writer<'_> {
         shortest(value, self.tolerance(self.size))
     }
 
-    /// How far a length of a thing of this size may be off.
+    /// Computes the tolerance of a length, relative to this size.
     fn tolerance(&self, size: f64) -> f64 {
         (size * PRECISION).max(self.drawing.rounding)
     }
@@ -433,7 +433,7 @@ fn on_one_line(text: &str) -> String {
         .collect()
 }
 
-/// What of a text is written only if the compiler takes it.
+/// The terms on which a text is written.
 #[derive(Clone, Debug)]
 pub(super) struct Terms {
     pub(super) is_coupled: bool,

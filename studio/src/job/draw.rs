@@ -14,7 +14,7 @@ pub(crate) struct Draw {
     pub(crate) kind: StillKind,
 }
 
-/// How many places of a path are recorded in one turn, and the most turns.
+/// The number of places of a path that are recorded in one turn, and the most turns.
 const PLACES: u32 = 720;
 const MOST_TURNS: u32 = 22;
 

@@ -18,9 +18,8 @@ pub(crate) struct Film {
     pub(crate) motor: Option<String>,
     /// Where it begins, and where it ends or turns back.
     pub(crate) span: Span,
-    /// How long it takes.
     pub(crate) seconds: u32,
-    /// How many frames a second has. Moving SVG has no frames.
+    /// The number of frames in a second. Moving SVG has no frames.
     pub(crate) rate: u32,
 }
 
@@ -36,9 +35,9 @@ pub(crate) enum FilmKind {
 const MOMENTS: u32 = 720;
 
 impl Film {
-    /// How many seconds it takes, if nobody says otherwise.
+    /// The default duration, in seconds.
     pub(crate) const SECONDS: u32 = 4;
-    /// How many frames a second has, if nobody says otherwise.
+    /// The default number of frames in a second.
     pub(crate) const RATE: u32 = 25;
 
     /// A film of the motion that the mechanism makes if nobody says which.
@@ -148,7 +147,7 @@ impl Film {
         Ok(svg.finish().into_bytes())
     }
 
-    /// How long a frame is seen.
+    /// Returns the time for which a frame is shown.
     fn delay(&self) -> Duration {
         Duration::from_secs(1) / self.rate
     }

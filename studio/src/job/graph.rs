@@ -3,7 +3,7 @@
 use super::Analysed;
 use mech_compiler::graphs;
 
-/// What a graph shows.
+/// The subject of a graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum GraphKind {
     /// Links, and the joints between them.

@@ -1,14 +1,14 @@
-//! What tables and charts have in common: what is measured, and in which motion.
+//! The measurement that tables and charts have in common: quantities and a motion.
 
 use super::Analysed;
 use crate::failure::Failure;
 use crate::motion::{Drive, Setting, Span};
 use crate::quantity::{self, Load, Measurement, Table, Units};
 
-/// What is measured, and in which motion.
+/// The quantities to measure, and the motion.
 #[derive(Clone, Debug)]
 pub(crate) struct Measure {
-    /// What is measured; if there is nothing, the coordinates of all joints.
+    /// The names of the quantities; if there are none, the coordinates of all joints.
     pub(crate) quantities: Vec<String>,
     /// Over what it is shown, if not over what the mechanism is driven by.
     pub(crate) over: Option<String>,
@@ -16,9 +16,8 @@ pub(crate) struct Measure {
     pub(crate) motor: Option<String>,
     /// Where it begins and ends.
     pub(crate) span: Span,
-    /// How many steps it takes.
     pub(crate) steps: u32,
-    /// How fast the motor moves, in radians or scene units per second: without, 1, and forces are those at rest.
+    /// The speed of the motor, in radians or scene units per second: without, 1, and forces are those at rest.
     pub(crate) rate: Option<f64>,
     /// Where other motors stand.
     pub(crate) at: Vec<Setting>,

@@ -1,5 +1,5 @@
-//! What is made of a mechanism as bytes: pictures, films, tables, charts, reports and graphs. The command line, the window and the page
-//! each fill a job in.
+//! Jobs make bytes of a mechanism: pictures, films, tables, charts, reports and graphs. The command line, the window and the page each fill
+//! a job in.
 
 mod draw;
 mod film;
@@ -28,11 +28,11 @@ pub(crate) enum Job {
     Draw(Draw),
     /// A film of its motion.
     Film(Film),
-    /// What is measured in its motion, as CSV.
+    /// A table of measurements in its motion, as CSV.
     Table(Measure),
     /// The same as charts.
     Plot(Plot),
-    /// What the analysis tells.
+    /// The report of the analysis.
     Report,
     /// A graph in the language DOT.
     Graph(GraphKind),
@@ -45,7 +45,7 @@ pub(crate) struct Analysed {
 }
 
 impl Analysed {
-    /// What was read, if it is coherent.
+    /// Returns the mechanism that was read, if it is coherent.
     pub(crate) fn of(Reading { model, result, .. }: Reading) -> Result<Self, Faults> {
         let compiled = *result?;
         Ok(Self { model, compiled })

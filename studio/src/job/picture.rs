@@ -1,4 +1,4 @@
-//! What drawings and films have in common: what is painted, and on what.
+//! The settings of pictures that drawings and films have in common.
 
 use super::Analysed;
 use crate::motion::Setting;
@@ -7,11 +7,11 @@ use mech_compiler::model::Look;
 use mech_runtime::Palette;
 use mech_runtime::files::Sheet;
 
-/// What is painted, and on what.
+/// The settings of a picture.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Picture {
     pub(crate) size: Size,
-    /// How the mechanism looks, whatever it declares.
+    /// The look of the mechanism, in place of the declared one.
     pub(crate) look: Option<Look>,
     /// Whether the symbols of joints, motors and axes are painted over it.
     pub(crate) overlay: bool,

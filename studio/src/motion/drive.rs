@@ -31,10 +31,10 @@ enum Kind {
     Laws(Option<f64>),
 }
 
-/// What the motors do at a moment.
+/// The state of the motors at a moment.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Moment {
-    /// What the motion is driven by: the value of its motor in radians or scene units, or the time.
+    /// The value that drives the motion: of its motor in radians or scene units, or the time.
     pub(crate) by: f64,
     /// The time since the motion began, in seconds; not finite where the motor rests. By laws it is that of the laws.
     pub(crate) time: f64,
@@ -181,7 +181,7 @@ impl Drive {
             && (whole - whole.round()).abs() < 1e-9
     }
 
-    /// How many whole turns it takes, or periods of laws; one if it comes to no whole ones.
+    /// Counts the whole turns of the motion, or the periods of laws; one if there are no whole ones.
     pub(crate) fn turns(&self, model: &Model) -> u32 {
         let one = match self.kind {
             Kind::Motor(_) => TAU,
@@ -229,7 +229,7 @@ impl Drive {
         self
     }
 
-    /// What the motors do after a part of the motion, 0 to 1, where the motor moves at this rate; by laws at theirs.
+    /// Computes the moment after a part of the motion, 0 to 1, where the motor moves at this rate; by laws at theirs.
     pub(crate) fn moment(
         &self,
         model: &Model,

@@ -14,7 +14,7 @@ pub(crate) enum Mover<'p> {
     Double(Machine<'p, f64>),
 }
 
-/// What is made once of a program so that it can be moved.
+/// A program that is prepared for motion once.
 pub(crate) enum Ready {
     Single(Prepared<f32>),
     Double(Prepared<f64>),

@@ -1,11 +1,11 @@
-//! What keeps a mechanism from going on, in words.
+//! Obstacles to the motion of a mechanism, in words.
 
 use mech_compiler::Compiled;
 use mech_compiler::evaluate::Stop;
 use mech_compiler::model::{JointId, Model, MotorId};
 use mech_compiler::program::BlockId;
 
-/// What keeps a mechanism from going on: `the loop of joints b, c, d does not close`.
+/// Describes the obstacle that stops a mechanism: `the loop of joints b, c, d does not close`.
 pub(crate) fn obstacle(model: &Model, compiled: &Compiled, stop: Stop) -> String {
     let ring = |block: BlockId| {
         let number = compiled.program.loop_of(block);

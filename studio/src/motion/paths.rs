@@ -22,7 +22,7 @@ struct Path {
     /// The number of the link's pose, and the point in its frame.
     link: usize,
     at: [f64; 2],
-    /// How many places are recorded.
+    /// The number of places that are recorded.
     length: usize,
     places: VecDeque<[f64; 2]>,
 }

@@ -26,7 +26,7 @@ pub(super) fn period(model: &Model) -> Option<f64> {
     (period > 0.0).then_some(period)
 }
 
-/// How a number goes on with the time: after each period it is farther, by the rate times the period.
+/// The course of a number in time: after each period it is farther, by the rate times the period.
 #[derive(Clone, Copy)]
 struct Course {
     /// At the time 0.
@@ -60,7 +60,7 @@ fn common(a: f64, b: f64) -> Option<f64> {
 struct Courses<'p>(Now<'p>);
 
 impl Courses<'_> {
-    /// What comes of two that go on at this rate together.
+    /// Joins two courses into one that goes on at this rate.
     fn join(
         [a, b]: [Option<Course>; 2],
         value: impl FnOnce(f64, f64) -> f64,

@@ -1,4 +1,4 @@
-//! How far motors go.
+//! The reaches of motors.
 
 use super::Mover;
 use super::obstacle::obstacle;
@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 /// A part of a way that is more than rounding.
 const HAIR: f64 = 1e-8;
 
-/// How far a motor moves alone from where it is, both ways.
+/// The reach of a motor that moves alone from where it is, both ways.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Reach {
     /// Its lowest and highest value, in radians or scene units.
@@ -75,7 +75,7 @@ impl Stretch {
     }
 }
 
-/// How far a motor moves alone from these values of all motors, both ways, no farther than this distance.
+/// Finds the reach of a motor that moves alone from these values of all motors, both ways, no farther than this distance.
 pub(crate) fn reach(
     model: &Model,
     compiled: &Compiled,

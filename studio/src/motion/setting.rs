@@ -28,7 +28,7 @@ impl From<(String, f64)> for Setting {
 pub(crate) struct Typed {
     /// In degrees or scene units.
     pub(crate) number: f64,
-    /// Whether it is said that these are degrees.
+    /// Whether the number was typed with the unit of degrees.
     is_angle: bool,
 }
 

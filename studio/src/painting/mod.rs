@@ -9,7 +9,7 @@ use mech_runtime::{Canvas, Outline, Pose, View};
 /// An outline of a link, with its colour and its own points.
 type Shape = mech_core::Shape<f64, Vec<[f64; 2]>>;
 
-/// What is painted of a mechanism.
+/// The painting of a mechanism.
 pub(crate) struct Painting {
     /// From the plane farthest from the eye to the nearest.
     shapes: Vec<Shape>,
@@ -24,8 +24,8 @@ pub(crate) struct Painting {
 }
 
 impl Painting {
-    /// What is painted of a coherent mechanism, with the symbols of its joints if these are asked for. What depends on params is as at
-    /// the start.
+    /// Paints a coherent mechanism, with the symbols of its joints if these are asked for. Numbers that depend on params are as at the
+    /// start.
     pub(crate) fn new(model: &Model, compiled: &Compiled, has_diagram: bool) -> Self {
         let looks = looks(model, compiled);
         let number = |link| number_of(compiled, link);

@@ -1,4 +1,4 @@
-//! How much room a picture takes.
+//! The bounds of a picture.
 
 use mech_runtime::{Canvas, Outline, Pose};
 

@@ -1,4 +1,4 @@
-//! How far a place is from what is drawn.
+//! The distance of a place from the drawn shapes.
 
 use mech_runtime::Outline;
 
@@ -44,7 +44,7 @@ fn distance_to_polygon(at: [f64; 2], corners: &[[f64; 2]], is_filled: impl Fn(i3
     }
 }
 
-/// Whether a ray from a place to the right crosses a side: 1 upwards, −1 downwards, 0 not at all.
+/// Computes how a side crosses the ray from a place to the right: 1 upwards, −1 downwards, 0 not at all.
 fn crossing([x, y]: [f64; 2], [from, to]: [[f64; 2]; 2]) -> i32 {
     let share = (y - from[1]) / (to[1] - from[1]);
     let [is_below, is_above] = [from[1] <= y, to[1] > y];

@@ -42,7 +42,7 @@ impl Driver {
         self.selection = self.selection.previous(self.reaches.len());
     }
 
-    /// What is driven.
+    /// Returns the driven motors.
     #[must_use]
     pub const fn selection(&self) -> Selection {
         self.selection

@@ -92,7 +92,7 @@ impl Grip {
         })
     }
 
-    /// How the place moves with a motor, in parts of its reach.
+    /// Computes the velocity of the place for a motor, in parts of the motor's reach.
     fn influence(self, mechanism: &Mechanism, free: &[Free], index: usize) -> Option<Influence> {
         let motors = mechanism.motors();
         let here = mechanism.place(self.spot)?;

@@ -13,7 +13,7 @@ pub enum Depth {
 }
 
 impl Depth {
-    /// What the environment of the process says of the terminal.
+    /// Finds the depth of the terminal's colours in the environment of the process.
     #[must_use]
     pub fn of_environment() -> Self {
         let says = |name: &str, words: &[&str]| {

@@ -1,4 +1,4 @@
-//! What the keys do, in the window and in the terminal alike.
+//! The keys, in the window and in the terminal alike.
 
 use super::{Control, Layer};
 
@@ -30,7 +30,7 @@ pub enum Key {
 }
 
 impl Key {
-    /// What it does.
+    /// Returns its control.
     #[must_use]
     pub fn control(self) -> Option<Control> {
         let key = match self {
@@ -48,7 +48,7 @@ impl Key {
 /// Keys that do something together.
 struct Binding {
     keys: &'static [Key],
-    /// What each of them does.
+    /// The control of each of them.
     controls: &'static [Control],
     label: &'static str,
     meaning: &'static str,
@@ -160,7 +160,7 @@ const BINDINGS: [Binding; 13] = [
     ),
 ];
 
-/// What all keys do, and the mouse, each in a few words.
+/// Describes all keys, and the mouse, each in a few words.
 #[must_use]
 pub fn help() -> Vec<String> {
     let keys = BINDINGS

@@ -5,7 +5,7 @@ use super::{Mechanism, Obstacle};
 /// A limit at which a mechanism is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limit {
-    /// What is in the way.
+    /// The obstacle in the way.
     pub obstacle: Obstacle,
     /// The motors that could not move on.
     pub motors: Vec<usize>,

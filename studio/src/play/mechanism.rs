@@ -17,12 +17,12 @@ use mech_runtime::overlay::{Arrows, Spot};
 use mech_runtime::{Acceleration, Canvas, Overlay, Palette, Pose, Velocity};
 use std::cell::OnceCell;
 
-/// What keeps a mechanism from going on.
+/// An obstacle to the motion of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Obstacle {
     /// The end of the declared range of this motor.
     Range(MotorId),
-    /// What the interpreter says.
+    /// The stop that the interpreter reports.
     Stop(Stop),
 }
 
@@ -256,7 +256,7 @@ impl Mechanism {
         Some(stopped)
     }
 
-    /// What is in the way, as a phrase.
+    /// Describes an obstacle, as a phrase.
     pub(super) fn cause(&self, of: Obstacle) -> String {
         match of {
             Obstacle::Range(motor) => {

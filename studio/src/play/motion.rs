@@ -8,7 +8,7 @@ use std::f64::consts::{PI, TAU};
 
 /// The duration of a stroke, in seconds: as long as a film.
 const STROKE: f64 = 4.0;
-/// How much of its reach a motor uses, so that rounding does not carry it beyond the ends.
+/// The part of its reach that a motor uses, so that rounding does not carry it beyond the ends.
 const USED: f64 = 0.98;
 
 /// The motion that a mechanism makes by itself, by a phase that goes on and on.
@@ -20,7 +20,7 @@ pub(super) enum Motion {
     Strokes(Vec<Stroke>),
 }
 
-/// What a motor does alone, from where it is at the start and back.
+/// A stroke of a motor alone, from where it is at the start and back.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Stroke {
     motor: MotorId,
@@ -142,7 +142,7 @@ impl Way {
         }))
     }
 
-    /// How far the motor is from its start after so many strokes and a part of one, and the first and second derivative of that.
+    /// Computes the distance of the motor from its start after so many strokes and a part of one, with its first and second derivative.
     fn at(self, round: f64, part: f64) -> [f64; 3] {
         match self {
             Self::Round => [TAU * (round + part), TAU, 0.0],

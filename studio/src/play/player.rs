@@ -25,7 +25,7 @@ pub struct Player {
     /// Those that wait, from the next to the previous.
     others: VecDeque<Mechanism>,
     driver: Driver,
-    /// Whether the last move was a step that arrived, and in which direction it went: then the motors have rates.
+    /// The direction of the last move, if that was a step that arrived: then the motors have rates.
     direction: Option<f64>,
     pace: Pace,
     plays: bool,

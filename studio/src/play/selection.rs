@@ -1,4 +1,4 @@
-//! What is driven.
+//! The choice of the driven motors.
 
 /// The motors that are driven in playing, and that may be dragged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -17,7 +17,7 @@ const LINE: usize = 11;
 
 /// A player and its painter, with help for whoever looks on.
 pub struct Stage {
-    /// What is played.
+    /// The player.
     pub player: Player,
     painter: Painter,
     helps: bool,
@@ -104,7 +104,7 @@ impl Stage {
         Ok(self.painter.picture())
     }
 
-    /// What the keys do, if that was asked for.
+    /// Returns the help on the keys, if it was asked for.
     #[must_use]
     pub fn help(&self) -> Option<Vec<String>> {
         self.helps.then(keys::help)

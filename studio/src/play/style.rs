@@ -1,4 +1,4 @@
-//! How a mechanism is drawn while it is played.
+//! The style in which a mechanism is drawn while it is played.
 
 use super::Layers;
 
@@ -11,7 +11,7 @@ pub struct Rates {
     pub second: Vec<f64>,
 }
 
-/// What a point of a mechanism does while its motors have rates.
+/// The place, velocity and acceleration of a point while the motors have rates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointRates {
     /// Where it is in the scene.
@@ -22,7 +22,7 @@ pub struct PointRates {
     pub acceleration: Option<[f64; 2]>,
 }
 
-/// How a mechanism is drawn.
+/// The style in which a mechanism is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Style {
     /// The visible layers.

@@ -17,7 +17,7 @@ use std::time::{Duration, Instant};
 
 /// The time from one picture to the next: a terminal is slower than a window.
 const FRAME: Duration = Duration::from_millis(40);
-/// How much larger a notch of the wheel makes everything.
+/// The factor by which a notch of the wheel enlarges everything.
 const NOTCH: f64 = 1.15;
 
 /// A terminal that shows pictures until this is dropped: then it is as it was before.

@@ -10,16 +10,16 @@ use std::ops::ControlFlow;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
-/// How much larger a notch of the wheel makes everything.
+/// The factor by which a notch of the wheel enlarges everything.
 const NOTCH: f64 = 1.15;
-/// How many points of a smooth wheel are a notch.
+/// The number of points of a smooth wheel that make a notch.
 const SMOOTH: f32 = 40.0;
 /// The time from one picture to the next.
 const FRAME: Duration = Duration::from_micros(16_667);
 
 /// No window came up.
 pub struct Unopened {
-    /// What was to be played.
+    /// The stage that was to be played.
     pub stage: Stage,
     /// Why.
     pub reason: String,
@@ -110,7 +110,7 @@ impl Window {
         }
     }
 
-    /// What an event asks for. A point of the window is so many pixels.
+    /// Returns the control that an event asks for. A point of the window is `scale` pixels.
     fn control(&mut self, event: &Event, scale: f32) -> Option<Control> {
         let pixel = |place: egui::Pos2| [place.x, place.y].map(|part| f64::from(part * scale));
         match *event {

@@ -5,13 +5,12 @@ use mech_compiler::model::{AxisId, Effects, JointId, LinkId, MotorId};
 /// A number that can be measured at a position.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Quantity {
-    /// How it is called: `velocity:coupler.tip.x`.
+    /// Its name: `velocity:coupler.tip.x`.
     pub(crate) name: String,
-    /// What it is of.
     pub(crate) subject: Subject,
 }
 
-/// What a quantity is of.
+/// The subject of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Subject {
     /// A point, or its velocity or acceleration.
@@ -20,7 +19,7 @@ pub(crate) enum Subject {
     Angle(LinkId, Order),
     /// The coordinate of a joint, or its rates.
     Coordinate(JointId, Order),
-    /// What a motor exerts so that the mechanism moves so: a torque, or a force if it slides.
+    /// The torque of a motor that makes the mechanism move so, or its force if it slides.
     Torque(MotorId),
     /// The force, or the torque about the joint, that the first link of a joint exerts on the second.
     Reaction(JointId, Reaction),
@@ -30,7 +29,7 @@ pub(crate) enum Subject {
     Time,
 }
 
-/// How often something is differentiated by time.
+/// The number of differentiations by time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Order {
     /// Not at all.
@@ -61,7 +60,7 @@ pub(crate) enum Reaction {
     Torque,
 }
 
-/// What has to be computed besides positions.
+/// The rates and forces that must be computed besides positions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Needs {
     pub(crate) velocity: bool,
@@ -70,7 +69,7 @@ pub(crate) struct Needs {
 }
 
 impl Needs {
-    /// What these quantities need.
+    /// Returns the needs of these quantities.
     pub(crate) fn of(quantities: &[Quantity]) -> Self {
         let mut needs = Self::default();
         for quantity in quantities {

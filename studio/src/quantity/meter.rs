@@ -14,7 +14,7 @@ use mech_compiler::{Compiled, compile};
 use mech_runtime::{Acceleration, Velocity};
 use std::ops::Range;
 
-/// What was measured: a row for each position.
+/// A table of measurements: a row for each position.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Table {
     /// The name and the unit of each column. The first is what the mechanism is driven by.
@@ -23,7 +23,6 @@ pub(crate) struct Table {
     pub(crate) rows: Vec<Vec<Option<f64>>>,
     /// The number of the column over which the others are shown: the first, or the second.
     pub(crate) across: usize,
-    /// How exact they are.
     pub(crate) precision: Precision,
 }
 
@@ -46,8 +45,7 @@ pub(crate) struct Measurement<'a> {
     pub(crate) drive: &'a Drive,
     /// Over what the others are shown, if not over what the mechanism is driven by.
     pub(crate) over: Option<Quantity>,
-    /// How fast its motor moves, in radians or scene units per second: if nobody says it, velocities are those at 1, and forces those at
-    /// rest.
+    /// The speed of its motor, in radians or scene units per second: without it, velocities are those at 1, and forces those at rest.
     pub(crate) rate: Option<f64>,
     /// The number of steps: there is a row more.
     pub(crate) steps: u32,
@@ -98,7 +96,7 @@ fn rows(
     Ok(rows)
 }
 
-/// What the mechanism is driven by, as it is shown.
+/// Converts the value that drives the mechanism to the unit in which it is shown.
 fn driver(of: &Measurement<'_>, value: f64) -> f64 {
     match of.drive.motor() {
         Some(motor) => {
@@ -415,7 +413,7 @@ impl<'a> Meter<'a> {
     }
 }
 
-/// How many transmission angles are computed.
+/// Counts the transmission angles that are computed.
 fn transmissions(compiled: &Compiled) -> usize {
     let program = compiled.forced.inverse_dynamics.as_ref();
     match program.and_then(Program::forces) {

@@ -1,4 +1,4 @@
-//! What can be measured of a mechanism while it moves: places, angles, coordinates, their rates, and forces.
+//! Quantities that can be measured while a mechanism moves: places, angles, coordinates, their rates, and forces.
 
 mod kind;
 mod load;

@@ -1,4 +1,4 @@
-//! How quantities are called: `coupler.tip.x`, `velocity:b`, `reaction:d`, `transmission`.
+//! The names of quantities: `coupler.tip.x`, `velocity:b`, `reaction:d`, `transmission`.
 
 use super::kind::{Order, Part, Quantity, Reaction, Subject};
 use crate::failure::Failure;
@@ -100,7 +100,7 @@ fn transmission(model: &Model, dyads: &[String]) -> Result<Vec<Quantity>, Failur
     Ok(dyads.iter().enumerate().map(quantity).collect())
 }
 
-/// What moves: a point, a link or a joint.
+/// Finds the quantities of a moving thing: a point, a link or a joint.
 fn moving(model: &Model, name: &str, of: &str, order: Order) -> Result<Vec<Quantity>, Failure> {
     let named = |name: &str, subject| Quantity {
         name: name.to_owned(),

@@ -1,4 +1,4 @@
-//! What can be measured of a mechanism, by name, to choose from.
+//! The names of the quantities of a mechanism, to choose from.
 
 use super::naming::{has_coordinate, point_name, points};
 use mech_compiler::model::Model;
@@ -6,9 +6,9 @@ use mech_compiler::model::Model;
 /// Quantities that belong together, by their names.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Offer {
-    /// What they are of: `point coupler.tip`.
+    /// Their subject: `point coupler.tip`.
     pub(crate) of: String,
-    /// How they are called: `velocity:coupler.tip.x`.
+    /// Their names: `velocity:coupler.tip.x`.
     pub(crate) names: Vec<String>,
 }
 

@@ -15,7 +15,7 @@ pub(super) struct Position {
     poses: Vec<[f64; 4]>,
     state: Vec<f64>,
     pub(super) rates: Option<LinkRates<f64>>,
-    /// What the motors exert.
+    /// The torques or forces of the motors.
     pub(super) torques: Option<Vec<f64>>,
     pub(super) forces: Option<InverseDynamics<f64>>,
 }
@@ -60,7 +60,7 @@ impl Position {
     }
 }
 
-/// What the motors exert where they have these second rates: what accelerates everything, less what acts already.
+/// Computes the torques or forces of motors with these second rates: those that accelerate everything, less those that act already.
 pub(super) fn torques(inertia: &Inertia<f64>, second: &[f64]) -> Vec<f64> {
     let rows = inertia.matrix.iter().zip(&inertia.drive);
     let torque = |(row, drive): (&Vec<f64>, &f64)| {

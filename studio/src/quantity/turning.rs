@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 pub(super) struct Chain {
     /// Each turning joint, and the sense in which it turns the link.
     joints: Vec<(JointId, f64)>,
-    /// What the angles of the joints have more than that of the link.
+    /// The sum of the joints' angles less the angle of the link.
     ahead: f64,
 }
 

@@ -4,7 +4,7 @@ use super::kind::{Order, Reaction, Subject};
 use crate::motion::turns;
 use mech_compiler::model::Model;
 
-/// How a scene unit and a unit of force are called.
+/// The names of a scene unit and of a unit of force.
 #[derive(Clone, Debug)]
 pub(crate) struct Units {
     pub(crate) length: String,

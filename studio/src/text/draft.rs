@@ -6,7 +6,7 @@ use std::ops::Range;
 /// A replacement of a stretch of a text.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Replacement {
-    /// What is replaced, in bytes.
+    /// The range that is replaced, in bytes.
     pub range: Range<usize>,
     /// By what.
     pub text: String,

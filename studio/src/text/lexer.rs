@@ -125,7 +125,7 @@ fn character(text: &str) -> Option<usize> {
     let mut letters = text.char_indices().skip(1);
     let (_, first) = letters.next()?;
     if first == '\\' {
-        // What is escaped first may be the quote itself.
+        // The escaped letter may be the quote itself.
         letters.next()?;
         let (end, _) = letters
             .take_while(|(_, letter)| *letter != '\n')

@@ -20,7 +20,7 @@ fn noise_is_not_read_to_its_end() {
     let folder = folder.with("a.rs", noise);
     let refusal = folder.mech("check a.rs").refused(3);
     assert!(refusal.contains("longer than 16 MiB"), "{refusal}");
-    // What is just short enough is read, and refused in words.
+    // A text that is just short enough is read, and refused in words.
     let folder = folder.with("b.rs", "mechanism! { {([".repeat(1 << 16));
     let refusal = folder.mech("check b.rs").refused(1);
     assert!(
@@ -74,7 +74,7 @@ fn a_file_that_somebody_else_removes() {
     let folder = Folder::new().with("a.mech", FOUR_BAR);
     let source = Source::read(&folder.path("a.mech")).expect("a text");
     fs::remove_file(folder.path("a.mech")).expect("it is there");
-    // What somebody else changes is in `dialogue.rs`.
+    // Tests of changes by somebody else are in `dialogue.rs`.
     source.replace("ours").expect_err("it is gone");
     assert_eq!(folder.names(), [""; 0]);
 }

@@ -29,7 +29,7 @@ fn mend_all(source: Source) -> usize {
     count
 }
 
-/// What the compiler says of a text after each repair that it offers: it changes tokens, and reads a few of them again.
+/// Reads the models after each repair that the compiler offers for a text: it changes tokens, and reads a few of them again.
 fn promised(text: &str, reading: &Reading) -> Vec<Model> {
     let Err(faults) = &reading.result else {
         return Vec::new();
@@ -189,7 +189,7 @@ const COHERENT: [&[&str]; 4] = [
     ],
 ];
 
-/// What breaks a mechanism if it is added.
+/// Statements that break a mechanism if they are added.
 const TOO_MUCH: [&str; 3] = [
     "motor MORE;",
     "link brace; joint brace1 = revolute(FIRST, brace) at (0.5, 0.5); joint brace2 = revolute(SECOND, brace) at (2, 1);",

@@ -10,7 +10,7 @@ use proptest::sample::Index;
 use std::fs;
 use std::sync::LazyLock;
 
-/// How many commands are tried: `MECH_CASES`, or enough for a few seconds.
+/// Returns the number of commands to try: `MECH_CASES`, or enough for a few seconds.
 fn cases() -> u32 {
     let asked = std::env::var("MECH_CASES").ok();
     asked.and_then(|asked| asked.parse().ok()).unwrap_or(600)
@@ -244,7 +244,7 @@ fn play(path: &str, text: &str, all: &[Dice]) -> (usize, usize) {
     (made, all.len())
 }
 
-/// What an accepted command has done is what it says.
+/// Checks that an accepted command has done what it says.
 fn examine(before: &Document, command: &Command, applied: &Applied) {
     let (old, new) = (before.source().text(), applied.document.source().text());
     let said = format!("{command:?}\n{old}\n-----\n{new}");
@@ -255,7 +255,7 @@ fn examine(before: &Document, command: &Command, applied: &Applied) {
         [text[..whole.start].to_owned(), text[whole.end..].to_owned()]
     };
     assert_eq!(outside(before), outside(&applied.document), "{said}");
-    // What is read again is what the answer has.
+    // The text, read again, gives the model of the answer.
     let declaration = &applied.document.declarations()[0];
     let model = applied
         .document
@@ -338,7 +338,7 @@ fn follow(document: &Document, (path, to): (&str, [f64; 2]), applied: Option<&Ap
     }
 }
 
-/// What was moved is where it should be.
+/// Checks that a moved point or joint is where it should be.
 fn moved(applied: &Applied, path: &str, to: [f64; 2], said: &str) {
     let model = &applied.reading.model;
     let named = model.axes.iter().find(|axis| {

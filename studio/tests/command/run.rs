@@ -7,7 +7,7 @@ use std::process::{Child, Command, Stdio};
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::{env, fs};
 
-/// What a command answered.
+/// The answer of a command.
 #[derive(Debug)]
 pub(crate) struct Answer {
     pub(crate) code: Option<i32>,
@@ -23,7 +23,7 @@ impl Answer {
         self.out
     }
 
-    /// What a command complained of that ended with this code, and answered nothing.
+    /// Returns the complaint of a command that ended with this code, and answered nothing.
     #[track_caller]
     pub(crate) fn refused(self, code: i32) -> String {
         assert_eq!((self.code, &*self.out), (Some(code), ""), "{}", self.err);

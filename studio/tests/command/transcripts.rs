@@ -7,8 +7,8 @@
 //! - Then follows what it said: `| ` what it answered, `! ` what it complained of, `= 1` its exit code unless that is 0. Files that it wrote
 //!   follow as `---`, pictures by the bytes that they begin with.
 //!
-//! What is not told stays as it was: no other file is changed, and none appears. `…` is explained at [`are_as_told`]. `UPDATE_CASES=1`
-//! renews what is said, where it is not as told.
+//! Files that are not told stay as they were, and no others appear. [`are_as_told`] explains `…`. `UPDATE_CASES=1` renews those words that
+//! are not as told.
 
 use crate::blocks::{Block, are_as_told, blocks, marked, walk};
 use crate::run::{FOUR_BAR, Folder, mech_said, repository, rust};

@@ -4,7 +4,6 @@ use std::fs;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// What is in the file.
 pub(crate) const TEXT: &str = include_str!("scripts/crank.mech");
 
 /// A folder of its own with a file, removed at the end.

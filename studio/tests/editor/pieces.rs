@@ -1,4 +1,4 @@
-//! What is typed letter by letter. The analysis in pieces is `scripts/pieces.txt`.
+//! Tests of typing, letter by letter. The analysis in pieces is `scripts/pieces.txt`.
 
 use super::folder::TEXT;
 use super::user::User;

@@ -21,12 +21,12 @@ impl Folder {
         self.0.join(name).display().to_string()
     }
 
-    /// What `mech` writes to a file.
+    /// Returns the file that `mech` writes.
     fn mech(&self, words: &[&str]) -> Vec<u8> {
         self.mech_of(FOUR_BAR, words)
     }
 
-    /// What `mech` writes of a text.
+    /// Returns the file that `mech` writes for a text.
     fn mech_of(&self, source: &str, words: &[&str]) -> Vec<u8> {
         let text = self.file("text.mech");
         fs::write(&text, source).expect("the text");
@@ -271,7 +271,7 @@ fn a_load_acts_in_plots_and_arrows() {
         user.labels()
     );
 
-    // What cannot be read counts as nothing.
+    // A load that cannot be read counts as nothing.
     user.enter("load push", "x");
     assert!(user.editor().arrows().is_empty(), "{}", user.said());
 }

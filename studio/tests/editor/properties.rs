@@ -8,7 +8,7 @@ use mech_studio::{Document, Reading, Source};
 use proptest::prelude::*;
 use proptest::sample::Index;
 
-/// How many random sessions are tried: `MECH_CASES`, or enough for a few seconds.
+/// Returns the number of random sessions to try: `MECH_CASES`, or enough for a few seconds.
 fn cases() -> u32 {
     let asked = std::env::var("MECH_CASES").ok();
     asked.and_then(|asked| asked.parse().ok()).unwrap_or(24)
@@ -46,7 +46,7 @@ joint c = revolute(two, ground) at (3, 0);
 ",
 ];
 
-/// What somebody does next.
+/// The next act of a user.
 #[derive(Clone, Debug)]
 enum Act {
     /// Uses a tool at two places.
@@ -189,7 +189,7 @@ fn comments(text: &str) -> Vec<&str> {
         .collect()
 }
 
-/// What is drawn is what the compiler gives, to the bit.
+/// Checks that the drawing equals the compiler's result, to the bit.
 fn is_drawn_as_compiled(user: &User) {
     let player = user.editor().player();
     let is_whole = user.editor().is_readable() && user.editor().messages().is_empty();
@@ -235,7 +235,7 @@ fn does_as_promised(user: &mut User, act: &Act) {
     perform(user, act);
     let after = user.text().to_owned();
     let made = texts_of(user);
-    // What is accepted can be read.
+    // An accepted text can be read.
     assert!(
         after.trim().is_empty() || user.editor().is_readable(),
         "{act:?}\n{}",

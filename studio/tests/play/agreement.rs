@@ -1,4 +1,4 @@
-//! What is played is what the macro makes of the same text, to the bit.
+//! The player and the macro agree on the same text, to the bit.
 
 use crate::gallery::{from_rust, from_text};
 use mech_gallery::{Exhibited, Visitor, visit_f32, visit_f64};
@@ -10,7 +10,7 @@ const STEPS: u32 = 240;
 
 /// Moves both through the motion of the gallery, and looks at two points of each link.
 struct Judge {
-    /// What the text says after the name of a mechanism.
+    /// The clause of precision after the name of a mechanism.
     precision: &'static str,
     names: Vec<&'static str>,
 }

@@ -16,7 +16,7 @@ fn a_dragged_crank_points_at_the_pointer() {
     let camera = player.camera().clone();
     player.obey(Control::Press(player.pixel(pin).expect("it is there")));
     let held = player.held_spot().expect("a link is there");
-    // What is seen there may be the coupler: its end goes the same circle.
+    // The link there may be the coupler: its end goes the same circle.
     assert!(held.link == 1 || held.link == 2, "{held:?}");
     for step in 1..200 {
         let angle = 0.11 * f64::from(step);

@@ -59,7 +59,6 @@ pub(crate) fn player(file: &str) -> Player {
     Player::new(mechanism(file), Vec::new(), SIZE)
 }
 
-/// What a player shows.
 pub(crate) fn picture(player: &Player) -> HeapSmooth {
     let mut painter = Painter::new(player.camera().size()).expect("it is small");
     painter.paint(player).expect("it is small").clone()

@@ -88,7 +88,7 @@ fn a_motor_alone() {
     assert_eq!(player.selection(), Selection::Motor(2));
 }
 
-/// How many pixels have the red of a mark.
+/// Counts the pixels that have the red of a mark.
 fn red(picture: &HeapSmooth) -> usize {
     let red = Palette::TEXTBOOK.rgba(Palette::RED);
     picture

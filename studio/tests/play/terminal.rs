@@ -13,10 +13,10 @@ use std::time::{Duration, Instant};
 const COLUMNS: usize = 80;
 const ROWS: usize = 24;
 
-/// What stands at one place: the letter, its colour and that of its background.
+/// A place of the screen: the letter, its colour and that of its background.
 type Cell = (char, [u8; 3], [u8; 3]);
 
-/// What a terminal shows that understands what is written here.
+/// The screen of a terminal that understands all that is written here.
 #[derive(Clone, Debug, PartialEq)]
 struct Screen {
     cells: Vec<Vec<Cell>>,
@@ -35,7 +35,7 @@ impl Screen {
         }
     }
 
-    /// What it shows after all this.
+    /// Makes the screen after all this text.
     fn after(text: &str) -> Self {
         let mut screen = Self::new();
         let mut rest = text.chars();
@@ -352,7 +352,7 @@ fn without_a_terminal_and_a_display_it_says_so() {
             error.contains("--terminal") && error.contains("--picture FILE"),
             "{error}"
         );
-        // What was tried in vain is not advised.
+        // Advice that was tried in vain is not given again.
         let advises = error.contains("play in a terminal with `--terminal`");
         assert_eq!(advises, arguments.is_empty(), "{error}");
     }

@@ -1,4 +1,4 @@
-//! What is asked in a window of its own.
+//! Questions in a window of their own.
 
 use crate::edit::Workspace;
 use crate::editor::Editor;
@@ -32,7 +32,7 @@ pub(in crate::editor) fn dialogs(editor: &mut Editor, context: &egui::Context) {
     }
 }
 
-/// What becomes of changes that are not saved.
+/// The user's answer on changes that are not saved.
 #[derive(Clone, Copy)]
 enum Answer {
     /// They are saved.
@@ -91,7 +91,7 @@ fn ask_for_file(editor: &mut Editor, purpose: FileUse, mut path: String, context
         if response.gained_focus() {
             select_all(response.id, &path, ui.ctx());
         }
-        // What is there already is written over only by a click that says so.
+        // Only a click on the button that says so replaces an existing file.
         let is_own = matches!(purpose, FileUse::Save(_))
             && Path::new(path.trim()) == editor.workspace().path();
         is_there = purpose.writes() && !is_own && Path::new(path.trim()).is_file();
@@ -125,7 +125,7 @@ fn select_all(field: egui::Id, text: &str, context: &egui::Context) {
     state.store(context, field);
 }
 
-/// Whether the keys go to something in this window of its own.
+/// Whether a field or a button of this window has the focus of keys.
 fn is_focus_in(ui: &egui::Ui) -> bool {
     let focused = ui.memory(egui::Memory::focused);
     let focused = focused.and_then(|focused| ui.ctx().read_response(focused));

@@ -6,7 +6,7 @@ use crate::editor::Tool;
 use eframe::egui;
 use eframe::egui::KeyboardShortcut;
 
-/// How to begin, all actions and tools with their keys, and all lines of the dialogue.
+/// Shows the help: first steps, all tools and actions with their keys, and all lines of the dialogue.
 pub(in crate::editor) fn help(ui: &mut egui::Ui) {
     egui::ScrollArea::vertical()
         .auto_shrink(false)
@@ -37,7 +37,7 @@ const BEGINNING: &[&str] = &[
     "If it does not, Diagnoses says why. Each repair there is a button.",
 ];
 
-/// What can be done, with its keys.
+/// Shows a table of tools or actions, with their keys.
 fn rows(
     title: &str,
     rows: impl Iterator<Item = (&'static str, Option<KeyboardShortcut>, &'static str)>,

@@ -60,7 +60,7 @@ pub(in crate::editor) fn obey_keys(
         if is_clipboard(key) {
             continue;
         }
-        // What a focused button does is its own affair.
+        // The Space key on a focused button clicks that button.
         let is_of_button = key.logical_key == Key::Space
             && !is_canvas_focused
             && context.memory(egui::Memory::focused).is_some();

@@ -95,7 +95,7 @@ fn mechanisms(editor: &mut Editor, ui: &mut egui::Ui) {
     }
 }
 
-/// What the menu of files offers besides: examples, and all kinds of files that can be written.
+/// Shows the examples, and all kinds of files that can be written.
 fn files(editor: &mut Editor, ui: &mut egui::Ui) {
     ui.menu_button("Examples", |ui| {
         for example in &EXAMPLES {

@@ -1,4 +1,4 @@
-//! What can be done besides drawing: one table, from which come menus, keys, tooltips and help.
+//! The actions besides drawing: menus, keys, tooltips and help use one table.
 
 mod dialog;
 mod help;

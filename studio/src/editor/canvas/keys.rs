@@ -1,4 +1,4 @@
-//! What keys with arrows do in the drawing.
+//! The arrow keys in the drawing.
 
 use super::{Canvas, Shown};
 use crate::editor::drawing::Handle;

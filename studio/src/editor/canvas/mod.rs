@@ -22,7 +22,6 @@ pub(super) struct Canvas {
     picture: Picture,
     /// Where the pointer means, while a tool is used or something is dragged.
     snapped: Option<Snapped>,
-    /// Whether the pointer has taken hold of a link or of the paper.
     holds: Holds,
     /// Where the keyboard points, in the scene.
     cross: [f64; 2],
@@ -32,7 +31,7 @@ pub(super) struct Canvas {
     pressed_with: Tool,
 }
 
-/// What the pointer has taken hold of.
+/// The thing that the pointer has taken hold of.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 enum Holds {
     #[default]
@@ -102,7 +101,7 @@ impl Canvas {
         }
     }
 
-    /// What the pointer does beside the handles.
+    /// Handles the pointer beside the handles.
     fn on_paper(&mut self, editor: &mut Editor, response: &Response, shown: &Shown, ui: &egui::Ui) {
         let modifiers = ui.input(|input| input.modifiers);
         if editor.picking.tool != Tool::Select {
@@ -198,7 +197,7 @@ impl Canvas {
         editor.drag_to(place);
     }
 
-    /// What the pointer, the keyboard or a reader does to a handle.
+    /// Handles the pointer, the keyboard or a screen reader at a handle.
     fn on_handle(
         &mut self,
         editor: &mut Editor,
@@ -211,7 +210,7 @@ impl Canvas {
         let area = area(center, ui);
         let id = ui.scope_id().with(("handle", handle.item));
         let dragged = [ui.ctx().dragged_id(), ui.ctx().drag_stopped_id()];
-        // What is dragged out of the window has to learn that it is let go.
+        // A handle that is dragged out of the window must still learn that it is let go.
         if !shown.rect.intersects(area) && !dragged.contains(&Some(id)) {
             return;
         }
@@ -287,7 +286,7 @@ impl Canvas {
             && let Some(origin) = ui.input(|input| input.pointer.press_origin())
         {
             let pick = meant(editor, shown.place(origin)).pick;
-            // What wants one place only takes the one where the pointer is released.
+            // A tool that picks one place takes the one where the pointer is released.
             if editor.picking.tool.picks().len() > 1 {
                 editor.pick(pick);
             }
@@ -341,7 +340,7 @@ fn take_hold(
             _ => None,
         });
         if let Some(item) = thing {
-            // What is selected already goes on with all that is.
+            // An item that moves with the selection leaves the selection as it is.
             if !editor.selection.moves(&item, editor.sight.drawing()) {
                 editor.select(Some(item.clone()), modifiers.shift);
             }
@@ -368,7 +367,7 @@ fn take_hold(
     }
 }
 
-/// How near the pointer has to come to a handle, in pixels: a finger less.
+/// Returns the distance in pixels within which the pointer takes hold of a handle: for a finger twice as much.
 fn reach(ui: &egui::Ui) -> f64 {
     if ui.input(egui::InputState::any_touches) {
         2.0 * REACH
@@ -409,7 +408,6 @@ fn zoom(camera: &mut Camera, background: &Response, ui: &egui::Ui) {
     }
 }
 
-/// What can be done to a handle.
 fn menu(editor: &mut Editor, handle: Handle, ui: &mut egui::Ui) {
     ui.strong(handle.item.to_string());
     for tool in [Tool::Motor, Tool::Pivot, Tool::Trace, Tool::Force] {

@@ -12,18 +12,17 @@ use mech_runtime::{HeapSmooth, Palette, View};
 pub(super) struct Picture {
     painted: Option<HeapSmooth>,
     texture: Option<TextureHandle>,
-    /// What the texture shows.
     subject: Option<Subject>,
 }
 
-/// What a picture is of.
+/// The subject of a picture.
 #[derive(Clone, Copy, PartialEq)]
 struct Subject {
     revision: Revision,
     view: View,
     size: [usize; 2],
     is_dark: bool,
-    /// Whether what is behind the bodies is seen where there are none.
+    /// Whether the picture is transparent where there are no bodies.
     is_glass: bool,
 }
 

@@ -1,4 +1,4 @@
-//! What declares links once more.
+//! Commands that declare links once more.
 
 use crate::edit::Command;
 use crate::editor::Gesture;
@@ -8,7 +8,7 @@ use crate::editor::snap::grid;
 use crate::text::shortest;
 use mech_compiler::model::{AxisId, AxisKind};
 
-/// What declares links once more, with the names of the copies; none if there are none.
+/// Makes the gesture that declares links once more, and the names of the copies; none if there are no links.
 pub(in crate::editor) fn gesture_of_copies(
     links: &[String],
     drawing: Option<&Drawing>,
@@ -24,7 +24,7 @@ pub(in crate::editor) fn gesture_of_copies(
     Some((Gesture::new(title, commands.concat()), names))
 }
 
-/// What declares links once more, each under a name that is free.
+/// Makes the commands that declare links once more, each under a name that is free.
 fn copies(links: &[String], drawing: Option<&Drawing>, scale: f64) -> Vec<(String, Vec<Command>)> {
     let mut names = Names::of(drawing);
     let copies = links.iter().map(|name| {

@@ -68,7 +68,7 @@ fn is_mentioned(texts: &[String], name: &str) -> bool {
     any_within(texts, |one| one.mentions(name))
 }
 
-/// What is copied from a text.
+/// The selection of statements to copy from a text.
 struct Copy<'c> {
     text_of: &'c dyn Fn(&StatementText<'_>) -> &'c str,
     model: &'c Model,
@@ -101,7 +101,7 @@ impl Copy<'_> {
         self.links.contains(&self.model.link(link).name)
     }
 
-    /// Whether what is joined to a link comes along with other links.
+    /// Whether a link is copied, or is the ground and several links are.
     fn comes(&self, link: LinkId) -> bool {
         self.is_copied(link) || link == LinkId::GROUND && self.links.len() > 1
     }

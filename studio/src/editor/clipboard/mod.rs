@@ -1,4 +1,4 @@
-//! What is copied and pasted.
+//! Copy and paste.
 
 mod copies;
 mod fragment;
@@ -11,12 +11,12 @@ pub(super) use pasting::pasted;
 use crate::edit::Workspace;
 use std::collections::BTreeSet;
 
-/// What is copied and pasted.
+/// The copied statements.
 #[derive(Default)]
 pub(super) struct Clipboard {
-    /// What was copied: statements.
+    /// The statements that were copied last.
     pub(super) copied: String,
-    /// What goes to the clipboard of the system next.
+    /// The text for the clipboard of the system.
     pub(super) next: Option<String>,
 }
 
@@ -39,7 +39,7 @@ impl Clipboard {
         })
     }
 
-    /// What is to be pasted: a text, or what was copied if that is empty. None if it cannot be.
+    /// Returns the text to paste: this one, or the copied statements if it is empty. None if it cannot be pasted.
     pub(super) fn to_paste(&self, text: &str) -> Option<String> {
         let text = if text.is_empty() { &self.copied } else { text };
         pasting::can_be_pasted(text).then(|| text.to_owned())

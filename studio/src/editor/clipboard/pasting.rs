@@ -8,7 +8,7 @@ use mech_compiler::model::{LinkId, Model};
 use mech_compiler::syntax::{Rewriter, StatementText};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What can be pasted: links, what is between them, and the numbers that they use.
+/// The first words of statements that can be pasted: links, what is between them, and the numbers that they use.
 const WORDS: [&str; 9] = [
     "const", "param", "ground", "link", "joint", "motor", "spring", "damper", "load",
 ];
@@ -16,7 +16,7 @@ const WORDS: [&str; 9] = [
 /// Stands before what was copied, so that it is a mechanism of its own.
 const HEAD: &str = "struct Copied;\n";
 
-/// How many places beside each other are tried.
+/// The largest number of steps beside the copied place that are tried.
 const STEPS: u32 = 1000;
 
 /// Whether a text has statements alone that can be pasted, and a link among them.
@@ -131,7 +131,7 @@ fn places(listing: &Listing) -> impl Iterator<Item = [&NumberText; 2]> {
         .map(|[x, y]| [x, y])
 }
 
-/// What was copied, beside itself: so many steps that none of its places is taken. None if it cannot be read alone.
+/// Moves the copied statements aside, by so many steps that none of their places is taken. None if they cannot be read alone.
 fn beside(copied: &str, taken: &BTreeSet<[String; 2]>, step: [f64; 2]) -> Option<String> {
     let source = Source::new("copied.mech", [HEAD, copied].concat());
     let document = Document::of(source);

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// How the names of pictures end that can be read.
+/// The endings of the names of pictures that can be read.
 pub(in crate::editor) const ENDINGS: [&str; 3] = ["png", "jpg", "jpeg"];
 
 /// The longest side of a picture, in pixels: what all graphics cards can show. A larger one is made smaller.
@@ -33,12 +33,12 @@ pub(in crate::editor) struct PicturePlace {
     pub(in crate::editor) width: f64,
     /// By how much it is turned against the clock, in degrees.
     pub(in crate::editor) angle: f64,
-    /// How much of it is seen, from 0 to 1.
+    /// The opacity of the picture, from 0 to 1.
     pub(in crate::editor) opacity: f32,
 }
 
 impl PicturePlace {
-    /// Whether a picture can be there.
+    /// Whether all numbers are finite, and the width is positive.
     pub(in crate::editor) fn is_sound(&self) -> bool {
         let [x, y] = self.center;
         let numbers = [x, y, self.width, self.angle, f64::from(self.opacity)];

@@ -1,4 +1,4 @@
-//! What stands around the text and is no part of it: a picture to be traced, what is locked, and what is grouped.
+//! The desk: a picture to be traced, locks and groups. It stands around the text and is no part of it.
 
 mod backdrop;
 #[cfg(not(target_arch = "wasm32"))]
@@ -13,14 +13,14 @@ use crate::play::Camera;
 use std::collections::BTreeSet;
 use std::path::Path;
 
-/// What stands around the text and is no part of it.
+/// The desk of a text.
 #[derive(Default)]
 pub(super) struct Desk {
     /// The picture behind the drawing.
     pub(super) backdrop: Option<Backdrop>,
-    /// What the pointer cannot move.
+    /// The locked items, which the pointer cannot move.
     pub(super) locked: BTreeSet<Item>,
-    /// What is selected together.
+    /// The groups of items that are selected together.
     pub(super) groups: Vec<BTreeSet<Item>>,
     /// The file in which it is kept.
     #[cfg(not(target_arch = "wasm32"))]
@@ -44,7 +44,7 @@ impl Desk {
         }
     }
 
-    /// What is selected with an item: what is there of its group, or the item alone.
+    /// Returns the present items of the item's group, or the item alone.
     pub(super) fn group_of(&self, item: Item, drawing: Option<&Drawing>) -> BTreeSet<Item> {
         let Some(group) = self.groups.iter().find(|group| group.contains(&item)) else {
             return [item].into();

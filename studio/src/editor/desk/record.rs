@@ -1,4 +1,4 @@
-//! What is kept of a desk beside the file of its text, from one time to the next.
+//! The file of a desk, beside the file of its text.
 
 use super::backdrop::{Backdrop, PicturePlace};
 use super::{Desk, Item};
@@ -10,10 +10,10 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-/// How the name of the file ends.
+/// The ending of the file's name.
 const ENDING: &str = ".desk";
 
-/// What is kept of a desk: `.NAME.desk` beside the file, in JSON.
+/// The content of the file `.NAME.desk`, in JSON.
 #[derive(Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 struct Record {
@@ -22,12 +22,12 @@ struct Record {
     groups: Vec<BTreeSet<Item>>,
 }
 
-/// What is known of the file in which a desk is kept.
+/// The file of a desk, as far as it is known.
 #[derive(Default)]
 pub(super) struct DeskFile {
     /// The file of the text.
     path: PathBuf,
-    /// What it says.
+    /// The content of the file.
     record: Record,
     /// The picture that it names and that is not there.
     missing: Option<(PathBuf, PicturePlace)>,
@@ -58,7 +58,7 @@ impl Desk {
         output::replace(&file, format!("{text}\n").as_bytes())
     }
 
-    /// Whether the file says what is so. This is asked for each frame, so that nothing is copied for it.
+    /// Whether the file has the content of the desk. Each frame asks this, so nothing is copied for it.
     fn says_the_same(&self) -> bool {
         let Record {
             picture,
@@ -88,7 +88,7 @@ impl Desk {
         }
     }
 
-    /// What was kept beside a file, and what of it cannot be read.
+    /// Reads the desk of a file; an error says which part of it cannot be read.
     pub(in crate::editor) fn of(path: &Path) -> (Self, Result<(), Failure>) {
         let mut desk = Self::default();
         path.clone_into(&mut desk.file.path);

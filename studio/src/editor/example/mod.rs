@@ -7,11 +7,10 @@ use crate::failure::Failure;
 /// A mechanism to begin with.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Example {
-    /// What it is called in the menu.
+    /// The name in the menu.
     pub(super) name: &'static str,
-    /// What it is, for a reader.
+    /// The description, for a reader.
     pub(super) help: &'static str,
-    /// What its file is called.
     pub(super) file: &'static str,
     /// The text of a file in which it stands: Rust, or the inside of a mechanism.
     source: &'static str,

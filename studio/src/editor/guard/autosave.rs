@@ -23,7 +23,7 @@ pub(super) struct Autosave {
     place: PathBuf,
     /// Where it is kept, and how it reads there.
     kept: Option<Left>,
-    /// What was left by windows that were never closed.
+    /// The texts that were left by windows that were never closed.
     left: Vec<Left>,
     /// Whether it was told that nothing can be kept.
     has_failed: bool,

@@ -47,7 +47,7 @@ fn is_of_other_window(path: &Path) -> bool {
     file.is_ok_and(|file| matches!(file.try_lock(), Err(TryLockError::WouldBlock)))
 }
 
-/// How many texts are kept beside a file at most: one for each window in which it is edited.
+/// The largest number of texts that are kept beside a file: one for each window in which it is edited.
 const MOST: usize = 9;
 
 /// The file beside which a text is kept. One without a name is kept in this folder.

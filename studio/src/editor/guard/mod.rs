@@ -1,4 +1,4 @@
-//! What keeps the user's work: against a crash, against other programs, and against a window that is closed too early.
+//! The guard of the user's work: against a crash, against other programs, and against a window that is closed too early.
 
 mod autosave;
 mod left;
@@ -12,7 +12,7 @@ use eframe::egui::ViewportCommand;
 use std::path::PathBuf;
 use watch::Watch;
 
-/// What keeps the user's work. In tests it may have no files: then it only asks before the window is closed.
+/// The guard of the user's work. In tests it may have no files: then it only asks before the window is closed.
 #[derive(Default)]
 pub(super) struct Guard {
     autosave: Option<Autosave>,
@@ -51,7 +51,7 @@ impl Guard {
         if let Some(watch) = &mut self.watch {
             watch.look(editor, context);
         }
-        // What is given up is not kept again before the window is gone.
+        // A text that is given up is not kept again before the window is gone.
         if editor.talk.ending != Ending::Granted {
             if let Some(autosave) = &mut self.autosave {
                 autosave.keep(&editor.session.workspace, &mut editor.talk);

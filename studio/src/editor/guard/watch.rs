@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// How long a file must be left alone before it is read: who writes it may do so in pieces.
+/// The time for which a file must be left alone before it is read: another program may write it in pieces.
 const QUIET: Duration = Duration::from_millis(60);
 
 /// The file on disk, which other programs change.
@@ -26,9 +26,9 @@ pub(super) struct Watch {
     watcher: Option<RecommendedWatcher>,
     /// When something happened to it that was not looked at.
     stirred: Stirred,
-    /// What another program has written while there are changes here.
+    /// The text that another program has written while there are changes here.
     theirs: Option<String>,
-    /// What the file said before it was deleted.
+    /// The text of the file before it was deleted.
     deleted: Option<String>,
 }
 
@@ -100,12 +100,12 @@ impl Watch {
         })?;
         watcher.watch(&folder, RecursiveMode::NonRecursive)?;
         self.watcher = Some(watcher);
-        // What happened between reading and watching is found by a first look.
+        // A first look finds changes between reading and watching.
         note(&self.stirred, Some(Instant::now()));
         Ok(())
     }
 
-    /// Whether something has happened, and is over.
+    /// Whether it is time to look at the file: it has changed, and is left alone now.
     fn is_time(&self, context: &egui::Context) -> bool {
         let focused = |event: &egui::Event| *event == egui::Event::WindowFocused(true);
         // Some disks tell nothing of what happens on them.
@@ -191,7 +191,7 @@ fn note(stirred: &Stirred, at: Option<Instant>) {
     *stirred.lock().unwrap_or_else(PoisonError::into_inner) = at;
 }
 
-/// Whether something has happened to the file of this name. That it was read does not count.
+/// Whether an event may have changed the file of this name. Reading does not count.
 fn concerns(event: &Event, name: &OsStr) -> bool {
     let is_read = matches!(event.kind, EventKind::Access(_));
     let has_name = |path: &PathBuf| path.file_name() == Some(name);

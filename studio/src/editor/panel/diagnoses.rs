@@ -1,11 +1,11 @@
-//! What is wrong, in the compiler's words, and what would mend it.
+//! The panel of diagnoses: the compiler's messages, and the repairs.
 
 use crate::edit::Command;
 use crate::editor::Editor;
 use crate::mend::Remainder;
 use eframe::egui;
 
-/// What is wrong, and the repairs as buttons.
+/// Shows the messages, and the repairs as buttons.
 pub(in crate::editor) fn diagnoses(editor: &mut Editor, ui: &mut egui::Ui) {
     let snapshot = editor.analysis.snapshot.clone();
     let (messages, source) = (snapshot.messages(), snapshot.document.source());

@@ -3,7 +3,7 @@
 use eframe::egui;
 use std::collections::BTreeMap;
 
-/// What is typed into a field until it is taken over.
+/// The texts that are typed into fields, until they are taken over.
 type Typed = BTreeMap<String, String>;
 
 /// A field whose text is taken over when it is left.

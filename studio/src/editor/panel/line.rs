@@ -10,7 +10,7 @@ use eframe::egui;
 #[derive(Debug, Default)]
 pub(in crate::editor) struct Line {
     text: String,
-    /// How many lines ago the one was typed that is shown; 0 is the present one.
+    /// The number of lines from the present one back to the one that is shown.
     back: usize,
     shows_journal: bool,
 }
@@ -95,7 +95,7 @@ impl Line {
     }
 }
 
-/// What is told; while a tool is used, what has to be picked.
+/// Shows the notice, the next thing to pick, or the status of the player.
 fn told(editor: &Editor, ui: &mut egui::Ui) {
     if let Some(notice) = &editor.talk.notice {
         let first = notice.text.lines().next().unwrap_or_default();

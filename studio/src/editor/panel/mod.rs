@@ -1,4 +1,4 @@
-//! What stands beside the drawing.
+//! The panels beside the drawing.
 
 mod behind;
 mod diagnoses;

@@ -1,4 +1,4 @@
-//! What moves a joint, and where it starts.
+//! The motor of a joint, and its start.
 
 use super::field::field;
 use crate::document::Listing;

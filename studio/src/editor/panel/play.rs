@@ -66,7 +66,7 @@ fn motors(sight: &mut Sight, ui: &mut egui::Ui) {
         let value = range.shown(value);
         let mut at = value;
         let [low, high] = range.ends.map(|end| range.shown(end));
-        // What goes on and on is shown within its range.
+        // The value of a motor that turns without end is shown within its range.
         if range.basis == Basis::Round {
             at = low + (at - low).rem_euclid(360.0);
         }
@@ -106,7 +106,7 @@ fn told(range: &MotorRange) -> &'static str {
     }
 }
 
-/// What is seen besides the bodies.
+/// Shows the switches of the layers besides the bodies.
 fn layers(sight: &mut Sight, ui: &mut egui::Ui) {
     let Some(player) = sight.player() else {
         return;

@@ -16,7 +16,7 @@ use mech_compiler::model::LoadKind;
 /// Graphs of what moves.
 #[derive(Debug, Default)]
 pub(in crate::editor) struct Plots {
-    /// What is typed: a quantity, as `mech plot` names it.
+    /// The typed name of a quantity, as for `mech plot`.
     typed: String,
 }
 
@@ -196,7 +196,7 @@ fn motor(plotted: &mut Plotted, ranges: &[MotorRange], ui: &mut egui::Ui) {
     }
 }
 
-/// What is missing, and whether the graphs are of an earlier text.
+/// Shows which quantities are missing, and whether the graphs are of an earlier text.
 fn warnings(curves: &Curves, is_present: bool, moves: bool, ui: &mut egui::Ui) {
     let red = ui.visuals().error_fg_color;
     if !moves {
@@ -219,7 +219,7 @@ fn cursor(plotted: &Plotted, playing: &Playing) -> Option<f64> {
     Some(range.shown(value - whole_turns(range, value)))
 }
 
-/// How far the motor goes over which is plotted, and where it is.
+/// Returns the range of the plotted motor, and its value.
 fn plotted_motor<'p>(plotted: &Plotted, playing: &'p Playing) -> Option<(&'p MotorRange, f64)> {
     let (motor, _) = plotted.motor_of(&playing.ranges)?;
     let value = playing.player.as_ref()?.motors().get(motor)?;

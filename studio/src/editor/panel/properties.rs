@@ -48,7 +48,7 @@ pub(in crate::editor) fn properties(editor: &mut Editor, ui: &mut egui::Ui) {
     }
 }
 
-/// What is said of the whole mechanism.
+/// Shows the properties of the whole mechanism.
 fn whole(snapshot: &Snapshot, ui: &mut egui::Ui, commands: &mut Vec<Command>) {
     ui.separator();
     for constant in snapshot.listing.constants() {
@@ -67,7 +67,6 @@ fn whole(snapshot: &Snapshot, ui: &mut egui::Ui, commands: &mut Vec<Command>) {
     });
 }
 
-/// What can be done to something.
 fn buttons(editor: &mut Editor, item: &Item, ui: &mut egui::Ui, commands: &mut Vec<Command>) {
     let name = item.name().to_owned();
     ui.horizontal_wrapped(|ui| {

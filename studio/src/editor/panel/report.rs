@@ -1,4 +1,4 @@
-//! What the compiler tells of the mechanism.
+//! The compiler's report on the mechanism.
 
 use super::graph::graph;
 use crate::editor::snapshot::Snapshot;

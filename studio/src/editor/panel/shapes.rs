@@ -8,7 +8,7 @@ use mech_compiler::model::{Shape, ShapeKind};
 use mech_core::colors::{EYE, NAMED, PAPER};
 use mech_runtime::Palette;
 
-/// What is offered to begin a shape with.
+/// The proposed text of a new shape.
 const FIRST: &str = "circle (0, 0) radius 0.2 color teal";
 
 /// The shapes of a link, each with what can be done to it, and a field for another.

@@ -1,4 +1,4 @@
-//! What was done, and can be undone.
+//! The steps that were made, to undo or redo.
 
 use crate::editor::Editor;
 use eframe::egui;

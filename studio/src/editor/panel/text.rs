@@ -16,9 +16,9 @@ use std::ops::Range;
 struct Marks {
     /// Where something is wrong.
     wrong: Vec<Range<usize>>,
-    /// What belongs to the selection.
+    /// The places of the selected items.
     selected: Vec<Range<usize>>,
-    /// What belongs to what is under the mouse.
+    /// The places of the item under the mouse.
     hovered: Vec<Range<usize>>,
 }
 
@@ -221,7 +221,6 @@ fn is_keyword(word: &str) -> bool {
     KEYWORDS.split(' ').any(|keyword| keyword == word)
 }
 
-/// What is marked in the text.
 fn marks(editor: &Editor) -> Marks {
     let snapshot = &editor.analysis.snapshot;
     let messages = snapshot.messages().iter();
@@ -249,7 +248,7 @@ fn places_of(item: &Item, listing: &Listing) -> Vec<Range<usize>> {
     names.chain(numbers).collect()
 }
 
-/// What a place in the text is about.
+/// Finds the item at a place in the text.
 fn item_at(byte: usize, listing: &Listing, drawing: &Drawing) -> Option<Item> {
     let within = |place: &Range<usize>| place.start <= byte && byte <= place.end;
     let number = listing

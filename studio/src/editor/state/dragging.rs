@@ -1,4 +1,4 @@
-//! What the user does with a joint or a point that is held.
+//! The user's drags of joints and points.
 
 use super::Editor;
 use crate::document::{Document, Source};
@@ -14,7 +14,7 @@ impl Editor {
         let Some(drawing) = self.sight.drawing() else {
             return;
         };
-        // What was let go comes to rest first.
+        // An item that was let go comes to rest first.
         if self.sight.drag.is_awaited() {
             return;
         }
@@ -51,7 +51,7 @@ impl Editor {
                 return;
             }
         };
-        // What is known of the text already is not found out again.
+        // A text that was already analysed is not analysed again.
         let text = if self.analysis.snapshot.is_of(self.workspace()) {
             Held::Known(self.analysis.snapshot.clone())
         } else {

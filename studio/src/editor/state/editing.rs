@@ -1,4 +1,4 @@
-//! What the user does with the text: by tools, by typing, by lines of the dialogue, by steps back and forth.
+//! The user's changes of the text: by tools, by typing, by lines of the dialogue, by steps back and forth.
 
 use super::Editor;
 use crate::dialogue::{Request, Turn, request};
@@ -31,7 +31,7 @@ impl Editor {
         self.sight.obey(Control::Release);
         let picks = Vec::new();
         self.picking = Picking { tool, picks };
-        // What was let go already stays where it was let go.
+        // An item that was let go stays where it was let go.
         self.sight.drag.give_up_if(|drag| drag.held().is_some());
         self.talk.notice = None;
     }
@@ -130,7 +130,7 @@ impl Editor {
                 self.talk.refuse(why);
                 return;
             }
-            // What cannot be understood is told there, too.
+            // The session reports lines that it does not understand, too.
             Ok(_) | Err(_) => {}
         }
         let before = self.workspace().text().to_owned();

@@ -1,4 +1,4 @@
-//! What is given to the worker, and what is made of its findings.
+//! The tasks for the worker, and the use of its findings.
 
 use super::Editor;
 use crate::edit::Applied;
@@ -126,7 +126,7 @@ impl Editor {
                 } else if self.analysis.is_mending()
                     && self.analysis.snapshot.is_of(self.workspace())
                 {
-                    // What follows from the present text was put aside for it.
+                    // The tasks that follow from the present text were put aside for it.
                     self.read();
                 }
             }
@@ -192,7 +192,7 @@ impl Editor {
             self.sight.drag = drag;
             return;
         }
-        // What was begun meanwhile goes on in the new text.
+        // A drag that began meanwhile goes on in the new text.
         let is_released = matches!(drag, Drag::Released(_));
         if let Some((items, pointer)) = drag.under_way() {
             self.drag_on(items, pointer);

@@ -95,30 +95,30 @@ impl Editor {
         &self.session.workspace
     }
 
-    /// What is drawn, if anything is.
+    /// Returns the drawing, if there is one.
     #[must_use]
     pub fn drawing(&self) -> Option<&Drawing> {
         self.sight.drawing()
     }
 
-    /// What moves, if the mechanism does.
+    /// Returns the player, if the mechanism moves.
     #[must_use]
     pub const fn player(&self) -> Option<&Player> {
         self.sight.player()
     }
 
-    /// What is seen, and how.
+    /// Returns the sight.
     #[must_use]
     pub const fn sight(&self) -> &Sight {
         &self.sight
     }
 
-    /// What is seen, to be looked at and moved otherwise.
+    /// Returns the sight, to change how it is seen and moved.
     pub const fn sight_mut(&mut self) -> &mut Sight {
         &mut self.sight
     }
 
-    /// What is selected.
+    /// Returns the selected items.
     #[must_use]
     pub const fn selection(&self) -> &BTreeSet<Item> {
         &self.selection.items
@@ -130,7 +130,7 @@ impl Editor {
         self.analysis.mendings()
     }
 
-    /// What is told at the foot of the window.
+    /// Returns the notice at the foot of the window.
     #[must_use]
     pub const fn notice(&self) -> Option<&Notice> {
         self.talk.notice.as_ref()
@@ -150,14 +150,14 @@ impl Editor {
         Some((&backdrop.path, backdrop.place.center, backdrop.place.width))
     }
 
-    /// What is wrong, in the compiler's words.
+    /// Returns the compiler's messages on the faults.
     #[must_use]
     pub fn messages(&self) -> Vec<&str> {
         let messages = self.analysis.snapshot.messages().iter();
         messages.map(|message| &*message.text).collect()
     }
 
-    /// Whether the text can be read; if not, what is drawn is of an earlier one.
+    /// Whether the text can be read; if not, the drawing is of an earlier one.
     #[must_use]
     pub fn is_readable(&self) -> bool {
         self.analysis.snapshot.is_readable()
@@ -172,12 +172,12 @@ impl Editor {
         is_let_go || !is_known || self.analysis.is_mending()
     }
 
-    /// Whether nothing is under way that would be lost if the text became another one.
+    /// Whether no drag is under way, and no gesture is tried or waits.
     pub(in crate::editor) fn is_at_rest(&self) -> bool {
         self.sight.drag.is_nothing() && self.analysis.pending.is_empty()
     }
 
-    /// Whether something is lost if the text is left as it is.
+    /// Whether leaving the text would lose work.
     #[must_use]
     pub fn has_work(&self) -> bool {
         !self.is_at_rest() || self.workspace().has_work()

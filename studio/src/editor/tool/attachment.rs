@@ -1,4 +1,4 @@
-//! How links are joined where the user points.
+//! The joints that tools make where the user points.
 
 use super::Pick;
 use crate::edit::{Assembly, Command, JointForm, Kind, Pair};

@@ -1,4 +1,4 @@
-//! What each tool makes of the places that were picked.
+//! The commands that each tool makes from the picked places.
 
 use super::Pick;
 use super::attachment::{Builder, End, written};
@@ -8,7 +8,7 @@ use mech_compiler::model::LinkId;
 
 type Built = Result<(), String>;
 
-/// How many places of a path are recorded.
+/// The number of places that a trace keeps.
 const TRACED: &str = "256";
 
 const GROUND: End = End::Link(LinkId::GROUND);

@@ -11,7 +11,7 @@ use super::Gesture;
 use super::drawing::Drawing;
 use attachment::Builder;
 
-/// What the pointer does on the canvas.
+/// A tool: the use of the pointer on the canvas.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Tool {
     /// Selects, drags and moves.
@@ -51,11 +51,11 @@ pub enum Tool {
     Disc,
 }
 
-/// What is told of a tool.
+/// The description of a tool.
 struct Row {
     tool: Tool,
     name: &'static str,
-    /// What the user picks, one after the other.
+    /// The descriptions of the places to pick, one after the other.
     picks: &'static [&'static str],
     help: &'static str,
     build: fn(&mut Builder<'_>, &[Pick]) -> Result<(), String>,
@@ -206,13 +206,13 @@ impl Tool {
         self.row().name
     }
 
-    /// What it does.
+    /// Returns its description.
     #[must_use]
     pub fn help(self) -> &'static str {
         self.row().help
     }
 
-    /// What has to be picked, in this order.
+    /// Returns the descriptions of the places to pick, in this order.
     #[must_use]
     pub fn picks(self) -> &'static [&'static str] {
         self.row().picks

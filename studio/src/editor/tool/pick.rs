@@ -9,7 +9,6 @@ use crate::editor::drawing::{Drawing, Hit};
 pub(crate) struct Pick {
     /// Where, in the scene.
     pub(crate) place: [f64; 2],
-    /// What is there.
     pub(crate) hit: Hit,
 }
 
@@ -28,7 +27,7 @@ impl Picking {
         is_last.then(|| std::mem::take(&mut self.picks))
     }
 
-    /// What has to be picked next.
+    /// Returns the description of the next place to pick.
     pub(crate) fn wanted(&self) -> Option<&'static str> {
         self.tool.picks().get(self.picks.len()).copied()
     }
@@ -42,7 +41,7 @@ pub(crate) struct NamedPick {
 }
 
 impl NamedPick {
-    /// What was picked in a drawing.
+    /// Names the picks in a drawing.
     pub(crate) fn all(picks: &[Pick], drawing: Option<&Drawing>) -> Vec<Self> {
         let named = picks.iter().map(|pick| Self {
             place: pick.place,
@@ -51,13 +50,13 @@ impl NamedPick {
         named.collect()
     }
 
-    /// What these are in another drawing.
+    /// Finds the same picks in another drawing.
     pub(crate) fn picks(all: &[Self], drawing: Option<&Drawing>, reach: f64) -> Vec<Pick> {
         let picks = all.iter().map(|pick| pick.within(drawing, reach));
         picks.collect()
     }
 
-    /// What that is in another drawing. Where nothing was, or what was there is gone, it is what is within reach now.
+    /// Finds the same pick in another drawing. Where nothing was, or the item is gone, it hits what is within reach now.
     fn within(&self, drawing: Option<&Drawing>, reach: f64) -> Pick {
         let hit = drawing.map_or(Hit::Paper, |drawing| {
             let named = self.item.as_ref().and_then(|item| drawing.hit_of(item));

@@ -1,4 +1,4 @@
-//! What there is to do, in pieces.
+//! The tasks to do, in pieces.
 
 use super::{Finding, Led, Previewed, Task, broken};
 use crate::edit::{Drag, apply_all};
@@ -8,17 +8,17 @@ use mech_compiler::catch;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-/// What there is to do, in pieces.
+/// The tasks to do, in pieces.
 #[derive(Default)]
 pub(in crate::editor) struct Agenda {
-    /// What is held and led. It comes first: somebody looks where it goes.
+    /// The tasks that hold and lead. They come first: the user watches the drag.
     drags: VecDeque<Task>,
     held: Option<(u64, Drag)>,
     /// Whether something was led last.
     was_led: bool,
-    /// What else was given.
+    /// The other tasks that were given.
     given: VecDeque<Task>,
-    /// What follows from the last text, when nothing that was given waits.
+    /// The tasks that follow from the last text, done when no given task waits.
     follows: VecDeque<Task>,
 }
 
@@ -122,7 +122,7 @@ impl Agenda {
         }
     }
 
-    /// What follows from a new text. Nobody waits any more for what follows from an earlier one.
+    /// Takes up the tasks that follow from a new text, in place of those of an earlier one.
     fn go_on_with(&mut self, snapshot: &Arc<Snapshot>) {
         let (moved, mended) = (Task::Move(snapshot.clone()), Task::Mend(snapshot.clone()));
         self.follows = [moved, mended].into();

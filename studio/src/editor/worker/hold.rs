@@ -1,4 +1,4 @@
-//! What is held while it is dragged.
+//! The items that are held during a drag.
 
 use crate::document::Document;
 use crate::edit::{Command, Drag, Dragged, Follower, Refusal};
@@ -6,17 +6,16 @@ use crate::editor::Gesture;
 use crate::editor::snapshot::Snapshot;
 use std::sync::Arc;
 
-/// What is to be held, and what goes with it.
+/// The item to be held, and its followers.
 pub(in crate::editor) struct Hold {
     /// Which of all drags it is for.
     pub(in crate::editor) number: u64,
-    /// What is dragged, as the language names it.
+    /// The path of the dragged item in the language.
     pub(in crate::editor) path: String,
     /// The values of motors at which it is seen, in degrees or scene units; none for the start.
     pub(in crate::editor) pose: Option<Vec<(String, f64)>>,
     /// Where it is at the beginning, as the drag counts.
     pub(in crate::editor) from: [f64; 2],
-    /// What goes with it.
     pub(in crate::editor) followers: Vec<Follower>,
 }
 
@@ -34,7 +33,7 @@ pub(in crate::editor) struct Led {
     pub(in crate::editor) number: u64,
     /// The place, as the drag counts.
     pub(in crate::editor) to: [f64; 2],
-    /// What came of it, and what leaves it there; or why it cannot go there.
+    /// The drag at the place, and the gesture that leaves it there; or why it cannot go there.
     pub(in crate::editor) outcome: Result<(Dragged, Gesture), Refusal>,
 }
 

@@ -27,7 +27,6 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 #[cfg(not(target_arch = "wasm32"))]
 use std::thread;
 
-/// What there is to do.
 pub(super) enum Task {
     /// A gesture is tried on a text.
     Try {
@@ -47,7 +46,7 @@ pub(super) enum Task {
     },
     /// Something is taken hold of in a text.
     Hold(Box<Hold>, Held),
-    /// What is held is led to a place, as the drag counts.
+    /// The held item is led to a place, as the drag counts.
     Lead { number: u64, to: [f64; 2] },
     /// A mechanism is measured.
     Measure {
@@ -62,40 +61,38 @@ pub(super) enum Task {
     Mend(Arc<Snapshot>),
 }
 
-/// What was found out.
 pub(super) enum Finding {
-    /// What the gesture with this number does, and what the compiler makes of that; or why it is refused.
+    /// The result of the gesture with this number, and the snapshot after it; or why it is refused.
     Tried(u64, Box<Result<(Applied, Arc<Snapshot>), Refusal>>),
-    /// What the compiler makes of a text.
+    /// The snapshot of a text.
     Read(Arc<Snapshot>),
     /// Why something, by the number of its drag, cannot be held.
     NotHeld(u64, Refusal),
     /// Where something that is held was led.
     Led(Box<Led>),
-    /// What the compiler makes of a text while something is dragged.
+    /// The preview of a text while something is dragged.
     Previewed(Box<Previewed>),
     /// The mechanism of a snapshot, to be played.
     Moves(Arc<Snapshot>, Box<Result<Played, Failure>>),
     /// The repairs of a snapshot.
     Mended(Arc<Snapshot>, Result<Vec<Mending>, Failure>),
-    /// What was measured.
     Measured(Box<Curves>),
-    /// What was written, or why nothing was.
+    /// A note on the written file, or why nothing was written.
     Exported(Result<String, Failure>),
-    /// What of our own is broken, so that this was not done.
+    /// A broken invariant of our own, and the work that was not done because of it.
     Broken(Undone, Failure),
 }
 
-/// What was not done because something of our own is broken.
+/// The work that was not done because an invariant of our own is broken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Undone {
     /// A gesture was not tried.
     Try,
-    /// What is held in the drag with this number was not led.
+    /// The item held in the drag with this number was not led.
     Drag(u64),
     /// The text of the drag with this number was not read.
     Preview(u64),
-    /// What follows from the present text was not found out.
+    /// The findings that follow from the present text were not made.
     Follow,
     /// Something that nobody waits for.
     Else,
@@ -104,7 +101,7 @@ pub(super) enum Undone {
 }
 
 impl Task {
-    /// What is not done if this is not.
+    /// Returns the work that stays undone if this task fails.
     const fn undone(&self) -> Undone {
         match self {
             Self::Try { .. } => Undone::Try,
@@ -135,7 +132,7 @@ pub(super) enum Worker {
     #[cfg(not(target_arch = "wasm32"))]
     Thread {
         tasks: Sender<Task>,
-        /// What is held is led in another thread: it does not wait for the analysis of what was before.
+        /// The tasks that hold and lead, for a thread of their own: they do not wait for the analysis of earlier texts.
         drags: Sender<Task>,
         findings: Receiver<Finding>,
         /// For what is done beside the thread.
@@ -285,7 +282,7 @@ fn ended() -> Failure {
     Failure::internal("the analysis beside the window has ended")
 }
 
-/// What is told of a broken invariant of our own.
+/// Reports a broken invariant of our own.
 fn broken(undone: Undone, what: String) -> Finding {
     Finding::Broken(undone, Failure::internal(what))
 }

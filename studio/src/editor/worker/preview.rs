@@ -1,15 +1,15 @@
-//! What is seen while something is dragged.
+//! The preview while something is dragged.
 
 use crate::document::Document;
 use crate::editor::path::Path;
 use crate::editor::snapshot::Snapshot;
 use crate::play::Mechanism;
 
-/// What the compiler makes of a text while something is dragged: no more than the window shows, as the rest would only have to be freed there.
+/// The compiler's findings on a text while something is dragged: only those that the window shows, which would have to free the others.
 pub(in crate::editor) struct Previewed {
     /// Which of all drags it is of.
     pub(in crate::editor) number: u64,
-    /// What is wrong first, in a line.
+    /// The first fault, in a line.
     pub(in crate::editor) fault: Option<String>,
     /// The mechanism with its bodies, if these are wanted and it moves.
     pub(in crate::editor) mechanism: Option<Mechanism>,

@@ -1,4 +1,4 @@
-//! What a document says: connectors, links and ratios, with the numbers by which they name each other resolved.
+//! The content of a document: connectors, links and ratios, with the numbers by which they name each other resolved.
 
 use super::element::Id;
 use super::units::Units;
@@ -6,7 +6,7 @@ use crate::import::color::Color;
 use crate::import::drawing::{Pair, Sizes};
 use crate::import::omission::Omission;
 
-/// What a document says.
+/// The content of a document.
 pub(super) struct Document {
     pub(super) units: Units,
     pub(super) connectors: Vec<Connector>,
@@ -27,7 +27,7 @@ pub(super) struct Connector {
     pub(super) at: Pair,
     pub(super) is_anchor: bool,
     pub(super) is_input: bool,
-    /// How many turns a minute its motor makes, clockwise above zero; none where it is turned by hand.
+    /// The speed of its motor in turns a minute, clockwise above zero; none where it is turned by hand.
     pub(super) turns: Option<f64>,
     pub(super) is_traced: bool,
     /// Not a mere picture.
@@ -44,7 +44,7 @@ pub(super) struct Slide {
     pub(super) radius: Option<f64>,
 }
 
-/// What something is rigidly one with, by its number.
+/// The number of the link or connector to which something is rigidly fastened.
 #[derive(Clone, Copy)]
 pub(super) enum Fastening {
     Link(usize),
@@ -73,9 +73,9 @@ pub(super) struct Link {
 pub(super) struct Cylinder {
     /// From the first of these connectors to the second.
     pub(super) ends: [usize; 2],
-    /// How far it goes: below zero if it becomes shorter.
+    /// Its stroke: below zero if it becomes shorter.
     pub(super) stroke: Option<f64>,
-    /// How often it goes to the end of its stroke and back, in a minute; none where it is moved by hand.
+    /// Its speed in cycles a minute, to the end of its stroke and back; none where it is moved by hand.
     pub(super) cycles: Option<f64>,
 }
 

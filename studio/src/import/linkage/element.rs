@@ -32,7 +32,7 @@ impl<'d> Element<'d> {
         nodes.map(Self::new)
     }
 
-    /// Whether anything stands in it.
+    /// Whether it has no attributes, text and children.
     pub(super) fn is_empty(&self) -> bool {
         let text = self.node.text().unwrap_or_default();
         self.node.attributes().len() == 0 && text.trim().is_empty() && self.children().count() == 0
@@ -49,7 +49,7 @@ impl<'d> Element<'d> {
         start..start + 1 + self.name().len()
     }
 
-    /// What is wrong with the element itself.
+    /// Makes a message on the element itself.
     pub(super) fn wrong(&self, text: impl Into<String>) -> Message {
         let text = text.into();
         Message {
@@ -58,7 +58,7 @@ impl<'d> Element<'d> {
         }
     }
 
-    /// What is wrong with one of its attributes.
+    /// Makes a message on one of its attributes.
     pub(super) fn wrong_at(&self, name: &str, text: impl Into<String>) -> Message {
         let place = self.attribute(name).map(|found| found.range_value());
         Message {
@@ -83,7 +83,7 @@ impl<'d> Element<'d> {
         (!name.is_empty()).then(|| name.to_owned())
     }
 
-    /// Whether something is so; not where nothing is said.
+    /// Reads a flag; false where it is missing.
     pub(super) fn flag(&self, name: &str) -> Result<bool, Message> {
         match self.text(name) {
             None | Some("false") => Ok(false),

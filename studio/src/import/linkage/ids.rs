@@ -1,4 +1,4 @@
-//! What ids name, and what is lost where they name nothing.
+//! The connectors and links that ids name, and the losses where they name nothing.
 
 use super::document::{Connector, Fastening, Link};
 use super::element::{Element, Id};
@@ -6,7 +6,7 @@ use crate::document::Message;
 use crate::import::omission::Omission;
 use std::collections::BTreeMap;
 
-/// What is lost of something with a name.
+/// The losses of something with a name.
 pub(super) struct Losses<'o> {
     pub(super) of: String,
     pub(super) omissions: &'o mut Vec<Omission>,
@@ -55,7 +55,7 @@ impl Ids {
         self.connector(element, "id", losses)
     }
 
-    /// What an element is fastened to.
+    /// Finds the link or connector to which an element is fastened.
     pub(super) fn fastening(
         &self,
         element: &Element<'_>,

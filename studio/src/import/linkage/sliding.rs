@@ -1,4 +1,4 @@
-//! What connectors slide on.
+//! The guides on which connectors slide.
 
 use super::document::{Document, Slide};
 use super::unions::Unions;
@@ -6,10 +6,10 @@ use crate::import::drawing::{End, Pair};
 use crate::import::omission::Omission;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// How far a connector may be off its arc, as a part of the radius.
+/// The largest distance of a connector from its arc, as a part of the radius.
 const OFF: f64 = 1e-3;
 
-/// What lets a connector slide.
+/// A guide, which lets a connector slide.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Guide {
     /// It turns and slides. The first end has the connector, the second has the slot.
@@ -25,11 +25,11 @@ struct Slider {
     connector: usize,
     slide: Slide,
     own: Vec<End>,
-    /// What it slides on.
+    /// The link on which it slides.
     on: End,
 }
 
-/// What each connector slides on, and where that cannot be said.
+/// Finds the guide of each connector, and the omissions where there is none.
 pub(super) fn guides(
     document: &Document,
     unions: &Unions,

@@ -5,7 +5,7 @@ use std::ops::Range;
 /// The most attributes of a tag. No element of a drawing comes near it; noise does.
 pub(super) const MOST: usize = 200;
 
-/// What is skipped: its beginning and its end.
+/// The beginnings and ends of passages that are skipped.
 const SKIPPED: [(&str, &str); 3] = [("<!--", "-->"), ("<![CDATA[", "]]>"), ("<?", "?>")];
 
 /// The first tag that has more attributes than a parser can read in a short time.

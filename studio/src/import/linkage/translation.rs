@@ -150,7 +150,7 @@ impl Translation<'_> {
         }
     }
 
-    /// What lets a connector slide.
+    /// Makes the joint of a guide.
     fn slide(&mut self, connector: &Connector, guide: &Guide) {
         match *guide {
             Guide::Slot { ends, along } => {
@@ -245,7 +245,7 @@ impl Translation<'_> {
         }
     }
 
-    /// What is only drawn.
+    /// Notes the pictures and colours that are lost.
     fn pictures(&mut self) {
         let pictures = self.document.links.iter();
         let pictures = pictures.filter(|link| !link.is_of_mechanism);

@@ -10,7 +10,7 @@ const GROUND: usize = 0;
 
 /// Unions: links of a document that are one link of the drawing.
 pub(super) struct Unions {
-    /// What each link is of; nothing of pictures, and of what carries nothing.
+    /// The member for each link; none for pictures, and for links that carry nothing.
     ends: Vec<Option<Member>>,
     /// The links of each union, in their order.
     pub(super) links: Vec<Vec<usize>>,
@@ -18,7 +18,7 @@ pub(super) struct Unions {
     pub(super) connectors: Vec<Vec<usize>>,
 }
 
-/// What a link is of.
+/// A link of the document as a member of the drawing.
 #[derive(Clone, Copy)]
 pub(super) enum Member {
     /// A rigid link, or the ground.
@@ -84,12 +84,11 @@ impl Unions {
         connectors.len() > 1
     }
 
-    /// What a link is of.
     pub(super) fn member(&self, link: usize) -> Option<Member> {
         self.ends[link]
     }
 
-    /// What a rigid link is of; nothing for cylinders.
+    /// Returns the union of a rigid link, or the ground; none for cylinders.
     pub(super) fn rigid(&self, link: usize) -> Option<End> {
         match self.ends[link] {
             Some(Member::Rigid(end)) => Some(end),
@@ -97,7 +96,7 @@ impl Unions {
         }
     }
 
-    /// What carries a connector: the ground first, then unions in their order, each once.
+    /// Lists the ends that carry a connector: the ground first, then unions in their order, each once.
     pub(super) fn at(&self, document: &Document, connector: usize) -> Vec<End> {
         let mut ends = BTreeSet::new();
         if document.connectors[connector].is_anchor {

@@ -1,4 +1,4 @@
-//! What of a document is not read.
+//! The attributes and elements of a document that are not read.
 
 use super::element::Element;
 use crate::import::omission::Omission;
@@ -56,7 +56,7 @@ const LOOKS: [&str; 8] = [
     "ygrid",
 ];
 
-/// What of a document is not read.
+/// The attributes and elements of a document that are not read.
 #[derive(Default)]
 pub(super) struct Unknown<'d> {
     looks: BTreeSet<&'d str>,

@@ -1,13 +1,13 @@
-//! What a link ends in to show that it is whole: a letter for its length, and since 2025 six for all its letters.
+//! The letters that end a link and show that it is whole: one for its length, and since 2025 six for all its letters.
 
 use super::query::Field;
 use crate::document::Message;
 
 /// The letters of both.
 const LETTERS: &[u8; 62] = b"0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
-/// What stands before the digest.
+/// The letter before the digest.
 const MARK: char = '*';
-/// How many letters the digest has.
+/// The number of letters of the digest.
 const DIGEST: usize = 6;
 
 /// The query without what checks it.

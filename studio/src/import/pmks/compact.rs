@@ -16,7 +16,7 @@ struct Compact;
 /// centre and the moment of inertia, whose numbers stand in the link all the same, and whether it draws a disc.
 const ROOTS: &str = "YAMG0123";
 const PARTS: &str = "Namg4567";
-/// What follows the angle of a joint: a slot, a speed and a mass.
+/// The number of fields after the angle of a joint: a slot, a speed and a mass.
 const MORE: usize = 5;
 
 /// Reads a query.
@@ -51,7 +51,7 @@ impl Generation for Compact {
                 return Err(field.wrong(text));
             }
         };
-        // What is not there is zero.
+        // A missing number is zero.
         let number = |field: Option<&Field<'q>>| field.map_or(Ok(0.0), decimal);
         let [
             is_prismatic,

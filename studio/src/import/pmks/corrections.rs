@@ -80,7 +80,6 @@ impl<'q> Correction<'q> {
         Ok(true)
     }
 
-    /// What it says.
     pub(super) fn text(&self) -> &'q str {
         self.whole.text()
     }

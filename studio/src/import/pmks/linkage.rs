@@ -1,4 +1,4 @@
-//! What a link says: joints, links and forces, with the names by which they call each other resolved.
+//! The content of a link: joints, links and forces, with the names by which they call each other resolved.
 
 use super::query::Field;
 use super::units::Unit;
@@ -8,7 +8,7 @@ use crate::import::drawing::{MOST, Mass, Pair};
 use crate::import::omission::Omission;
 use std::collections::BTreeMap;
 
-/// What a link says.
+/// The content of a link.
 pub(super) struct Linkage {
     /// The unit of length, if it is known.
     pub(super) unit: Option<Unit>,
@@ -20,7 +20,7 @@ pub(super) struct Linkage {
     pub(super) omissions: Vec<Omission>,
 }
 
-/// How fast inputs go that have no speed of their own; counter-clockwise is above zero.
+/// The speeds of inputs that have none of their own; counter-clockwise is above zero.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Speeds {
     /// In turns a minute.
@@ -45,9 +45,9 @@ pub(super) struct Joint {
     pub(super) is_traced: bool,
     /// Whether it is the piston of a cylinder, which does not turn in its barrel.
     pub(super) is_sealed: bool,
-    /// What it slides on, if that is a link.
+    /// The slot in a link on which it slides, if it does.
     pub(super) slot: Option<Slot>,
-    /// How fast it goes as an input; 0 where it has no speed of its own.
+    /// Its speed as an input; 0 where it has none of its own.
     pub(super) speed: f64,
     /// The mass of the block that slides.
     pub(super) mass: f64,

@@ -18,10 +18,10 @@ use crate::document::Message;
 use crate::import::Imported;
 use query::Query;
 
-/// What links of any kind begin with.
+/// The beginnings of links of any kind.
 const BEGINNINGS: [&str; 4] = ["https://", "http://", "?", "j="];
 
-/// What documents of 2026 begin with.
+/// The beginning of documents of 2026.
 const NATIVE: &str = "pmks2:";
 
 /// Whether a text is a link, or the query of one.

@@ -11,7 +11,7 @@ use crate::import::omission::Omission;
 const WORDS: [(&str, usize); 4] = [("cm", 1), ("m", 2), ("in", 0), ("inch", 0)];
 /// The sections that are read.
 const READ: [&str; 4] = ["j=", "l=", "f=", "s="];
-/// What stands for a number that something has not.
+/// The word for a missing number.
 const NONE: &str = "Null";
 
 /// Whether a query is one of these.
@@ -135,7 +135,7 @@ fn flag(field: &Field<'_>) -> Result<bool, Message> {
     }
 }
 
-/// Whether a word means that something slides; nothing if it says neither.
+/// Whether a letter means a joint that slides; none if it is neither `P` nor `R`.
 fn is_prismatic(field: &Field<'_>) -> Option<bool> {
     match field.text().trim() {
         "R" => Some(false),

@@ -2,7 +2,7 @@
 
 use crate::document::Message;
 
-/// What stands behind the question mark of a link, decoded.
+/// The decoded text behind the question mark of a link.
 pub(super) struct Query {
     text: String,
     /// Where each byte stands in the link, and where the link ends.
@@ -70,7 +70,7 @@ impl<'q> Field<'q> {
         &self.query.text[self.start..self.end]
     }
 
-    /// What is wrong with it.
+    /// Makes a message on it.
     pub(super) fn wrong(&self, text: impl Into<String>) -> Message {
         let places = &self.query.places;
         Message {
@@ -108,7 +108,7 @@ impl<'q> Field<'q> {
         ))
     }
 
-    /// What stands before its last letter, and that letter.
+    /// Splits off its last letter.
     pub(super) fn last(&self) -> Option<(Self, Self)> {
         let length = self.text().chars().next_back()?.len_utf8();
         let middle = self.end - length;
@@ -125,7 +125,7 @@ impl<'q> Field<'q> {
         ))
     }
 
-    /// What stands before the last letter of a kind, and behind it.
+    /// Splits it at the last letter of a kind, which is left out.
     pub(super) fn before_last(&self, letter: char) -> Option<(Self, Self)> {
         let middle = self.start + self.text().rfind(letter)?;
         let before = Self {
@@ -144,7 +144,7 @@ impl<'q> Field<'q> {
         }
     }
 
-    /// What stands behind a mark, as `&l=`, up to the next `&` or to the end.
+    /// Finds the stretch behind a mark, as `&l=`, up to the next `&` or to the end.
     pub(super) fn behind(&self, mark: &str) -> Option<Self> {
         let start = self.start + self.text().find(mark)? + mark.len();
         let after = &self.query.text[start..self.end];

@@ -8,13 +8,13 @@ use super::units::{UNITS, Unit};
 use crate::document::Message;
 use crate::import::omission::Omission;
 
-/// What the entries of the last section begin with that only the editor of drawings needs: locks of joints, links and forces, what
-/// mass centres are held against, goals of a synthesis, and lengths that are held.
+/// The first letters of entries in the last section that only the editor of drawings needs: locks of joints, links and forces, references
+/// of mass centres, goals of a synthesis, and lengths that are held.
 const OF_EDITOR: [char; 6] = ['J', 'L', 'F', 'C', 'S', 'H'];
-/// How many digits hold the flags of the settings.
+/// The number of digits that hold the flags of the settings.
 const SETTINGS: usize = 2;
 
-/// What stands before the joints: settings with flags, decimals, whole numbers, and choices.
+/// The number of sections before the joints: settings with flags, decimals, whole numbers, and choices.
 pub(super) const HEADS: usize = 4;
 
 /// The sections of a link.
@@ -36,7 +36,7 @@ pub(super) type Draft<'q> = (Link, Vec<Field<'q>>);
 /// A joint, and the ids of a link and two joints of it if it slides between these.
 pub(super) type JointDraft<'q> = (Joint, Option<[Field<'q>; 3]>);
 
-/// How a generation of links writes what stands in its sections.
+/// The way in which a generation of links writes its sections.
 pub(super) trait Generation {
     fn joint<'q>(
         field: Field<'q>,
@@ -92,13 +92,13 @@ impl<'q> Sections<'q> {
         };
         let joints = section("the end of its joints")?;
         let links = section("the end of its links")?;
-        // What is selected stands behind the forces, since August 2023.
+        // Since August 2023, the selection stands behind the forces.
         let forces: Vec<Field<'q>> = tokens
             .by_ref()
             .take_while(|token| !token.text().is_empty())
             .collect();
         tokens.next();
-        // What follows are entries of the editor, since 2025. They may have points in them.
+        // Since 2025, entries of the editor follow. They may have points in them.
         let extras = tokens.next().map(|first| first.through(body));
         let corrections = extras.map(|extras| read_extras(extras, &mut omissions));
         let corrections = corrections.transpose()?.unwrap_or_default();
@@ -115,7 +115,7 @@ impl<'q> Sections<'q> {
         })
     }
 
-    /// What stands in them.
+    /// Reads the linkage from them.
     pub(super) fn read<G: Generation>(self) -> Result<Linkage, Message> {
         let mut omissions = self.omissions;
         let mut joint_ids = Ids::of("joint");
@@ -228,7 +228,7 @@ fn slot_of<'q>(
     })
 }
 
-/// Whether the input turns clockwise, and whether gravity acts: links of before its switch mean that it does.
+/// Reads whether the input turns clockwise, and whether gravity acts: links of before its switch mean that it does.
 fn settings(field: &Field<'_>) -> Result<(bool, bool), Message> {
     let is_right = field.text().chars().count() == SETTINGS;
     let digits = field.last().filter(|_| is_right);
@@ -241,7 +241,7 @@ fn settings(field: &Field<'_>) -> Result<(bool, bool), Message> {
     Ok((is_clockwise, !is_gravity_off))
 }
 
-/// How fast inputs go: the first whole number, and the second decimal, which came in 2025.
+/// Reads the speeds of inputs: the first whole number, and the second decimal, which came in 2025.
 fn speeds(
     decimals: &Field<'_>,
     numbers: &Field<'_>,

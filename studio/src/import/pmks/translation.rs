@@ -41,7 +41,7 @@ pub(super) fn translate(mut linkage: Linkage) -> Imported {
 
 struct Translation<'l> {
     linkage: &'l Linkage,
-    /// What each link is; nothing if it is welded into another, or carries nothing.
+    /// The end for each link; none if it is welded into another, or carries nothing.
     ends: Vec<Option<End>>,
     drawing: Drawing,
     omissions: Vec<Omission>,
@@ -72,7 +72,7 @@ fn fold(linkage: &mut Linkage) {
     }
 }
 
-/// What each link is: links that are welded together are one.
+/// Finds the end for each link: links that are welded together are one.
 fn ends(linkage: &Linkage) -> Vec<Option<End>> {
     let firsts = firsts(linkage);
     let mut numbers = BTreeMap::new();
@@ -121,7 +121,7 @@ fn firsts(linkage: &Linkage) -> Vec<usize> {
     firsts
 }
 
-/// Whether what has these joints cannot move, as two pivots hold it to the ground.
+/// Whether two pivots hold the link with these joints to the ground.
 fn are_fixed<'l>(linkage: &Linkage, joints: impl Iterator<Item = &'l usize>) -> bool {
     let joints = joints.map(|joint| &linkage.joints[*joint]);
     let mut pivots = joints.filter(|joint| joint.is_grounded && joint.along.is_none());
@@ -186,7 +186,7 @@ impl Translation<'_> {
         }
     }
 
-    /// What a link is, or what it is welded into.
+    /// Returns the end for a link, or for the link into which it is welded.
     fn end(&self, link: usize) -> Option<End> {
         let links = self.linkage.links.iter().zip(&self.ends).enumerate();
         let mut holders = links.filter(|(number, (other, _))| {
@@ -205,7 +205,7 @@ impl Translation<'_> {
         all
     }
 
-    /// What a joint is fixed to, or slides on: the ground, or the link that has its slot.
+    /// Returns the end on which a joint is fixed or slides: the link that has its slot, or the ground.
     fn track(&self, joint: &Joint) -> Option<End> {
         let slot = joint.slot.and_then(|slot| self.end(slot.carrier));
         slot.or_else(|| joint.is_grounded.then_some(End::Ground))
@@ -263,7 +263,7 @@ impl Translation<'_> {
         self.point(joint, &links, (is_traced && !is_fixed, first.is_some()));
     }
 
-    /// How fast an input goes, if that is known.
+    /// Returns the speed of an input, if known.
     fn speed(&self, joint: &Joint) -> Option<Speed> {
         let own = |other: f64| Some(joint.speed).filter(|own| *own != 0.0).unwrap_or(other);
         let speeds = self.linkage.speeds;

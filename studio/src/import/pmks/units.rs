@@ -9,7 +9,7 @@ const GRAVITY_IN_INCHES: f64 = GRAVITY / 0.0254;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Unit {
     pub(super) name: &'static str,
-    /// What the text says of masses and forces.
+    /// The remark in the text on masses and forces.
     pub(super) remark: &'static str,
     /// A mass of 1 of the link in the text.
     pub(super) mass: f64,

@@ -33,7 +33,7 @@ fn changes(text: &str, now: &str) -> Vec<String> {
     lines
 }
 
-/// What is to be told of lines that are said of a text.
+/// Says lines about a text, and returns the changes and answers to be told.
 fn said(text: &str, lines: &[&str]) -> Vec<String> {
     let undo = "undo\n".repeat(lines.len());
     let lines = lines.join("\n");

@@ -1,6 +1,6 @@
 //! Links of PMKS+, written from what is known of their form.
 
-/// What a link says. Settings, joints, links and forces are written as they are given.
+/// The content of a link. Settings, joints, links and forces are written as they are given.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Encoder {
     pub(super) joints: Vec<String>,

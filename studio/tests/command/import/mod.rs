@@ -16,7 +16,7 @@ fn sample(name: &str) -> String {
     fs::read_to_string(path).expect("a sample")
 }
 
-/// What becomes of a text: a text of the language, and what is not carried over.
+/// Imports a text: returns the text of the language, and the omissions.
 #[track_caller]
 fn imported(name: &str, text: &str) -> (String, String) {
     let folder = Folder::new().with(name, text);

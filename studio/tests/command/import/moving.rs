@@ -17,7 +17,7 @@ pub(super) struct Moving {
 /// Two pins of one link, each with another link that has it: `("crank", [8.0, 14.0])`.
 pub(super) type Bar<'b> = [(&'b str, Place); 2];
 
-/// What the text of a mechanism says, and what the compiler makes of it.
+/// Analyses the text of a mechanism.
 pub(super) fn reading(text: &str) -> Reading {
     let document = Document::of(Source::new("imported.mech", text));
     let declaration = document.choose(None).expect("a mechanism");

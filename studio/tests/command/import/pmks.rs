@@ -11,7 +11,7 @@ fn import(word: &str) -> Answer {
     mech_in(&folder.path("."), &["import", word])
 }
 
-/// What becomes of a link: a text, and what is not carried over.
+/// Imports a link: returns the text, and the omissions.
 #[track_caller]
 fn imported(link: &str) -> (String, String) {
     let answer = import(link);
@@ -36,7 +36,7 @@ fn table(link: &str, words: &str) -> Vec<Vec<f64>> {
     folder.rows(&format!("table a.mech {words}"))
 }
 
-/// What is the same for links whose parts stand in another order.
+/// Writes a link twice, with its joints and links in two orders. Both mean the same.
 fn shuffled(link: &Encoder) -> [String; 2] {
     let mut other = link.clone();
     other.joints.reverse();
@@ -151,7 +151,7 @@ fn block(angle: f64) -> Encoder {
 
 #[test]
 fn blocks_have_their_masses() {
-    // How far the block is from the shaft, by the angle of the crank from the line, and its slopes.
+    // The distance of the block from the shaft, by the angle of the crank from the line, and its slopes.
     let way = |crank: f64| crank.cos() + (9.0 - crank.sin().powi(2)).sqrt();
     let slope = |f: &dyn Fn(f64) -> f64, at: f64| (f(at + 1e-4) - f(at - 1e-4)) / 2e-4;
     let angle = 0.5_f64;

@@ -120,7 +120,7 @@ impl Chain {
             prop_assert!(distance(found, joint.at) < 1e-6, "{:?}\n{}", found, text);
         }
         prop_assert_eq!(read.model.links.len(), links.len() + 1);
-        // What moves at all was assembled as drawn.
+        // A mechanism that moves at all was assembled as drawn.
         if read.result.is_ok() {
             Moving::of(text).stands(&[("a", self.crank[0])]);
         }

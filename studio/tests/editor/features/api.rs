@@ -1,4 +1,4 @@
-//! What Rust sees of a mechanism and of the runtime.
+//! The public names of a mechanism and of the runtime, as Rust sees them.
 
 use super::{files_in, text_of};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
@@ -19,7 +19,7 @@ pub(super) fn generated() -> Vec<String> {
     names.into_iter().map(str::to_owned).collect()
 }
 
-/// What is public in the sources of the runtime, with what it shows of its core.
+/// Lists the public names in the sources of the runtime, and those of its core that it shows.
 pub(super) fn runtime() -> Vec<String> {
     let mut found = BTreeSet::new();
     let files = |folder: &str| files_in(&format!("mech-runtime/{folder}"), ".rs");

@@ -9,7 +9,7 @@ link rocker; joint a = revolute(ground, crank) at (0, 0);
 joint b = revolute(crank, coupler) at (0.8, 0.6);
 joint c = revolute(coupler, rocker) at (3.3, 2.9); joint d = revolute(ground, rocker) at (4, 0);";
 
-/// What the command says, where there are some files.
+/// Returns the output of the command, in a folder with some files.
 fn mech(words: &str) -> String {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("features");
     fs::create_dir_all(&folder).expect("a folder");
@@ -46,7 +46,7 @@ pub(super) fn helps() -> Vec<String> {
     found
 }
 
-/// What can be said in the dialogue, the numbers that it sets by their roles, the endings of files that are written, what is imported, and the keys of answers in JSON.
+/// Lists the dialogue's lines, the roles of numbers that it sets, the endings of written files, imported formats, and keys of JSON answers.
 pub(super) fn answers() -> Vec<String> {
     let all = "run help|run numbers everything.mech|draw a.mech -o a.zyx|film a.mech -o a.zyx|plot a.mech -o a.zyx\
         |play a.mech --picture a.zyx|import a.zyx|check still.mech --json";
@@ -61,7 +61,7 @@ pub(super) fn answers() -> Vec<String> {
     found
 }
 
-/// What `mech table` measures of a four-bar linkage.
+/// Lists the quantities that `mech table` measures of a four-bar linkage.
 pub(super) fn quantities() -> Vec<String> {
     let complaint = mech("table a.mech zyx:a");
     let kinds = complaint.split('`').skip(3).step_by(2);

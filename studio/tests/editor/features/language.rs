@@ -6,14 +6,14 @@ use mech_compiler::syntax::{Message, parse};
 use proc_macro2::TokenStream;
 use std::collections::BTreeSet;
 
-/// What stands before each place.
+/// The text before each place.
 const BEFORE: &str = "struct N_; param p_ = 1; gravity (0, -1);
 link l_ { mass 1; } link m_ { point a_ = (0, 0); mass 1; }
 joint j_ = revolute(ground, l_) at (0, 0); joint k_ = revolute(l_, m_) at (1, 0);
 part P_(n_ = 1) { port f_; link w_ { point b_ = (0, 0); mass 1; }
 joint o_ = revolute(f_, w_) at (0, 0); }\n";
 
-/// What is said of any word: that it should have been another, or that the one before should have ended there.
+/// The complaints about any word: that it should have been another, or that the one before should have ended there.
 const USUAL: [&str; 7] = [
     "found `",
     "did you mean",
@@ -67,7 +67,7 @@ fn candidates(list: &str) -> BTreeSet<String> {
     }
     let is_sign = |text: &str| text.chars().all(|letter| "+-*/%^:.=,>".contains(letter));
     let quoted = texts.iter().flat_map(|text| text.split('"'));
-    // What is named in the places has a name that ends so.
+    // The names in the places end with `_`.
     let all = quoted.filter(|text| !text.is_empty() && !text.ends_with('_') && *text != "--");
     let all = all.filter(|text| is_word(text) || is_sign(text));
     all.map(str::to_owned).collect()

@@ -26,7 +26,7 @@ pub(super) fn controls() -> Vec<String> {
         user.names()
     };
     let at_first = note("window", &User::with_text(CRANK), &[]);
-    // What is clicked, one after the other; after `/`, its own menu is opened.
+    // Each way lists the controls to click, one after the other; after `/`, a control's own menu is opened.
     for way in include_str!("ways.txt").lines() {
         let (mut user, mut before) = (User::with_text(CRANK), at_first.clone());
         let mut done = Vec::new();

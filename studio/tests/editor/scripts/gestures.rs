@@ -1,4 +1,4 @@
-//! What somebody does: each verb is a method of `User`, of the editor within a frame, or a change on the disk.
+//! The gestures of scripts: each verb is a method of `User`, of the editor within a frame, or a change on the disk.
 
 use super::judges::offers;
 use super::words::Words;
@@ -83,7 +83,7 @@ impl Scene {
     }
 }
 
-/// What other programs do with files.
+/// Does what other programs do with files.
 fn on_disk(
     texts: &Texts,
     verb: &str,

@@ -1,4 +1,4 @@
-//! What is so: each verb is a judge of what the window shows, of the text, or of the disk.
+//! The judges of scripts: each verb judges what the window shows, the text, or the disk.
 
 use super::words::Words;
 use super::{Line, Scene, Texts};
@@ -10,7 +10,7 @@ use similar::TextDiff;
 use std::fmt::Debug;
 use std::fs;
 
-/// Whether something is so, and what is there.
+/// Whether a judge holds, and the value that it found.
 struct Finding {
     is_so: bool,
     found: String,
@@ -26,7 +26,7 @@ impl Finding {
         Self::of(found == expected, found)
     }
 
-    /// Whether a text is another, and how they differ.
+    /// Compares a text with the expected one; the finding shows the differences.
     fn text(found: &str, expected: &str) -> Self {
         let changes = TextDiff::from_lines(expected, found);
         Self {
@@ -87,7 +87,7 @@ fn by_doing(user: &mut User, words: &mut Words) -> Result<bool, String> {
     Ok(true)
 }
 
-/// Whether the window is closed, by the click that a line names or as the system does it.
+/// Closes the window by the click that a line names, or as the system does it. Returns whether it is closed.
 fn closes(user: &mut User, words: &mut Words) -> Result<bool, String> {
     if words.is_at_end() {
         return Ok(user.close());
@@ -124,7 +124,7 @@ fn is_mended(user: &mut User, repair: &str) {
     plays(user);
 }
 
-/// What is offered to mend it, in words.
+/// Returns the offered repairs, in words.
 pub(super) fn offers(user: &User) -> Vec<String> {
     let offered = user.editor().mendings().iter();
     offered.map(|mending| mending.words.clone()).collect()
@@ -134,7 +134,7 @@ fn is_near(one: [f64; 2], other: [f64; 2], tolerance: f64) -> bool {
     (one[0] - other[0]).hypot(one[1] - other[1]) < tolerance
 }
 
-/// What is found where the words of a judge look.
+/// Finds what the words of a judge ask for.
 fn finding(
     user: Option<&User>,
     texts: &Texts,

@@ -125,13 +125,13 @@ impl Texts {
     }
 }
 
-/// What goes on in a case.
+/// The state of a case.
 struct Scene {
     user: Option<User>,
     texts: Texts,
-    /// How many judges there were.
+    /// The number of judges so far.
     judged: usize,
-    /// What blocks would be, by the numbers of their lines.
+    /// The renewed blocks, by the numbers of their lines.
     renewed: BTreeMap<usize, String>,
 }
 
@@ -172,7 +172,7 @@ impl Scene {
     }
 }
 
-/// What came of the cases of a script.
+/// The results of the cases of a script.
 #[derive(Default)]
 struct Walk {
     wrong: Vec<String>,

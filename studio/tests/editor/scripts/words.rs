@@ -87,7 +87,7 @@ impl Words {
         Key::from_name(&name).ok_or_else(|| format!("{name} is no key"))
     }
 
-    /// Whether this word is the next one, which is taken then.
+    /// Takes this word if it is the next one. Returns whether it is.
     pub(super) fn takes(&mut self, name: &str) -> bool {
         let takes = self.0.as_slice().first() == Some(&Word::Name(name.to_owned()));
         if takes {
@@ -108,7 +108,7 @@ impl Words {
     }
 }
 
-/// What stands in quotes at the beginning: `\n` is a new line, `\"` a quote.
+/// Reads a word in quotes at the beginning: `\n` is a new line, `\"` a quote.
 fn quoted(line: &str) -> Result<(Word, &str), String> {
     let mut text = String::new();
     let mut letters = line.char_indices().skip(1);

@@ -122,7 +122,7 @@ impl User {
         act(self.harness.state_mut().editor_mut());
     }
 
-    /// How many gestures were made: clicks, drags and keys.
+    /// Returns the number of gestures that were made: clicks, drags and keys.
     pub(crate) fn gestures(&self) -> usize {
         self.gestures
     }
@@ -478,7 +478,7 @@ impl User {
         labels.join("\n")
     }
 
-    /// What has a name, with what it is.
+    /// Lists the roles and names of all widgets that have a name.
     pub(crate) fn names(&self) -> Vec<String> {
         let all = self.harness.query_all_by(|node| node.label().is_some());
         let name = |node: egui_kittest::Node<'_>| {

@@ -50,7 +50,7 @@ impl Paint<'_> {
         }
     }
 
-    /// What a joint is besides a pin: on the ground, driven, in the way.
+    /// Paints the signs of a joint: its rail, the ground, its motor.
     pub(super) fn signs(
         &self,
         painter: &Painter,

@@ -1,4 +1,4 @@
-//! What is painted over and under the bodies: the grid, the schematic, paths, handles, and what a tool is about.
+//! The layers over and under the bodies: the grid, the schematic, paths, handles, and the marks of a tool.
 
 mod handle;
 mod mechanism;
@@ -129,7 +129,7 @@ impl Paint<'_> {
                 ArrowKind::Acceleration => Color32::from_rgb(200, 40, 30),
                 ArrowKind::Force => Color32::from_rgb(0, 140, 90),
             };
-            // What is shorter than a pin is not seen beside it.
+            // An arrow shorter than a pin would be hidden beside it.
             if from.distance(to) > 2.0 {
                 arrow(painter, [from, to], Stroke::new(2.0, color));
             }
@@ -160,7 +160,7 @@ impl Paint<'_> {
         }
     }
 
-    /// What was picked, where the pointer means, and with what that is aligned.
+    /// Paints the picks, the place that the pointer means, and the lines to the places with which it is aligned.
     fn tool(&self, painter: &Painter, visuals: &egui::Visuals) {
         let accent = visuals.selection.stroke.color;
         let picked = self.editor.picking.picks.iter();
