@@ -160,7 +160,9 @@ fn a_motion_without_ends_stays_within_what_is_possible() {
             assert!(row[1].is_finite(), "{text}");
         }
         folder.mech("plot a.mech b velocity:b -o a.svg").done();
-        folder.mech("film a.mech -o a.gif --seconds 1 --rate 6").done();
+        folder
+            .mech("film a.mech -o a.gif --seconds 1 --rate 6")
+            .done();
         // Beyond: the message says what is possible, and that is true.
         let beyond = rows[360][0] + 0.5;
         let told = folder
