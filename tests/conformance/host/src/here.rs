@@ -49,6 +49,6 @@ pub(crate) fn poses_and_pictures() -> Things {
 /// What comes of everything that mechanisms and pictures can do.
 pub(crate) fn abilities() -> Things {
     let mut ear = Ear::default();
-    mech_probes::abilities(&mut ear);
+    mech_abilities::abilities(&mut ear);
     ear.things
 }

@@ -4,15 +4,13 @@
 //! through all mechanisms there are: the gallery's, one [four-bar](four_bar) by every method, and [walkers](legs).
 #![no_std]
 
-mod abilities;
 pub mod four_bar;
 pub mod legs;
 mod panel;
 mod pictures;
 mod poses;
 
-pub use abilities::abilities;
-pub use panel::Panel;
+pub use panel::{Panel, sum};
 pub use pictures::pictures;
 pub use poses::poses;
 

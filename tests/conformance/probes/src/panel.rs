@@ -88,7 +88,7 @@ impl DrawTarget for Panel {
 }
 
 /// A check sum of numbers (FNV-1a, low bytes first).
-pub(crate) fn sum(numbers: impl IntoIterator<Item = u16>) -> u64 {
+pub fn sum(numbers: impl IntoIterator<Item = u16>) -> u64 {
     const START: u64 = 0xcbf2_9ce4_8422_2325;
     const FACTOR: u64 = 0x0000_0100_0000_01b3;
     numbers.into_iter().fold(START, |sum, number| {

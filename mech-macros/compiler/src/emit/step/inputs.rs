@@ -119,10 +119,10 @@ fn arrays(program: &Program) -> Vec<Array> {
     };
     match program.results() {
         None | Some(Results::Sensitivity(_)) => Vec::new(),
-        Some(Results::Rates(found)) => match found.accelerations {
-            None => vec![rates()],
-            Some(_) => vec![rates(), accelerations()],
-        },
+        Some(Results::Rates(found)) if found.accelerations.is_some() => {
+            vec![rates(), accelerations()]
+        }
+        Some(Results::Rates(_)) => vec![rates()],
         Some(Results::Forces { forces, loads }) => {
             let mut arrays = match forces {
                 Forces::Holding(_) => Vec::new(),

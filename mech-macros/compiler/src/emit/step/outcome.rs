@@ -102,10 +102,10 @@ pub(in crate::emit) fn outcome_type(program: &Program) -> TokenStream {
     let scalar = scalar(program.precision);
     let (links, motors) = (integer(program.links.len()), integer(program.motors.len()));
     match program.results() {
-        Some(Results::Rates(rates)) => match rates.accelerations {
-            None => quote!([Velocity<#scalar>; #links]),
-            Some(_) => quote!(([Velocity<#scalar>; #links], [Acceleration<#scalar>; #links])),
-        },
+        Some(Results::Rates(rates)) if rates.accelerations.is_some() => {
+            quote!(([Velocity<#scalar>; #links], [Acceleration<#scalar>; #links]))
+        }
+        Some(Results::Rates(_)) => quote!([Velocity<#scalar>; #links]),
         Some(Results::Forces { forces, .. }) => match forces {
             Forces::Holding(_) => quote!(Holding<#scalar, #motors>),
             Forces::InverseDynamics(found) => {

@@ -4,7 +4,7 @@
 #![forbid(unsafe_code)]
 
 use images::Printer;
-use mech_probes::abilities;
+use mech_abilities::abilities;
 use panic_never as _;
 
 #[images::entry]

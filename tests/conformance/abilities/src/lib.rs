@@ -1,5 +1,6 @@
 //! Everything that mechanisms and pictures can do, each with a small mechanism that does it: so that nothing is left out where the
 //! linker has to see that none of it can panic, and all of it is compared between machines.
+#![no_std]
 
 /// Declares mechanisms and what is asked of them, in both precisions: in a module `single` and in a module `double`.
 macro_rules! in_both_precisions {
@@ -15,9 +16,9 @@ macro_rules! in_both_precisions {
         }
 
         /// Asks for all of it.
-        pub(super) fn ask(listener: &mut impl crate::Listener) {
-            double::ask(&mut crate::abilities::Recorder::new(listener, "f64"));
-            single::ask(&mut crate::abilities::Recorder::new(listener, "f32"));
+        pub(super) fn ask(listener: &mut impl mech_probes::Listener) {
+            double::ask(&mut crate::Recorder::new(listener, "f64"));
+            single::ask(&mut crate::Recorder::new(listener, "f32"));
         }
     };
 }
@@ -40,7 +41,7 @@ mod recorder;
 mod rolling;
 mod words;
 
-use crate::Listener;
+use mech_probes::Listener;
 use recorder::Recorder;
 
 /// Tells what comes of everything that mechanisms and pictures can do, with numbers the compiler cannot foresee: good ones and bad

@@ -48,9 +48,9 @@ in_both_precisions! {
         }
     }
 
-    use crate::Listener;
-    use crate::abilities::recorder::Recorder;
-    use crate::panel::{Panel, sum};
+    use mech_probes::Listener;
+    use crate::recorder::Recorder;
+    use mech_probes::{Panel, sum};
     use core::hint::black_box;
     use mech_runtime::overlay::Arrows;
     use mech_runtime::raster::embedded::{Screen, rgb};

@@ -120,9 +120,9 @@ in_both_precisions! {
         }
     }
 
-    use crate::Listener;
-    use crate::abilities::recorder::Recorder;
-    use crate::abilities::moves::all_moves;
+    use mech_probes::Listener;
+    use crate::recorder::Recorder;
+    use crate::moves::all_moves;
 
     pub(super) fn ask(recorder: &mut Recorder<impl Listener>) {
         all_moves::<Clock>(recorder, 1.3);

@@ -2,8 +2,8 @@
 
 use super::moves::BAD;
 use super::recorder::Recorder;
-use crate::Listener;
 use core::hint::black_box;
+use mech_probes::Listener;
 use mech_runtime::{Phase, Real};
 
 /// Asks for all of it.

@@ -51,9 +51,9 @@ in_both_precisions! {
         }
     }
 
-    use crate::Listener;
-    use crate::abilities::recorder::Recorder;
-    use crate::abilities::moves::BAD;
+    use mech_probes::Listener;
+    use crate::recorder::Recorder;
+    use crate::moves::BAD;
     use core::hint::black_box;
     use mech_runtime::{GaussLegendre, Mechanism, Phase, Real};
 

@@ -85,7 +85,7 @@ impl Words for () {
 impl Words for &str {
     fn record(&self, word: &mut impl FnMut(u64)) {
         self.len().record(word);
-        crate::panel::sum(self.bytes().map(u16::from)).record(word);
+        mech_probes::sum(self.bytes().map(u16::from)).record(word);
     }
 }
 

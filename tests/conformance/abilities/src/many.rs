@@ -46,8 +46,8 @@ in_both_precisions! {
         }
     }
 
-    use crate::Listener;
-    use crate::abilities::recorder::Recorder;
+    use mech_probes::Listener;
+    use crate::recorder::Recorder;
     use core::array;
     use core::hint::black_box;
     use mech_runtime::{Columns, Mechanism, Real};

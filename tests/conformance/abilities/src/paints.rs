@@ -2,14 +2,14 @@
 
 use super::moves::BAD;
 use super::recorder::Recorder;
-use crate::Listener;
-use crate::panel::sum;
 use core::hint::black_box;
 use embedded_graphics_core::Pixel;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::image::ImageDrawable;
 use embedded_graphics_core::primitives::Rectangle;
+use mech_probes::Listener;
+use mech_probes::sum;
 use mech_runtime::overlay::{arrow, moment};
 use mech_runtime::raster::embedded::{Entry, Screen};
 use mech_runtime::raster::{bar, line};

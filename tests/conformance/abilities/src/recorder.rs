@@ -1,7 +1,7 @@
 //! Tells a listener what was found.
 
 use super::words::Words;
-use crate::Listener;
+use mech_probes::Listener;
 
 /// No more words are in one line: lines are written to places of a fixed size.
 const MOST: usize = 48;

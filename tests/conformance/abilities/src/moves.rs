@@ -2,8 +2,8 @@
 
 use super::recorder::Recorder;
 use super::words::Words;
-use crate::Listener;
 use core::hint::black_box;
+use mech_probes::Listener;
 use mech_runtime::{Mechanism, Real};
 
 /// Numbers that nobody should give to a motor.

@@ -19,9 +19,9 @@ macro_rules! by_every_method {
                 })*
             }
 
-            use crate::Listener;
-            use crate::abilities::recorder::Recorder;
-            use crate::abilities::moves::all_moves;
+            use mech_probes::Listener;
+            use crate::recorder::Recorder;
+            use crate::moves::all_moves;
 
             pub(super) fn ask(recorder: &mut Recorder<impl Listener>) {
                 $(all_moves::<$name>(recorder, 0.25);)*

@@ -59,9 +59,9 @@ in_both_precisions! {
         }
     }
 
-    use crate::Listener;
-    use crate::abilities::recorder::Recorder;
-    use crate::abilities::moves::{BAD, all_moves};
+    use mech_probes::Listener;
+    use crate::recorder::Recorder;
+    use crate::moves::{BAD, all_moves};
     use core::hint::black_box;
     use mech_runtime::{GaussLegendre, Real};
 
