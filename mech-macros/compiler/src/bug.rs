@@ -1,8 +1,9 @@
 //! Internal errors: what can only be wrong with the compiler itself. Every room may raise one; `guard` makes an error of it.
 
+use crate::stop::Stopped;
 use std::any::Any;
 use std::fmt::Arguments;
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
 /// The beginning of the message of an internal error, wherever it is read.
 const BEFORE: &str = "internal error in mech: ";
@@ -26,13 +27,18 @@ pub(crate) fn broken(what: Arguments<'_>) -> ! {
     panic!("{BEFORE}{what}{AFTER}")
 }
 
-/// The result of some work of the compiler, or the invariant that is broken, in words.
+/// The result of some work of the compiler, or the invariant that is broken, in words. Work that is stopped unwinds through here.
 ///
 /// # Errors
 /// If the work panics: whatever a user may write, that is a mistake of the compiler's.
 pub fn catch<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     // Nothing that the work changes is read after it.
-    catch_unwind(AssertUnwindSafe(work)).map_err(|panic| broken_in(panic.as_ref()))
+    catch_unwind(AssertUnwindSafe(work)).map_err(|panic| {
+        if panic.is::<Stopped>() {
+            resume_unwind(panic);
+        }
+        broken_in(panic.as_ref())
+    })
 }
 
 /// Returns what a panic says is broken: the whole message, if it is not from [`bug!`] (as of an index beyond its list).

@@ -27,6 +27,7 @@ pub mod program;
 pub mod repair;
 pub mod report;
 pub mod reporter;
+pub mod stop;
 pub mod structure;
 pub mod symbols;
 pub mod syntax;

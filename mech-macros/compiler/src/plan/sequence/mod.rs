@@ -17,6 +17,7 @@ use super::step::{Connection, ConnectionKind, Drive, Loop, Source, Step, Weld};
 use super::tight;
 use crate::bug::bug;
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
+use crate::stop;
 use crate::structure::{Diagnosis, KinematicGraph, Structure};
 use open::Open;
 use petgraph::unionfind::UnionFind;
@@ -197,6 +198,7 @@ impl<'m> Search<'m> {
 
     /// Accepts loops of three clusters, or of two that slide: of those found, the ones of the lowest level, in the order of declaration.
     fn close(&mut self) -> bool {
+        stop::check();
         self.update();
         let rings = self.open.rings();
         let mut found: Vec<Loop> = rings.map(|ring| self.describe(ring.clone())).collect();

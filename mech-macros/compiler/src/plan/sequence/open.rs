@@ -4,6 +4,7 @@ use crate::model::{JointId, JointKind, LinkId, Model};
 use crate::plan::between::{Between, Block, pivot, ring_of_three, ring_of_two};
 use crate::plan::cluster::Clusters;
 use crate::plan::step::{Connection, ConnectionKind};
+use crate::stop;
 use crate::structure::{Pin, Structure};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -81,6 +82,7 @@ impl Open {
             .collect();
         let mut changed: BTreeSet<Pair> = BTreeSet::new();
         for &number in &touched {
+            stop::check();
             for pair in std::mem::take(&mut self.pairs_of[number]) {
                 changed.insert(pair);
                 self.remove(pair, number);
@@ -94,6 +96,7 @@ impl Open {
             }
         }
         for pair in changed {
+            stop::check();
             self.find_rings(pair);
         }
     }
