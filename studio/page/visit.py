@@ -1,6 +1,7 @@
-"""Visits the studio's page in Chromium: visit.py BROWSER FOLDER SHOTS.
+"""Visits the studio's page in Chromium: visit.py BROWSER FOLDER SHOTS [--hostile].
 
-FOLDER has the page in its folder `page`. Screenshots are written to SHOTS. Fails if the page writes an error to the console.
+FOLDER has the page in its folder `page`. Screenshots are written to SHOTS. Fails if the page writes an error to the console. Some hostile
+texts and files are opened, too; with `--hostile` all of them, and nothing else.
 """
 
 import base64
@@ -17,6 +18,8 @@ import threading
 import time
 import urllib.parse
 from pathlib import Path
+
+import hostile
 
 # The text of a mechanism that somebody shares.
 SHARED = """struct Shared;
@@ -148,9 +151,10 @@ class Visit:
             print(json.dumps(complaint, indent=1)[:4000], file=sys.stderr)
         raise SystemExit(f"error: {self.address[:200]}: {what}; the page tells {told!r}")
 
-    def press(self, key, code, number):
-        key = {"key": key, "code": code, "windowsVirtualKeyCode": number}
-        self.say("Input.dispatchKeyEvent", type="keyDown", text=key["key"], **key)
+    def press(self, key, code, number, control=False):
+        key = {"key": key, "code": code, "windowsVirtualKeyCode": number, "modifiers": 2 * control}
+        text = {} if control else {"text": key["key"]}
+        self.say("Input.dispatchKeyEvent", type="keyDown", **text, **key)
         self.say("Input.dispatchKeyEvent", type="keyUp", **key)
 
     def choose(self, path):
@@ -224,8 +228,112 @@ def visit_all(browser, site, folder, shots):
     visit.end(may_complain=True)
 
 
+# The longest time for which the page may not answer, in seconds, on a machine that has nothing else to do; and on a busy one.
+PROMPT, LATE = 2, 10
+
+# The hostile texts that are opened each time.
+SOME = ("brackets 20000", "semicolons 200000", "digits 200000", "empty links 3000", "scissors 10", "legs 1000", "legs 4294967295")
+
+
+class Attack:
+    """A hostile text or file in a page of its own: how long the page did not answer, and what became of it."""
+
+    def __init__(self, browser, name, address, file=None):
+        self.visit, self.name = Visit(browser, address), name
+        self.visit.until("document.querySelector('#told')?.textContent !== 'The studio is loading.'", "it does not start")
+        self.slowest = 0
+        if file:
+            self.visit.choose(file)
+
+    def value(self, expression):
+        begun = time.monotonic()
+        value = self.visit.value(expression)
+        self.slowest = max(self.slowest, time.monotonic() - begun)
+        return value
+
+    def work(self):
+        return self.value("document.body.dataset.work ?? ''")
+
+    def told(self):
+        return self.value("document.querySelector('#told').textContent")
+
+    def rests(self, seconds):
+        """Waits until nothing is done for a while. Returns whether that came about in time."""
+        end, since = time.monotonic() + seconds, None
+        while time.monotonic() < end:
+            since = None if self.work() else since or time.monotonic()
+            if since and time.monotonic() - since > 0.6:
+                return True
+            time.sleep(0.05)
+        return False
+
+    def run(self):
+        """Returns what became of it, in a word."""
+        if self.told():
+            return "told"
+        if self.rests(2.6):
+            return "answered"
+        self.visit.press(".", "Period", 190, control=True)
+        if not self.rests(LATE):
+            self.visit.fail(f"{self.name}: {self.work()!r} cannot be stopped")
+        return "stopped"
+
+    def end(self):
+        outcome = self.run()
+        told = self.told()
+        if "broke" in told:
+            self.visit.fail(f"{self.name}: the studio broke")
+        self.visit.end(may_complain=bool(told))
+        if self.slowest > LATE:
+            raise SystemExit(f"error: {self.name}: the page does not answer for {self.slowest:.1f} s")
+        return outcome
+
+
+def attack_all(browser, site, folder, is_whole):
+    slow, count, outcomes = [], 0, {}
+
+    def attack(name, address, file=None):
+        nonlocal count
+        one = Attack(browser, name, address, file)
+        outcome = one.end()
+        count += 1
+        outcomes[outcome] = outcomes.get(outcome, 0) + 1
+        if one.slowest > PROMPT:
+            slow.append(name)
+        print(f"  {name}: {outcome}, the page answers within {one.slowest:.2f} s", flush=True)
+
+    for name, text in hostile.texts():
+        if is_whole or name in SOME:
+            attack(name, f"{site}#text={urllib.parse.quote(text)}")
+    for name, content in hostile.files():
+        if is_whole or name == "slashes.mech":
+            path = Path(folder, name)
+            path.write_bytes(content)
+            attack(name, site, path)
+    for name, written in ("half an escape", "%2"), ("no escape", "%zz"), ("no UTF-8", "%ff%fe"):
+        attack(name, f"{site}#text={written}")
+    prompt = count - len(slow)
+    print(f"hostile: {prompt} of {count} answered or stopped with the page never silent for {PROMPT} s {outcomes} {slow}")
+
+
+def reload_asks(browser, site):
+    """What was typed just before the page is loaded anew is not lost: the browser asks."""
+    visit = Visit(browser, site)
+    visit.until_ready()
+    visit.press("l", "KeyL", 76)
+    visit.say("Runtime.evaluate", expression="setTimeout(() => location.reload(), 0)")
+    end = time.monotonic() + PATIENCE
+    while not any(event["method"] == "Page.javascriptDialogOpening" for event in visit.browser.events):
+        if time.monotonic() > end:
+            visit.fail("it is loaded anew without a question")
+        visit.browser.events.extend(filter(None, [visit.browser.hear(0.2)]))
+    visit.say("Page.handleJavaScriptDialog", accept=True)
+    visit.end()
+
+
 def main():
-    program, folder, shots = sys.argv[1:]
+    program, folder, shots, *options = sys.argv[1:]
+    is_whole = options == ["--hostile"]
     handler = functools.partial(Server, directory=folder)
     with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
@@ -233,7 +341,11 @@ def main():
         with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
             browser = Browser(program, profile)
             try:
-                visit_all(browser, site, folder, Path(shots))
+                if not is_whole:
+                    visit_all(browser, site, folder, Path(shots))
+                    reload_asks(browser, site)
+                with tempfile.TemporaryDirectory() as files:
+                    attack_all(browser, site, files, is_whole)
             finally:
                 browser.process.terminate()
                 browser.process.wait()

@@ -7,6 +7,7 @@ use std::process::ExitCode;
 
 /// Why a command could not do what it was told: in words, and by the code with which it ends.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub struct Failure {
     kind: FailureKind,
     text: String,
@@ -14,6 +15,7 @@ pub struct Failure {
 
 /// The kinds of failures, each with its exit code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub enum FailureKind {
     /// Something is wrong with the mechanism: 1.
     Mechanism,

@@ -10,6 +10,7 @@ use mech_compiler::syntax::Edits;
 
 /// A repair that was tried, and compiles.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub struct Mending {
     /// A description of the change, in words.
     pub words: String,
@@ -21,6 +22,7 @@ pub struct Mending {
 
 /// The work that remains after a repair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub enum Remainder {
     /// Nothing, but at most to choose one of several assemblies.
     Nothing,

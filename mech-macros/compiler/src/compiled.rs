@@ -9,6 +9,7 @@ use crate::structure::Structure;
 
 /// A coherent mechanism, analysed and compiled.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Compiled {
     /// The loops, the open chains and the mobility.
     pub structure: Structure,
@@ -41,6 +42,7 @@ pub struct Compiled {
 
 /// The programs that compute forces at a position.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ForcePrograms {
     /// The torques or forces of the motors that hold the mechanism at rest.
     pub holding: Option<Program>,

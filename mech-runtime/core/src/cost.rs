@@ -6,6 +6,7 @@ use core::ops::{Add, Mul};
 
 /// Numbers of operations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Cost {
     /// Additions, subtractions and changes of sign.
     pub additions: u32,

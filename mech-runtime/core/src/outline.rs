@@ -4,6 +4,7 @@ use crate::{Pose, Real};
 
 /// A coloured outline in the frame of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Shape<T, P> {
     /// The link: 0 is the ground, `n + 1` the moving link whose pose is `poses()[n]`.
     pub link: usize,
@@ -15,6 +16,7 @@ pub struct Shape<T, P> {
 
 /// The outline of a shape, in scene units.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Outline<T, P> {
     /// A filled circle.
     Circle {

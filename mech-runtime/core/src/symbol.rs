@@ -2,6 +2,7 @@
 
 /// A place on a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Spot<T, L = usize> {
     /// The link: 0 is the ground, `n + 1` the moving link whose pose is `poses()[n]`.
     pub link: L,
@@ -11,6 +12,7 @@ pub struct Spot<T, L = usize> {
 
 /// A symbol of a mechanism. Lengths are in scene units. Directions have length one.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Symbol<T, L = usize> {
     /// A side of a link, from one of its joints to the next.
     Bar {

@@ -4,3 +4,5 @@
 pub mod entry;
 #[cfg(target_arch = "wasm32")]
 mod page;
+#[cfg(target_arch = "wasm32")]
+pub mod worker;

@@ -30,6 +30,11 @@ const PART: &str = "mechanism_part";
 
 /// A file with mechanisms: Rust with `mechanism!` in it, or, where its name ends in `.mech`, the inside of one.
 #[derive(Clone, Debug)]
+#[cfg_attr(
+    feature = "transfer",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(from = "Source", into = "Source")
+)]
 pub struct Document {
     source: Source,
     declarations: Vec<Declaration>,
@@ -46,6 +51,20 @@ pub struct Declaration {
     pub whole: Range<usize>,
     /// The input of the macro; none if its brackets are not closed.
     pub body: Option<Range<usize>>,
+}
+
+#[cfg(feature = "transfer")]
+impl From<Source> for Document {
+    fn from(source: Source) -> Self {
+        Self::of(source)
+    }
+}
+
+#[cfg(feature = "transfer")]
+impl From<Document> for Source {
+    fn from(document: Document) -> Self {
+        document.source
+    }
 }
 
 impl Document {

@@ -15,6 +15,7 @@ use std::ops::Range;
 
 /// A mechanism of a document, read and analysed.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub struct Reading {
     /// The mechanism; where the text is wrong, as much of it as could be understood.
     pub model: Model,
@@ -28,6 +29,7 @@ pub struct Reading {
 
 /// The faults of a mechanism.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub struct Faults {
     /// All of it in words, at its places; never empty.
     pub messages: Vec<Message>,
@@ -39,6 +41,7 @@ pub struct Faults {
 
 /// A fault at a place. Lines that begin with `note:` or `help:` may follow its first line.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub struct Message {
     /// Where it stands in the file, in bytes.
     pub place: Range<usize>,

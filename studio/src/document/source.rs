@@ -12,6 +12,7 @@ pub const LONGEST: u64 = 16 << 20;
 
 /// A file with a text, as it was read.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub struct Source {
     path: PathBuf,
     text: String,

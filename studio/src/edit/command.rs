@@ -8,6 +8,7 @@ pub type Pair = [Expression; 2];
 
 /// A command on a mechanism.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub enum Command {
     /// Declares a mechanism, in a text that has none.
     Mechanism {
@@ -190,6 +191,7 @@ pub enum Command {
 
 /// A joint that is to be declared.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub struct Assembly {
     /// Its name.
     pub name: String,
@@ -205,6 +207,7 @@ pub struct Assembly {
 
 /// The kinds of joint, with the numbers that they have.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub enum JointForm {
     /// Two points coincide.
     Revolute,
@@ -244,6 +247,7 @@ pub enum JointForm {
 
 /// The kind of an action on links.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub enum ActionKind {
     /// A spring.
     Spring,
@@ -255,6 +259,7 @@ pub enum ActionKind {
 
 /// A kind of what can be taken out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub enum Kind {
     /// A link, with its joints and what acts on it.
     Link,

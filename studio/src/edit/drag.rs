@@ -20,6 +20,7 @@ pub struct Drag {
 
 /// Something that goes with what is dragged, by the same way in the scene.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub struct Follower {
     /// Its path, as in [`Command::Move`].
     pub path: String,
@@ -40,6 +41,7 @@ enum Renewal {
 
 /// Where a drag has come.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub struct Dragged {
     /// The replacements in the text, in the order of the places.
     pub edits: Vec<Replacement>,

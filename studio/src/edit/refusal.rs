@@ -5,6 +5,7 @@ use std::fmt::{self, Display, Formatter};
 
 /// The rules of assembly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub enum Rule {
     /// A joint joins two links.
     TwoLinks,
@@ -39,6 +40,7 @@ impl Display for Rule {
 
 /// Why a command is refused. Nothing was changed.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub struct Refusal {
     reason: String,
     /// The rule of assembly that forbids it.

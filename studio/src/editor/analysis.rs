@@ -4,7 +4,9 @@ use super::Gesture;
 use super::drawing::Drawing;
 use super::pending::Pending;
 use super::snapshot::Snapshot;
-use super::worker::{Task, Undone, Worker};
+#[cfg(feature = "transfer")]
+use super::worker::Remote;
+use super::worker::{Task, Undone, Work, Worker};
 use crate::document::{Document, Source};
 use crate::edit::Workspace;
 use crate::failure::Failure;
@@ -12,10 +14,11 @@ use crate::mend::Mending;
 use std::sync::Arc;
 
 /// A ghost: the mechanism as a repair would make it.
-pub(super) struct Ghost {
+struct Ghost {
     /// The number of the repair, from 1.
     number: usize,
-    pub(super) drawing: Drawing,
+    /// None until its text is read.
+    drawing: Option<Drawing>,
 }
 
 /// The questions to the compiler, and its findings.
@@ -25,7 +28,11 @@ pub(super) struct Analysis {
     /// The snapshot of the present text; of an earlier text while the compiler works.
     pub(super) snapshot: Arc<Snapshot>,
     pub(super) repairs: Repairs,
-    pub(super) ghost: Option<Ghost>,
+    ghost: Option<Ghost>,
+    /// The work that is done beside the window.
+    pub(super) works: Vec<Work>,
+    /// Whether the user has ended the analysis of the present text.
+    is_stopped: bool,
 }
 
 /// The repairs of a text.
@@ -46,6 +53,8 @@ impl Analysis {
             snapshot: Arc::new(Snapshot::of(empty, workspace.index())),
             repairs: Repairs::Found(Vec::new()),
             ghost: None,
+            works: Vec::new(),
+            is_stopped: false,
         }
     }
 
@@ -84,6 +93,7 @@ impl Analysis {
             None => Repairs::Found(Vec::new()),
         };
         self.ghost = None;
+        self.is_stopped = false;
         self.snapshot = snapshot;
     }
 
@@ -126,17 +136,76 @@ impl Analysis {
         self.ghost = None;
     }
 
-    /// Shows what a repair would make of the mechanism, by its number from 1; or nothing any more.
-    pub(super) fn preview_mending(&mut self, number: Option<usize>, drawing: Option<&Drawing>) {
+    /// Shows what a repair would make of the mechanism, by its number from 1; or nothing any more. Gives what there is to do for it.
+    pub(super) fn preview_mending(&mut self, number: Option<usize>) -> Option<Task> {
         if self.ghost.as_ref().map(|ghost| ghost.number) == number {
-            return;
+            return None;
         }
-        self.ghost = number.and_then(|number| {
-            let mending = self.mendings().get(number.checked_sub(1)?)?;
-            let path = self.snapshot.document.source().path();
-            let document = Document::of(Source::new(path, &*mending.text));
-            let drawing = Snapshot::of(document, self.snapshot.index).drawing(drawing, false)?;
-            Some(Ghost { number, drawing })
+        self.ghost = number.map(|number| Ghost {
+            number,
+            drawing: None,
         });
+        let number = number?;
+        let mending = self.mendings().get(number.checked_sub(1)?)?;
+        let path = self.snapshot.document.source().path();
+        Some(Task::Ghost {
+            number,
+            document: Document::of(Source::new(path, &*mending.text)),
+            index: self.snapshot.index,
+        })
+    }
+
+    /// Takes over what a repair would make of the mechanism, if it is still to be seen.
+    pub(super) fn take_ghost(
+        &mut self,
+        number: usize,
+        snapshot: &Snapshot,
+        seen: Option<&Drawing>,
+    ) {
+        if let Some(ghost) = self.ghost.as_mut().filter(|ghost| ghost.number == number) {
+            ghost.drawing = snapshot.drawing(seen, false);
+        }
+    }
+
+    /// The mechanism as a repair would make it.
+    pub(super) fn ghost(&self) -> Option<&Drawing> {
+        self.ghost.as_ref()?.drawing.as_ref()
+    }
+
+    /// Takes what a worker tells that shares no memory with the window.
+    #[cfg(feature = "transfer")]
+    pub(super) fn remote(&mut self) -> Option<&mut Remote> {
+        match &mut self.worker {
+            Worker::Remote(remote) => Some(remote),
+            _ => None,
+        }
+    }
+
+    /// Ends all work beside the window. Returns whether that can be ended.
+    pub(super) fn stop(&mut self) -> bool {
+        let is_stopped = self.worker.stop();
+        if is_stopped {
+            self.works.clear();
+            self.is_stopped = true;
+        }
+        is_stopped
+    }
+
+    /// Whether the user has ended the analysis of the present text.
+    pub(super) const fn is_stopped(&self) -> bool {
+        self.is_stopped
+    }
+
+    /// Notes that work begins.
+    pub(super) fn begin_work(&mut self, work: Work) {
+        self.is_stopped = false;
+        self.works.push(work);
+    }
+
+    /// Notes that work has ended.
+    pub(super) fn end_work(&mut self, work: &Work) {
+        if let Some(index) = self.works.iter().position(|one| one == work) {
+            self.works.remove(index);
+        }
     }
 }

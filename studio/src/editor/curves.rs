@@ -9,6 +9,7 @@ use std::sync::Arc;
 
 /// The quantities to measure, and the motion in which they are measured.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Wanted {
     /// The quantities, as `mech table` calls them.
     pub(crate) names: Vec<String>,

@@ -4,6 +4,7 @@ use crate::edit::Command;
 
 /// A gesture: commands that are made one after the other, and undone together.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub struct Gesture {
     /// A short description.
     pub title: String,

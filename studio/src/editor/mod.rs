@@ -58,3 +58,5 @@ pub use state::Editor;
 pub use studio::Studio;
 pub use talk::Notice;
 pub use tool::Tool;
+#[cfg(feature = "transfer")]
+pub use worker::{Port, Server};

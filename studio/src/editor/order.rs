@@ -130,12 +130,30 @@ impl Export {
 }
 
 /// An order to write something to a file.
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Order {
     /// The job that makes it; none for the text itself as Rust.
     job: Option<Job>,
     document: Document,
     index: usize,
     pub(super) path: String,
+}
+
+/// What is to be written to a file.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
+pub(super) struct Made {
+    bytes: Vec<u8>,
+    /// What is to be told about it.
+    notes: String,
+}
+
+impl Made {
+    /// Writes it, and tells so.
+    pub(super) fn write(self, path: &str) -> Result<String, Failure> {
+        output::replace(Path::new(path), &self.bytes)?;
+        Ok(format!("wrote `{path}`{}", self.notes))
+    }
 }
 
 /// The notes of a job.
@@ -181,15 +199,15 @@ impl Order {
         })
     }
 
-    /// Writes it, and tells so.
-    pub(super) fn fulfil(self) -> Result<String, Failure> {
+    /// Makes what is to be written.
+    pub(super) fn make(&self) -> Result<Made, Failure> {
         let mut notes = Notes::default();
         let bytes = match &self.job {
             Some(job) => job.run(self.analysed()?, &mut notes)?,
             None => self.in_rust().into_bytes(),
         };
-        output::replace(Path::new(&self.path), &bytes)?;
-        Ok(format!("wrote `{}`{}", self.path, notes.0))
+        let Notes(notes) = notes;
+        Ok(Made { bytes, notes })
     }
 
     fn in_rust(&self) -> String {

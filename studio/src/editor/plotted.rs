@@ -4,7 +4,7 @@ use super::curves::{Curves, Wanted};
 use super::playing::Playing;
 use super::range::MotorRange;
 use super::snapshot::Snapshot;
-use super::worker::Task;
+use super::worker::{Task, Undone};
 use crate::job::Measure;
 use crate::motion::Setting;
 use crate::play::Player;
@@ -106,6 +106,13 @@ impl Plotted {
     pub(super) fn take(&mut self, curves: Curves) {
         self.is_asked = false;
         self.curves = Some(curves);
+    }
+
+    /// Waits no more for what was not measured.
+    pub(super) fn take_undone(&mut self, undone: Undone) {
+        if let Undone::Measure | Undone::All = undone {
+            self.is_asked = false;
+        }
     }
 
     /// Returns the plotted quantities as a measurement for a file.

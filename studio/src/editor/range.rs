@@ -8,6 +8,7 @@ use std::f64::consts::TAU;
 
 /// The range of a motor that moves alone from the start.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct MotorRange {
     /// The name of its joint.
     pub(crate) name: String,
@@ -40,6 +41,7 @@ impl MotorRange {
 
 /// The basis on which a range is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) enum Basis {
     /// It was declared, and the compiler has proved it.
     Proved,

@@ -95,6 +95,12 @@ impl Snapshot {
         self.reading.as_ref()?.result.as_deref().ok()
     }
 
+    /// The mechanism, and what it was compiled to, if it moves.
+    pub(crate) fn moving(&self) -> Option<(&Model, &Compiled)> {
+        let model = &self.reading.as_ref()?.model;
+        Some((model, self.compiled()?))
+    }
+
     /// Says in a line whether the mechanism moves.
     pub(crate) fn verdict(&self) -> String {
         match (&self.reading, self.compiled()) {
@@ -143,15 +149,14 @@ impl Snapshot {
 
     /// The mechanism to be played; none if it does not move.
     pub(crate) fn played(&self) -> Option<Result<Played, Failure>> {
-        let compiled = self.compiled()?;
-        let model = &self.reading.as_ref()?.model;
+        let (model, compiled) = self.moving()?;
         Some(played(model, compiled))
     }
 
     /// The whole paths of traced points; none if it does not move.
     pub(crate) fn paths(&self) -> Vec<Path> {
-        let moving = self.reading.as_ref().zip(self.compiled());
-        let found = moving.and_then(|(reading, compiled)| traced(&reading.model, compiled).ok());
+        let moving = self.moving();
+        let found = moving.and_then(|(model, compiled)| traced(model, compiled).ok());
         found.map(|(_, paths)| paths).unwrap_or_default()
     }
 

@@ -19,6 +19,7 @@ pub struct Studio {
     canvas: Canvas,
     line: panel::Line,
     panels: panel::Panels,
+    busy: panel::Busy,
     /// The title of the window.
     title: String,
     dropped: Dropped,
@@ -38,6 +39,7 @@ impl Studio {
             canvas: Canvas::default(),
             line: panel::Line::default(),
             panels: panel::Panels::default(),
+            busy: panel::Busy::default(),
             title: String::new(),
             dropped: Dropped::default(),
             #[cfg(not(target_arch = "wasm32"))]
@@ -107,6 +109,7 @@ impl Studio {
         egui::Panel::top("menu").show(ui, |ui| action::menu(editor, ui));
         #[cfg(not(target_arch = "wasm32"))]
         self.guard.ask(editor, ui);
+        self.busy.show(editor, ui);
         egui::Panel::bottom("line").show(ui, |ui| self.line.show(editor, ui));
         egui::Panel::bottom("play").show(ui, |ui| {
             panel::play(&mut editor.sight, &editor.analysis.snapshot, ui);

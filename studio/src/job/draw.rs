@@ -9,6 +9,7 @@ use mech_runtime::files::{self, Svg};
 
 /// A picture of a mechanism as it is assembled, or where its motors are put.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Draw {
     pub(crate) picture: Picture,
     pub(crate) kind: StillKind,

@@ -11,6 +11,7 @@ use std::time::Duration;
 
 /// A film of a mechanism while one of its motors moves.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Film {
     pub(crate) picture: Picture,
     pub(crate) kind: FilmKind,
@@ -25,6 +26,7 @@ pub(crate) struct Film {
 
 /// The kinds of films.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) enum FilmKind {
     Gif,
     Apng,

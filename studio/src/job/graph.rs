@@ -5,6 +5,7 @@ use mech_compiler::graphs;
 
 /// The subject of a graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) enum GraphKind {
     /// Links, and the joints between them.
     Links,

@@ -7,6 +7,7 @@ use crate::quantity::{self, Load, Measurement, Table, Units};
 
 /// The quantities to measure, and the motion.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Measure {
     /// The names of the quantities; if there are none, the coordinates of all joints.
     pub(crate) quantities: Vec<String>,

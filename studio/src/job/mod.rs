@@ -23,6 +23,7 @@ use mech_compiler::model::Model;
 
 /// Something that can be made of a mechanism.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) enum Job {
     /// A picture as it is assembled, or where its motors are put.
     Draw(Draw),
@@ -54,6 +55,7 @@ impl Analysed {
 
 /// Two kinds of still pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) enum StillKind {
     Png,
     Svg,

@@ -9,6 +9,7 @@ use mech_runtime::files::Sheet;
 
 /// The settings of a picture.
 #[derive(Clone, Debug, Default)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Picture {
     pub(crate) size: Size,
     /// The look of the mechanism, in place of the declared one.
@@ -23,6 +24,7 @@ pub(crate) struct Picture {
 
 /// A size in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Size {
     pub(crate) width: usize,
     /// Without, the height that fits.

@@ -7,6 +7,7 @@ use crate::failure::Failure;
 
 /// Charts of what is measured: quantities with the same unit share one.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Plot {
     pub(crate) measure: Measure,
     pub(crate) kind: StillKind,

@@ -13,6 +13,7 @@ use std::f64::consts::TAU;
 
 /// A motion of all motors.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Drive {
     /// The values of all motors before it, in radians or scene units.
     base: Vec<f64>,
@@ -24,6 +25,7 @@ pub(crate) struct Drive {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 enum Kind {
     /// This motor alone.
     Motor(MotorId),

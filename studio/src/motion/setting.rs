@@ -8,6 +8,7 @@ use mech_compiler::model::{JointId, JointKind, Model, MotorId};
 
 /// The value of a motor, as it is typed: `a=30`.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Setting {
     /// The name of the motor's joint.
     pub(crate) motor: String,
@@ -25,6 +26,7 @@ impl From<(String, f64)> for Setting {
 
 /// The value of a motor, as it is typed: in degrees, which may be said, or in scene units.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Typed {
     /// In degrees or scene units.
     pub(crate) number: f64,
@@ -111,6 +113,7 @@ pub(crate) fn posed<'c>(
 
 /// From where to where a motor moves.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Span {
     pub(crate) from: Option<Typed>,
     pub(crate) to: Option<Typed>,

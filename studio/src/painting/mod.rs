@@ -2,7 +2,7 @@
 
 use crate::motion::Paths;
 use mech_compiler::model::{LinkId, Look, Measure, Model};
-use mech_compiler::{Compiled, Points, Symbols, looks, symbols};
+use mech_compiler::{Compiled, Looks, Points, Symbols, looks, symbols};
 use mech_runtime::overlay::{Overlay, Symbol};
 use mech_runtime::{Canvas, Outline, Pose, View};
 
@@ -28,6 +28,18 @@ impl Painting {
     /// start.
     pub(crate) fn new(model: &Model, compiled: &Compiled, has_diagram: bool) -> Self {
         let looks = looks(model, compiled);
+        let extent = looks.extent(model, compiled);
+        Self::of(model, compiled, &looks, extent, has_diagram)
+    }
+
+    /// The same, where the look is known, and the box around the whole motion of it.
+    pub(crate) fn of(
+        model: &Model,
+        compiled: &Compiled,
+        looks: &Looks,
+        extent: [[f64; 2]; 2],
+        has_diagram: bool,
+    ) -> Self {
         let number = |link| number_of(compiled, link);
         let shapes = looks.painted.iter().filter_map(|painted| {
             Some(Shape {
@@ -62,7 +74,7 @@ impl Painting {
                 Some(Symbols::Elastic { symbols, unit }) => Some((drawn(symbols), Some(*unit))),
             },
             diagram: has_diagram.then(diagram),
-            extent: looks.extent(model, compiled),
+            extent,
         }
     }
 

@@ -12,7 +12,7 @@ use crate::painting::{Painting, number_of, poses_of};
 use mech_compiler::evaluate::Stop;
 use mech_compiler::model::{JointId, Look, Measure, Model, MotorId};
 use mech_compiler::program::{Forces, Position};
-use mech_compiler::{Compiled, compile, symbols};
+use mech_compiler::{Compiled, Looks, compile, looks, symbols};
 use mech_runtime::overlay::{Arrows, Spot};
 use mech_runtime::{Acceleration, Canvas, Overlay, Palette, Pose, Velocity};
 use std::cell::OnceCell;
@@ -35,13 +35,41 @@ pub struct Mechanism {
     /// The same with the forces in all joints.
     with_forces: OnceCell<Option<Compiled>>,
     painting: Painting,
+    prepared: Prepared,
     landmarks: Landmarks,
     /// The points whose velocities are drawn.
     points: Vec<Spot<f64>>,
-    motion: Motion,
     ready: Ready,
     position: Position<f64>,
     paths: Paths,
+}
+
+/// What takes time to find out about a mechanism before it can be played.
+#[derive(Clone)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct Prepared {
+    looks: Looks,
+    /// The box around its whole motion: lower left and upper right corner.
+    extent: [[f64; 2]; 2],
+    motion: Motion,
+}
+
+impl Prepared {
+    /// Prepares a coherent mechanism to be played.
+    ///
+    /// # Errors
+    /// If the compiler itself fails, which is a mistake of ours.
+    fn of(model: &Model, compiled: &Compiled) -> Result<Self, Failure> {
+        let looks = looks(model, compiled);
+        let extent = looks.extent(model, compiled);
+        let [low, high] = extent;
+        let size = (high[0] - low[0]).max(high[1] - low[1]);
+        Ok(Self {
+            looks,
+            extent,
+            motion: Motion::new(model, compiled, size)?,
+        })
+    }
 }
 
 impl Mechanism {
@@ -50,9 +78,21 @@ impl Mechanism {
     /// # Errors
     /// If the compiler itself fails, which is a mistake of ours.
     pub fn new(model: Model, compiled: Compiled) -> Result<Self, Failure> {
-        let painting = Painting::new(&model, &compiled, true);
-        let [low, high] = painting.extent();
-        let size = (high[0] - low[0]).max(high[1] - low[1]);
+        let prepared = Prepared::of(&model, &compiled)?;
+        Self::of(model, compiled, prepared)
+    }
+
+    /// A coherent mechanism that was prepared, at its start.
+    ///
+    /// # Errors
+    /// As of [`new`](Self::new).
+    pub(crate) fn of(
+        model: Model,
+        compiled: Compiled,
+        prepared: Prepared,
+    ) -> Result<Self, Failure> {
+        let Prepared { looks, extent, .. } = &prepared;
+        let painting = Painting::of(&model, &compiled, looks, *extent, true);
         let has_pose = |link| compiled.program.place_of(link).is_some();
         let points = symbols::moving_points(&model, &compiled.structure, has_pose);
         let number = |link| number_of(&compiled, link);
@@ -63,7 +103,7 @@ impl Mechanism {
             with_forces: OnceCell::new(),
             points: points.collect(),
             landmarks: Landmarks::new(&model, &compiled),
-            motion: Motion::new(&model, &compiled, size)?,
+            prepared,
             ready: Ready::new(&model, &compiled.program),
             position: Mover::new(&model, &compiled).position(),
             paths: Paths::new(&model, &compiled)?,
@@ -71,6 +111,12 @@ impl Mechanism {
             model,
             compiled,
         })
+    }
+
+    /// What it was made of.
+    #[cfg(feature = "transfer")]
+    pub(crate) fn into_parts(self) -> (Model, Compiled, Prepared) {
+        (self.model, self.compiled, self.prepared)
     }
 
     /// Its name.
@@ -98,26 +144,29 @@ impl Mechanism {
     /// The duration of 1 of the phase of its own motion, in seconds.
     #[must_use]
     pub fn seconds(&self) -> f64 {
-        self.motion.seconds()
+        self.prepared.motion.seconds()
     }
 
     /// After how much of the phase of its own motion every motor has moved.
     #[must_use]
     pub fn length(&self) -> f64 {
-        self.motion.length()
+        self.prepared.motion.length()
     }
 
     /// The values of the motors at a phase of its own motion.
     #[must_use]
     pub fn motion(&self, phase: f64) -> Vec<f64> {
-        self.motion.at(&self.model, &self.compiled, phase).values
+        self.prepared
+            .motion
+            .at(&self.model, &self.compiled, phase)
+            .values
     }
 
     /// The rates of the motors at a phase of its own motion.
     #[must_use]
     pub fn rates(&self, phase: f64) -> Rates {
         let compiled = self.with_rates().unwrap_or(&self.compiled);
-        let [first, second] = self.motion.at(&self.model, compiled, phase).rates;
+        let [first, second] = self.prepared.motion.at(&self.model, compiled, phase).rates;
         Rates { first, second }
     }
 

@@ -39,6 +39,8 @@ pub use grip::{Free, Grip};
 pub use keys::Key;
 pub use layers::{Layer, Layers};
 pub use limit::Limit;
+#[cfg(feature = "transfer")]
+pub(crate) use mechanism::Prepared;
 pub use mechanism::{Mechanism, Obstacle};
 pub use pace::Pace;
 pub use painter::Painter;

@@ -13,6 +13,7 @@ const USED: f64 = 0.98;
 
 /// The motion that a mechanism makes by itself, by a phase that goes on and on.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Motion {
     /// By the laws of its motors; the phase is the time in seconds.
     Laws(Drive),
@@ -22,6 +23,7 @@ pub(super) enum Motion {
 
 /// A stroke of a motor alone, from where it is at the start and back.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Stroke {
     motor: MotorId,
     way: Way,
@@ -29,6 +31,7 @@ pub(super) struct Stroke {
 
 /// The way of a stroke.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 enum Way {
     /// Once round.
     Round,

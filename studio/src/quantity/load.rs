@@ -6,6 +6,7 @@ use mech_compiler::model::{LoadKind, Model};
 
 /// A load and its numbers, as they are typed: `push=-100,0`.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Load {
     name: String,
     /// The parts of a force in the directions of the scene, or a torque.

@@ -16,6 +16,7 @@ use std::ops::Range;
 
 /// A table of measurements: a row for each position.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Table {
     /// The name and the unit of each column. The first is what the mechanism is driven by.
     pub(crate) columns: Vec<(String, String)>,

@@ -6,6 +6,7 @@ use mech_compiler::model::Model;
 
 /// The names of a scene unit and of a unit of force.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Units {
     pub(crate) length: String,
     pub(crate) force: String,

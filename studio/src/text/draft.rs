@@ -5,6 +5,7 @@ use std::ops::Range;
 
 /// A replacement of a stretch of a text.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "transfer", derive(serde::Deserialize))]
 pub struct Replacement {
     /// The range that is replaced, in bytes.
     pub range: Range<usize>,

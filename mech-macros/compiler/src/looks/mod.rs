@@ -37,6 +37,7 @@ const BESIDE_PIXELS: f64 = 18.0;
 
 /// The outlines and symbols that are painted of a mechanism.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Looks {
     /// The outlines of the ground and of all links whose poses are known, from the plane farthest from the eye to the nearest. Within
     /// a plane the ground's come first, then those of each link, in the order of declaration.
@@ -47,6 +48,7 @@ pub struct Looks {
 
 /// Symbols that are painted over all outlines.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Symbols {
     /// The whole diagram, with lines and symbols of a size in pixels.
     Diagram,

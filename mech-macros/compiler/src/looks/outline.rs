@@ -14,6 +14,7 @@ pub type Outline = mech_core::Outline<Measure, Points>;
 
 /// A list of points.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Points {
     /// The points.
     places: Vec<Place>,
@@ -62,6 +63,7 @@ impl FromIterator<Place> for Points {
 
 /// The outline of a toothed wheel: one tooth, repeated around a centre.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Toothed {
     /// Its centre.
     pub center: [f64; 2],
@@ -156,6 +158,7 @@ impl Grid {
 
 /// An outline that is painted.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Painted {
     /// The link that it is fixed to; the ground too.
     pub link: LinkId,

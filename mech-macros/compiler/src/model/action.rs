@@ -4,6 +4,7 @@ use super::{AxisId, JointId, LinkId, Origin};
 
 /// Everything that acts on links.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Actions {
     /// The acceleration of free fall, if there is gravity.
     pub gravity: Option<[f64; 2]>,
@@ -17,6 +18,7 @@ pub struct Actions {
 
 /// The ends of a spring or a damper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Between {
     /// Two points of different links: it pulls and pushes along the line between them.
     Points(AxisId, AxisId),
@@ -26,6 +28,7 @@ pub enum Between {
 
 /// A linear spring.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Spring {
     /// Its name.
     pub name: String,
@@ -41,6 +44,7 @@ pub struct Spring {
 
 /// A linear damper.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Damper {
     /// Its name.
     pub name: String,
@@ -54,6 +58,7 @@ pub struct Damper {
 
 /// A load that is set at run time.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Load {
     /// Its name.
     pub name: String,
@@ -65,6 +70,7 @@ pub struct Load {
 
 /// The kind of a load, with the point or link on which it acts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum LoadKind {
     /// A force at a point, in the directions of the scene.
     Force(AxisId),

@@ -6,6 +6,7 @@
     clippy::struct_excessive_bools,
     reason = "each effect is asked for or not, whatever the others"
 )]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Effects {
     /// Velocities of links, points and joints.
     pub velocity: bool,

@@ -2,6 +2,7 @@
 
 /// A part of a machine, or a text, in the frame of a link. Angles are in radians, counter-clockwise.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Figure {
     /// A toothed wheel.
     Gear {

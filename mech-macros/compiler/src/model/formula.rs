@@ -6,6 +6,7 @@ use std::fmt;
 
 /// The operation that computes a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Formula {
     /// A number that never changes.
     Constant(Number),
@@ -73,6 +74,7 @@ impl Formula {
 
 /// Formulas, each after those that it is made from. Equal ones are one.
 #[derive(Clone, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Formulas {
     all: Vec<Formula>,
     /// Only looked up, never iterated: the order of a hash map differs from run to run.

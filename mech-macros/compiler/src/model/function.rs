@@ -2,6 +2,7 @@
 
 /// The functions of one number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Function {
     /// The square root.
     Sqrt,
@@ -29,6 +30,7 @@ pub enum Function {
 
 /// The functions of two numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum BinaryFunction {
     /// The angle in radians, between −π and π, of the vector that has the first as its y and the second as its x.
     Atan2,

@@ -2,6 +2,7 @@
 
 /// An instance of a part. What belongs to it has names that begin with its path.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Instance {
     /// The name of the use.
     pub name: String,

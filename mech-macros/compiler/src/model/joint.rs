@@ -5,6 +5,7 @@ use std::fmt::{self, Display, Formatter};
 
 /// A joint between two links.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Joint {
     /// Its name.
     pub name: String,
@@ -19,6 +20,7 @@ pub struct Joint {
 
 /// The kinds of joint. The coordinate of a joint is that of its second part relative to its first.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum JointKind {
     /// Two point axes coincide; the coordinate is the angle from the first's direction to the second's, in radians.
     Revolute(AxisId, AxisId),
@@ -105,6 +107,7 @@ impl JointKind {
 
 /// The sizes of two meshing wheels. One of them is negative for an internal gear (a ring); none is zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Ratio {
     /// Numbers of teeth: exact.
     Teeth(i64, i64),
@@ -178,6 +181,7 @@ impl Display for Ratio {
 
 /// A motor: the coordinate of its joint is given from outside.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Motor {
     /// The joint it drives: revolute or prismatic.
     pub joint: JointId,
@@ -193,6 +197,7 @@ pub struct Motor {
 
 /// The values that a motor may take, both ends among them.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Range {
     /// The least, in radians or scene units.
     pub low: f64,

@@ -9,6 +9,7 @@ use std::f64::consts::TAU;
 
 /// A function of one variable.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Law {
     /// All that it is made from.
     formulas: Formulas,

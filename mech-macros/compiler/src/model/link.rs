@@ -5,6 +5,7 @@ use crate::bug::bug;
 
 /// A rigid body that moves in planes parallel to the screen.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Link {
     /// Its name.
     pub name: String,
@@ -38,6 +39,7 @@ impl Link {
 
 /// An axis of rotation (a point with a direction) or of sliding (a line with an origin), fixed to a link.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Axis {
     /// The link to which it is fixed.
     pub link: LinkId,
@@ -82,6 +84,7 @@ impl Axis {
 
 /// The kind of an axis: the motion that it allows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum AxisKind {
     /// Rotation about it.
     Point,

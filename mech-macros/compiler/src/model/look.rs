@@ -6,6 +6,7 @@ use mech_core::colors::{GROUND, MAIN_COUNT, darker, lighter, main};
 
 /// The look of a mechanism where no shape is declared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Look {
     /// Every link without shapes has a body that is made from what it carries.
     Machine,

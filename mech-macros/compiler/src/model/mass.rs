@@ -5,6 +5,7 @@ use super::{Figure, Shape, ShapeKind};
 
 /// The mass of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Mass {
     /// Its mass, not negative.
     pub mass: f64,

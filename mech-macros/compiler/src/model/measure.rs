@@ -4,6 +4,7 @@ use super::FormulaId;
 
 /// A number of what is drawn: a share of another, which may depend on params.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Measure {
     /// The number of which it is a share, at the start.
     pub value: f64,

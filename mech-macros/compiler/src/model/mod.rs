@@ -53,6 +53,7 @@ pub use trace::Trace;
 
 /// The scalar type of the generated code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Precision {
     /// Single precision.
     F32,
@@ -92,6 +93,7 @@ impl Precision {
 
 /// The method by which the loops are solved at run time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Method {
     /// Each dyad in closed form; what has none (coupled and tied loops) by Newton's iteration until it closes to rounding.
     #[default]
@@ -106,6 +108,7 @@ pub enum Method {
 
 /// The machine whose cost model weighs operations when a method is chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Target {
     /// A desktop machine.
     #[default]
@@ -116,6 +119,7 @@ pub enum Target {
 
 /// The behaviour of a mechanism at its change points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum AtChangePoints {
     /// It goes on as it came: velocities are continuous.
     #[default]
@@ -128,6 +132,7 @@ pub enum AtChangePoints {
 
 /// A planar mechanism: the ground, the moving links, and what joins them.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Model {
     /// The name of the generated struct.
     pub name: String,
@@ -182,6 +187,7 @@ pub struct Model {
 
 /// The allowances: each lets something pass that is otherwise an error.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Allowances {
     /// Joints that hold a part more than once, where lengths match exactly.
     pub redundant: bool,

@@ -2,6 +2,7 @@
 
 /// A finite number with an equality that tells every two bit patterns apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Number(u64);
 
 impl Number {

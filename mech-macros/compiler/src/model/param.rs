@@ -8,6 +8,7 @@ use std::f64::consts::TAU;
 
 /// A number that may be changed while the mechanism runs.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Param {
     /// Its name.
     pub name: String,
@@ -19,6 +20,7 @@ pub struct Param {
 
 /// The params of a mechanism, and every number that is computed from them.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Params {
     all: Vec<Param>,
     formulas: Formulas,

@@ -4,6 +4,7 @@ use super::{Figure, FormulaId, Origin};
 
 /// A coloured spot that belongs to one plane for ever.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Shape {
     /// Where it was declared.
     pub origin: Origin,
@@ -27,6 +28,7 @@ impl Shape {
 
 /// The outline of a shape.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum ShapeKind {
     /// A filled circle.
     Circle {
@@ -59,6 +61,7 @@ pub enum ShapeKind {
 
 /// The quality of a picture that a mechanism makes for itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Quality {
     /// A pixel belongs to a shape or does not: a `Frame`.
     #[default]

@@ -4,6 +4,7 @@ use super::{AxisId, AxisKind, Between, JointId, JointKind, LinkId, Model};
 
 /// One of the things that are asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Shown {
     /// The pose of a link, and with it its points and its shapes.
     Link(LinkId),

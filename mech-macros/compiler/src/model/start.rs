@@ -4,6 +4,7 @@ use super::{JointId, LinkId, Origin};
 
 /// The start of the motion.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Start {
     /// Coordinates of joints; a motor that is not listed starts at zero.
     pub values: Vec<StartValue>,
@@ -24,6 +25,7 @@ impl Start {
 
 /// A joint's coordinate at the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct StartValue {
     /// The joint: one with a motor, or one that a gear drives.
     pub joint: JointId,
@@ -35,6 +37,7 @@ pub struct StartValue {
 
 /// Of several assemblies, take the one in which this link's direction in the scene is nearest to this angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Near {
     /// The link.
     pub link: LinkId,

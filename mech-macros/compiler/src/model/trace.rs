@@ -4,6 +4,7 @@ use super::{AxisId, LinkId, Model, Origin};
 
 /// The last places of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Trace {
     /// The point: of a moving link, and named.
     pub point: AxisId,

@@ -39,6 +39,7 @@ const GOLDEN: f64 = 0.381_966;
 
 /// A place where a loop comes near a change point.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NearMiss {
     /// The number of the loop in the plan.
     pub number: usize,

@@ -20,6 +20,7 @@ const APART: f64 = 1e-5;
 
 /// The position of everything at the start.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Assembly {
     /// For each link the cosine, sine, x and y of its pose in the scene.
     pub poses: Vec<[f64; 4]>,
@@ -35,6 +36,7 @@ pub struct Assembly {
 
 /// The start of a cam.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CamStart {
     /// The cam.
     pub cam: JointId,

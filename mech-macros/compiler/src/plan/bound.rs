@@ -4,6 +4,7 @@ use crate::model::JointId;
 
 /// An angle whose turns are counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Turning {
     /// A source of gears, belts, racks and cams, by its number in the plan.
     Source(usize),
@@ -13,6 +14,7 @@ pub enum Turning {
 
 /// The greatest rate of something with each motor and param, while none of the causes in `growth` acts. Each cause multiplies it.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Bound {
     /// With each motor and param.
     pub rates: Vec<f64>,
@@ -24,6 +26,7 @@ pub struct Bound {
 
 /// A cause that makes something faster without end.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Growth {
     /// It is faster by the inverse of the sine of this loop, by its number in the plan.
     NearZero(usize),

@@ -10,6 +10,7 @@ use super::unknown::{Solution, Unknown};
 
 /// The circles and lines that a dyad intersects. Every vector is given by its two coordinates in the frame of the loop's first cluster.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) enum Dyad<S> {
     /// Two circles, u·a + v·b = goal: the arms turn, and reach the goal together.
     TwoCircles { goal: [S; 2], arms: [[S; 2]; 2] },

@@ -45,6 +45,7 @@ use crate::structure::{Diagnosis, Structure};
 
 /// The solution of a coherent mechanism, step by step.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Plan {
     /// The steps, each of which needs only those before it.
     pub steps: Vec<Step>,

@@ -7,6 +7,7 @@ use crate::model::{AxisId, JointId, LinkId, MotorId};
 
 /// One step: it merges clusters of links, so that the links inside keep known relative positions.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Step {
     /// A joint that never turns: its coordinate is the same for ever.
     Weld(Weld),
@@ -22,6 +23,7 @@ pub enum Step {
 
 /// A weld, or a pin that does not turn in its slot.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Weld {
     /// The connection that it makes.
     pub connection: Connection,
@@ -31,6 +33,7 @@ pub struct Weld {
 
 /// A joint whose coordinate a motor gives.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Drive {
     /// The motor.
     pub motor: MotorId,
@@ -40,6 +43,7 @@ pub struct Drive {
 
 /// A joint whose coordinate follows from others by rolling.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Mesh {
     /// A gear, belt or rack that moves it.
     pub by: JointId,
@@ -52,6 +56,7 @@ pub struct Mesh {
 
 /// A joint whose coordinate is a function of that of another.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Cam {
     /// The cam.
     pub by: JointId,
@@ -64,6 +69,7 @@ pub struct Cam {
 
 /// A quantity that is known when gears, belts and racks are solved.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Source {
     /// The coordinate of a motor.
     Motor(MotorId),
@@ -80,6 +86,7 @@ pub enum Source {
 
 /// Joints whose coordinates are found together.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Loop {
     /// The rings that must close. Every connection begins in the cluster in which the one before it ends.
     pub rings: Vec<Vec<Connection>>,
@@ -97,6 +104,7 @@ pub struct Loop {
 
 /// An unknown that rolling ties: how far it moves from the start.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Tie {
     /// The unknown that is tied.
     pub of: Unknown,
@@ -108,6 +116,7 @@ pub struct Tie {
 
 /// Two axes that coincide, one on a link of each of two clusters.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Connection {
     /// Whether the links turn about it or slide along it.
     pub kind: ConnectionKind,
@@ -150,6 +159,7 @@ impl Connection {
 
 /// The freedom of a connection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum ConnectionKind {
     /// Rotation: the coordinate is an angle.
     Revolute,

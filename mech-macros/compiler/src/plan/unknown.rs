@@ -4,6 +4,7 @@ use crate::model::{JointId, LinkId};
 
 /// An unknown of a loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Unknown {
     /// The direction of the base of a cluster, seen from the first.
     Direction(LinkId),
@@ -13,6 +14,7 @@ pub enum Unknown {
 
 /// The value of an unknown.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) enum Solution<S> {
     /// A unit vector.
     Direction([S; 2]),

@@ -5,6 +5,7 @@ use crate::plan::Dyad;
 
 /// A loop that is solved in closed form: its block is straight-line, with a margin to be tested.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ClosedForm {
     /// The number of its loop in the plan.
     pub number: usize,

@@ -6,6 +6,7 @@ use super::sensitivity::Sensitivity;
 
 /// The values that a program derives from positions, and the linear equations that it solves for them.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Derived {
     /// The equations.
     pub equations: LinearEquations,
@@ -15,6 +16,7 @@ pub struct Derived {
 
 /// The values that a program derives from positions.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Results {
     /// The rates of all poses, from those of the motors.
     Rates(LinkRates<Value>),
@@ -31,6 +33,7 @@ pub enum Results {
 
 /// The rates of all poses.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LinkRates<V> {
     /// For each moving link its angular velocity, and the rates of x and y.
     pub velocities: Vec<[V; 3]>,
@@ -61,6 +64,7 @@ impl<V: Copy> LinkRates<V> {
 
 /// The linear equations of loops and of equilibrium.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LinearEquations {
     /// The margins of all loops: negative where a loop's rates are not determined.
     pub margins: Vec<RateMargin>,
@@ -70,6 +74,7 @@ pub struct LinearEquations {
 
 /// A loop's test that it is not at a dead point or a change point.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RateMargin {
     /// The joints of the loop whose coordinates are unknown, for messages.
     pub place: String,
@@ -79,6 +84,7 @@ pub struct RateMargin {
 
 /// A linear system of coupled loops.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct System {
     /// The block in which it is solved.
     pub block: BlockId,

@@ -2,6 +2,7 @@
 
 /// The result of a program that computes forces.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Forces<V> {
     /// The torques of the motors, or their forces, that hold everything at rest.
     Holding(Vec<V>),
@@ -13,6 +14,7 @@ pub enum Forces<V> {
 
 /// The torques, forces and reactions that a given motion takes.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct InverseDynamics<V> {
     /// The torques of the motors, or their forces.
     pub torques: Vec<V>,
@@ -27,6 +29,7 @@ pub struct InverseDynamics<V> {
 
 /// Inertia and forces as the motors feel them.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Inertia<V> {
     /// The reduced inertia: row by row, one for each motor.
     pub matrix: Vec<Vec<V>>,

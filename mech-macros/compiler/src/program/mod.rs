@@ -48,6 +48,7 @@ pub(crate) const MODERATE: f64 = 1e15;
 
 /// A straight-line program.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Program {
     /// The name of the mechanism.
     pub name: String,
@@ -98,6 +99,7 @@ pub struct Program {
 
 /// Operations in SSA form, whatever they are for.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Ssa {
     /// All values, each after those it is made from.
     pub nodes: Vec<Node>,
@@ -107,6 +109,7 @@ pub struct Ssa {
 
 /// One step of the plan.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Block {
     /// Its name, which is that of a function.
     pub name: String,
@@ -129,6 +132,7 @@ impl Block {
 
 /// The kind of a block.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum BlockKind {
     /// One operation after another.
     Straight,
@@ -140,6 +144,7 @@ pub enum BlockKind {
 
 /// A position of a mechanism: everything that is carried from one move to the next.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Position<T> {
     /// The values of the motors, and after them those of the params.
     pub motors: Vec<T>,

@@ -7,6 +7,7 @@ const LINEAR_GAP: f64 = 2e-3;
 
 /// Newton's iteration on a loop's equations.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Newton {
     /// The number of its loop in the plan.
     pub number: usize,
@@ -40,6 +41,7 @@ pub struct Newton {
 
 /// A scalar that is iterated.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Scalar {
     /// Its name.
     pub name: String,
@@ -53,6 +55,7 @@ pub struct Scalar {
 
 /// The number of rounds of an iteration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Rounds {
     /// Until the gap is closed to rounding, but not more than this.
     UntilClosed(u32),
@@ -79,6 +82,7 @@ impl Rounds {
 
 /// The sizes at the start that all tolerances are relative to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Limits {
     /// The sum of the lengths of the vectors round the loop, in scene units.
     pub size: f64,

@@ -4,6 +4,7 @@ use crate::model::{InputId, MotorId, Number, in_32_bits};
 
 /// A scalar: the result of one node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Value(pub(super) u32);
 
 impl Value {
@@ -21,6 +22,7 @@ impl Value {
 
 /// A block of a program: one step of the plan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct BlockId(pub(super) u32);
 
 impl BlockId {
@@ -41,6 +43,7 @@ impl BlockId {
 
 /// A number of the last position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Slot {
     /// A number of the pose of a link, by its position among the links that a position stores.
     Pose(usize, Part),
@@ -51,6 +54,7 @@ pub enum Slot {
 
 /// A number of a pose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Part {
     /// The cosine of its angle.
     Cos,
@@ -75,6 +79,7 @@ impl Part {
 
 /// An operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Op {
     /// A constant.
     Constant(Number),
@@ -186,6 +191,7 @@ impl Op {
 
 /// A value in its place.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Node {
     /// The operation that makes it.
     pub op: Op,

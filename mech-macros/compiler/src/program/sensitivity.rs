@@ -7,6 +7,7 @@ use crate::program::live::iteration;
 
 /// For each param, the rates of everything if it alone changes, at a rate of one: as a motor's influence coefficients.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sensitivity {
     /// The points that are shown and have a name.
     pub points: Vec<AxisId>,
@@ -18,6 +19,7 @@ pub struct Sensitivity {
 
 /// The rates of everything if one param alone changes, at a rate of one.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ParamRates<V> {
     /// For each moving link whose pose is kept its angular velocity, and the rates of x and y.
     pub links: Vec<[V; 3]>,

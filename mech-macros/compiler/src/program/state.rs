@@ -5,6 +5,7 @@ use crate::model::{FormulaId, JointId};
 
 /// The places in the state of all numbers that have a meaning outside of the loops.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct StateLayout {
     /// The first of the signs of the inputs' last motions, if a loop passes change points: one number for each motor and
     /// param. After them comes one for each watched loop: that of its `mech_core::journey::Standing`.
@@ -17,6 +18,7 @@ pub struct StateLayout {
 
 /// The coordinate of a joint, over any number of turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct JointAngle {
     /// The joint.
     pub joint: JointId,
@@ -26,6 +28,7 @@ pub struct JointAngle {
 
 /// A number that depends on params: of the place or direction of an axis in its link, or of a shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Place {
     /// The formula that computes it.
     pub formula: FormulaId,

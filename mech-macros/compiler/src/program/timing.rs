@@ -9,6 +9,7 @@ use crate::model::{Model, MotorId, ParamId, Precision};
 
 /// The laws of all motors that have one.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Timing {
     /// The operations: one straight block.
     pub program: Program,
@@ -20,6 +21,7 @@ pub struct Timing {
 
 /// The values of a motor at a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LawValues {
     /// The motor.
     pub motor: MotorId,

@@ -5,6 +5,7 @@ use mech_core::journey::{AtZero, Growth};
 
 /// A loop that has dead points or change points.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Watch {
     /// Its block.
     pub block: BlockId,
@@ -28,6 +29,7 @@ pub struct Watch {
 
 /// An angle that is followed over whole turns.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Follow {
     /// The index in the state of the angle.
     pub angle: usize,

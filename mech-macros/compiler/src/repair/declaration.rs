@@ -8,6 +8,7 @@ use crate::model::{AxisId, JointId, JointKind, LinkId, Model};
 
 /// Links and joints that are to be declared, some in place of others.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Declaration {
     /// Their purpose.
     pub purpose: Purpose,
@@ -21,6 +22,7 @@ pub struct Declaration {
 
 /// The purpose of a new joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Purpose {
     /// To pin a link to the ground.
     Ground,
@@ -49,6 +51,7 @@ pub enum Purpose {
 
 /// A joint as it is to be written.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NewJoint {
     /// Its name.
     pub name: String,
@@ -60,6 +63,7 @@ pub struct NewJoint {
 
 /// The kind of a joint that is to be declared: the motion that it allows. Directions are of length one.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum NewKind {
     /// To turn.
     Revolute,
@@ -73,6 +77,7 @@ pub enum NewKind {
 
 /// The ends of a joint that is to be declared.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Ends {
     /// Two links, at a place in the scene, as the drawing has them.
     Drawn {

@@ -19,6 +19,7 @@ use crate::model::{JointId, JointKind, LinkId, Model, MotorId, Ratio};
 
 /// A change that a user can make. The ids are those of the mechanism that is to be mended.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Repair {
     /// Declare joints and links.
     Declare(Declaration),

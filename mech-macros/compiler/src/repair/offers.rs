@@ -11,6 +11,7 @@ use crate::syntax::Source;
 
 /// The repairs that mend a mechanism, as far as they were searched for. Each of them was applied, and compiled.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Offers {
     /// Changes each of which is enough. What is then left to do, at most, is to pick one of several assemblies.
     pub single: Vec<Repair>,
@@ -28,6 +29,7 @@ pub struct Offers {
 
 /// The extent of a search for repairs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Search {
     /// Single changes.
     #[default]

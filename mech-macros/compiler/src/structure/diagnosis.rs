@@ -4,6 +4,7 @@ use crate::model::{AxisId, JointId, LinkId, MotorId, ParamId, Ratio};
 
 /// An owner of numbers from which forces are made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Extreme {
     /// The mass of a link, its moment of inertia or its centre.
     Mass(LinkId),
@@ -20,6 +21,7 @@ pub enum Extreme {
 /// Something that keeps a mechanism from moving as a mechanism should.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Diagnosis {
     /// No joint holds this link.
     Loose {
@@ -205,6 +207,7 @@ pub enum Diagnosis {
 
 /// A loop with several assemblies.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct OpenLoop {
     /// The joint by whose coordinate they differ most.
     pub joint: JointId,
@@ -216,6 +219,7 @@ pub struct OpenLoop {
 
 /// One assembly of a loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LoopAssembly {
     /// The angle of the link in the scene, in radians.
     pub angle: f64,
@@ -225,6 +229,7 @@ pub struct LoopAssembly {
 
 /// Why two wheels cannot roll on each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum MeshTrouble {
     /// They turn on one shaft.
     OneShaft,
@@ -241,6 +246,7 @@ pub enum MeshTrouble {
 
 /// Why a declared range cannot stand.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum RangeTrouble {
     /// Coming from the start the motor moves up to a dead point.
     Blocked {

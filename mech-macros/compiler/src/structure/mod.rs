@@ -28,6 +28,7 @@ use crate::model::{AxisId, Joint, JointId, JointKind, LinkId, Model};
 
 /// The structure of a coherent mechanism.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Structure {
     /// The mobility by the count `3N − 2(R + P) − G`.
     pub mobility: i64,

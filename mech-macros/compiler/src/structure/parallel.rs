@@ -9,10 +9,12 @@ const ROUNDING: f64 = 1e-12;
 
 /// For each joint that slides its direction.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Parallels(Vec<Option<Heading>>);
 
 /// The direction of a slide.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Heading {
     /// The number of the direction: slides of one number stay parallel.
     pub(crate) number: usize,

@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 
 /// An axis of rotation with all links that turn about it.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Pin {
     /// The links, each with its axis that lies there, in declaration order of the axes.
     pub members: Vec<(LinkId, AxisId)>,

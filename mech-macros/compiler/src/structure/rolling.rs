@@ -7,6 +7,7 @@ use crate::model::{JointId, LinkId};
 /// Two coordinates tied by rolling: `factor · coordinate` of the one and of the other sum to a constant, both seen from the
 /// carrier.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Rolling {
     /// The joint.
     pub joint: JointId,
@@ -18,6 +19,7 @@ pub struct Rolling {
 
 /// A part that rolls on another.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum RollingEnd {
     /// A wheel: its coordinate is the angle from the carrier to it.
     Wheel(LinkId),
@@ -44,6 +46,7 @@ impl RollingEnd {
 
 /// An exact number.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Factor {
     /// A number of teeth.
     Whole(i64),

@@ -5,6 +5,7 @@ use crate::model::{Axis, AxisId, JointId, JointKind, LinkId, Model};
 
 /// A pin that does not turn in its slot.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct StillPin {
     /// The joint of the pin and the die of its slot.
     pub joint: JointId,

@@ -8,6 +8,7 @@ const ROUNDINGS: f64 = 64.0;
 
 /// The bodies into which links are welded.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Welded {
     /// For each link the first of its body, and where it is on that at the start.
     on: Vec<(LinkId, Frame)>,
@@ -17,6 +18,7 @@ pub struct Welded {
 
 /// Where a link is on another: the cosine and sine of its angle, and its origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 struct Frame {
     direction: [f64; 2],
     origin: [f64; 2],

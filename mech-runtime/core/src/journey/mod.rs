@@ -19,6 +19,7 @@ use piece::{forget_standing, note_arrived, travel_piece};
 
 /// A loop that is watched. All numbers are for the whole move, from the start to the target.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Watch<T> {
     /// By how much the square of the sine may change in the whole move, at most, as long as it does not grow.
     pub change: T,
@@ -41,6 +42,7 @@ pub struct Turn<T> {
 
 /// A cause that makes something change faster than its rates say.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Growth<T> {
     /// So many times as fast as one is greater than the sine of an earlier watched loop.
     Near(usize),
@@ -50,6 +52,7 @@ pub enum Growth<T> {
 
 /// The behaviour of a loop at a change point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum AtZero {
     /// It has none: it touches a dead point at most.
     Stay,

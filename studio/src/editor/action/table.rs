@@ -116,6 +116,14 @@ pub(super) const ACTIONS: &[Action] = &[
     },
     Action {
         menu: Menu::Edit,
+        name: "Stop",
+        help: "ends what is done beside the window: an analysis, a search, a film",
+        key: Some(with_command(Key::Period)),
+        is_possible: |editor| editor.work().is_some(),
+        perform: Editor::stop,
+    },
+    Action {
+        menu: Menu::Edit,
         name: "Delete",
         help: "removes what is selected",
         key: Some(alone(Key::Delete)),

@@ -10,6 +10,9 @@ use std::sync::Arc;
 /// The endings of the names of pictures that can be read.
 pub(in crate::editor) const ENDINGS: [&str; 3] = ["png", "jpg", "jpeg"];
 
+/// The largest file with a picture, in bytes.
+pub(in crate::editor) const LONGEST_PICTURE: u64 = 32 << 20;
+
 /// The longest side of a picture, in pixels: what all graphics cards can show. A larger one is made smaller.
 const LONGEST: u32 = 4096;
 

@@ -4,7 +4,7 @@ mod backdrop;
 #[cfg(not(target_arch = "wasm32"))]
 mod record;
 
-pub(super) use backdrop::{Backdrop, ENDINGS, is_picture};
+pub(super) use backdrop::{Backdrop, ENDINGS, LONGEST_PICTURE, is_picture};
 
 use super::drawing::Drawing;
 use super::item::Item;

@@ -51,8 +51,9 @@ pub(in crate::editor) fn diagnoses(editor: &mut Editor, ui: &mut egui::Ui) {
                 }
             }
         });
-    let drawing = editor.sight.drawing();
-    editor.analysis.preview_mending(hovered, drawing);
+    if let Some(task) = editor.analysis.preview_mending(hovered) {
+        editor.give(task);
+    }
     if let Some(number) = chosen {
         mend(editor, number);
     }

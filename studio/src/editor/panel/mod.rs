@@ -1,6 +1,7 @@
 //! The panels beside the drawing.
 
 mod behind;
+mod busy;
 mod diagnoses;
 mod field;
 mod graph;
@@ -15,6 +16,7 @@ mod steps;
 mod text;
 mod tools;
 
+pub(super) use busy::Busy;
 use diagnoses::diagnoses;
 pub(super) use line::Line;
 pub(super) use play::play;

@@ -2,8 +2,9 @@
 
 use super::Editor;
 use crate::dialogue::{Request, Turn, request};
+use crate::document::LONGEST;
 use crate::edit::Workspace;
-use crate::editor::desk::is_picture;
+use crate::editor::desk::{LONGEST_PICTURE, is_picture};
 use crate::editor::drag::Drag;
 use crate::editor::item::Item;
 use crate::editor::opening::{Opened, opened};
@@ -194,8 +195,30 @@ impl Editor {
         self.sight.fit();
     }
 
+    /// Why a file with so many bytes is not taken, if it is not.
+    #[must_use]
+    pub fn refusal_of(path: &Path, bytes: u64) -> Option<String> {
+        let (kind, most) = if is_picture(path) {
+            ("picture", LONGEST_PICTURE)
+        } else {
+            ("text", LONGEST)
+        };
+        let name = path.display();
+        (bytes > most)
+            .then(|| format!("`{name}` has {bytes} bytes; a {kind} may have {most} at most"))
+    }
+
+    /// Tells the user why something is refused.
+    pub fn refuse(&mut self, why: &str) {
+        self.talk.refuse(why);
+    }
+
     /// Takes a file: a picture goes behind the drawing, a text is edited, if the present one may be left.
     pub fn take_file(&mut self, path: &Path, bytes: Vec<u8>) {
+        if let Some(why) = Self::refusal_of(path, bytes.len() as u64) {
+            self.talk.refuse(why);
+            return;
+        }
         if is_picture(path) {
             let shown = self.desk.show(path, &bytes, &self.sight.camera);
             self.talk.tell_done(shown);

@@ -82,8 +82,8 @@ impl Editor {
         self.look();
     }
 
-    /// Reads the text anew, after it was changed other than by a gesture.
-    pub(super) fn read(&mut self) {
+    /// Reads the text anew, after it was changed other than by a gesture, or after the analysis was stopped.
+    pub(in crate::editor) fn read(&mut self) {
         let document = self.workspace().document();
         // Of fewer mechanisms than there were, the last one is meant.
         let last = document.declarations().len().saturating_sub(1);
@@ -157,7 +157,17 @@ impl Editor {
                     }
                 }
             }
-            Finding::Broken(undone, failure) => self.give_up(undone, failure),
+            Finding::Ghost(number, snapshot) => {
+                let drawing = self.sight.drawing();
+                self.analysis.take_ghost(number, &snapshot, drawing);
+            }
+            Finding::Undone(undone, failure) => self.give_up(undone, failure),
+            Finding::Begun(work) => self.analysis.begin_work(work),
+            Finding::Ended(work) => self.analysis.end_work(&work),
+            Finding::Made(path, made) => {
+                let written = made.and_then(|made| made.write(&path));
+                self.talk.tell_done(written);
+            }
             Finding::Exported(done) => self.talk.tell_done(done),
             Finding::Measured(curves) => self.plotted.take(*curves),
             Finding::Mended(snapshot, found) => {
@@ -171,7 +181,16 @@ impl Editor {
     fn give_up(&mut self, undone: Undone, why: impl ToString) {
         self.analysis.take_undone(undone);
         self.sight.drag.take_undone(undone);
+        self.plotted.take_undone(undone);
         self.talk.refuse(why);
+    }
+
+    /// Ends all work that is done beside the window. The last state that was found out stays.
+    pub fn stop(&mut self) {
+        if self.analysis.stop() {
+            let why = "stopped; what is seen may be of an earlier text";
+            self.give_up(Undone::All, why);
+        }
     }
 
     /// Takes over what a gesture does.

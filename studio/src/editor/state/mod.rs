@@ -18,6 +18,8 @@ use super::sight::Sight;
 use super::talk::{Notice, Talk};
 use super::tool::Picking;
 use super::worker::Worker;
+#[cfg(feature = "transfer")]
+use super::worker::{Port, Remote};
 use crate::dialogue::Session;
 use crate::edit::Workspace;
 use crate::mend::Mending;
@@ -53,7 +55,31 @@ impl Editor {
         Self::with(workspace, worker, Pending::default())
     }
 
-    /// One that analyses in pieces, one after each picture, as in a browser.
+    /// An editor of this text that has it analysed by a worker with which it shares no memory.
+    #[cfg(feature = "transfer")]
+    #[must_use]
+    pub fn remote(workspace: Workspace, port: Box<dyn Port>) -> Self {
+        let worker = Worker::Remote(Box::new(Remote::new(port)));
+        Self::with(workspace, worker, Pending::default())
+    }
+
+    /// Takes what such a worker tells.
+    #[cfg(feature = "transfer")]
+    pub fn hear(&mut self, reply: &[u8]) {
+        if let Some(remote) = self.analysis.remote() {
+            remote.hear(reply);
+        }
+    }
+
+    /// Goes on with another worker after such a one has broken: this is why.
+    #[cfg(feature = "transfer")]
+    pub fn lose_worker(&mut self, why: &str) {
+        if let Some(remote) = self.analysis.remote() {
+            remote.lose(why);
+        }
+    }
+
+    /// One that analyses in pieces, one after each picture, as in a browser without workers.
     #[must_use]
     pub fn in_pieces(workspace: Workspace) -> Self {
         Self::with(workspace, Worker::in_pieces(), Pending::default())
@@ -168,8 +194,14 @@ impl Editor {
     pub fn is_busy(&self) -> bool {
         let drag = &self.sight.drag;
         let is_let_go = !drag.is_nothing() && drag.held().is_none();
-        let is_known = self.analysis.is_present(self.workspace());
+        let is_known = self.analysis.is_stopped() || self.analysis.is_present(self.workspace());
         is_let_go || !is_known || self.analysis.is_mending()
+    }
+
+    /// What is done beside the window, in words; none if nothing is.
+    #[must_use]
+    pub fn work(&self) -> Option<String> {
+        self.analysis.works.last().map(ToString::to_string)
     }
 
     /// Whether no drag is under way, and no gesture is tried or waits.

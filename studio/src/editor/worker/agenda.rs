@@ -1,6 +1,6 @@
 //! The tasks to do, in pieces.
 
-use super::{Finding, Led, Previewed, Task, broken};
+use super::{Finding, Led, Previewed, Task, Work, broken};
 use crate::edit::{Drag, apply_all};
 use crate::editor::curves::Curves;
 use crate::editor::snapshot::Snapshot;
@@ -20,6 +20,8 @@ pub(in crate::editor) struct Agenda {
     given: VecDeque<Task>,
     /// The tasks that follow from the last text, done when no given task waits.
     follows: VecDeque<Task>,
+    /// The task that is being done.
+    present: Option<Task>,
 }
 
 impl Agenda {
@@ -46,8 +48,17 @@ impl Agenda {
         self.drags.is_empty() && self.given.is_empty() && self.follows.is_empty()
     }
 
-    /// Does the next piece, and tells what was found out.
-    pub(super) fn go_on(&mut self) -> Option<Finding> {
+    /// Forgets all tasks; what is held stays held.
+    pub(super) fn clear(&mut self) {
+        let held = self.held.take();
+        *self = Self {
+            held,
+            ..Self::default()
+        };
+    }
+
+    /// Takes up the next piece, and tells what it is.
+    pub(super) fn begin(&mut self) -> Option<Work> {
         // Where there is one thread for all, a drag leaves room for others.
         let others = |agenda: &mut Self| {
             let given = agenda.given.pop_front();
@@ -59,6 +70,17 @@ impl Agenda {
             self.drags.pop_front().or_else(|| others(self))
         }?;
         self.was_led = matches!(task, Task::Lead { .. });
+        let work = Work::of(&task);
+        self.present = Some(task);
+        Some(work)
+    }
+
+    /// Does the piece that was taken up, or the next one, and tells what was found out.
+    pub(super) fn go_on(&mut self) -> Option<Finding> {
+        if self.present.is_none() {
+            self.begin();
+        }
+        let task = self.present.take()?;
         let undone = task.undone();
         catch(|| self.fulfil(task)).unwrap_or_else(|what| Some(broken(undone, what)))
     }
@@ -84,6 +106,11 @@ impl Agenda {
                 self.go_on_with(&snapshot);
                 Some(Finding::Read(snapshot))
             }
+            Task::Ghost {
+                number,
+                document,
+                index,
+            } => Some(Finding::Ghost(number, Snapshot::of(document, index))),
             Task::Preview {
                 number,
                 document,
@@ -107,7 +134,10 @@ impl Agenda {
                 let held = self.held.as_ref().filter(|(held, _)| *held == number);
                 held.map(|(_, drag)| Finding::Led(Box::new(Led::of(number, drag, to))))
             }
-            Task::Export(order) => Some(Finding::Exported(order.fulfil())),
+            Task::Export(order) => {
+                let made = order.make();
+                Some(Finding::Made(order.path, made))
+            }
             Task::Measure { snapshot, wanted } => {
                 Some(Finding::Measured(Box::new(Curves::of(snapshot, wanted))))
             }

@@ -7,6 +7,7 @@ use crate::editor::snapshot::Snapshot;
 use std::sync::Arc;
 
 /// The item to be held, and its followers.
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(in crate::editor) struct Hold {
     /// Which of all drags it is for.
     pub(in crate::editor) number: u64,
@@ -28,6 +29,7 @@ pub(in crate::editor) enum Held {
 }
 
 /// Where something that is held was led.
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(in crate::editor) struct Led {
     /// Which of all drags it was.
     pub(in crate::editor) number: u64,

@@ -6,26 +6,39 @@
 mod agenda;
 mod hold;
 mod preview;
+#[cfg(feature = "transfer")]
+mod remote;
+#[cfg(feature = "transfer")]
+mod server;
+#[cfg(not(target_arch = "wasm32"))]
+mod thread;
+#[cfg(feature = "transfer")]
+mod transfer;
+mod work;
 
 use agenda::Agenda;
 pub(super) use hold::{Held, Hold, Led};
 pub(super) use preview::Previewed;
+#[cfg(feature = "transfer")]
+pub use remote::Port;
+#[cfg(feature = "transfer")]
+pub(super) use remote::Remote;
+#[cfg(feature = "transfer")]
+pub use server::Server;
+pub(super) use work::Work;
 
 use super::Gesture;
 use super::curves::{Curves, Wanted};
-use super::order::Order;
+use super::order::{Made, Order};
 use super::snapshot::{Played, Snapshot};
 use crate::document::Document;
 use crate::edit::{Applied, Refusal};
 use crate::failure::Failure;
 use crate::mend::Mending;
-use mech_compiler::catch;
 use std::collections::VecDeque;
 use std::sync::Arc;
 #[cfg(not(target_arch = "wasm32"))]
-use std::sync::mpsc::{Receiver, Sender, channel};
-#[cfg(not(target_arch = "wasm32"))]
-use std::thread;
+use thread::Threads;
 
 pub(super) enum Task {
     /// A gesture is tried on a text.
@@ -37,6 +50,12 @@ pub(super) enum Task {
     },
     /// A text is read.
     Read { document: Document, index: usize },
+    /// The text that a repair would make, by the number of the repair, is read to be seen.
+    Ghost {
+        number: usize,
+        document: Document,
+        index: usize,
+    },
     /// A text is read that will be another at once: while something is dragged, by the number of the drag. Bodies may be wanted.
     Preview {
         number: u64,
@@ -66,6 +85,8 @@ pub(super) enum Finding {
     Tried(u64, Box<Result<(Applied, Arc<Snapshot>), Refusal>>),
     /// The snapshot of a text.
     Read(Arc<Snapshot>),
+    /// The text that a repair would make, by the number of the repair.
+    Ghost(usize, Snapshot),
     /// Why something, by the number of its drag, cannot be held.
     NotHeld(u64, Refusal),
     /// Where something that is held was led.
@@ -77,14 +98,21 @@ pub(super) enum Finding {
     /// The repairs of a snapshot.
     Mended(Arc<Snapshot>, Result<Vec<Mending>, Failure>),
     Measured(Box<Curves>),
+    /// What is to be written, or why it could not be made.
+    Made(String, Result<Made, Failure>),
     /// A note on the written file, or why nothing was written.
     Exported(Result<String, Failure>),
-    /// A broken invariant of our own, and the work that was not done because of it.
-    Broken(Undone, Failure),
+    /// The work that was not done, and why: an invariant of our own is broken, or the user has stopped it.
+    Undone(Undone, Failure),
+    /// Work begins that takes its time, perhaps.
+    Begun(Work),
+    /// It has ended.
+    Ended(Work),
 }
 
-/// The work that was not done because an invariant of our own is broken.
+/// The work that was not done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Undone {
     /// A gesture was not tried.
     Try,
@@ -94,6 +122,8 @@ pub(super) enum Undone {
     Preview(u64),
     /// The findings that follow from the present text were not made.
     Follow,
+    /// Quantities were not measured.
+    Measure,
     /// Something that nobody waits for.
     Else,
     /// Nothing is done any more.
@@ -109,7 +139,8 @@ impl Task {
             Self::Lead { number, .. } => Undone::Drag(*number),
             Self::Preview { number, .. } => Undone::Preview(*number),
             Self::Read { .. } | Self::Move(_) | Self::Mend(_) => Undone::Follow,
-            Self::Measure { .. } | Self::Export(_) => Undone::Else,
+            Self::Measure { .. } => Undone::Measure,
+            Self::Ghost { .. } | Self::Export(_) => Undone::Else,
         }
     }
 }
@@ -128,41 +159,13 @@ pub(super) enum Worker {
         /// Whether a picture was shown since the last piece.
         is_shown: bool,
     },
-    /// In a thread of its own.
+    /// In threads of their own.
     #[cfg(not(target_arch = "wasm32"))]
-    Thread {
-        tasks: Sender<Task>,
-        /// The tasks that hold and lead, for a thread of their own: they do not wait for the analysis of earlier texts.
-        drags: Sender<Task>,
-        findings: Receiver<Finding>,
-        /// For what is done beside the thread.
-        outbox: Outbox,
-    },
+    Threads(Threads),
+    /// In another program, as that of a page's worker.
+    #[cfg(feature = "transfer")]
+    Remote(Box<Remote>),
 }
-
-/// Where findings go: to the window, which is woken.
-#[cfg(not(target_arch = "wasm32"))]
-#[derive(Clone)]
-pub(super) struct Outbox {
-    found: Sender<Finding>,
-    wake: Arc<dyn Fn() + Send + Sync>,
-}
-
-#[cfg(not(target_arch = "wasm32"))]
-impl Outbox {
-    /// Sends it. Returns whether anybody listens: nobody does any more when the window is closed.
-    fn send(&self, finding: Finding) -> bool {
-        let is_heard = self.found.send(finding).is_ok();
-        if is_heard {
-            (self.wake)();
-        }
-        is_heard
-    }
-}
-
-/// The stack of the thread, in bytes: the compiler goes as deep as the text that it reads.
-#[cfg(not(target_arch = "wasm32"))]
-const STACK: usize = 16 << 20;
 
 impl Worker {
     /// One that does everything at once.
@@ -182,30 +185,13 @@ impl Worker {
         }
     }
 
-    /// One with a thread of its own, which calls `wake` when it has found something out.
+    /// One with threads of its own, which call `wake` when they have found something out.
     ///
     /// # Errors
     /// If the system has no thread for it.
     #[cfg(not(target_arch = "wasm32"))]
     pub(super) fn beside(wake: impl Fn() + Send + Sync + 'static) -> std::io::Result<Self> {
-        let (found, findings) = channel();
-        let wake = Arc::new(wake);
-        let outbox = Outbox { found, wake };
-        let serve = |name: &str| {
-            let (tasks, to_do) = channel();
-            let outbox = outbox.clone();
-            let thread = thread::Builder::new().name(name.to_owned());
-            thread
-                .stack_size(STACK)
-                .spawn(move || serve(&to_do, &outbox))?;
-            std::io::Result::Ok(tasks)
-        };
-        Ok(Self::Thread {
-            tasks: serve("analysis")?,
-            drags: serve("drag")?,
-            findings,
-            outbox,
-        })
+        Threads::new(wake).map(Self::Threads)
     }
 
     /// Gives it something to do.
@@ -223,29 +209,26 @@ impl Worker {
                 Ok(())
             }
             #[cfg(not(target_arch = "wasm32"))]
-            Self::Thread {
-                tasks,
-                drags,
-                outbox,
-                ..
-            } => match task {
-                Task::Hold(..) | Task::Lead { .. } => drags.send(task).map_err(|_| ended()),
-                // A film takes its time, and nothing else waits for it.
-                Task::Export(order) => {
-                    let beside = outbox.clone();
-                    let export = move || {
-                        let done = catch(|| Finding::Exported(order.fulfil()));
-                        beside.send(done.unwrap_or_else(|what| broken(Undone::Else, what)));
-                    };
-                    let thread = thread::Builder::new().name("export".to_owned());
-                    if let Err(error) = thread.stack_size(STACK).spawn(export) {
-                        let failure = Failure::file(format!("nothing is written: {error}"));
-                        outbox.send(Finding::Exported(Err(failure)));
-                    }
-                    Ok(())
-                }
-                task => tasks.send(task).map_err(|_| ended()),
-            },
+            Self::Threads(threads) => threads.give(task),
+            #[cfg(feature = "transfer")]
+            Self::Remote(remote) => remote.give(task),
+        }
+    }
+
+    /// Ends all work that was given. Returns whether it can be ended: what is done at once, or in pieces, cannot.
+    pub(super) fn stop(&mut self) -> bool {
+        match self {
+            Self::Immediate { .. } | Self::InPieces { .. } => false,
+            #[cfg(not(target_arch = "wasm32"))]
+            Self::Threads(threads) => {
+                threads.stop();
+                true
+            }
+            #[cfg(feature = "transfer")]
+            Self::Remote(remote) => {
+                remote.restart();
+                true
+            }
         }
     }
 
@@ -271,40 +254,14 @@ impl Worker {
         match self {
             Self::Immediate { found, .. } | Self::InPieces { found, .. } => found.pop_front(),
             #[cfg(not(target_arch = "wasm32"))]
-            // The window itself can tell, so that the channel never ends.
-            Self::Thread { findings, .. } => findings.try_recv().ok(),
+            Self::Threads(threads) => threads.next(),
+            #[cfg(feature = "transfer")]
+            Self::Remote(remote) => remote.next(),
         }
     }
-}
-
-#[cfg(not(target_arch = "wasm32"))]
-fn ended() -> Failure {
-    Failure::internal("the analysis beside the window has ended")
 }
 
 /// Reports a broken invariant of our own.
 fn broken(undone: Undone, what: String) -> Finding {
-    Finding::Broken(undone, Failure::internal(what))
-}
-
-/// Does what comes, until nobody listens any more.
-#[cfg(not(target_arch = "wasm32"))]
-fn serve(to_do: &Receiver<Task>, outbox: &Outbox) {
-    let mut agenda = Agenda::default();
-    loop {
-        if agenda.is_done() {
-            match to_do.recv() {
-                Ok(task) => agenda.add(task),
-                Err(_) => return,
-            }
-        }
-        while let Ok(task) = to_do.try_recv() {
-            agenda.add(task);
-        }
-        if let Some(finding) = agenda.go_on()
-            && !outbox.send(finding)
-        {
-            return;
-        }
-    }
+    Finding::Undone(undone, Failure::internal(what))
 }

@@ -33,6 +33,7 @@ const COMBINATIONS: usize = 6;
 /// The accuracy of a mechanism: the greatest error of a place on its links, in scene units. An estimate from samples, with a
 /// reserve; no bound.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Prediction {
     /// Of anything.
     pub error: f64,
@@ -43,6 +44,7 @@ pub struct Prediction {
 
 /// The method by which a loop is solved, and its accuracy.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SolvedLoop {
     /// Its number among the loops of the plan: some may be left out.
     pub number: usize,

@@ -14,6 +14,7 @@ use shape::shape_numbers;
 
 /// The names and numbers of a text, in the order in which they are read. Places are spans, or what a reader of files makes of them.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Listing<P = Place> {
     /// Each name, where it is declared and where it is used.
     pub names: Vec<ListedName<P>>,
@@ -23,6 +24,7 @@ pub struct Listing<P = Place> {
 
 /// A name at one place.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ListedName<P = Place> {
     /// The kind of thing that it names.
     pub noun: Noun,
@@ -38,6 +40,7 @@ pub struct ListedName<P = Place> {
 
 /// The kind of thing that a name stands for, as far as the grammar knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Noun {
     /// A link, a port, or the use of a part.
     Body,
@@ -57,6 +60,7 @@ pub enum Noun {
 
 /// A number, or a pair of them, at its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ListedNumber<P = Place> {
     /// Its owner: `crank.pin`, or the word of a statement without a name.
     pub owner: String,

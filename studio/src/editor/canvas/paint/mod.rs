@@ -40,8 +40,8 @@ impl Paint<'_> {
             self.ranges(&painter, drawing);
             self.gaps(&painter, drawing, ui.visuals());
         }
-        if let Some(ghost) = &self.editor.analysis.ghost {
-            self.schematic(&painter, &ghost.drawing, 0.45);
+        if let Some(ghost) = self.editor.analysis.ghost() {
+            self.schematic(&painter, ghost, 0.45);
         }
         if !self.editor.is_readable() && self.editor.drawing().is_some() {
             let veil = ui.visuals().panel_fill.gamma_multiply(0.6);

@@ -1,0 +1,53 @@
+//! What is being done beside the window, in words.
+
+use super::Task;
+use std::fmt::{self, Display, Formatter};
+
+/// What is being done beside the window.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
+pub(in crate::editor) enum Work {
+    /// A gesture with this title is tried.
+    Trying(String),
+    /// The mechanism is analysed.
+    Analysing,
+    /// Something is dragged.
+    Dragging,
+    /// Quantities are measured.
+    Measuring,
+    /// A file of this name is written.
+    Writing(String),
+    /// The mechanism is prepared to be played.
+    Preparing,
+    /// Repairs are looked for.
+    Mending,
+}
+
+impl Work {
+    /// What a task is.
+    pub(super) fn of(task: &Task) -> Self {
+        match task {
+            Task::Try { gesture, .. } => Self::Trying(gesture.title.clone()),
+            Task::Read { .. } | Task::Ghost { .. } => Self::Analysing,
+            Task::Preview { .. } | Task::Hold(..) | Task::Lead { .. } => Self::Dragging,
+            Task::Measure { .. } => Self::Measuring,
+            Task::Export(order) => Self::Writing(order.path.clone()),
+            Task::Move(_) => Self::Preparing,
+            Task::Mend(_) => Self::Mending,
+        }
+    }
+}
+
+impl Display for Work {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Trying(title) => write!(f, "Trying: {title}"),
+            Self::Analysing => f.write_str("Analysing the mechanism"),
+            Self::Dragging => f.write_str("Following the pointer"),
+            Self::Measuring => f.write_str("Measuring"),
+            Self::Writing(path) => write!(f, "Writing {path}"),
+            Self::Preparing => f.write_str("Preparing to play"),
+            Self::Mending => f.write_str("Looking for repairs"),
+        }
+    }
+}
