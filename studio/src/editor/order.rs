@@ -8,8 +8,8 @@ use crate::job::{
     Analysed, Draw, Film, FilmKind, GraphKind, Job, Listener, Measure, Picture, Plot, StillKind,
 };
 use crate::motion::Setting;
-use crate::output;
-use std::path::Path;
+use crate::output::{self, Output, OutputKind};
+use std::path::{Path, PathBuf};
 
 /// A kind of file that can be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,13 +66,20 @@ impl Export {
     pub(super) const fn endings(self) -> &'static [&'static str] {
         match self {
             Self::Picture | Self::GraphPicture => &["png"],
-            Self::Drawing | Self::MovingDrawing | Self::GraphDrawing => &["svg"],
-            Self::Gif => &["gif"],
             Self::Apng => &["apng", "png"],
-            Self::Table => &["csv"],
-            Self::Rust => &["rs"],
-            Self::Report => &["txt"],
-            Self::LinkGraph | Self::LoopGraph => &["dot", "gv"],
+            _ => self.kind().endings(),
+        }
+    }
+
+    const fn kind(self) -> OutputKind {
+        match self {
+            Self::Picture | Self::GraphPicture | Self::Apng => OutputKind::Png,
+            Self::Drawing | Self::MovingDrawing | Self::GraphDrawing => OutputKind::Svg,
+            Self::Gif => OutputKind::Gif,
+            Self::Table => OutputKind::Csv,
+            Self::Rust => OutputKind::Rust,
+            Self::Report => OutputKind::Report,
+            Self::LinkGraph | Self::LoopGraph => OutputKind::Dot,
         }
     }
 
@@ -135,7 +142,10 @@ pub(super) struct Order {
     job: Option<Job>,
     document: Document,
     index: usize,
+    kind: Export,
     pub(super) path: String,
+    /// The files that are shown: none of them is written over.
+    inputs: Vec<PathBuf>,
 }
 
 /// The notes of a job.
@@ -157,6 +167,7 @@ impl Order {
         path: &str,
         workspace: &Workspace,
         job: Option<Job>,
+        traced: Option<&Path>,
     ) -> Result<Self, String> {
         let path = path.trim();
         if path.is_empty() {
@@ -170,13 +181,19 @@ impl Order {
                 "`{path}` is no name for this: write `.{ending}` at its end"
             ));
         }
-        if is_same(Path::new(path), workspace.path()) {
+        if Path::new(path) == workspace.path() {
             return Err(format!("`{path}` is the file of the text; save it instead"));
         }
         Ok(Self {
             job,
             document: workspace.document(),
             index: workspace.index(),
+            kind,
+            inputs: [workspace.path()]
+                .into_iter()
+                .chain(traced)
+                .map(Path::to_owned)
+                .collect(),
             path: path.to_owned(),
         })
     }
@@ -188,7 +205,8 @@ impl Order {
             Some(job) => job.run(self.analysed()?, &mut notes)?,
             None => self.in_rust().into_bytes(),
         };
-        output::replace(Path::new(&self.path), &bytes)?;
+        let output = Output::new(&self.path, self.kind.kind(), bytes);
+        output::write(output.from(&self.inputs))?;
         Ok(format!("wrote `{}`{}", self.path, notes.0))
     }
 
@@ -212,13 +230,5 @@ impl Order {
             let text = render(self.document.source(), &faults.messages, false);
             Failure::mechanism(text)
         })
-    }
-}
-
-/// Whether two paths lead to the same file.
-fn is_same(one: &Path, other: &Path) -> bool {
-    match (one.canonicalize(), other.canonicalize()) {
-        (Ok(one), Ok(other)) => one == other,
-        _ => one == other,
     }
 }

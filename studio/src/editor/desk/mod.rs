@@ -4,6 +4,8 @@ mod backdrop;
 #[cfg(not(target_arch = "wasm32"))]
 mod record;
 
+#[cfg(not(target_arch = "wasm32"))]
+pub(super) use backdrop::LONGEST_FILE;
 pub(super) use backdrop::{Backdrop, ENDINGS, is_picture};
 
 use super::drawing::Drawing;
@@ -78,7 +80,7 @@ impl Desk {
     pub(super) fn show_file(&mut self, path: &Path, camera: &Camera) -> Result<String, Failure> {
         // It is found again from any folder.
         let path = &std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
-        let read = std::fs::read(path)
+        let read = backdrop::read_file(path)
             .map_err(|error| Failure::file(format!("cannot read `{}`: {error}", path.display())));
         self.show(path, &read?, camera)
     }

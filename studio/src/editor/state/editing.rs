@@ -13,6 +13,7 @@ use crate::editor::removing::removal;
 use crate::editor::tool::{NamedPick, Pick, Picking, Tool};
 use crate::editor::worker::Worker;
 use crate::play::Control;
+use crate::text::masked;
 use std::path::Path;
 
 impl Editor {
@@ -172,7 +173,7 @@ impl Editor {
                 told,
             }) => {
                 self.open(workspace);
-                self.talk.journal.text += &losses;
+                self.talk.journal.text += &masked(&losses);
                 if let Some(told) = told {
                     self.talk.tell(told);
                 }
