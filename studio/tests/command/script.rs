@@ -144,6 +144,8 @@ const HOSTILE: &[&str] = &[
     // Other endings.
     "save Makefile",
     "save build.sh",
+    "save build.rs",
+    "open notes.txt\nsave sub/build.rs",
     "save new.MECHX",
     "table -o Makefile",
     "table -o new.csv.sh",

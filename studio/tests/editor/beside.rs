@@ -159,6 +159,7 @@ fn names_are_shown_without_what_turns_them() {
     user.key(Key::B);
     user.drag([1.0, 1.0], [3.0, 2.0]);
     assert!(!user.ends_by("save"));
+    assert!(!user.labels().contains('\u{202e}'), "{}", user.labels());
     assert!(user.tells("a?hcem.mech"), "{}", user.said());
 }
 

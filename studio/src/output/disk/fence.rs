@@ -86,7 +86,7 @@ impl Fence {
             let endings: Vec<String> = endings.map(|ending| format!("`.{ending}`")).collect();
             let endings = endings.join(" or ");
             return refused(format!(
-                "a script writes this only to a file that ends in {endings}, not to `{path}`"
+                "a script writes this to a file that ends in {endings}, and `{path}` does not; `--allow-write {path}` lets it"
             ));
         }
         let within = |folder: &PathBuf| target.strip_prefix(folder).ok();
@@ -110,6 +110,12 @@ impl Fence {
                 "`{path}` is hidden, as its name or its folder begins with a dot; `--allow-write {path}` lets the script write it"
             ));
         }
+        let is_rust = matches!(output.over, Over::Nothing(_)) && !ends_in_mech(target);
+        if is_rust {
+            return refused(format!(
+                "`{path}` is Rust, which a build may run; `--allow-write {path}` lets the script make it"
+            ));
+        }
         // What is saved anew takes the place of nothing anyway.
         let replaces = matches!(output.over, Over::OfKind(_) | Over::Any);
         if known.is_ok() && replaces && !is_own {
@@ -119,6 +125,11 @@ impl Fence {
         }
         Ok(())
     }
+}
+
+fn ends_in_mech(path: &Path) -> bool {
+    let ending = path.extension();
+    ending.is_some_and(|ending| ending.eq_ignore_ascii_case("mech"))
 }
 
 /// Whether a part of a path begins with a dot.

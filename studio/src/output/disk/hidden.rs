@@ -48,3 +48,24 @@ pub(crate) fn remove(path: &Path) -> Result<(), Failure> {
         _ => Ok(()),
     }
 }
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::keep;
+    use std::fs;
+
+    #[test]
+    fn a_link_is_replaced_and_not_followed() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = |name: &str| folder.path().join(name);
+        fs::write(path("theirs"), "theirs").expect("a file");
+        std::os::unix::fs::symlink("theirs", path(".a.desk")).expect("a link");
+        keep(&path(".a.desk"), b"ours", &path("a")).expect("it can be written");
+        assert_eq!(
+            fs::read_to_string(path("theirs")).expect("a file"),
+            "theirs"
+        );
+        let ours = fs::symlink_metadata(path(".a.desk")).expect("it is there");
+        assert!(ours.is_file());
+    }
+}
