@@ -1,6 +1,8 @@
 //! A script that a stranger has sent writes in its folder, and nowhere else. What is on the disk afterwards is the judge.
 
 use crate::run::{Answer, FOUR_BAR, Folder, mech_in, mech_said};
+use proptest::prelude::*;
+use proptest::sample::select;
 use std::collections::BTreeMap;
 use std::fs;
 use std::os::unix::fs::symlink;
@@ -305,4 +307,103 @@ fn the_user_allows_more() {
     }
     let answer = run(&folder, open, &["--allow-write", "nowhere/x"]);
     assert!(answer.refused(3).contains("cannot find `nowhere/x`"));
+}
+
+/// A path of pieces that lead out, in, round, and through links.
+fn hostile_path() -> impl Strategy<Value = String> {
+    const PIECES: &[&str] = &[
+        "..",
+        ".",
+        "sub",
+        "out",
+        "home",
+        "scripts",
+        ".git",
+        ".config",
+        "",
+        "opened.mech",
+        "HERE",
+        "link.csv",
+        "~",
+        "new",
+        "$HOME",
+        "out/..",
+        "sub/..",
+        "dangling.csv",
+    ];
+    const NAMES: &[&str] = &[
+        "new.mech",
+        "new.csv",
+        "new.svg",
+        "new.dot",
+        "victim.csv",
+        "secret.mech",
+        ".bashrc",
+        ".new.mech",
+        "link.csv",
+        "link.mech",
+        "dangling.mech",
+        "dangling.csv",
+        "hidden.csv",
+        "hard.mech",
+        "NEW.MECH",
+        "new.mech/",
+        "notes.txt",
+        " .mech",
+        "..mech",
+        "...",
+        "",
+    ];
+    let pieces = prop::collection::vec(select(PIECES), 0..5);
+    (pieces, select(NAMES)).prop_map(|(pieces, name)| {
+        let pieces = pieces.into_iter().chain([name]);
+        pieces.collect::<Vec<_>>().join("/")
+    })
+}
+
+fn hostile_line() -> impl Strategy<Value = String> {
+    const LINES: &[&str] = &[
+        "save PATH",
+        "save \"PATH\"",
+        "open PATH",
+        "rename coupler rod",
+        "rename rod coupler",
+        "save",
+        "undo",
+        "table a --steps 1 -o PATH",
+        "table a --steps 1 -oPATH --replace",
+        "graph --output=PATH",
+        "draw PATH with --size 8",
+        "draw \"PATH\" with --replace --size 8",
+        "graph --of loops -o PATH --replace",
+    ];
+    (select(LINES), hostile_path()).prop_map(|(line, path)| line.replace("PATH", &path))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Whatever lines say, nothing outside of their folder changes, nothing hidden, and nothing that they have not opened.
+    #[test]
+    fn random_lines_write_nothing_that_they_may_not(lines in prop::collection::vec(hostile_line(), 1..60)) {
+        let folder = houses();
+        let here = folder.path("");
+        let here = here.to_str().expect("UTF-8").trim_end_matches('/').trim_start_matches('/');
+        let lines: Vec<String> = lines.iter().map(|line| line.replace("HERE", &format!("/{here}"))).collect();
+        let before = tree(&folder.path(""));
+        let input = format!("open opened.mech\n{}\n", lines.join("\n"));
+        // From a pipe all lines are tried; as a script they are written together.
+        let answer = mech_said(&folder.path("scripts"), &[""; 0], &input);
+        prop_assert!(matches!(answer.code, Some(0..=3)), "{answer:?}");
+        run(&folder, &input, &[]);
+        let after = tree(&folder.path(""));
+        let scripts = folder.path("scripts");
+        let may_change = |path: &Path| path.strip_prefix(&scripts).is_ok_and(|below| {
+            let is_hidden = below.to_string_lossy().split('/').any(|part| part.starts_with('.'));
+            !is_hidden && below != Path::new("notes.txt") && below != Path::new("victim.csv")
+        });
+        for path in before.keys().chain(after.keys()) {
+            prop_assert!(may_change(path) || before.get(path) == after.get(path), "{}", path.display());
+        }
+    }
 }
