@@ -26,6 +26,7 @@ mod edit;
 pub mod editor;
 mod failure;
 mod import;
+mod input;
 mod job;
 mod mend;
 mod motion;

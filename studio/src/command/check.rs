@@ -32,7 +32,7 @@ impl Check {
         let verdicts = verdicts(&document, self.target.mechanism.as_deref(), self.json)?;
         let source = document.source();
         if self.json {
-            console.answer(to_json(source, &verdicts))?;
+            console.deliver(to_json(source, &verdicts))?;
         } else {
             for verdict in &verdicts {
                 match verdict {
@@ -41,7 +41,7 @@ impl Check {
                         console.answer(format!("{line}\n{notes}"))?;
                     }
                     Verdict::Faulty { messages, .. } => {
-                        console.complain(&render(source, messages, console.has_colors()));
+                        console.complain_in_colors(&render(source, messages, console.has_colors()));
                     }
                 }
             }

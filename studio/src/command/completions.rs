@@ -24,6 +24,6 @@ impl Completions {
     pub(super) fn run(&self, console: &mut Console) -> Result<(), Failure> {
         let mut script = Vec::new();
         generate(self.shell, &mut CommandLine::command(), "mech", &mut script);
-        console.answer(script)
+        console.deliver(script)
     }
 }

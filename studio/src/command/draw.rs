@@ -6,7 +6,7 @@ use super::target::Target;
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::job::{self, Job, StillKind};
-use crate::output;
+use crate::output::Writer;
 use clap::Args;
 
 /// Draws a mechanism as it is assembled, or where its motors are put: PNG or SVG.
@@ -26,12 +26,14 @@ Examples:
   mech draw src/main.rs --mechanism FourBar -o wide.png --size 1920x1080 --look diagram --night";
 
 impl Draw {
-    pub(super) fn run(&self, console: &mut Console) -> Result<(), Failure> {
+    pub(super) fn run(&self, writer: &mut Writer, console: &mut Console) -> Result<(), Failure> {
         let path = &self.picture.output;
         let kind = kind_of(path, &[("png", StillKind::Png), ("svg", StillKind::Svg)])?;
         let analysed = self.target.coherent_with(&self.picture.set, console)?;
         let picture = self.picture.job();
         let job = Job::Draw(job::Draw { picture, kind });
-        output::replace(path, &job.run(analysed, console)?)
+        let bytes = job.run(analysed, console)?;
+        let replacing = self.picture.replacing;
+        writer.write(replacing.output(path, kind.file(), bytes, &self.target))
     }
 }

@@ -38,7 +38,7 @@ impl Edit {
         let workspace = match &self.file {
             None => Workspace::default(),
             Some(path) if !path.exists() => Workspace::unsaved(path, ""),
-            Some(path) if self.mechanism.is_none() => Workspace::of(Source::read(path)?),
+            Some(path) if self.mechanism.is_none() => Workspace::of(Source::read_plain(path)?),
             Some(path) => Workspace::open(path, self.mechanism.as_deref())?,
         };
         let options = eframe::NativeOptions {

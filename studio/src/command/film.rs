@@ -7,7 +7,7 @@ use crate::console::Console;
 use crate::failure::Failure;
 use crate::job::{self, FilmKind, Job};
 use crate::motion::{Span, Typed};
-use crate::output;
+use crate::output::Writer;
 use clap::Args;
 
 /// Films a mechanism while one of its motors moves: GIF, animated PNG, or SVG that moves.
@@ -44,7 +44,7 @@ Examples:
   mech film crane.mech -o crane.png --motor luff --from 10 --to 70 --overlay";
 
 impl Film {
-    pub(super) fn run(&self, console: &mut Console) -> Result<(), Failure> {
+    pub(super) fn run(&self, writer: &mut Writer, console: &mut Console) -> Result<(), Failure> {
         let path = &self.picture.output;
         let kinds = [
             ("gif", FilmKind::Gif),
@@ -65,6 +65,8 @@ impl Film {
             seconds: self.seconds,
             rate: self.rate,
         });
-        output::replace(path, &job.run(analysed, console)?)
+        let bytes = job.run(analysed, console)?;
+        let replacing = self.picture.replacing;
+        writer.write(replacing.output(path, kind.file(), bytes, &self.target))
     }
 }

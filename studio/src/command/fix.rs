@@ -7,6 +7,7 @@ use crate::console::Console;
 use crate::document::{Document, Reading, Source};
 use crate::failure::{Failure, FailureKind};
 use crate::mend::{Mending, Remainder, mendings};
+use crate::output::Writer;
 use clap::Args;
 use similar::TextDiff;
 
@@ -29,7 +30,7 @@ Examples:
   mech fix src/main.rs --mechanism FourBar --pick 1";
 
 impl Fix {
-    pub(super) fn run(&self, console: &mut Console) -> Result<(), Failure> {
+    pub(super) fn run(&self, writer: &mut Writer, console: &mut Console) -> Result<(), Failure> {
         let document = self.target.document()?;
         let declaration = document.choose(self.target.mechanism.as_deref())?;
         let reading = document.analyse(declaration)?;
@@ -44,14 +45,14 @@ impl Fix {
         let messages = render(document.source(), &faults.messages, console.has_colors());
         if let Some(number) = self.pick {
             let index = document.index_of(declaration)?;
-            return pick((&document, index), &mendings, number, console);
+            return pick((&document, index), &mendings, number, (writer, console));
         }
-        console.complain(&messages);
+        console.complain_in_colors(&messages);
         if mendings.is_empty() {
             console.complain("note: no repair is known\n");
         }
         for (number, mending) in (1..).zip(&mendings) {
-            console.answer(shown(document.source(), number, mending))?;
+            console.deliver(shown(document.source(), number, mending))?;
         }
         Err(Failure::reported(FailureKind::Mechanism))
     }
@@ -82,7 +83,7 @@ fn pick(
     (document, position): (&Document, usize),
     mendings: &[Mending],
     number: u32,
-    console: &mut Console,
+    (writer, console): (&mut Writer, &mut Console),
 ) -> Result<(), Failure> {
     let index = number as usize - 1;
     let mending = mendings.get(index).ok_or_else(|| match mendings.len() {
@@ -90,8 +91,8 @@ fn pick(
         count => Failure::usage(format!("there is no repair {number}; the last is {count}")),
     })?;
     let text = &mending.text;
-    document.source().replace(text)?;
-    console.answer(diff(document.source(), text))?;
+    writer.write(document.source().replacement(text))?;
+    console.deliver(diff(document.source(), text))?;
     let changed = Document::of(Source::new(document.source().path(), text));
     let declaration = changed
         .declarations()
@@ -101,7 +102,7 @@ fn pick(
     match result {
         Ok(compiled) => console.answer(format!("{}\n", verdict_line(&model, &compiled))),
         Err(faults) => {
-            console.complain(&render(
+            console.complain_in_colors(&render(
                 changed.source(),
                 &faults.messages,
                 console.has_colors(),

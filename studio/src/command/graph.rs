@@ -1,11 +1,12 @@
 //! `mech graph`.
 
 use super::CODES;
+use super::replacing::Replacing;
 use super::target::Target;
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::job::{GraphKind, Job};
-use crate::output;
+use crate::output::{OutputKind, Writer};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -21,6 +22,8 @@ pub(super) struct Graph {
     /// The file to write; without, the graph is the answer.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    replacing: Replacing,
 }
 
 /// What a graph shows.
@@ -40,7 +43,7 @@ Examples:
   mech graph src/main.rs --mechanism FourBar --of loops";
 
 impl Graph {
-    pub(super) fn run(&self, console: &mut Console) -> Result<(), Failure> {
+    pub(super) fn run(&self, writer: &mut Writer, console: &mut Console) -> Result<(), Failure> {
         let analysed = self.target.coherent(console)?;
         let kind = match self.of {
             Kind::Links => GraphKind::Links,
@@ -49,8 +52,11 @@ impl Graph {
         };
         let dot = Job::Graph(kind).run(analysed, console)?;
         match &self.output {
-            Some(path) => output::replace(path, &dot),
-            None => console.answer(dot),
+            Some(path) => {
+                let replacing = self.replacing;
+                writer.write(replacing.output(path, OutputKind::Dot, dot, &self.target))
+            }
+            None => console.deliver(dot),
         }
     }
 }

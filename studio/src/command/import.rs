@@ -1,12 +1,13 @@
 //! `mech import`.
 
 use super::CODES;
+use super::replacing::Replacing;
 use crate::check::{render, verdict_line};
 use crate::console::Console;
 use crate::document::{Document, Reading, Source};
 use crate::failure::{Failure, FailureKind};
 use crate::import::{self, FileKind, Written, listed};
-use crate::output;
+use crate::output::{Output, OutputKind, Writer};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -22,9 +23,11 @@ pub(super) struct Import {
     /// A file, `-` for the standard input, or a link in quotes. A link may begin with its question mark.
     #[arg(value_name = "FILE|LINK")]
     from: String,
-    /// The file to write, which may not be there yet: `.mech`, or `.rs` for Rust. Without, the text is the answer.
+    /// The file to write, which may not be there yet without `--replace`: `.mech`, or `.rs` for Rust. Without, the text is the answer.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    replacing: Replacing,
     /// The name of the mechanism; without, that of the file.
     #[arg(short, long, value_name = "NAME")]
     mechanism: Option<String>,
@@ -52,27 +55,29 @@ struct Origin {
 }
 
 impl Import {
-    pub(super) fn run(&self, console: &mut Console) -> Result<(), Failure> {
+    pub(super) fn run(&self, writer: &mut Writer, console: &mut Console) -> Result<(), Failure> {
         let kind = self.kind()?;
         let origin = self.origin()?;
         let imported = import::read(&origin.source).map_err(|message| {
-            console.complain(&render(&origin.source, &[message], console.has_colors()));
+            console.complain_in_colors(&render(&origin.source, &[message], console.has_colors()));
             Failure::reported(origin.fault)
         })?;
         let name = self.name(&origin.wish)?;
         let Written { text, omissions } = imported.written(&origin.title, &name, kind)?;
         match &self.output {
             Some(path) => {
-                output::replace(path, text.as_bytes())?;
+                let output = Output::new(path, OutputKind::Mechanism, text.as_str());
+                let output = output.over(self.replacing.over_nothing());
+                writer.write(output.from([&self.from]))?;
                 console.answer(format!("saved `{}`\n", path.display()))?;
             }
-            None => console.answer(&text)?,
+            None => console.deliver(&text)?,
         }
         console.complain(&listed(&omissions));
         self.check(&name, text, console)
     }
 
-    /// What the text stands in. The file has to be a new one.
+    /// What the text stands in.
     fn kind(&self) -> Result<FileKind, Failure> {
         let Some(path) = &self.output else {
             return Ok(FileKind::Mechanism);
@@ -88,10 +93,6 @@ impl Import {
                 )));
             }
         };
-        if path.exists() {
-            let path = path.display();
-            return Err(Failure::file(format!("`{path}` is there already")));
-        }
         Ok(kind)
     }
 
@@ -158,7 +159,11 @@ impl Import {
             Ok(_) => Ok(()),
             Err(faults) => {
                 let messages = &faults.messages;
-                console.complain(&render(document.source(), messages, console.has_colors()));
+                console.complain_in_colors(&render(
+                    document.source(),
+                    messages,
+                    console.has_colors(),
+                ));
                 Err(Failure::reported(FailureKind::Mechanism))
             }
         }

@@ -15,6 +15,7 @@ mod of_text;
 mod picture;
 mod play;
 mod plot;
+mod replacing;
 mod report;
 mod run;
 mod table;
@@ -23,11 +24,13 @@ mod target;
 use crate::console::Console;
 use crate::dialogue::converse;
 use crate::failure::Failure;
+use crate::output::Writer;
 use clap::{Parser, Subcommand};
 use mech_compiler::catch;
 pub(crate) use of_text::obey_within;
 use of_text::{OfText, parse};
 use std::ffi::OsString;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// What is the same below the help of every command.
@@ -48,11 +51,15 @@ Exit codes:
     name = "mech",
     version,
     after_help = CODES,
-    disable_help_subcommand = true
+    disable_help_subcommand = true,
+    args_conflicts_with_subcommands = true
 )]
 struct CommandLine {
     #[command(subcommand)]
     command: Option<Command>,
+    /// Lets lines that come from a file or a program write here, too: a file, or a folder and what is below it.
+    #[arg(long, value_name = "PATH")]
+    allow_write: Vec<PathBuf>,
 }
 
 #[derive(Debug, Subcommand)]
@@ -83,15 +90,19 @@ pub fn run(words: impl IntoIterator<Item = OsString>, console: &mut Console) -> 
 }
 
 fn obey(words: impl IntoIterator<Item = OsString>, console: &mut Console) -> Result<(), Failure> {
-    let Some(CommandLine { command }) = parse(words, console)? else {
+    let Some(CommandLine {
+        command,
+        allow_write,
+    }) = parse(words, console)?
+    else {
         return Ok(());
     };
     match command {
-        None => converse(console),
-        Some(Command::OfText(command)) => command.run(console),
+        None => converse(&allow_write, console),
+        Some(Command::OfText(command)) => command.run(&mut Writer::default(), console),
         #[cfg(all(feature = "editor", not(target_arch = "wasm32")))]
         Some(Command::Edit(edit)) => edit.run(console),
-        Some(Command::Import(import)) => import.run(console),
+        Some(Command::Import(import)) => import.run(&mut Writer::default(), console),
         Some(Command::Run(run)) => run.run(console),
         Some(Command::Completions(completions)) => completions.run(console),
     }

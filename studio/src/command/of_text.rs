@@ -13,6 +13,7 @@ use super::target::Target;
 use crate::console::Console;
 use crate::document::Document;
 use crate::failure::{Failure, FailureKind};
+use crate::output::Writer;
 use clap::{Parser, Subcommand};
 use std::ffi::OsString;
 
@@ -60,6 +61,7 @@ pub(crate) fn obey_within(
     words: &[String],
     document: Document,
     index: usize,
+    writer: &mut Writer,
     console: &mut Console,
 ) -> Result<(), Failure> {
     let mut all: Vec<OsString> = vec!["mech".into()];
@@ -74,21 +76,21 @@ pub(crate) fn obey_within(
         return Ok(());
     };
     command.give(document, index);
-    command.run(console)
+    command.run(writer, console)
 }
 
 impl OfText {
-    pub(super) fn run(self, console: &mut Console) -> Result<(), Failure> {
+    pub(super) fn run(self, writer: &mut Writer, console: &mut Console) -> Result<(), Failure> {
         match self {
             Self::Check(check) => check.run(console),
-            Self::Fix(fix) => fix.run(console),
+            Self::Fix(fix) => fix.run(writer, console),
             Self::Report(report) => report.run(console),
-            Self::Graph(graph) => graph.run(console),
-            Self::Draw(draw) => draw.run(console),
-            Self::Film(film) => film.run(console),
-            Self::Table(table) => table.run(console),
-            Self::Plot(plot) => plot.run(console),
-            Self::Play(play) => play.run(console),
+            Self::Graph(graph) => graph.run(writer, console),
+            Self::Draw(draw) => draw.run(writer, console),
+            Self::Film(film) => film.run(writer, console),
+            Self::Table(table) => table.run(writer, console),
+            Self::Plot(plot) => plot.run(writer, console),
+            Self::Play(play) => play.run(writer, console),
         }
     }
 

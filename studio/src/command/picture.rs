@@ -1,6 +1,7 @@
 //! What drawings and films have in common: what is painted, and on what.
 
 use super::assignment::Assignment;
+use super::replacing::Replacing;
 use crate::failure::Failure;
 use crate::job::{self, Size};
 use crate::motion::Setting;
@@ -14,6 +15,8 @@ pub(super) struct Picture {
     /// The file to write: its ending says which kind.
     #[arg(short, long, value_name = "FILE")]
     pub(super) output: PathBuf,
+    #[command(flatten)]
+    pub(super) replacing: Replacing,
     /// The size in pixels, as 800x600; a width alone has the height that fits.
     #[arg(long, value_name = "SIZE", default_value = "800", value_parser = read_size)]
     size: Size,

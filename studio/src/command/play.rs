@@ -2,11 +2,13 @@
 
 use super::CODES;
 use super::picture::kind_of;
+use super::replacing::Replacing;
 use super::target::coherent;
 use crate::console::Console;
 use crate::document::{Declaration, Document, Source};
 use crate::failure::{Failure, FailureKind};
 use crate::job::Analysed;
+use crate::output::{Output, OutputKind, Writer};
 use crate::play::{Control, Mechanism, Player, SIZE, Stage, keys, terminal};
 use clap::Args;
 use std::io::{self, IsTerminal};
@@ -30,6 +32,8 @@ pub(super) struct Play {
     /// Writes what is seen as a PNG file, and plays no further.
     #[arg(long, value_name = "FILE")]
     picture: Option<PathBuf>,
+    #[command(flatten)]
+    replacing: Replacing,
     /// How long it has played by then, 0 to 3600.
     #[arg(long, value_name = "SECONDS", default_value = "0", requires = "picture", value_parser = read_seconds)]
     after: f64,
@@ -69,7 +73,7 @@ impl Play {
         self.given = Some(document);
     }
 
-    pub(super) fn run(&self, console: &mut Console) -> Result<(), Failure> {
+    pub(super) fn run(&self, writer: &mut Writer, console: &mut Console) -> Result<(), Failure> {
         let mut mechanisms = self.mechanisms(console)?.into_iter();
         let first = mechanisms.next();
         let first = first.ok_or_else(|| Failure::internal("there is nothing to play"))?;
@@ -82,7 +86,12 @@ impl Play {
             Some(path) => {
                 kind_of(path, &[("png", ())])?;
                 stage.wait(self.after);
-                stage.write(path)
+                let output = Output::new(path, OutputKind::Png, stage.png()?);
+                let output = output.over(self.replacing.over_its_kind());
+                writer.write(match &self.given {
+                    Some(document) => output.from([document.source().path()]),
+                    None => output.from(&self.files),
+                })
             }
             None if self.terminal => in_terminal(stage),
             None => in_window(stage),

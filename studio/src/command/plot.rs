@@ -3,11 +3,12 @@
 use super::CODES;
 use super::measure::{Measure, QUANTITIES};
 use super::picture::kind_of;
+use super::replacing::Replacing;
 use super::target::Target;
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::job::{self, Job, StillKind};
-use crate::output;
+use crate::output::Writer;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -24,6 +25,8 @@ pub(super) struct Plot {
     /// The file to write: its ending, `.svg` or `.png`, says which kind.
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
+    #[command(flatten)]
+    replacing: Replacing,
     /// The title; without, the name of the mechanism.
     #[arg(long, value_name = "TEXT")]
     title: Option<String>,
@@ -37,7 +40,7 @@ Examples:
   mech plot four_bar.mech coupler.tip.y --over t --rate 6.28 -o time.svg";
 
 impl Plot {
-    pub(super) fn run(&self, console: &mut Console) -> Result<(), Failure> {
+    pub(super) fn run(&self, writer: &mut Writer, console: &mut Console) -> Result<(), Failure> {
         let kinds = [("svg", StillKind::Svg), ("png", StillKind::Png)];
         let kind = kind_of(&self.output, &kinds)?;
         let analysed = self.target.coherent_with(&self.measure.set, console)?;
@@ -46,6 +49,8 @@ impl Plot {
             kind,
             title: self.title.clone(),
         });
-        output::replace(&self.output, &job.run(analysed, console)?)
+        let bytes = job.run(analysed, console)?;
+        let (path, replacing) = (&self.output, self.replacing);
+        writer.write(replacing.output(path, kind.file(), bytes, &self.target))
     }
 }

@@ -24,6 +24,6 @@ impl Report {
     pub(super) fn run(&self, console: &mut Console) -> Result<(), Failure> {
         let analysed = self.target.coherent(console)?;
         let text = Job::Report.run(analysed, console)?;
-        console.answer(text)
+        console.deliver(text)
     }
 }

@@ -2,11 +2,12 @@
 
 use super::CODES;
 use super::measure::{Measure, QUANTITIES};
+use super::replacing::Replacing;
 use super::target::Target;
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::job::Job;
-use crate::output;
+use crate::output::{OutputKind, Writer};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -21,6 +22,8 @@ pub(super) struct Table {
     /// The file to write; without, the table is the answer.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    replacing: Replacing,
 }
 
 const EXAMPLES: &str = "\
@@ -30,12 +33,15 @@ Examples:
   mech table press.mech torque:crank transmission --from 0 --to 180 --rate 10.5 --length m --force N";
 
 impl Table {
-    pub(super) fn run(&self, console: &mut Console) -> Result<(), Failure> {
+    pub(super) fn run(&self, writer: &mut Writer, console: &mut Console) -> Result<(), Failure> {
         let analysed = self.target.coherent_with(&self.measure.set, console)?;
         let text = Job::Table(self.measure.job()).run(analysed, console)?;
         match &self.output {
-            Some(path) => output::replace(path, &text),
-            None => console.answer(text),
+            Some(path) => {
+                let replacing = self.replacing;
+                writer.write(replacing.output(path, OutputKind::Csv, text, &self.target))
+            }
+            None => console.deliver(text),
         }
     }
 }

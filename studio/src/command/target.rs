@@ -7,7 +7,7 @@ use crate::document::{Declaration, Document};
 use crate::failure::{Failure, FailureKind};
 use crate::job::Analysed;
 use clap::Args;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Which mechanism of which file.
 #[derive(Args, Clone, Debug)]
@@ -30,7 +30,13 @@ impl Target {
         self.given = Some(document);
     }
 
-    /// The file.
+    /// The file that is read.
+    pub(super) fn path(&self) -> &Path {
+        let given = self.given.as_ref();
+        given.map_or(&*self.file, |document| document.source().path())
+    }
+
+    /// The document in it.
     pub(super) fn document(&self) -> Result<Document, Failure> {
         match &self.given {
             Some(document) => Ok(document.clone()),
@@ -68,7 +74,7 @@ pub(super) fn coherent(
     console: &mut Console,
 ) -> Result<Analysed, Failure> {
     Analysed::of(document.analyse(declaration)?).map_err(|faults| {
-        console.complain(&render(
+        console.complain_in_colors(&render(
             document.source(),
             &faults.messages,
             console.has_colors(),

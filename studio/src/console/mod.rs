@@ -4,6 +4,7 @@
 mod progress;
 
 use crate::failure::Failure;
+use crate::text::masked;
 use std::io::{self, ErrorKind, IsTerminal, Write};
 
 /// Where a command writes what it says.
@@ -12,6 +13,8 @@ pub struct Console {
     complaints: Box<dyn Write>,
     /// Whether complaints are read by somebody who sees colours.
     has_colors: bool,
+    /// Whether a terminal shows the answers.
+    is_shown: bool,
     /// The progress of the present job.
     #[cfg(not(target_arch = "wasm32"))]
     progress: Option<indicatif::ProgressBar>,
@@ -26,6 +29,7 @@ impl Console {
             answers: Box::new(io::stdout()),
             complaints: Box::new(io::stderr()),
             has_colors: is_wanted && io::stderr().is_terminal(),
+            is_shown: io::stdout().is_terminal(),
             #[cfg(not(target_arch = "wasm32"))]
             progress: None,
         }
@@ -38,6 +42,7 @@ impl Console {
             answers: Box::new(answers),
             complaints: Box::new(complaints),
             has_colors: false,
+            is_shown: false,
             #[cfg(not(target_arch = "wasm32"))]
             progress: None,
         }
@@ -49,12 +54,27 @@ impl Console {
         self.has_colors
     }
 
-    /// Writes an answer.
+    /// Writes an answer to the user. What would command a terminal is masked.
     ///
     /// # Errors
     /// If it cannot be written.
-    pub fn answer(&mut self, text: impl AsRef<[u8]>) -> Result<(), Failure> {
-        let written = self.answers.write_all(text.as_ref());
+    pub fn answer(&mut self, text: impl AsRef<str>) -> Result<(), Failure> {
+        self.write(masked(text.as_ref()).as_bytes())
+    }
+
+    /// Writes what was asked for, as a file would have it: byte for byte, unless a terminal shows it.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn deliver(&mut self, bytes: impl AsRef<[u8]>) -> Result<(), Failure> {
+        if self.is_shown {
+            return self.answer(String::from_utf8_lossy(bytes.as_ref()));
+        }
+        self.write(bytes.as_ref())
+    }
+
+    fn write(&mut self, bytes: &[u8]) -> Result<(), Failure> {
+        let written = self.answers.write_all(bytes);
         written
             .and_then(|()| self.answers.flush())
             .map_err(|error| {
@@ -66,8 +86,13 @@ impl Console {
             })
     }
 
-    /// Writes a complaint. Where even that fails, only the exit code is left to say it.
+    /// Writes a complaint. What would command a terminal is masked. Where it cannot be written, only the exit code is left to say it.
     pub fn complain(&mut self, text: &str) {
+        self.complain_in_colors(&masked(text));
+    }
+
+    /// Writes a complaint that has colours of ours, and in which everything else is masked.
+    pub(crate) fn complain_in_colors(&mut self, text: &str) {
         let _ = self.complaints.write_all(text.as_bytes());
     }
 }

@@ -114,6 +114,10 @@ pub(super) fn beginnings() -> Vec<&'static str> {
 
 /// The beginning that is most like a word.
 fn nearest(word: &str) -> Option<&'static str> {
+    // No word that can be said is half as long, and to compare a long one takes for ever.
+    if word.len() > 64 {
+        return None;
+    }
     let likeness = |known: &str| similar::TextDiff::from_chars(known, word).ratio();
     let all = beginnings()
         .into_iter()

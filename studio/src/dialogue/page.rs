@@ -3,12 +3,14 @@
 use crate::console::Console;
 use crate::document::Document;
 use crate::failure::Failure;
+use crate::output::Writer;
 
 /// Says that a subcommand is not there.
 pub(super) fn obey_within(
     words: &[String],
     _: Document,
     _: usize,
+    _: &mut Writer,
     _: &mut Console,
 ) -> Result<(), Failure> {
     let name = words.first();

@@ -5,6 +5,8 @@ use super::session::{Session, Turn};
 use crate::console::Console;
 use crate::document::Listing;
 use crate::failure::{Failure, FailureKind};
+use crate::input::read_line;
+use crate::output::{Fence, Writer};
 use rustyline::completion::Completer;
 use rustyline::error::ReadlineError;
 use rustyline::highlight::Highlighter;
@@ -12,26 +14,33 @@ use rustyline::hint::Hinter;
 use rustyline::history::MemHistory;
 use rustyline::validate::Validator;
 use rustyline::{Config, Context, Editor, Helper};
-use std::io::{self, BufRead, IsTerminal};
+use std::io::{self, IsTerminal};
+use std::path::PathBuf;
 
 /// The first lines for the user.
 const GREETING: &str = "`help` lists what can be said, `quit` ends.\n";
 
 /// Talks until the user ends it.
-pub(crate) fn converse(console: &mut Console) -> Result<(), Failure> {
+pub(crate) fn converse(allow_write: &[PathBuf], console: &mut Console) -> Result<(), Failure> {
     if io::stdin().is_terminal() {
         at_terminal(console)
     } else {
-        from_lines(console)
+        from_lines(allow_write, console)
     }
 }
 
-/// Lines that nobody edits. Each is tried; if one is refused, the exit code says so.
-fn from_lines(console: &mut Console) -> Result<(), Failure> {
-    let mut session = Session::new(false);
+/// The longest line that is read, in bytes.
+const LONGEST: u64 = 1 << 20;
+
+/// Lines that nobody types, so that they are a script: they write in the present folder only. Each is tried; if one is refused, the exit
+/// code says so.
+fn from_lines(allow_write: &[PathBuf], console: &mut Console) -> Result<(), Failure> {
+    let fence = Fence::around(None, allow_write)?;
+    let mut session = Session::new(Writer::within(fence));
     let mut worst = None;
-    for line in io::stdin().lock().lines() {
-        let line = line.map_err(|error| Failure::file(format!("cannot read a line: {error}")))?;
+    let mut input = io::stdin().lock();
+    let unread = |error| Failure::file(format!("cannot read a line: {error}"));
+    while let Some(line) = read_line(&mut input, LONGEST).map_err(unread)? {
         match session.obey(&line, console) {
             Ok(Turn::GoOn) => {}
             Ok(Turn::End) => break,
@@ -52,7 +61,7 @@ fn at_terminal(console: &mut Console) -> Result<(), Failure> {
         .as_mut()
         .map_err(|error| Failure::file(format!("cannot use the terminal: {error}")))?;
     console.answer(GREETING)?;
-    let mut session = Session::new(false);
+    let mut session = Session::new(Writer::default());
     let mut is_warned = false;
     loop {
         editor.set_helper(Some(Guide(session.listing())));

@@ -9,9 +9,12 @@ use crate::check::verdict_line;
 use crate::command::obey_within;
 use crate::console::Console;
 use crate::document::{Declaration, Document, Listing, Reading};
-use crate::edit::{Saving, Workspace};
+use crate::edit::Workspace;
 use crate::failure::Failure;
 use crate::mend::mendings;
+#[cfg(not(target_arch = "wasm32"))]
+use crate::output::OutputKind;
+use crate::output::Writer;
 use std::path::Path;
 
 /// Whether the dialogue goes on.
@@ -26,28 +29,17 @@ pub(crate) enum Turn {
 /// A session: a file, its text as it is now, and the steps that led there.
 pub(crate) struct Session {
     pub(crate) workspace: Workspace,
-    /// The files to write at the end, if all goes well; none if each is written at once.
-    deferred: Option<Vec<Writing>>,
-}
-
-/// Something that is to be written.
-enum Writing {
-    /// A text.
-    Text(Saving),
-    /// The files of a subcommand, for a text as it was.
-    Answer {
-        words: Vec<String>,
-        document: Document,
-        index: usize,
-    },
+    /// Writes the files, at once or at the end.
+    writer: Writer,
 }
 
 impl Session {
-    /// An empty text, without a file. Files are written at once, or all at the end.
-    pub(crate) fn new(is_deferred: bool) -> Self {
+    /// An empty text, without a file.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(crate) fn new(writer: Writer) -> Self {
         Self {
             workspace: Workspace::default(),
-            deferred: is_deferred.then(Vec::new),
+            writer,
         }
     }
 
@@ -56,7 +48,7 @@ impl Session {
     pub(crate) fn of(workspace: Workspace) -> Self {
         Self {
             workspace,
-            deferred: None,
+            writer: Writer::default(),
         }
     }
 
@@ -77,7 +69,7 @@ impl Session {
                 let state = state(&applied.reading);
                 console.answer(format!("{}{notes}\n  {state}\n", applied.title))?;
             }
-            Request::Ask(words) => self.ask(words, console)?,
+            Request::Ask(words) => self.ask(&words, console)?,
             Request::Repairs => self.repairs(console)?,
             Request::Undo => {
                 let title = self.workspace.undo();
@@ -97,7 +89,7 @@ impl Session {
                         .collect::<String>(),
                 )?;
             }
-            Request::Text => console.answer(self.workspace.text())?,
+            Request::Text => console.deliver(self.workspace.text())?,
             Request::Numbers(owner) => console.answer(self.numbers(owner.as_deref())?)?,
             Request::Open { file, mechanism } => {
                 self.open(Path::new(file.trim_matches('"')), mechanism.as_deref())?;
@@ -142,49 +134,37 @@ impl Session {
         let path = file.map(|file| Path::new(file.trim_matches('"')));
         // A text that could not be written does not count as written.
         let before = self.workspace.clone();
-        let saving = self.workspace.save_to(path)?;
-        let done = self.write(Writing::Text(saving), console);
-        if done.is_err() {
+        let output = self.workspace.save_to(path)?;
+        if let Err(failure) = self.writer.write(output) {
             self.workspace = before;
+            return Err(failure);
         }
-        done
+        if self.writer.is_deferred() {
+            return Ok(());
+        }
+        let path = self.workspace.path().display();
+        console.answer(format!("saved `{path}`\n"))
     }
 
-    /// Writes something, now or at the end.
-    fn write(&mut self, writing: Writing, console: &mut Console) -> Result<(), Failure> {
-        match &mut self.deferred {
-            Some(deferred) => {
-                deferred.push(writing);
-                Ok(())
-            }
-            None => writing.write(console),
+    /// Writes what was deferred, and tells so.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(crate) fn finish(self, console: &mut Console) -> Result<(), Failure> {
+        for (kind, path) in self.writer.finish()? {
+            let done = match kind {
+                OutputKind::Mechanism => "saved",
+                _ => "wrote",
+            };
+            console.answer(format!("{done} `{}`\n", path.display()))?;
         }
-    }
-
-    /// Writes what was deferred.
-    pub(crate) fn finish(mut self, console: &mut Console) -> Result<(), Failure> {
-        let deferred = self.deferred.take();
-        let mut all = deferred.into_iter().flatten();
-        all.try_for_each(|writing| writing.write(console))
+        Ok(())
     }
 
     /// Does what a subcommand does.
-    fn ask(&mut self, words: Vec<String>, console: &mut Console) -> Result<(), Failure> {
-        const WRITING: [&str; 3] = ["-o", "--output", "--picture"];
+    fn ask(&mut self, words: &[String], console: &mut Console) -> Result<(), Failure> {
         let document = self.workspace.document();
         self.declaration(&document)?;
-        let writes = |word: &String| WRITING.iter().any(|option| word.starts_with(option));
-        let is_writing = words.iter().any(writes);
-        let answer = Writing::Answer {
-            words,
-            document,
-            index: self.workspace.index(),
-        };
-        if is_writing {
-            self.write(answer, console)
-        } else {
-            answer.write(console)
-        }
+        let index = self.workspace.index();
+        obey_within(words, document, index, &mut self.writer, console)
     }
 
     fn repairs(&self, console: &mut Console) -> Result<(), Failure> {
@@ -227,22 +207,6 @@ impl Session {
                 Err(Failure::usage(format!("`{owner}` has no numbers here")))
             }
             _ => Ok(lines),
-        }
-    }
-}
-
-impl Writing {
-    fn write(self, console: &mut Console) -> Result<(), Failure> {
-        match self {
-            Self::Text(saving) => {
-                let path = saving.write()?;
-                console.answer(format!("saved `{}`\n", path.display()))
-            }
-            Self::Answer {
-                words,
-                document,
-                index,
-            } => obey_within(&words, document, index, console),
         }
     }
 }

@@ -73,9 +73,22 @@ impl Document {
     /// # Errors
     /// If it cannot be read, is not UTF-8, or has no mechanism.
     pub fn read(path: &Path) -> Result<Self, Failure> {
-        let document = Self::of(Source::read(path)?);
+        Self::with_any(Source::read(path)?)
+    }
+
+    /// Reads a plain file, no pipe and no device.
+    ///
+    /// # Errors
+    /// As of others, or if it is none.
+    pub(crate) fn read_plain(path: &Path) -> Result<Self, Failure> {
+        Self::with_any(Source::read_plain(path)?)
+    }
+
+    /// The mechanisms of a text that has one at least.
+    fn with_any(source: Source) -> Result<Self, Failure> {
+        let document = Self::of(source);
         if document.declarations.is_empty() && document.parts.is_empty() {
-            let path = path.display();
+            let path = document.source.path().display();
             return Err(Failure::file(format!(
                 "`{path}` has no mechanism: neither `mechanism! {{ ... }}` nor, in a file `.mech`, the inside of one"
             )));

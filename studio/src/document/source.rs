@@ -1,7 +1,8 @@
 //! A file with a text, as it was read.
 
 use crate::failure::Failure;
-use crate::output;
+use crate::input;
+use crate::output::{self, Output, OutputKind, Over};
 use std::fs::File;
 use std::io::Read;
 use std::ops::Range;
@@ -37,6 +38,15 @@ impl Source {
         Ok(Self::new(path, text))
     }
 
+    /// Reads a plain file. Who opens a pipe or a device may wait for ever.
+    ///
+    /// # Errors
+    /// If it is none, or as of [`Source::read`].
+    pub(crate) fn read_plain(path: &Path) -> Result<Self, Failure> {
+        let bytes = input::read(path, LONGEST).map_err(|error| unread(path, &error))?;
+        Ok(Self::new(path, utf_8(path, bytes)?))
+    }
+
     /// Reads what another program wrote. What is not UTF-8 is Latin-1.
     ///
     /// # Errors
@@ -44,6 +54,16 @@ impl Source {
     pub(crate) fn read_foreign(path: &Path) -> Result<Self, Failure> {
         let file = File::open(path).map_err(|error| unread(path, &error))?;
         Self::read_foreign_from(path, file)
+    }
+
+    /// The same of a plain file.
+    ///
+    /// # Errors
+    /// As of others, or if it is none.
+    #[cfg(feature = "editor")]
+    pub(crate) fn read_foreign_plain(path: &Path) -> Result<Self, Failure> {
+        let bytes = input::read(path, LONGEST).map_err(|error| unread(path, &error))?;
+        Self::read_foreign_from(path, &*bytes)
     }
 
     /// The same of what has a name but is no file of its own, such as the standard input.
@@ -109,26 +129,13 @@ impl Source {
     /// # Errors
     /// If the file is not as it was read, or cannot be written. It then stays as it is.
     pub fn replace(&self, text: &str) -> Result<(), Failure> {
-        if !self.is_as_read()? {
-            let path = self.path.display();
-            return Err(Failure::file(format!(
-                "`{path}` was changed by another program after it was read; nothing is written"
-            )));
-        }
-        output::replace(&self.path, text.as_bytes())
+        output::write(self.replacement(text))
     }
 
-    /// Whether the file still has the text that was read.
-    #[cfg(not(target_arch = "wasm32"))]
-    fn is_as_read(&self) -> Result<bool, Failure> {
-        Ok(text_of(&self.path)? == self.text)
-    }
-
-    /// Returns true: a browser's download is a new file each time.
-    #[cfg(target_arch = "wasm32")]
-    #[expect(clippy::unnecessary_wraps, reason = "as with files")]
-    const fn is_as_read(&self) -> Result<bool, Failure> {
-        Ok(true)
+    /// Another text for the file, which takes the place of this one only.
+    pub(crate) fn replacement(&self, text: &str) -> Output {
+        let output = Output::new(&self.path, OutputKind::Mechanism, text);
+        output.over(Over::Text(self.text.clone()))
     }
 }
 
@@ -138,24 +145,18 @@ fn text_of(path: &Path) -> Result<String, Failure> {
 }
 
 fn text_from(path: &Path, input: impl Read) -> Result<String, Failure> {
-    String::from_utf8(bytes_from(path, input)?).map_err(|error| {
+    utf_8(path, bytes_from(path, input)?)
+}
+
+fn utf_8(path: &Path, bytes: Vec<u8>) -> Result<String, Failure> {
+    String::from_utf8(bytes).map_err(|error| {
         let place = error.utf8_error().valid_up_to();
         unread(path, &format!("byte {place} is not UTF-8"))
     })
 }
 
 fn bytes_from(path: &Path, input: impl Read) -> Result<Vec<u8>, Failure> {
-    let mut bytes = Vec::new();
-    let read = input.take(LONGEST + 1).read_to_end(&mut bytes);
-    read.map_err(|error| unread(path, &error))?;
-    if bytes.len() as u64 > LONGEST {
-        let most = LONGEST >> 20;
-        return Err(unread(
-            path,
-            &format!("it is longer than {most} MiB, which no source file is"),
-        ));
-    }
-    Ok(bytes)
+    input::read_from(input, LONGEST).map_err(|error| unread(path, &error))
 }
 
 fn unread(path: &Path, why: &dyn std::fmt::Display) -> Failure {

@@ -24,7 +24,6 @@ pub use command::{ActionKind, Assembly, Command, Expression, JointForm, Kind, Pa
 pub use drag::{Drag, Dragged, Follower};
 pub use history::{History, Step};
 pub use refusal::{Refusal, Rule};
-pub(crate) use workspace::Saving;
 pub use workspace::Workspace;
 
 use crate::document::{Document, Reading, Source};

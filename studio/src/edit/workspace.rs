@@ -3,7 +3,9 @@
 use super::{Applied, Command, History, Refusal, apply};
 use crate::document::{Document, Listing, Source};
 use crate::failure::Failure;
+#[cfg(feature = "editor")]
 use crate::output;
+use crate::output::{Output, OutputKind, Over};
 use std::path::{Path, PathBuf};
 
 /// A file that is being edited, its text as it is now, and the steps that led there.
@@ -68,7 +70,7 @@ impl Workspace {
     /// # Errors
     /// If it cannot be read, or has no such mechanism.
     pub fn open(path: &Path, mechanism: Option<&str>) -> Result<Self, Failure> {
-        let document = Document::read(path)?;
+        let document = Document::read_plain(path)?;
         let chosen = document.choose(mechanism)?;
         Ok(Self {
             path: path.to_owned(),
@@ -195,24 +197,25 @@ impl Workspace {
     #[cfg(feature = "editor")]
     pub(crate) fn save(&mut self, path: Option<&Path>, over_any: bool) -> Result<PathBuf, Failure> {
         let before = self.clone();
-        let saving = self.save_to(path)?;
-        let saving = if over_any {
-            saving.over_any()
-        } else {
-            Ok(saving)
-        };
-        let saved = saving.and_then(Saving::write);
+        let saved = self.save_to(path).and_then(|output| {
+            let output = if over_any {
+                over_any_text(output)?
+            } else {
+                output
+            };
+            output::write(output)
+        });
         if saved.is_err() {
             *self = before;
         }
-        saved
+        saved.map(|()| self.path.clone())
     }
 
     /// Prepares to write the text: over the file that it was read from, or to a new one. From then on the text counts as written.
     ///
     /// # Errors
     /// If nobody has said which file.
-    pub(crate) fn save_to(&mut self, path: Option<&Path>) -> Result<Saving, Failure> {
+    pub(crate) fn save_to(&mut self, path: Option<&Path>) -> Result<Output, Failure> {
         let path = match path {
             Some(path) => path.to_owned(),
             None if self.is_named => self.path.clone(),
@@ -220,47 +223,27 @@ impl Workspace {
         };
         let over = self.source.clone().filter(|_| path == self.path);
         let text = self.text().to_owned();
-        self.source = Some(Source::new(&path, text.as_str()));
-        self.path.clone_from(&path);
+        let output = match over {
+            Some(source) => source.replacement(&text),
+            None => Output::new(&path, OutputKind::Mechanism, text.as_str())
+                .over(Over::Nothing("`open` it to change it")),
+        };
+        self.source = Some(Source::new(&path, text));
+        self.path = path;
         self.is_named = true;
-        Ok(Saving { path, over, text })
+        Ok(output)
     }
 }
 
-/// A text that is to be written.
-pub(crate) struct Saving {
-    path: PathBuf,
-    /// The file that it replaces.
-    over: Option<Source>,
-    text: String,
-}
-
-impl Saving {
-    /// The same, over whatever text the file has by now.
-    ///
-    /// # Errors
-    /// If that cannot be read.
-    #[cfg(feature = "editor")]
-    fn over_any(self) -> Result<Self, Failure> {
-        let over = Some(Source::read(&self.path)?);
-        Ok(Self { over, ..self })
+/// The same text, over whatever text its file has by now.
+#[cfg(feature = "editor")]
+fn over_any_text(output: Output) -> Result<Output, Failure> {
+    if !OutputKind::Mechanism.has_ending(&output.path) {
+        return Err(Failure::file(format!(
+            "`{}` is there already, and ends neither in `.mech` nor in `.rs`; choose another name",
+            output.path.display()
+        )));
     }
-
-    /// Writes it, and gives the file.
-    ///
-    /// # Errors
-    /// If the file is not as it was read, is there although nobody has read it, or cannot be written. It then stays as it is.
-    pub(crate) fn write(self) -> Result<PathBuf, Failure> {
-        match self.over {
-            Some(source) => source.replace(&self.text)?,
-            None if self.path.exists() => {
-                return Err(Failure::file(format!(
-                    "`{}` is there already; `open` it to change it",
-                    self.path.display()
-                )));
-            }
-            None => output::replace(&self.path, self.text.as_bytes())?,
-        }
-        Ok(self.path)
-    }
+    let text = Source::read_plain(&output.path)?.text().to_owned();
+    Ok(output.over(Over::Text(text)))
 }

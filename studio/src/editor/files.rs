@@ -1,6 +1,7 @@
 //! Files to choose from: in a list, or in the system's own dialog.
 
 use super::question::FileUse;
+use crate::text::masked;
 use eframe::egui;
 use rfd::AsyncFileDialog;
 use std::fs;
@@ -43,12 +44,12 @@ pub(super) fn choose(
             for entry in entries {
                 match entry {
                     Entry::Folder(name) => {
-                        if ui.button(format!("{name}/")).clicked() {
+                        if ui.button(masked(&format!("{name}/"))).clicked() {
                             *path = format!("{}/", folder.join(name).display());
                         }
                     }
                     Entry::File(name) => {
-                        if ui.button(&name).clicked() {
+                        if ui.button(masked(&name)).clicked() {
                             *path = folder.join(name).display().to_string();
                             is_chosen = true;
                         }

@@ -44,9 +44,9 @@ fn read(name: &str) -> Result<Opened, Failure> {
             "imported.mech".into(),
         )
     } else if is_of_linkage(path) {
-        taken(Source::read_foreign(path)?)
+        taken(Source::read_foreign_plain(path)?)
     } else {
-        Ok(own(Source::read(path)?))
+        Ok(own(Source::read_plain(path)?))
     }
 }
 

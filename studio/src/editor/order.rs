@@ -8,11 +8,12 @@ use crate::job::{
     Analysed, Draw, Film, FilmKind, GraphKind, Job, Listener, Measure, Picture, Plot, StillKind,
 };
 use crate::motion::Setting;
-use crate::output;
-use std::path::Path;
+use crate::output::{self, Output, OutputKind};
+use std::path::{Path, PathBuf};
 
 /// A kind of file that can be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) enum Export {
     Picture,
     Drawing,
@@ -66,13 +67,20 @@ impl Export {
     pub(super) const fn endings(self) -> &'static [&'static str] {
         match self {
             Self::Picture | Self::GraphPicture => &["png"],
-            Self::Drawing | Self::MovingDrawing | Self::GraphDrawing => &["svg"],
-            Self::Gif => &["gif"],
             Self::Apng => &["apng", "png"],
-            Self::Table => &["csv"],
-            Self::Rust => &["rs"],
-            Self::Report => &["txt"],
-            Self::LinkGraph | Self::LoopGraph => &["dot", "gv"],
+            _ => self.kind().endings(),
+        }
+    }
+
+    const fn kind(self) -> OutputKind {
+        match self {
+            Self::Picture | Self::GraphPicture | Self::Apng => OutputKind::Png,
+            Self::Drawing | Self::MovingDrawing | Self::GraphDrawing => OutputKind::Svg,
+            Self::Gif => OutputKind::Gif,
+            Self::Table => OutputKind::Csv,
+            Self::Rust => OutputKind::Rust,
+            Self::Report => OutputKind::Report,
+            Self::LinkGraph | Self::LoopGraph => OutputKind::Dot,
         }
     }
 
@@ -136,7 +144,10 @@ pub(super) struct Order {
     job: Option<Job>,
     document: Document,
     index: usize,
+    kind: Export,
     pub(super) path: String,
+    /// The files that are shown: none of them is written over.
+    inputs: Vec<PathBuf>,
 }
 
 /// What is to be written to a file.
@@ -144,6 +155,9 @@ pub(super) struct Order {
 #[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Made {
     bytes: Vec<u8>,
+    kind: Export,
+    /// The files that are shown: none of them is written over.
+    inputs: Vec<PathBuf>,
     /// What is to be told about it.
     notes: String,
 }
@@ -151,7 +165,8 @@ pub(super) struct Made {
 impl Made {
     /// Writes it, and tells so.
     pub(super) fn write(self, path: &str) -> Result<String, Failure> {
-        output::replace(Path::new(path), &self.bytes)?;
+        let output = Output::new(path, self.kind.kind(), self.bytes);
+        output::write(output.from(&self.inputs))?;
         Ok(format!("wrote `{path}`{}", self.notes))
     }
 }
@@ -175,6 +190,7 @@ impl Order {
         path: &str,
         workspace: &Workspace,
         job: Option<Job>,
+        traced: Option<&Path>,
     ) -> Result<Self, String> {
         let path = path.trim();
         if path.is_empty() {
@@ -188,13 +204,19 @@ impl Order {
                 "`{path}` is no name for this: write `.{ending}` at its end"
             ));
         }
-        if is_same(Path::new(path), workspace.path()) {
+        if Path::new(path) == workspace.path() {
             return Err(format!("`{path}` is the file of the text; save it instead"));
         }
         Ok(Self {
             job,
             document: workspace.document(),
             index: workspace.index(),
+            kind,
+            inputs: [workspace.path()]
+                .into_iter()
+                .chain(traced)
+                .map(Path::to_owned)
+                .collect(),
             path: path.to_owned(),
         })
     }
@@ -206,8 +228,12 @@ impl Order {
             Some(job) => job.run(self.analysed()?, &mut notes)?,
             None => self.in_rust().into_bytes(),
         };
-        let Notes(notes) = notes;
-        Ok(Made { bytes, notes })
+        Ok(Made {
+            bytes,
+            kind: self.kind,
+            inputs: self.inputs.clone(),
+            notes: notes.0,
+        })
     }
 
     fn in_rust(&self) -> String {
@@ -230,13 +256,5 @@ impl Order {
             let text = render(self.document.source(), &faults.messages, false);
             Failure::mechanism(text)
         })
-    }
-}
-
-/// Whether two paths lead to the same file.
-fn is_same(one: &Path, other: &Path) -> bool {
-    match (one.canonicalize(), other.canonicalize()) {
-        (Ok(one), Ok(other)) => one == other,
-        _ => one == other,
     }
 }

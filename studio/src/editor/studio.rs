@@ -9,6 +9,7 @@ use super::guard::Guard;
 use super::panel;
 use super::question::Ending;
 use crate::edit::Workspace;
+use crate::text::masked;
 use eframe::egui;
 #[cfg(not(target_arch = "wasm32"))]
 use std::path::PathBuf;
@@ -161,7 +162,7 @@ fn title(workspace: &Workspace) -> String {
     } else {
         ""
     };
-    format!("{}{changed} - mech edit", name.display())
+    masked(&format!("{}{changed} - mech edit", name.display())).into_owned()
 }
 
 /// Makes everything large enough for fingers.

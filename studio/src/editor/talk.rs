@@ -4,6 +4,7 @@ use super::question::{Dialog, Ending};
 use crate::console::Console;
 use crate::dialogue::{Session, Turn};
 use crate::failure::Failure;
+use crate::text::masked;
 use std::cell::RefCell;
 use std::io::{self, Write};
 use std::rc::Rc;
@@ -34,7 +35,7 @@ impl Talk {
     /// Tells something.
     pub(super) fn tell(&mut self, text: impl Into<String>) {
         self.notice = Some(Notice {
-            text: text.into(),
+            text: masked(&text.into()).into_owned(),
             is_refusal: false,
         });
     }
@@ -43,7 +44,7 @@ impl Talk {
     #[expect(clippy::needless_pass_by_value, reason = "nobody needs it any more")]
     pub(super) fn refuse(&mut self, why: impl ToString) {
         self.notice = Some(Notice {
-            text: why.to_string(),
+            text: masked(&why.to_string()).into_owned(),
             is_refusal: true,
         });
     }
@@ -91,9 +92,9 @@ impl Journal {
     /// Notes a line, and what was answered.
     pub(crate) fn note(&mut self, line: &str, answers: impl IntoIterator<Item = String>) {
         self.lines.push(line.to_owned());
-        self.text += &format!("> {line}\n");
+        self.text += &format!("> {}\n", masked(line));
         for text in answers.into_iter().filter(|text| !text.is_empty()) {
-            self.text += &format!("{text}\n");
+            self.text += &format!("{}\n", masked(&text));
         }
     }
 }

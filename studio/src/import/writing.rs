@@ -5,7 +5,7 @@ use super::names::Names;
 use super::times::Times;
 use crate::document::in_rust;
 use crate::failure::Failure;
-use crate::text::{shortest, written_like};
+use crate::text::{masked, shortest, written_like};
 
 /// The kind of a file with a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -425,12 +425,11 @@ fn around(mut places: Vec<Pair>) -> Vec<Pair> {
     places
 }
 
-/// A text without anything that would end a line.
+/// A text without anything that would end a line, or that Rust refuses in a comment: what changes the direction of reading.
 fn on_one_line(text: &str) -> String {
     let letters = text.chars();
-    letters
-        .map(|letter| if letter.is_control() { ' ' } else { letter })
-        .collect()
+    let letters = letters.map(|letter| if letter.is_control() { ' ' } else { letter });
+    masked(&letters.collect::<String>()).into_owned()
 }
 
 /// The terms on which a text is written.

@@ -4,6 +4,7 @@ use super::picture::{Picture, Sitter};
 use super::{Analysed, Listener};
 use crate::failure::Failure;
 use crate::motion::{Drive, Paths, Span};
+use crate::output::OutputKind;
 use mech_runtime::files::{AnimatedSvg, Apng, Gif};
 use mech_runtime::{HeapFrame, HeapSmooth};
 use std::f64::consts::PI;
@@ -31,6 +32,17 @@ pub(crate) enum FilmKind {
     Gif,
     Apng,
     Svg,
+}
+
+impl FilmKind {
+    /// Returns the kind of its file.
+    pub(crate) const fn file(self) -> OutputKind {
+        match self {
+            Self::Gif => OutputKind::Gif,
+            Self::Apng => OutputKind::Png,
+            Self::Svg => OutputKind::Svg,
+        }
+    }
 }
 
 /// The moments of an SVG that moves.

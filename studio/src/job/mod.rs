@@ -18,6 +18,7 @@ pub(crate) use plot::Plot;
 
 use crate::document::{Faults, Reading};
 use crate::failure::Failure;
+use crate::output::OutputKind;
 use mech_compiler::Compiled;
 use mech_compiler::model::Model;
 
@@ -59,6 +60,16 @@ impl Analysed {
 pub(crate) enum StillKind {
     Png,
     Svg,
+}
+
+impl StillKind {
+    /// Returns the kind of its file.
+    pub(crate) const fn file(self) -> OutputKind {
+        match self {
+            Self::Png => OutputKind::Png,
+            Self::Svg => OutputKind::Svg,
+        }
+    }
 }
 
 /// Whoever hears how a job goes.

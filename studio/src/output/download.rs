@@ -1,20 +1,34 @@
 //! Files that a browser downloads from its page.
 
+use super::file::Output;
 use crate::failure::Failure;
 use std::path::Path;
 use web_sys::js_sys::{Array, Uint8Array};
 use web_sys::wasm_bindgen::{JsCast, JsValue};
 use web_sys::{Blob, HtmlElement, Url};
 
-/// Lets the browser download a file of this name.
-///
-/// # Errors
-/// If it does not.
-pub(crate) fn replace(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    download(path, bytes).map_err(|error| {
-        let path = path.display();
-        Failure::file(format!("the browser cannot download `{path}`: {error:?}"))
-    })
+/// Lets the browser download files. Each is a new one, whatever its name.
+#[derive(Default)]
+pub(crate) struct Writer;
+
+impl Writer {
+    /// Lets the browser download a file.
+    ///
+    /// # Errors
+    /// If it does not.
+    #[expect(clippy::unused_self, reason = "as with files on a disk")]
+    pub(crate) fn write(&mut self, output: Output) -> Result<(), Failure> {
+        download(&output.path, &output.bytes).map_err(|error| {
+            let path = output.path.display();
+            Failure::file(format!("the browser cannot download `{path}`: {error:?}"))
+        })
+    }
+
+    /// Returns false: files are downloaded at once.
+    #[expect(clippy::unused_self, reason = "as with files on a disk")]
+    pub(crate) const fn is_deferred(&self) -> bool {
+        false
+    }
 }
 
 /// Clicks a link to the bytes.

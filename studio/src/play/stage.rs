@@ -4,7 +4,7 @@ use super::caption::{plain, wrap};
 use super::painter::ADVANCE;
 use super::{Control, Painter, Player, keys};
 use crate::failure::Failure;
-use crate::output;
+use crate::output::{self, Output, OutputKind, Over};
 use mech_runtime::files;
 use mech_runtime::{HeapSmooth, Palette};
 use std::ops::ControlFlow;
@@ -110,13 +110,17 @@ impl Stage {
         self.helps.then(keys::help)
     }
 
-    /// Writes the picture that is seen now.
+    /// Returns the picture that is seen now as a PNG file.
     ///
     /// # Errors
-    /// If it has no size, or cannot be written.
-    pub fn write(&mut self, path: &Path) -> Result<(), Failure> {
-        let bytes = files::Picture::from(self.picture()?).png()?;
-        output::replace(path, &bytes)
+    /// If it has no size.
+    pub fn png(&mut self) -> Result<Vec<u8>, Failure> {
+        Ok(files::Picture::from(self.picture()?).png()?)
+    }
+
+    fn write(&mut self, path: &Path) -> Result<(), Failure> {
+        let output = Output::new(path, OutputKind::Png, self.png()?);
+        output::write(output.over(Over::Nothing("press the key once more")))
     }
 
     /// Saves the present picture under a new name, and shows the name.

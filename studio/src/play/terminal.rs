@@ -5,6 +5,7 @@ use super::caption::wrap;
 use super::half_blocks::{self, Depth};
 use super::{Control, Key, Stage};
 use crate::failure::Failure;
+use crate::text::masked;
 use crossterm::event::{
     self, DisableMouseCapture, EnableMouseCapture, Event, KeyCode, KeyEvent, KeyEventKind,
     KeyModifiers, MouseButton, MouseEvent, MouseEventKind,
@@ -106,6 +107,7 @@ fn paint(stage: &mut Stage, depth: Depth) -> io::Result<()> {
     let (columns, rows) = terminal::size()?;
     let columns = usize::from(columns);
     let status = format!("{} · {}", stage.player.title(), stage.player.status());
+    let status = masked(&status).into_owned();
     let help = stage
         .help()
         .unwrap_or_else(|| vec!["h help".to_owned(), "q quit".to_owned()]);

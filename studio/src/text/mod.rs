@@ -2,6 +2,7 @@
 
 mod draft;
 mod lexer;
+mod masked;
 mod number;
 mod places;
 mod quoted;
@@ -10,6 +11,7 @@ use draft::Draft;
 pub use draft::Replacement;
 pub(crate) use draft::written;
 pub(crate) use lexer::{Kind, Lexeme, Lexer, is_of_word};
+pub(crate) use masked::masked;
 pub(crate) use number::rounded;
 pub(crate) use number::{shortest, written_like};
 pub(crate) use places::TokenPlaces;

@@ -1,6 +1,6 @@
 //! Bad input: a clear error, an exit code, and nothing overwritten.
 
-use crate::run::{FOUR_BAR, Folder, begin};
+use crate::run::{FOUR_BAR, Folder, begin, mech_said};
 use mech_studio::Source;
 use std::fs;
 use std::process::{Command, Stdio};
@@ -67,6 +67,34 @@ fn a_full_disk() {
             "{refusal}"
         );
     }
+}
+
+#[test]
+fn a_line_without_an_end_is_not_read_to_its_end() {
+    let folder = Folder::new();
+    let line = "x".repeat((1 << 20) + 3);
+    let answer = mech_said(&folder.path(""), &[""; 0], &line);
+    let refusal = answer.refused(3);
+    assert!(refusal.contains("longer than 1 MiB"), "{refusal}");
+    // One that is just short enough is read.
+    let answer = mech_said(&folder.path(""), &[""; 0], &line[3..]);
+    let refusal = answer.refused(2);
+    assert!(refusal.contains("unknown command"), "{refusal:.80}");
+}
+
+#[test]
+fn what_has_no_end_is_read_as_far_as_a_text_may_go() {
+    let folder = Folder::new().with("script.txt", "open /dev/zero");
+    let device = std::path::Path::new("/dev/zero");
+    if !device.exists() {
+        return; // Not on this system.
+    }
+    for command in ["check /dev/zero", "run /dev/zero", "import /dev/zero"] {
+        let refusal = folder.mech(command).refused(3);
+        assert!(refusal.contains("longer than 16 MiB"), "{refusal}");
+    }
+    let refusal = folder.mech("run script.txt").refused(3);
+    assert!(refusal.contains("it is no plain file"), "{refusal}");
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! The studio, as somebody uses it: through its window's accessible nodes, by mouse and by keys.
 
+mod beside;
 mod dead_ends;
 mod desk;
 mod exhibits;

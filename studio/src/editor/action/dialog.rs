@@ -5,6 +5,7 @@ use crate::editor::Editor;
 use crate::editor::order::{Export, Order};
 use crate::editor::question::{Destination, Dialog, FileUse};
 use crate::editor::worker::Task;
+use crate::text::masked;
 use eframe::egui;
 use eframe::egui::Key;
 use eframe::egui::text::{CCursor, CCursorRange};
@@ -49,10 +50,8 @@ fn ask_to_save(workspace: &Workspace, context: &egui::Context) -> Option<Answer>
     egui::Modal::new(egui::Id::unique("unsaved")).show(context, |ui| {
         ui.heading("Save the changes?");
         let name = workspace.path().file_name().unwrap_or_default();
-        ui.label(format!(
-            "{} has changes that are not saved.",
-            name.display()
-        ));
+        let question = format!("{} has changes that are not saved.", name.display());
+        ui.label(masked(&question));
         ui.horizontal(|ui| {
             let answers = [
                 ("Save", Answer::Save),
@@ -188,7 +187,9 @@ fn export(editor: &mut Editor, kind: Export, path: &str) {
     let playing = &editor.sight.playing;
     let measure = editor.plotted.measure(playing, &editor.analysis.snapshot);
     let job = kind.job(&playing.seen_at().unwrap_or_default(), &measure);
-    match Order::new(kind, path, editor.workspace(), job) {
+    let traced = editor.desk.backdrop.as_ref();
+    let traced = traced.map(|backdrop| &*backdrop.path);
+    match Order::new(kind, path, editor.workspace(), job, traced) {
         Ok(order) => {
             editor.talk.tell(format!("writing `{}`", order.path));
             editor.give(Task::Export(Box::new(order)));

@@ -10,6 +10,7 @@ use crate::editor::example::EXAMPLES;
 use crate::editor::names::Names;
 use crate::editor::order::Export;
 use crate::editor::question::{Destination, FileUse};
+use crate::text::masked;
 use eframe::egui;
 
 /// The row of menus.
@@ -40,7 +41,8 @@ pub(in crate::editor) fn menu(editor: &mut Editor, ui: &mut egui::Ui) {
         } else {
             ""
         };
-        ui.weak(format!("{}{mark}", editor.workspace().path().display()));
+        let path = editor.workspace().path().display();
+        ui.weak(masked(&format!("{path}{mark}")));
     });
 }
 

@@ -3,15 +3,20 @@
 use crate::failure::Failure;
 use eframe::egui;
 use eframe::egui::{Color32, ColorImage, Mesh, Pos2, TextureHandle, TextureOptions};
+use image::{DynamicImage, ImageReader, ImageResult, Limits};
 use serde::{Deserialize, Serialize};
+use std::io::{self, Cursor};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// The endings of the names of pictures that can be read.
 pub(in crate::editor) const ENDINGS: [&str; 3] = ["png", "jpg", "jpeg"];
 
-/// The largest file with a picture, in bytes.
-pub(in crate::editor) const LONGEST_PICTURE: u64 = 32 << 20;
+/// The longest file of a picture, in bytes.
+pub(in crate::editor) const LONGEST_FILE: u64 = 64 << 20;
+
+/// The most pixels of a picture. More would take too much memory before they are made fewer.
+const MOST: u64 = 64 << 20;
 
 /// The longest side of a picture, in pixels: what all graphics cards can show. A larger one is made smaller.
 const LONGEST: u32 = 4096;
@@ -66,13 +71,38 @@ pub(in crate::editor) fn is_picture(path: &Path) -> bool {
     })
 }
 
+/// The bytes of a picture's file.
+///
+/// # Errors
+/// If it cannot be read, is too long, or is a pipe or a device.
+pub(in crate::editor) fn read_file(path: &Path) -> io::Result<Vec<u8>> {
+    crate::input::read(path, LONGEST_FILE)
+}
+
+/// The pixels of a picture. How many they are is known before they are made.
+fn decode(bytes: &[u8]) -> ImageResult<DynamicImage> {
+    let reader = || ImageReader::new(Cursor::new(bytes)).with_guessed_format();
+    let (width, height) = reader()?.into_dimensions()?;
+    if u64::from(width) * u64::from(height) > MOST {
+        let most = MOST >> 20;
+        let why = format!("it is {width} x {height} pixels, and {most} Mi are the most");
+        return Err(io::Error::other(why).into());
+    }
+    let mut limits = Limits::default();
+    // The longest pixels have four numbers of two bytes.
+    limits.max_alloc = Some(8 * MOST);
+    let mut reader = reader()?;
+    reader.limits(limits);
+    reader.decode()
+}
+
 impl Backdrop {
     /// The picture in a file, one scene unit wide.
     ///
     /// # Errors
     /// If these bytes are no picture that can be read.
     pub(in crate::editor) fn read(path: &Path, bytes: &[u8]) -> Result<Self, Failure> {
-        let picture = image::load_from_memory(bytes).map_err(|error| {
+        let picture = decode(bytes).map_err(|error| {
             let path = path.display();
             Failure::file(format!(
                 "`{path}` is not a picture that can be read: {error}"

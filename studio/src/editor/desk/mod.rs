@@ -4,7 +4,7 @@ mod backdrop;
 #[cfg(not(target_arch = "wasm32"))]
 mod record;
 
-pub(super) use backdrop::{Backdrop, ENDINGS, LONGEST_PICTURE, is_picture};
+pub(super) use backdrop::{Backdrop, ENDINGS, LONGEST_FILE, is_picture};
 
 use super::drawing::Drawing;
 use super::item::Item;
@@ -78,7 +78,7 @@ impl Desk {
     pub(super) fn show_file(&mut self, path: &Path, camera: &Camera) -> Result<String, Failure> {
         // It is found again from any folder.
         let path = &std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
-        let read = std::fs::read(path)
+        let read = backdrop::read_file(path)
             .map_err(|error| Failure::file(format!("cannot read `{}`: {error}", path.display())));
         self.show(path, &read?, camera)
     }

@@ -1,17 +1,20 @@
 //! The file of a desk, beside the file of its text.
 
-use super::backdrop::{Backdrop, PicturePlace};
+use super::backdrop::{Backdrop, PicturePlace, read_file};
 use super::{Desk, Item};
 use crate::failure::Failure;
+use crate::input::read_own;
 use crate::output::{self, hidden_beside};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
-use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// The ending of the file's name.
 const ENDING: &str = ".desk";
+
+/// The longest file that is read, in bytes. Thousands of locks and groups do not come near it.
+const LONGEST: u64 = 1 << 20;
 
 /// The content of the file `.NAME.desk`, in JSON.
 #[derive(Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -55,7 +58,7 @@ impl Desk {
         }
         let text = serde_json::to_string_pretty(&self.file.record);
         let text = text.map_err(|error| Failure::internal(error.to_string()))?;
-        output::replace(&file, format!("{text}\n").as_bytes())
+        output::keep(&file, format!("{text}\n").as_bytes(), path)
     }
 
     /// Whether the file has the content of the desk. Each frame asks this, so nothing is copied for it.
@@ -122,12 +125,12 @@ impl Desk {
 fn picture_at(picture: &Path, text: &Path) -> Result<Backdrop, Failure> {
     let moved = text.with_file_name(picture.file_name().unwrap_or_default());
     let path = if picture.is_file() { picture } else { &moved };
-    let bytes = fs::read(path).map_err(|error| failed(picture, &error))?;
+    let bytes = read_file(path).map_err(|error| failed(picture, &error))?;
     Backdrop::read(path, &bytes)
 }
 
 fn read(file: &Path) -> Result<Record, Failure> {
-    match fs::read(file) {
+    match read_own(file, LONGEST) {
         Ok(bytes) => {
             let read = serde_json::from_slice::<Record>(&bytes);
             let record = read.map_err(|error| failed(file, &error))?;

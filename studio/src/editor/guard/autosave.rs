@@ -9,7 +9,7 @@ use crate::edit::Workspace;
 use crate::editor::Editor;
 use crate::editor::talk::Talk;
 use crate::failure::Failure;
-use crate::output::{self, remove};
+use crate::output::{keep, remove};
 use eframe::egui;
 use std::fs;
 use std::path::PathBuf;
@@ -82,7 +82,7 @@ impl Autosave {
             }
             None => self.claim()?,
         };
-        let written = output::replace(&path, text.as_bytes());
+        let written = keep(&path, text.as_bytes(), &self.place);
         match written {
             Ok(()) => {
                 self.kept = Some(Left::at(path, text.to_owned()));

@@ -3,7 +3,7 @@
 use crate::document::Source;
 use crate::edit::Workspace;
 use crate::failure::Failure;
-use crate::output::{hidden_beside, remove};
+use crate::output::{create_like, hidden_beside, remove, words};
 use std::fs::{File, TryLockError};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -71,9 +71,11 @@ fn slots(place: &Path) -> impl Iterator<Item = PathBuf> {
 /// other windows stay theirs.
 pub(super) fn left_at(place: &Path, text: &str) -> (Vec<Left>, Result<(), Failure>) {
     let (mut found, mut done) = (Vec::new(), Ok(()));
-    let slots = slots(place).filter(|path| path.is_file());
+    // A link or a pipe is none of ours.
+    let is_ours = |path: &PathBuf| path.symlink_metadata().is_ok_and(|known| known.is_file());
+    let slots = slots(place).filter(is_ours);
     for path in slots.filter(|path| !is_of_other_window(path)) {
-        match Source::read(&path) {
+        match Source::read_plain(&path) {
             Ok(source) if source.text().is_empty() || source.text() == text => {
                 done = done.and(remove(&path));
             }
@@ -90,10 +92,10 @@ pub(super) fn claim(place: &Path) -> Result<PathBuf, Failure> {
         Failure::file(format!("cannot write `{}`: {error}", path.display()))
     };
     for path in slots(place) {
-        match File::create_new(&path) {
+        match create_like(&path, place) {
             Ok(_) => return Ok(path),
             Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
-            Err(error) => return Err(failed(&path, &crate::output::words(&error))),
+            Err(error) => return Err(failed(&path, &words(&error))),
         }
     }
     Err(failed(place, &"too many texts are kept beside it"))

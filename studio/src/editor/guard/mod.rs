@@ -6,6 +6,7 @@ mod watch;
 
 use super::Editor;
 use crate::editor::question::{Destination, Ending};
+use crate::text::masked;
 use autosave::Autosave;
 use eframe::egui;
 use eframe::egui::ViewportCommand;
@@ -70,7 +71,7 @@ fn bar(name: &str, question: &str, answers: [&str; 2], ui: &mut egui::Ui) -> Opt
     let mut given = None;
     egui::Panel::top(name.to_owned()).show(ui, |ui| {
         ui.horizontal_wrapped(|ui| {
-            ui.strong(question);
+            ui.strong(masked(question));
             for (number, answer) in answers.into_iter().enumerate() {
                 if ui.button(answer).clicked() {
                     given = Some(number);

@@ -183,7 +183,7 @@ fn read(path: &Path) -> Result<Option<String>, Failure> {
     match path.try_exists() {
         Ok(false) => Ok(None),
         Err(error) if error.kind() == ErrorKind::NotADirectory => Ok(None),
-        _ => Source::read(path).map(|source| Some(source.text().to_owned())),
+        _ => Source::read_plain(path).map(|source| Some(source.text().to_owned())),
     }
 }
 

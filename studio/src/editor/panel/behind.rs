@@ -1,6 +1,7 @@
 //! The picture behind the drawing: where it is, and how much of it is seen.
 
 use crate::editor::Editor;
+use crate::text::masked;
 use eframe::egui;
 
 /// The picture behind the drawing, if there is one.
@@ -11,7 +12,7 @@ pub(super) fn behind(editor: &mut Editor, ui: &mut egui::Ui) {
     };
     let name = backdrop.path.file_name().unwrap_or_default();
     ui.separator();
-    ui.heading(format!("picture {}", name.display()));
+    ui.heading(masked(&format!("picture {}", name.display())));
     let before = backdrop.place;
     let place = &mut backdrop.place;
     let step = 0.005 * place.width;

@@ -5,7 +5,7 @@ use crate::editor::drag::Drag;
 use crate::editor::drawing::Drawing;
 use crate::editor::selection::Selection;
 use crate::editor::{Editor, Item};
-use crate::text::{Kind, Lexer, written};
+use crate::text::{Kind, Lexer, masked, written};
 use eframe::egui;
 use eframe::egui::text::{LayoutJob, TextFormat};
 use mech_compiler::syntax::ListedNumber;
@@ -60,7 +60,7 @@ impl TextPanel {
         };
         let mut under = None;
         egui::ScrollArea::both().auto_shrink(false).show(ui, |ui| {
-            let label = ui.label(editor.workspace().path().display().to_string());
+            let label = ui.label(masked(&editor.workspace().path().to_string_lossy()));
             let output = egui::TextEdit::multiline(&mut typed)
                 .id(field)
                 .code_editor()

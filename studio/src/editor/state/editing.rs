@@ -4,7 +4,7 @@ use super::Editor;
 use crate::dialogue::{Request, Turn, request};
 use crate::document::LONGEST;
 use crate::edit::Workspace;
-use crate::editor::desk::{LONGEST_PICTURE, is_picture};
+use crate::editor::desk::{LONGEST_FILE, is_picture};
 use crate::editor::drag::Drag;
 use crate::editor::item::Item;
 use crate::editor::opening::{Opened, opened};
@@ -14,6 +14,7 @@ use crate::editor::removing::removal;
 use crate::editor::tool::{NamedPick, Pick, Picking, Tool};
 use crate::editor::worker::Worker;
 use crate::play::Control;
+use crate::text::masked;
 use std::path::Path;
 
 impl Editor {
@@ -173,7 +174,7 @@ impl Editor {
                 told,
             }) => {
                 self.open(workspace);
-                self.talk.journal.text += &losses;
+                self.talk.journal.text += &masked(&losses);
                 if let Some(told) = told {
                     self.talk.tell(told);
                 }
@@ -199,7 +200,7 @@ impl Editor {
     #[must_use]
     pub fn refusal_of(path: &Path, bytes: u64) -> Option<String> {
         let (kind, most) = if is_picture(path) {
-            ("picture", LONGEST_PICTURE)
+            ("picture", LONGEST_FILE)
         } else {
             ("text", LONGEST)
         };
