@@ -11,5 +11,6 @@ mod plots;
 mod properties;
 mod safety;
 mod scripts;
+mod stopping;
 mod touch;
 mod user;
