@@ -3,6 +3,7 @@
 use crate::run::{FOUR_BAR, Folder};
 use std::fs;
 use std::os::unix::fs::{PermissionsExt, symlink};
+use std::process::Command;
 
 /// Commands that write a file, with an ending of its name.
 const WRITING: [(&str, &str); 7] = [
@@ -84,6 +85,18 @@ fn devices_stay_for_a_person() {
     let direct = folder.mech("table a.mech a").done();
     let by_device = folder.mech("table a.mech a -o /dev/stdout").done();
     assert_eq!(by_device, direct);
+    // What stood in the file that a shell has opened stays.
+    let folder = folder.with("log.csv", "mine\n");
+    let log = fs::OpenOptions::new()
+        .append(true)
+        .open(folder.path("log.csv"));
+    let mut command = Command::new(env!("CARGO_BIN_EXE_mech"));
+    command.args(["table", "a.mech", "a", "-o", "/dev/stdout"]);
+    command
+        .current_dir(folder.path(""))
+        .stdout(log.expect("a file"));
+    assert!(command.status().expect("it runs").success());
+    assert_eq!(folder.text("log.csv"), format!("mine\n{direct}"));
 }
 
 #[test]

@@ -100,9 +100,12 @@ impl Fence {
             .chain([&self.folder])
             .any(|one| within(one).is_some())
         {
-            let folder = self.folder.display();
+            let folder = match self.script {
+                Some(_) => "the script's folder",
+                None => "this folder",
+            };
             return refused(format!(
-                "`{path}` is outside of `{folder}`, where the script may write; `--allow-write` and a path allows more"
+                "`{path}` is outside of {folder}; `--allow-write {path}` lets the script write it"
             ));
         }
         if !seen(&self.folder) {

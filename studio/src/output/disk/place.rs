@@ -49,6 +49,12 @@ fn is_one(one: &Path, _: &fs::Metadata, other: &Path, _: &fs::Metadata) -> bool 
     found.is_some() && found == fs::canonicalize(other).ok()
 }
 
+/// Whether what is written to a path goes on from what is there: a device, a pipe, or a file that `/dev/stdout` leads to.
+pub(super) fn is_stream(path: &Path, target: &Path) -> bool {
+    let is_led = path.starts_with("/dev") && !target.starts_with("/dev");
+    is_led || fs::metadata(target).is_ok_and(|known| !known.is_file())
+}
+
 /// A file that cannot be written.
 pub(super) fn unwritten(path: &Path, error: &io::Error) -> Failure {
     let (path, why) = (path.display(), words(error));

@@ -1,10 +1,10 @@
 //! The rule of what may take the place of what.
 
-use super::place::is_same;
+use super::place::{is_same, is_stream};
 use crate::failure::Failure;
 use crate::output::file::{Output, Over};
 use crate::output::kind::OutputKind;
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
@@ -19,11 +19,8 @@ pub(super) fn judge(output: &Output, over: &Over, target: &Path) -> Result<(), F
             "`{path}` is the file that is read: it is not written over; choose another name"
         )));
     }
-    let Ok(known) = fs::metadata(target) else {
-        return Ok(());
-    };
-    if !known.is_file() {
-        // A device or a pipe takes whatever comes. A folder is refused when it is opened.
+    // A stream takes whatever comes. A folder is refused when it is opened.
+    if !target.exists() || is_stream(&output.path, target) {
         return Ok(());
     }
     match over {

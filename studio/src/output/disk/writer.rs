@@ -2,12 +2,12 @@
 
 use super::draft::{Draft, put_all};
 use super::fence::Fence;
-use super::place::{target, unwritten};
+use super::place::{is_stream, target, unwritten};
 use super::rule;
 use crate::failure::Failure;
 use crate::output::file::{Output, Over};
 use crate::output::kind::OutputKind;
-use std::fs::{self, OpenOptions};
+use std::fs::OpenOptions;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -150,9 +150,7 @@ fn write_all(outputs: &[(&Output, &Path)]) -> Result<(), Failure> {
     let mut drafts = Vec::new();
     for (output, target) in outputs {
         let failed = |error: io::Error| unwritten(&output.path, &error);
-        let known = fs::metadata(target).ok();
-        if known.is_some_and(|known| !known.is_file()) {
-            // A device or a pipe cannot be replaced.
+        if is_stream(&output.path, target) {
             stream(target, &output.bytes).map_err(failed)?;
         } else {
             drafts.push(Draft::of(target, &output.bytes, None).map_err(failed)?);
@@ -165,9 +163,9 @@ fn write_all(outputs: &[(&Output, &Path)]) -> Result<(), Failure> {
     })
 }
 
-/// Writes into a device or a pipe.
+/// Writes into what cannot be replaced.
 fn stream(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut file = OpenOptions::new().write(true).open(path)?;
+    let mut file = OpenOptions::new().append(true).open(path)?;
     file.write_all(bytes)?;
     file.flush()
 }
