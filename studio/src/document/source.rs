@@ -2,13 +2,17 @@
 
 use crate::failure::Failure;
 use crate::output;
+use mech_compiler::limits::Limit;
 use std::fs::File;
 use std::io::Read;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// The longest text that is read, in bytes. No source file comes near it; noise does.
-pub const LONGEST: u64 = 16 << 20;
+pub const LONGEST: usize = Limit::Length.most();
+
+/// The longest drawing of another program that is read, in bytes.
+const LONGEST_FOREIGN: usize = 16 << 20;
 
 /// A file with a text, as it was read.
 #[derive(Clone, Debug)]
@@ -39,7 +43,7 @@ impl Source {
     /// Reads what another program wrote. What is not UTF-8 is Latin-1.
     ///
     /// # Errors
-    /// If it cannot be read, or is longer than [`LONGEST`].
+    /// If it cannot be read, or is too long.
     pub(crate) fn read_foreign(path: &Path) -> Result<Self, Failure> {
         let file = File::open(path).map_err(|error| unread(path, &error))?;
         Self::read_foreign_from(path, file)
@@ -53,7 +57,7 @@ impl Source {
         name: impl AsRef<Path>,
         input: impl Read,
     ) -> Result<Self, Failure> {
-        let bytes = bytes_from(name.as_ref(), input)?;
+        let bytes = bytes_from(name.as_ref(), input, LONGEST_FOREIGN)?;
         let text = String::from_utf8(bytes);
         let text =
             text.unwrap_or_else(|error| error.as_bytes().iter().copied().map(char::from).collect());
@@ -137,22 +141,19 @@ fn text_of(path: &Path) -> Result<String, Failure> {
 }
 
 fn text_from(path: &Path, input: impl Read) -> Result<String, Failure> {
-    String::from_utf8(bytes_from(path, input)?).map_err(|error| {
+    String::from_utf8(bytes_from(path, input, LONGEST)?).map_err(|error| {
         let place = error.utf8_error().valid_up_to();
         unread(path, &format!("byte {place} is not UTF-8"))
     })
 }
 
-fn bytes_from(path: &Path, input: impl Read) -> Result<Vec<u8>, Failure> {
+fn bytes_from(path: &Path, input: impl Read, longest: usize) -> Result<Vec<u8>, Failure> {
     let mut bytes = Vec::new();
-    let read = input.take(LONGEST + 1).read_to_end(&mut bytes);
+    let read = input.take(longest as u64 + 1).read_to_end(&mut bytes);
     read.map_err(|error| unread(path, &error))?;
-    if bytes.len() as u64 > LONGEST {
-        let most = LONGEST >> 20;
-        return Err(unread(
-            path,
-            &format!("it is longer than {most} MiB, which no source file is"),
-        ));
+    if bytes.len() > longest {
+        let why = format!("it has more than {longest} bytes, which is the limit");
+        return Err(unread(path, &why));
     }
     Ok(bytes)
 }

@@ -1,7 +1,6 @@
 //! Texts as they stand: their words, and changes of them.
 
 mod draft;
-mod lexer;
 mod number;
 mod places;
 mod quoted;
@@ -9,7 +8,7 @@ mod quoted;
 use draft::Draft;
 pub use draft::Replacement;
 pub(crate) use draft::written;
-pub(crate) use lexer::{Kind, Lexeme, Lexer, is_of_word};
+pub(crate) use mech_compiler::syntax::lexer::{Kind, Lexeme, Lexer, is_of_word};
 pub(crate) use number::rounded;
 pub(crate) use number::{shortest, written_like};
 pub(crate) use places::TokenPlaces;
