@@ -47,7 +47,7 @@ fn faults_of_text(parsed: &Parsed) -> Option<Faults> {
         messages.push(Message::new(place, "this mechanism could not be read"));
     }
     (!messages.is_empty()).then(|| Faults {
-        messages,
+        messages: Message::first(messages, 0),
         diagnoses: Vec::new(),
         offers: Vec::new(),
     })

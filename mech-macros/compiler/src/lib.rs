@@ -38,3 +38,4 @@ pub use compile::compile;
 pub use compiled::{Compiled, ForcePrograms};
 pub use expand::{Import, PartText, expand, expand_part, macro_calls, write};
 pub use looks::{Looks, Outline, Painted, Points, Symbols, Toothed, looks};
+pub use syntax::limits;

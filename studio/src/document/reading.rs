@@ -9,7 +9,7 @@ use mech_compiler::model::{Model, Origin};
 use mech_compiler::repair::Offers;
 use mech_compiler::structure::Diagnosis;
 use mech_compiler::syntax::{self, Place};
-use mech_compiler::{Analysis, Compiled, Import, PartText, catch};
+use mech_compiler::{Analysis, Compiled, Import, PartText, catch, limits};
 use proc_macro2::{LexError, Span, TokenStream, TokenTree};
 use std::ops::Range;
 
@@ -183,6 +183,11 @@ pub(super) fn tokens_of(
     let body = declaration.body.as_ref().ok_or_else(|| Message {
         place: whole.start..whole.start + 1,
         text: "this mechanism has no end: one of its brackets is not closed, or closed by another kind".to_owned(),
+    })?;
+    let text = &document.source().text()[body.clone()];
+    limits::of_text(text).map_err(|excess| Message {
+        place: body.start + excess.place.start..body.start + excess.place.end,
+        text: excess.limit.to_string(),
     })?;
     document.tokens(body).map_err(|error| unlexed(&error, body))
 }

@@ -3,13 +3,17 @@
 use crate::failure::Failure;
 use crate::input;
 use crate::output::{self, Output, OutputKind, Over};
+use mech_compiler::limits::Limit;
 use std::fs::File;
 use std::io::Read;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// The longest text that is read, in bytes. No source file comes near it; noise does.
-pub const LONGEST: u64 = 16 << 20;
+pub const LONGEST: u64 = Limit::Length.most() as u64;
+
+/// The longest drawing of another program that is read, in bytes.
+const LONGEST_FOREIGN: u64 = 16 << 20;
 
 /// A file with a text, as it was read.
 #[derive(Clone, Debug)]
@@ -50,7 +54,7 @@ impl Source {
     /// Reads what another program wrote. What is not UTF-8 is Latin-1.
     ///
     /// # Errors
-    /// If it cannot be read, or is longer than [`LONGEST`].
+    /// If it cannot be read, or is too long.
     pub(crate) fn read_foreign(path: &Path) -> Result<Self, Failure> {
         let file = File::open(path).map_err(|error| unread(path, &error))?;
         Self::read_foreign_from(path, file)
@@ -62,7 +66,7 @@ impl Source {
     /// As of others, or if it is none.
     #[cfg(feature = "editor")]
     pub(crate) fn read_foreign_plain(path: &Path) -> Result<Self, Failure> {
-        let bytes = input::read(path, LONGEST).map_err(|error| unread(path, &error))?;
+        let bytes = input::read(path, LONGEST_FOREIGN).map_err(|error| unread(path, &error))?;
         Self::read_foreign_from(path, &*bytes)
     }
 
@@ -74,7 +78,7 @@ impl Source {
         name: impl AsRef<Path>,
         input: impl Read,
     ) -> Result<Self, Failure> {
-        let bytes = bytes_from(name.as_ref(), input)?;
+        let bytes = bytes_from(name.as_ref(), input, LONGEST_FOREIGN)?;
         let text = String::from_utf8(bytes);
         let text =
             text.unwrap_or_else(|error| error.as_bytes().iter().copied().map(char::from).collect());
@@ -145,7 +149,7 @@ fn text_of(path: &Path) -> Result<String, Failure> {
 }
 
 fn text_from(path: &Path, input: impl Read) -> Result<String, Failure> {
-    utf_8(path, bytes_from(path, input)?)
+    utf_8(path, bytes_from(path, input, LONGEST)?)
 }
 
 fn utf_8(path: &Path, bytes: Vec<u8>) -> Result<String, Failure> {
@@ -155,8 +159,8 @@ fn utf_8(path: &Path, bytes: Vec<u8>) -> Result<String, Failure> {
     })
 }
 
-fn bytes_from(path: &Path, input: impl Read) -> Result<Vec<u8>, Failure> {
-    input::read_from(input, LONGEST).map_err(|error| unread(path, &error))
+fn bytes_from(path: &Path, input: impl Read, longest: u64) -> Result<Vec<u8>, Failure> {
+    input::read_from(input, longest).map_err(|error| unread(path, &error))
 }
 
 fn unread(path: &Path, why: &dyn std::fmt::Display) -> Failure {

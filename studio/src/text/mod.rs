@@ -1,7 +1,6 @@
 //! Texts as they stand: their words, and changes of them.
 
 mod draft;
-mod lexer;
 mod masked;
 mod number;
 mod places;
@@ -10,8 +9,8 @@ mod quoted;
 use draft::Draft;
 pub use draft::Replacement;
 pub(crate) use draft::written;
-pub(crate) use lexer::{Kind, Lexeme, Lexer, is_of_word};
 pub(crate) use masked::masked;
+pub(crate) use mech_compiler::syntax::lexer::{Kind, Lexeme, Lexer, is_of_word};
 pub(crate) use number::rounded;
 pub(crate) use number::{shortest, written_like};
 pub(crate) use places::TokenPlaces;

@@ -43,6 +43,11 @@ impl Forms {
         }
     }
 
+    /// Whether these are of so many steps.
+    pub(super) fn are_of(&self, steps: usize) -> bool {
+        self.middles.len() == steps
+    }
+
     /// Where the parts of a step begin.
     fn begin(motors: usize, step: usize) -> usize {
         step * (motors + 1) + step * step.saturating_sub(1) / 2

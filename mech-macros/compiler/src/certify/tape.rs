@@ -154,9 +154,6 @@ impl<'p> Tape<'p> {
                 self.middles[value.index()] = known;
             }
         }
-        if !self.is_too_large() {
-            self.forms = Forms::new(self.motors, self.moving.len());
-        }
     }
 
     /// A value on the box on which it was run last.
@@ -198,6 +195,10 @@ impl<'p> Tape<'p> {
     /// Runs it on a box: for each motor an interval.
     pub(super) fn run(&mut self, range: &[Interval]) {
         stop::check();
+        // Most tapes are only run at places, which takes no forms: these grow with the square of the steps.
+        if !self.forms.are_of(self.moving.len()) {
+            self.forms = Forms::new(self.motors, self.moving.len());
+        }
         self.evaluations += self.cost();
         for (centre, range) in self.centre.iter_mut().zip(range) {
             *centre = range.middle();

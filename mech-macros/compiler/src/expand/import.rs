@@ -3,7 +3,7 @@
 //! So a part crosses files and crates without any of them being read by the compiler of mechanisms.
 
 use super::compile_errors;
-use crate::syntax::{self, Message, Place};
+use crate::syntax::{self, Message, Place, limits};
 use proc_macro2::{Delimiter, Ident, Spacing, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 use syn::parse::{ParseStream, Parser};
@@ -175,6 +175,7 @@ impl PartText {
     /// # Errors
     /// Everything that is wrong with the text.
     pub fn read(input: &TokenStream) -> Result<Self, Vec<Message>> {
+        limits::of_tokens(input).map_err(|excess| vec![excess.message()])?;
         let head = |input: ParseStream| {
             let attributes = input.call(Attribute::parse_outer)?;
             let visibility: Visibility = input.parse()?;
@@ -190,7 +191,7 @@ impl PartText {
         };
         let errors = syntax::parse(quote!(struct Part; part #body)).errors;
         if !errors.is_empty() {
-            return Err(errors);
+            return Err(Message::first(errors, 0));
         }
         Ok(Self {
             name,

@@ -10,6 +10,7 @@ use super::slide::Slide;
 use super::tooth::Side;
 use super::wheel::Wheels;
 use crate::model::{Axis, LinkId, Measure, Place};
+use crate::stop;
 use mech_core::colors::{INK, PAPER, darker, lighter};
 use nalgebra::{Point2, Rotation2, Vector2};
 use std::f64::consts::TAU;
@@ -435,17 +436,22 @@ fn with_hole(mut corners: Vec<Place>, hole: Option<(Point2<f64>, f64)>) -> Vec<P
 
 /// The shortest lines that join all points: a tree.
 fn branches(points: &[Point2<f64>]) -> Vec<[usize; 2]> {
-    let mut joined = vec![0];
+    let length = |a: usize, b: usize| (points[a] - points[b]).norm();
+    // For each point that is free yet the nearest of the others, and how far that is.
+    let mut free: Vec<(usize, usize, f64)> = (1..points.len())
+        .map(|point| (point, 0, length(0, point)))
+        .collect();
     let mut lines = Vec::new();
-    while joined.len() < points.len() {
-        let free = (0..points.len()).filter(|point| !joined.contains(point));
-        let pairs = free.flat_map(|point| joined.iter().map(move |&known| [known, point]));
-        let length = |[a, b]: [usize; 2]| (points[a] - points[b]).norm();
-        let Some(shortest) = pairs.min_by(|a, b| length(*a).total_cmp(&length(*b))) else {
-            break;
-        };
-        joined.push(shortest[1]);
-        lines.push(shortest);
+    while let Some(next) = (0..free.len()).min_by(|a, b| free[*a].2.total_cmp(&free[*b].2)) {
+        stop::check();
+        let (point, known, _) = free.remove(next);
+        lines.push([known, point]);
+        for (other, nearest, away) in &mut free {
+            let length = length(point, *other);
+            if length.total_cmp(away).is_lt() {
+                (*nearest, *away) = (point, length);
+            }
+        }
     }
     lines
 }

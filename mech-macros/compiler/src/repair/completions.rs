@@ -4,7 +4,8 @@ use super::Repair;
 use super::declaration::{
     Declaration, Ends, NewJoint, NewKind, NewNames, Purpose, drawn_joint, turns_freely,
 };
-use super::sketch::{DrawnPin, LooseEnd, Sketch, distance, is_in_scene, unjoined_points};
+use super::joined::Joined;
+use super::sketch::{DrawnPin, LooseEnd, Scene, Sketch, distance, unjoined_points};
 use crate::digits::round_to;
 use crate::model::{AxisId, JointId, JointKind, LinkId, Model};
 
@@ -18,40 +19,38 @@ const WELDS: usize = 3;
 /// The joints that the drawing suggests, the likeliest first: ends that nearly meet, then ends that stand alone. Of each kind a few.
 pub(super) fn joints(model: &Model, sketch: &Sketch) -> Vec<Repair> {
     let bare = bare_leaves(model, sketch);
+    let joined = Joined::of(model);
     let kinds = [
-        meeting_joints(model, sketch),
-        points(model),
-        reaching_joints(model, sketch, &bare),
-        alone(model, sketch),
-        below(model, sketch, &bare),
-        apexes(model, &bare),
+        meeting_joints(model, sketch, &joined),
+        points(model, &joined),
+        reaching_joints(model, sketch, &joined, &bare),
+        alone(model, sketch, &joined),
+        below(model, sketch, &joined, &bare),
+        apexes(model, &joined, &bare),
     ];
-    let few = kinds.into_iter().map(|kind| kind.into_iter().take(FEW));
-    few.flatten().collect()
+    kinds.concat()
 }
 
 /// The pivots on the ground where ends stand alone.
-fn alone(model: &Model, sketch: &Sketch) -> Vec<Repair> {
+fn alone(model: &Model, sketch: &Sketch, joined: &Joined) -> Vec<Repair> {
     let ends = sketch.ends.iter().filter(|end| {
         let on_ground = |pin: &DrawnPin| pin.links.contains(&LinkId::GROUND);
-        let pinned = are_joined(model, [LinkId::GROUND, end.link]);
+        let pinned = joined.are_joined([LinkId::GROUND, end.link]);
         !pinned && end.link != LinkId::GROUND && !sketch.pin_at(end.at).is_some_and(on_ground)
     });
     let grounded = |end: &LooseEnd| on_ground(model, end.link, end.name.as_deref(), end.at);
-    ends.map(grounded).collect()
+    ends.map(grounded).take(FEW).collect()
 }
 
 /// The joints between ends of links and pins, or ends of other links, that are near.
-fn meeting_joints(model: &Model, sketch: &Sketch) -> Vec<Repair> {
-    let mut found: Vec<(f64, Repair)> = Vec::new();
-    let mut add = |end: &LooseEnd, other: LinkId, at: [f64; 2], apart: f64| {
+fn meeting_joints<'s>(model: &Model, sketch: &'s Sketch, joined: &Joined) -> Vec<Repair> {
+    let mut found: Vec<(f64, &LooseEnd, [LinkId; 2], [f64; 2])> = Vec::new();
+    let mut add = |end: &'s LooseEnd, other: LinkId, at: [f64; 2], apart: f64| {
         let mut links = [other, end.link];
         links.sort();
-        if apart > NEAR * sketch.size || are_joined(model, links) {
-            return;
+        if apart <= NEAR * sketch.size && !joined.are_joined(links) {
+            found.push((apart, end, links, at));
         }
-        let name = NewNames::new(model).like(end.name.as_deref(), "pin");
-        found.push((apart, join(Purpose::Join { apart }, name, links, at)));
     };
     for (number, end) in sketch.ends.iter().enumerate() {
         for pin in sketch.pins.iter().chain(&sketch.blocks) {
@@ -69,34 +68,25 @@ fn meeting_joints(model: &Model, sketch: &Sketch) -> Vec<Repair> {
         }
     }
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
-    found.into_iter().map(|(_, repair)| repair).collect()
-}
-
-/// Whether a joint joins two links directly.
-fn are_joined(model: &Model, [a, b]: [LinkId; 2]) -> bool {
-    model.joint_ids().any(|joint| {
-        let ends = model.ends(joint);
-        ends == (a, b) || ends == (b, a)
-    })
-}
-
-/// Whether two links are joined, or both are to a third: one more joint would make a triangle that cannot move.
-fn are_held(model: &Model, [a, b]: [LinkId; 2]) -> bool {
-    let both = |third: LinkId| are_joined(model, [a, third]) && are_joined(model, [b, third]);
-    are_joined(model, [a, b]) || model.link_ids().any(both)
+    let joint = |(apart, end, links, at): (f64, &LooseEnd, [LinkId; 2], [f64; 2])| {
+        let name = NewNames::new(model).like(end.name.as_deref(), "pin");
+        join(Purpose::Join { apart }, name, links, at)
+    };
+    found.into_iter().map(joint).take(FEW).collect()
 }
 
 /// The joints between points of links with frames of their own: those of one name first.
-fn points(model: &Model) -> Vec<Repair> {
+fn points(model: &Model, joined: &Joined) -> Vec<Repair> {
     let free = unjoined_points(model);
+    let scene = Scene::of(model);
     let link = |id: AxisId| model.axis(id).link;
-    let own = |id: AxisId| !is_in_scene(model, link(id));
+    let own = |id: AxisId| !scene.has(link(id));
     let mut pairs: Vec<[AxisId; 2]> = Vec::new();
     for (number, &b) in free.iter().enumerate() {
         let before = free[..number].iter().map(|&a| [a, b]);
         pairs.extend(before.filter(|[a, b]| {
             let links = [link(*a), link(*b)];
-            links[0] != links[1] && (own(*a) || own(*b)) && !are_joined(model, links)
+            links[0] != links[1] && (own(*a) || own(*b)) && !joined.are_joined(links)
         }));
     }
     let differ = |[a, b]: &[AxisId; 2]| model.axis(*a).name != model.axis(*b).name;
@@ -131,7 +121,12 @@ fn bare_leaves(model: &Model, sketch: &Sketch) -> Vec<(LinkId, [f64; 2])> {
 }
 
 /// The joints between ends of links, or what slides, and links that could reach there.
-fn reaching_joints(model: &Model, sketch: &Sketch, bare: &[(LinkId, [f64; 2])]) -> Vec<Repair> {
+fn reaching_joints(
+    model: &Model,
+    sketch: &Sketch,
+    joined: &Joined,
+    bare: &[(LinkId, [f64; 2])],
+) -> Vec<Repair> {
     let ends = sketch.ends.iter();
     let ends = ends.map(|end| (end.link, end.name.as_deref(), end.at));
     let blocks = sketch.blocks.iter();
@@ -141,7 +136,7 @@ fn reaching_joints(model: &Model, sketch: &Sketch, bare: &[(LinkId, [f64; 2])]) 
         .filter(|(link, ..)| *link != LinkId::GROUND);
     let joints = moving.flat_map(|(end, name, at)| {
         let others = bare.iter().map(|(link, _)| *link);
-        let others = others.filter(move |&link| link != end && !are_held(model, [link, end]));
+        let others = others.filter(move |&link| link != end && !joined.are_held([link, end]));
         others.map(move |link| {
             let mut links = [link, end];
             links.sort();
@@ -149,7 +144,7 @@ fn reaching_joints(model: &Model, sketch: &Sketch, bare: &[(LinkId, [f64; 2])]) 
             join(Purpose::Join { apart: 0.0 }, name, links, at)
         })
     });
-    joints.collect()
+    joints.take(FEW).collect()
 }
 
 fn join(purpose: Purpose, name: String, links: [LinkId; 2], at: [f64; 2]) -> Repair {
@@ -163,13 +158,18 @@ fn join(purpose: Purpose, name: String, links: [LinkId; 2], at: [f64; 2]) -> Rep
 
 /// If nothing says how long the last link of a chain is: it ends at the height of the first pivot on the ground. If it hangs on a joint
 /// at that height, or above or below that pivot, it is a block on a line through both.
-fn below(model: &Model, sketch: &Sketch, bare: &[(LinkId, [f64; 2])]) -> Vec<Repair> {
+fn below(
+    model: &Model,
+    sketch: &Sketch,
+    joined: &Joined,
+    bare: &[(LinkId, [f64; 2])],
+) -> Vec<Repair> {
     let mut pivots = sketch.pins.iter();
     let Some(pivot) = pivots.find(|pin| pin.links.contains(&LinkId::GROUND)) else {
         return Vec::new();
     };
     let moving = bare.iter().filter(|(link, place)| {
-        !are_joined(model, [LinkId::GROUND, *link]) && !sketch.is_same(*place, pivot.at)
+        !joined.are_joined([LinkId::GROUND, *link]) && !sketch.is_same(*place, pivot.at)
     });
     let lone = moving.map(|&(link, place)| {
         let [x, y] = [0, 1].map(|part| (place[part] - pivot.at[part]).abs());
@@ -189,17 +189,20 @@ fn below(model: &Model, sketch: &Sketch, bare: &[(LinkId, [f64; 2])]) -> Vec<Rep
             on_ground(model, link, None, [place[0], pivot.at[1]])
         }
     });
-    lone.collect()
+    lone.take(FEW).collect()
 }
 
 /// If nothing says where two links meet: over the middle of the joints on which they hang.
-fn apexes(model: &Model, bare: &[(LinkId, [f64; 2])]) -> Vec<Repair> {
+fn apexes(model: &Model, joined: &Joined, bare: &[(LinkId, [f64; 2])]) -> Vec<Repair> {
     let mut found = Vec::new();
     for (number, &(b, q)) in bare.iter().enumerate() {
         for &(a, p) in &bare[..number] {
             let width = distance(p, q);
-            if width == 0.0 || are_held(model, [a, b]) {
+            if width == 0.0 || joined.are_held([a, b]) {
                 continue;
+            }
+            if found.len() == FEW {
+                return found;
             }
             let over = if q[0] < p[0] { -0.5 } else { 0.5 };
             let at = [

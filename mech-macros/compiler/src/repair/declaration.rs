@@ -1,10 +1,9 @@
 //! Links and joints that are to be declared.
 
 use super::is_in_cam;
-use super::sketch::is_drawn;
 use crate::api::is_reserved;
 use crate::bug::bug;
-use crate::model::{AxisId, JointId, JointKind, LinkId, Model};
+use crate::model::{Axis, AxisId, JointId, JointKind, LinkId, Model};
 
 /// Links and joints that are to be declared, some in place of others.
 #[derive(Clone, Debug, PartialEq)]
@@ -230,7 +229,12 @@ pub(super) fn drawn_joint(model: &Model, joint: JointId) -> Option<([LinkId; 2],
     let declared = axes.map(|id| model.axis(id));
     let unnamed = declared.iter().all(|axis| axis.name.is_none());
     let links = declared.map(|axis| axis.link);
-    let drawn = unnamed && declared.iter().all(|axis| is_drawn(model, axis));
+    // A link with a joint is in the scene only if it is drawn.
+    let is_drawn = |axis: &Axis| {
+        let is_there = axis.link == LinkId::GROUND || model.link(axis.link).drawn;
+        is_there && !axis.varies()
+    };
+    let drawn = unnamed && declared.into_iter().all(is_drawn);
     drawn.then(|| (links, declared[0].at))
 }
 

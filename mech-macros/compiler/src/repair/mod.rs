@@ -3,6 +3,7 @@
 mod candidates;
 mod completions;
 mod declaration;
+mod joined;
 mod offers;
 mod rank;
 mod sizes;

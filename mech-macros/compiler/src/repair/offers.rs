@@ -43,13 +43,28 @@ pub enum Search {
 /// The most pairs that are found.
 const PAIRS: usize = 6;
 
-/// Finds the repairs of the mechanism of a text, for each of its diagnoses.
+/// Repairs are sought for so many diagnoses: after the first ones are mended, others may not be wrong any more.
+const SEARCHED: usize = 20;
+
+/// No repairs are sought for a mechanism with more links and joints: there is no time to try two.
+const LARGEST: usize = 1000;
+
+/// Finds the repairs of the mechanism of a text, for each of its diagnoses; of very many, for the first.
 #[must_use]
 pub fn offers(model: &Model, source: &Source, diagnoses: &[Diagnosis]) -> Vec<Offers> {
+    if model.links.len() + model.joints.len() > LARGEST {
+        let none = Offers {
+            search: Search::Bounded,
+            ..Offers::default()
+        };
+        return vec![none; diagnoses.len()];
+    }
     let mut trials = Trials::new(model, source);
-    (0..diagnoses.len())
-        .map(|index| for_one(&mut trials, diagnoses, index))
-        .collect()
+    let searched =
+        (0..diagnoses.len().min(SEARCHED)).map(|index| for_one(&mut trials, diagnoses, index));
+    let mut offers: Vec<Offers> = searched.collect();
+    offers.resize_with(diagnoses.len(), Offers::default);
+    offers
 }
 
 fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {

@@ -1,6 +1,7 @@
 //! The drawn parts of a mechanism: its pins, and the ends of links that no joint holds.
 
 use crate::model::{Axis, AxisId, AxisKind, JointKind, LinkId, Model, ShapeKind};
+use std::collections::HashSet;
 
 /// Two places are one if they are no farther apart than this part of the size.
 const SAME: f64 = 1e-9;
@@ -37,27 +38,28 @@ pub(super) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
 
 impl Sketch {
     pub(super) fn of(model: &Model) -> Self {
+        let scene = Scene::of(model);
         let mut sketch = Self {
-            size: size(model),
+            size: size(model, &scene),
             pins: Vec::new(),
             blocks: Vec::new(),
             ends: Vec::new(),
         };
         for joint in &model.joints {
             match joint.kind {
-                JointKind::Revolute(a, b) => sketch.note_pin(model, [a, b]),
-                JointKind::Prismatic(a, b) => sketch.note_block(model, [a, b]),
+                JointKind::Revolute(a, b) => sketch.note_pin(model, &scene, [a, b]),
+                JointKind::Prismatic(a, b) => sketch.note_block(model, &scene, [a, b]),
                 _ => {}
             }
         }
         for id in unjoined_points(model) {
             let axis = model.axis(id);
             let name = axis.name.clone();
-            if is_drawn(model, axis) {
+            if scene.draws(axis) {
                 sketch.note_end(model, axis.link, name, axis.at);
             }
         }
-        for link in model.declared_links().filter(|&id| is_in_scene(model, id)) {
+        for link in model.declared_links().filter(|&id| scene.has(id)) {
             let shapes = model.link(link).shapes.iter();
             for shape in shapes.filter(|shape| !shape.varies()) {
                 if let ShapeKind::Bar { pins, .. } = &shape.kind {
@@ -71,7 +73,9 @@ impl Sketch {
     }
 
     pub(super) fn is_same(&self, a: [f64; 2], b: [f64; 2]) -> bool {
-        distance(a, b) <= SAME * self.size
+        let near = SAME * self.size;
+        // Most places differ, and this is quick.
+        (a[0] - b[0]).abs() <= near && distance(a, b) <= near
     }
 
     /// The pin at a place.
@@ -79,9 +83,9 @@ impl Sketch {
         self.pins.iter().find(|pin| self.is_same(pin.at, at))
     }
 
-    fn note_block(&mut self, model: &Model, axes: [AxisId; 2]) {
+    fn note_block(&mut self, model: &Model, scene: &Scene, axes: [AxisId; 2]) {
         let axes = axes.map(|id| model.axis(id));
-        if axes.iter().all(|axis| is_drawn(model, axis)) {
+        if axes.iter().all(|axis| scene.draws(axis)) {
             let links = axes.map(|axis| axis.link);
             let moving = links.into_iter().filter(|link| *link != LinkId::GROUND);
             self.blocks.push(DrawnPin {
@@ -91,9 +95,9 @@ impl Sketch {
         }
     }
 
-    fn note_pin(&mut self, model: &Model, axes: [AxisId; 2]) {
+    fn note_pin(&mut self, model: &Model, scene: &Scene, axes: [AxisId; 2]) {
         let axes = axes.map(|id| model.axis(id));
-        if !axes.iter().all(|axis| is_drawn(model, axis)) {
+        if !axes.iter().all(|axis| scene.draws(axis)) {
             return;
         }
         let (at, links) = (axes[0].at, axes.map(|axis| axis.link));
@@ -124,11 +128,6 @@ impl Sketch {
     }
 }
 
-/// Whether an axis is where the drawing has it, whatever the params.
-pub(super) fn is_drawn(model: &Model, axis: &Axis) -> bool {
-    is_in_scene(model, axis.link) && !axis.varies()
-}
-
 /// The axes that joints make coincide.
 fn joined_axes(model: &Model) -> impl Iterator<Item = AxisId> + '_ {
     let axes = model.joints.iter().filter_map(|joint| joint.kind.axes());
@@ -138,30 +137,49 @@ fn joined_axes(model: &Model) -> impl Iterator<Item = AxisId> + '_ {
 /// The named points that no joint makes coincide with another. Traced points are left out: they need no joint.
 pub(super) fn unjoined_points(model: &Model) -> Vec<AxisId> {
     let ids = (0..model.axes.len()).map(AxisId::new);
+    let joined: HashSet<AxisId> = joined_axes(model).collect();
+    let traced: HashSet<AxisId> = model.traces.iter().map(|trace| trace.point).collect();
     let is_free = |id: &AxisId| {
         let axis = model.axis(*id);
         let named = axis.name.is_some() && !axis.varies();
         let point = axis.kind == AxisKind::Point && model.link(axis.link).die.is_none();
-        let traced = model.traces.iter().any(|trace| trace.point == *id);
-        named && point && !traced && joined_axes(model).all(|other| other != *id)
+        named && point && !traced.contains(id) && !joined.contains(id)
     };
     ids.filter(is_free).collect()
 }
 
-/// Whether the frame of a link is that of the scene: it is the ground, or drawn, or no joint says otherwise and others are drawn.
-pub(super) fn is_in_scene(model: &Model, link: LinkId) -> bool {
-    let declared = model.link(link);
-    let jointless = || joined_axes(model).all(|id| model.axis(id).link != link);
-    let others = || model.links.iter().any(|link| link.drawn);
-    link == LinkId::GROUND || declared.drawn || declared.die.is_none() && others() && jointless()
+/// The links whose frame is that of the scene: the ground, those that are drawn, and, if there are any, those that no joint places.
+pub(super) struct Scene(Vec<bool>);
+
+impl Scene {
+    pub(super) fn of(model: &Model) -> Self {
+        let others = model.links.iter().any(|link| link.drawn);
+        let links = model.links.iter();
+        let mut is_there: Vec<bool> = links.map(|link| link.die.is_none() && others).collect();
+        for axis in joined_axes(model) {
+            is_there[model.axis(axis).link.index()] = false;
+        }
+        for (is_there, link) in is_there.iter_mut().zip(&model.links) {
+            *is_there |= link.drawn;
+        }
+        is_there[LinkId::GROUND.index()] = true;
+        Self(is_there)
+    }
+
+    /// Whether the frame of this link is that of the scene.
+    pub(super) fn has(&self, link: LinkId) -> bool {
+        self.0[link.index()]
+    }
+
+    /// Whether an axis is where the drawing has it, whatever the params.
+    pub(super) fn draws(&self, axis: &Axis) -> bool {
+        self.has(axis.link) && !axis.varies()
+    }
 }
 
 /// The diagonal of the box around everything that is in the scene.
-fn size(model: &Model) -> f64 {
-    let axes = model
-        .axes
-        .iter()
-        .filter(|axis| is_in_scene(model, axis.link));
+fn size(model: &Model, scene: &Scene) -> f64 {
+    let axes = model.axes.iter().filter(|axis| scene.has(axis.link));
     let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
     for axis in axes {
         for side in [0, 1] {

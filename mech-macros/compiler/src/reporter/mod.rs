@@ -24,7 +24,7 @@ use crate::syntax::{Message, Places};
 use instances::Reported;
 
 /// Everything that is wrong, as the user reads it. Lines after the first of each message begin with `note:` or `help:`.
-/// There is an offer for each diagnosis.
+/// There is an offer for each diagnosis. Of very many only the first are told.
 #[must_use]
 pub fn messages(
     diagnoses: &[Diagnosis],
@@ -35,7 +35,10 @@ pub fn messages(
     let words = Words { model };
     let none = Offers::default();
     let mut messages = Vec::new();
-    for Reported { number, more } in instances::reported(diagnoses, model) {
+    let mut reported = instances::reported(diagnoses, model).into_iter();
+    while messages.len() <= Message::MOST
+        && let Some(Reported { number, more }) = reported.next()
+    {
         let offers = offers.get(number).unwrap_or(&none);
         for (origin, mut text) in words.of(&diagnoses[number], offers) {
             if let Some((part, count)) = more {
@@ -47,7 +50,7 @@ pub fn messages(
             messages.push(Message::new(places.get(origin), space_notes(&text)));
         }
     }
-    messages
+    Message::first(messages, reported.len())
 }
 
 /// A diagnosis in words, without its place and without what would mend it.

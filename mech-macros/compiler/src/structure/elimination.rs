@@ -103,6 +103,15 @@ impl Elimination {
         }
     }
 
+    /// The same rows, without what they are made of.
+    pub(crate) fn forgetful(&self) -> Self {
+        let mut rows = self.clone();
+        for pivot in rows.pivots.iter_mut().flatten() {
+            pivot.made_of = Sparse::new();
+        }
+        rows
+    }
+
     /// Adds a row without remembering how it came about, as all rows before it; whether it says something new.
     pub(crate) fn extend(&mut self, row: Sparse) -> bool {
         self.reduce(row, Sparse::new()).is_none()

@@ -3,7 +3,7 @@
 use super::Structure;
 use super::constraints::Constraints;
 use super::diagnosis::Diagnosis;
-use super::elimination::{Elimination, RowKind, Sparse};
+use super::elimination::{Elimination, RowKind};
 use super::field::{Dice, Element};
 use super::graph::KinematicGraph;
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
@@ -117,23 +117,17 @@ impl<'m> Rank<'m> {
     /// Joints for motors that would take all freedom that is left: each of them alone where one is missing, all of them
     /// together where several are.
     fn candidates(&mut self) -> Vec<JointId> {
-        // As many random motions as there are freedoms stand for all of them.
-        let freedom = self.driven.freedom();
-        let motions: Vec<Vec<Element>> = (0..freedom)
-            .map(|_| self.driven.random_motion(&mut self.dice))
-            .collect();
-        let free = motions
-            .first()
-            .map_or(Vec::new(), |motion| self.moving_joints(motion));
-        if freedom <= 1 {
+        let motion = self.driven.random_motion(&mut self.dice);
+        let free = self.moving_joints(&motion);
+        if self.driven.freedom() <= 1 {
             return free;
         }
-        let mut taken = Elimination::new(freedom);
-        let rates = |id: &JointId| -> Sparse {
-            let rates = motions.iter().map(|motion| self.rate(*id, motion));
-            rates.enumerate().collect()
+        // A motor takes freedom if its row says something new. Rows are sparse: motions of a long chain are not.
+        let mut taken = self.driven.forgetful();
+        let takes = |id: &JointId| {
+            let rate = self.constraints.rate(*id);
+            taken.extend(rate.unwrap_or_default())
         };
-        let takes = |id: &JointId| taken.extend(rates(id));
         free.into_iter().filter(takes).collect()
     }
 }

@@ -25,6 +25,8 @@ pub(super) struct Text {
     pub motors: usize,
     /// Whether one of these goes on with a law, readable or not.
     pub has_laws: bool,
+    /// Whether it is beyond a limit, so that only its `struct` line was read.
+    pub is_beyond: bool,
 }
 
 /// A statement.

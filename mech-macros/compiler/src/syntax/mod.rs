@@ -4,6 +4,8 @@ mod ast;
 mod color;
 mod expr;
 mod grammar;
+pub mod lexer;
+pub mod limits;
 mod listing;
 mod lower;
 mod name;

@@ -82,6 +82,9 @@ pub struct Message {
 }
 
 impl Message {
+    /// So many things are told of a text at once.
+    pub const MOST: usize = 50;
+
     /// A message about a place.
     #[must_use]
     pub fn new(place: Place, text: impl Into<String>) -> Self {
@@ -89,6 +92,24 @@ impl Message {
             place,
             text: text.into(),
         }
+    }
+
+    /// The first of these messages. If there are many, one more tells the number of those left out, and of `others` that are not made.
+    #[must_use]
+    pub fn first(mut messages: Vec<Self>, others: usize) -> Vec<Self> {
+        let left_out = messages.len().saturating_sub(Self::MOST) + others;
+        messages.truncate(Self::MOST);
+        if let Some(last) = messages.last().filter(|_| left_out > 0) {
+            let are = if left_out == 1 {
+                "is 1"
+            } else {
+                &format!("are {left_out}")
+            };
+            let text =
+                format!("there {are} more like these, or of other kinds; mend the first ones");
+            messages.push(Self::new(last.place, text));
+        }
+        messages
     }
 
     /// The item that makes the compiler show the message at its place.

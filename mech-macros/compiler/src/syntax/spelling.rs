@@ -5,9 +5,11 @@ pub(super) fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str>
     let length = word.chars().count();
     // A third of the letters, but never all of them: one letter is like no other.
     let limit = (length / 3).max(1).min(length.saturating_sub(1));
-    let near = candidates
-        .iter()
-        .map(|candidate| (distance(word, candidate, limit), *candidate));
+    // Of most names the length tells that they are others.
+    let alike = candidates.iter().filter(|name| {
+        !name.is_ascii() || !word.is_ascii() || name.len().abs_diff(length) <= limit
+    });
+    let near = alike.map(|candidate| (distance(word, candidate, limit), *candidate));
     let near = near.filter_map(|(distance, candidate)| Some((distance?, candidate)));
     near.min_by_key(|(distance, _)| *distance)
         .map(|(_, candidate)| candidate)

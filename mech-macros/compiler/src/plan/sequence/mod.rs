@@ -19,7 +19,7 @@ use crate::bug::bug;
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
 use crate::stop;
 use crate::structure::{Diagnosis, KinematicGraph, Structure};
-use open::Open;
+use open::{Known, Open};
 use petgraph::unionfind::UnionFind;
 use rolling::coordinate;
 
@@ -376,11 +376,19 @@ impl<'m> Search<'m> {
     /// All connections between different clusters, ordered by the bases of these, without what follows from others.
     fn connections(&mut self) -> Vec<Between> {
         self.update();
-        coupled::drop_parallel(self.open.connections())
+        coupled::drop_parallel(self.open.connections(Known {
+            model: self.model,
+            structure: self.structure,
+            clusters: &self.clusters,
+        }))
     }
 
     fn update(&mut self) {
-        self.open.update(self.model, self.structure, &self.clusters);
+        self.open.update(Known {
+            model: self.model,
+            structure: self.structure,
+            clusters: &self.clusters,
+        });
     }
 
     /// The joints of the rings: the unknown ones, and paths through the clusters between them.

@@ -21,19 +21,29 @@ enum Connector {
 }
 
 /// All connections between different clusters, and the rings that they form.
+///
+/// What a connector connects is worked out where it is asked for: a pin of many links connects each two of them.
 pub(super) struct Open {
     connectors: Vec<Connector>,
     /// For each link the connectors that it is on.
     of_link: Vec<Vec<usize>>,
-    /// For each connector the pairs of clusters that it connects.
-    pairs_of: Vec<Vec<Pair>>,
-    /// For each pair of clusters its connections, in the order of the connectors.
-    pairs: BTreeMap<Pair, BTreeMap<usize, Between>>,
-    /// For each cluster those it is connected with.
-    neighbours: BTreeMap<LinkId, BTreeSet<LinkId>>,
+    /// For each connector the clusters on it, each with the first of its links there, which stands for all of them.
+    on: Vec<BTreeMap<LinkId, LinkId>>,
+    /// For each cluster the connectors that it is on.
+    of_cluster: BTreeMap<LinkId, BTreeSet<usize>>,
     rings: BTreeMap<[LinkId; 3], Block>,
+    /// For each pair of clusters the third of each ring that both are in.
+    thirds: BTreeMap<Pair, BTreeSet<LinkId>>,
     /// Links that have come to another cluster, of which nothing is known here yet.
     moved: Vec<LinkId>,
+}
+
+/// What connections are worked out from.
+#[derive(Clone, Copy)]
+pub(super) struct Known<'k> {
+    pub(super) model: &'k Model,
+    pub(super) structure: &'k Structure,
+    pub(super) clusters: &'k Clusters,
 }
 
 impl Open {
@@ -59,12 +69,12 @@ impl Open {
             }
         }
         Self {
-            pairs_of: vec![Vec::new(); connectors.len()],
+            on: vec![BTreeMap::new(); connectors.len()],
             connectors,
             of_link,
-            pairs: BTreeMap::new(),
-            neighbours: BTreeMap::new(),
+            of_cluster: BTreeMap::new(),
             rings: BTreeMap::new(),
+            thirds: BTreeMap::new(),
             moved: model.link_ids().collect(),
         }
     }
@@ -75,36 +85,51 @@ impl Open {
     }
 
     /// Brings connections and rings up to what the clusters are by now.
-    pub(super) fn update(&mut self, model: &Model, structure: &Structure, clusters: &Clusters) {
-        let moved = std::mem::take(&mut self.moved).into_iter();
-        let touched: BTreeSet<usize> = moved
-            .flat_map(|link| self.of_link[link.index()].iter().copied())
-            .collect();
+    pub(super) fn update(&mut self, known: Known<'_>) {
+        let moved = std::mem::take(&mut self.moved);
+        let grown: BTreeSet<LinkId> = moved.iter().map(|&one| known.clusters.base(one)).collect();
+        let touched = moved.iter().flat_map(|link| &self.of_link[link.index()]);
+        let touched: BTreeSet<usize> = touched.copied().collect();
         let mut changed: BTreeSet<Pair> = BTreeSet::new();
-        for &number in &touched {
+        for number in touched {
             stop::check();
-            for pair in std::mem::take(&mut self.pairs_of[number]) {
-                changed.insert(pair);
-                self.remove(pair, number);
+            let mut now: BTreeMap<LinkId, LinkId> = BTreeMap::new();
+            for link in links(known.model, known.structure, &self.connectors[number]) {
+                now.entry(known.clusters.base(link)).or_insert(link);
             }
-        }
-        for &number in &touched {
-            for between in self.betweens(model, structure, clusters, number) {
-                let pair = (between.a, between.b);
-                changed.insert(pair);
-                self.insert(pair, number, between);
+            let before = std::mem::replace(&mut self.on[number], now);
+            let now = &self.on[number];
+            for gone in before.keys().filter(|base| !now.contains_key(base)) {
+                if let Some(connectors) = self.of_cluster.get_mut(gone) {
+                    connectors.remove(&number);
+                }
+            }
+            for &base in now.keys() {
+                self.of_cluster.entry(base).or_default().insert(number);
+            }
+            // Of two clusters that are as they were, the connection is, too.
+            let all: BTreeSet<LinkId> = before.keys().chain(now.keys()).copied().collect();
+            let other = |base: &&LinkId| grown.contains(base) || !now.contains_key(base);
+            for &one in all.iter().filter(other) {
+                let others = all.iter().filter(|base| **base != one);
+                changed.extend(others.map(|&base| (one.min(base), one.max(base))));
             }
         }
         for pair in changed {
             stop::check();
-            self.find_rings(pair);
+            self.find_rings(known, pair);
         }
     }
 
     /// All connections, ordered by the bases of their clusters.
-    pub(super) fn connections(&self) -> Vec<Between> {
-        let pairs = self.pairs.values();
-        pairs.flat_map(BTreeMap::values).copied().collect()
+    pub(super) fn connections(&self, known: Known<'_>) -> Vec<Between> {
+        let all = self.on.iter().flat_map(|on| {
+            let pairs = on.keys().enumerate();
+            pairs.flat_map(|(index, &a)| on.keys().skip(index + 1).map(move |&b| (a, b)))
+        });
+        let all: BTreeSet<Pair> = all.collect();
+        let all = all.into_iter();
+        all.flat_map(|pair| self.between(known, pair)).collect()
     }
 
     /// All rings of three connections, and of two that slide, ordered by the bases of their clusters.
@@ -112,140 +137,148 @@ impl Open {
         self.rings.values()
     }
 
-    fn remove(&mut self, pair: Pair, number: usize) {
-        let (a, b) = pair;
-        let Some(connections) = self.pairs.get_mut(&pair) else {
-            return;
-        };
-        connections.remove(&number);
-        if !connections.is_empty() {
-            return;
-        }
-        self.pairs.remove(&pair);
-        // Two clusters that are no longer a pair are in no ring together.
-        for third in self.common_neighbours(pair) {
-            self.rings.remove(&sorted([a, b, third]));
-        }
-        self.rings.remove(&[a, b, b]);
-        for (one, other) in [(a, b), (b, a)] {
-            if let Some(others) = self.neighbours.get_mut(&one) {
-                others.remove(&other);
-            }
-        }
+    /// The connectors that a cluster is on.
+    fn connectors_of(&self, base: LinkId) -> impl Iterator<Item = usize> + Clone + '_ {
+        self.of_cluster.get(&base).into_iter().flatten().copied()
     }
 
-    fn insert(&mut self, pair: Pair, number: usize, between: Between) {
-        self.pairs.entry(pair).or_default().insert(number, between);
-        self.pairs_of[number].push(pair);
-        let (a, b) = pair;
-        self.neighbours.entry(a).or_default().insert(b);
-        self.neighbours.entry(b).or_default().insert(a);
+    /// The connectors that both of a pair are on.
+    fn common(&self, (a, b): Pair) -> Vec<usize> {
+        let [few, many] = self.fewer(a, b, |base| {
+            self.of_cluster.get(&base).map_or(0, BTreeSet::len)
+        });
+        let are_common = |number: &usize| self.on[*number].contains_key(&many);
+        self.connectors_of(few).filter(are_common).collect()
     }
 
-    /// The clusters that both of a pair are connected with.
-    fn common_neighbours(&self, (a, b): Pair) -> Vec<LinkId> {
-        let of = |base: LinkId| self.neighbours.get(&base);
-        let (Some(first), Some(second)) = (of(a), of(b)) else {
-            return Vec::new();
+    /// The one of two clusters of which there is less, and the other.
+    fn fewer(&self, a: LinkId, b: LinkId, count: impl Fn(LinkId) -> usize) -> [LinkId; 2] {
+        if count(a) <= count(b) { [a, b] } else { [b, a] }
+    }
+
+    /// The clusters that may be in a ring with a pair. Of the three connections of a ring no two are by one connector: a pair with a
+    /// single one has both others elsewhere.
+    fn candidates(&self, (a, b): Pair, common: &[usize]) -> Vec<LinkId> {
+        let single = match *common {
+            [] => return Vec::new(),
+            [single] => Some(single),
+            _ => None,
         };
-        // The ground may have very many.
-        let [few, many] = if first.len() < second.len() {
-            [first, second]
-        } else {
-            [second, first]
+        let elsewhere = |base| {
+            self.connectors_of(base)
+                .filter(move |&one| Some(one) != single)
         };
-        few.iter()
-            .copied()
-            .filter(|base| many.contains(base))
-            .collect()
+        // The ground may be on very many.
+        let count = |base| elsewhere(base).map(|number| self.on[number].len()).sum();
+        let [few, many] = self.fewer(a, b, count);
+        let thirds = elsewhere(few).flat_map(|number| self.on[number].keys().copied());
+        let thirds: BTreeSet<LinkId> = thirds.filter(|third| *third != a && *third != b).collect();
+        let is_beside = |third: &LinkId| {
+            let [one, other] = self.fewer(*third, many, |base| {
+                self.of_cluster.get(&base).map_or(0, BTreeSet::len)
+            });
+            elsewhere(one).any(|number| self.on[number].contains_key(&other))
+        };
+        thirds.into_iter().filter(is_beside).collect()
     }
 
     /// Finds the rings anew that a pair of clusters is in.
-    fn find_rings(&mut self, pair: Pair) {
+    fn find_rings(&mut self, known: Known<'_>, pair: Pair) {
         let (a, b) = pair;
-        let found = self.between(pair).collect::<Vec<Between>>();
-        let found = found.windows(2);
-        let found = found.filter_map(|two| ring_of_two(two[0], two[1]));
-        self.set_ring([a, b, b], found.into_iter().next());
-        for third in self.common_neighbours(pair) {
+        let common = self.common(pair);
+        if common.len() > 1 || self.rings.contains_key(&[a, b, b]) {
+            let found = self.between(known, pair).collect::<Vec<Between>>();
+            let found = found.windows(2);
+            let found = found.filter_map(|two| ring_of_two(two[0], two[1]));
+            let found = found.into_iter().next();
+            match found {
+                Some(ring) => self.rings.insert([a, b, b], ring),
+                None => self.rings.remove(&[a, b, b]),
+            };
+        }
+        let mut thirds = self.thirds.get(&pair).cloned().unwrap_or_default();
+        thirds.extend(self.candidates(pair, &common));
+        for third in thirds {
             let bases = sorted([a, b, third]);
-            self.set_ring(bases, self.ring_of_three(bases));
+            let ring = self.ring_of_three(known, bases);
+            self.set_ring(bases, ring);
         }
     }
 
-    /// Notes the ring of these clusters, or that there is none.
+    /// Notes the ring of these three clusters, or that there is none.
     fn set_ring(&mut self, bases: [LinkId; 3], ring: Option<Block>) {
+        let [a, b, c] = bases;
+        for (pair, third) in [((a, b), c), ((a, c), b), ((b, c), a)] {
+            let thirds = self.thirds.entry(pair).or_default();
+            if ring.is_some() {
+                thirds.insert(third);
+            } else {
+                thirds.remove(&third);
+            }
+        }
         match ring {
             Some(ring) => self.rings.insert(bases, ring),
             None => self.rings.remove(&bases),
         };
     }
 
-    fn ring_of_three(&self, [low, middle, high]: [LinkId; 3]) -> Option<Block> {
-        let far = self.between((low, high)).next()?;
-        let across = self.between((middle, high));
+    fn ring_of_three(&self, known: Known<'_>, [low, middle, high]: [LinkId; 3]) -> Option<Block> {
+        let far = self.between(known, (low, high)).next()?;
+        let near: Vec<Between> = self.between(known, (low, middle)).collect();
+        let across = self.between(known, (middle, high));
         let mut found = across.flat_map(|across| {
-            let near = self.between((low, middle));
-            near.filter_map(move |near| ring_of_three(near, across, far))
+            let near = near.iter();
+            near.filter_map(move |near| ring_of_three(*near, across, far))
         });
         found.next()
     }
 
-    /// The connections of a pair of clusters.
-    fn between(&self, pair: Pair) -> impl Iterator<Item = Between> + '_ {
-        let connections = self.pairs.get(&pair).into_iter();
-        connections.flat_map(BTreeMap::values).copied()
+    /// The connections of a pair of clusters, in the order of the connectors.
+    fn between<'k>(&'k self, known: Known<'k>, pair: Pair) -> impl Iterator<Item = Between> + 'k {
+        let common = self.common(pair).into_iter();
+        common.filter_map(move |number| self.between_on(known, pair, number))
     }
 
-    /// Returns the connections that a connector makes by now. If several links of one cluster are on a pin, one stands for all.
-    fn betweens(
-        &self,
-        model: &Model,
-        structure: &Structure,
-        clusters: &Clusters,
-        number: usize,
-    ) -> Vec<Between> {
-        let mut found: BTreeMap<Pair, Between> = BTreeMap::new();
-        let mut add = |connection: Connection, pin: Option<usize>| {
-            let base = |axis| clusters.base(model.axis(axis).link);
-            let (a, b) = (base(connection.from), base(connection.to));
-            let (a, b, connection) = if a < b {
-                (a, b, connection)
-            } else {
-                (b, a, connection.reverse())
-            };
-            if a != b {
-                let heading = structure.parallels.of(connection.joint);
-                found.entry((a, b)).or_insert(Between {
-                    a,
-                    b,
-                    connection,
-                    pin,
-                    direction: heading.map(|heading| heading.number),
-                });
-            }
-        };
-        match self.connectors[number] {
+    /// The connection that a connector makes between two clusters that are on it.
+    fn between_on(&self, known: Known<'_>, (a, b): Pair, number: usize) -> Option<Between> {
+        let on = &self.on[number];
+        let base = |axis| known.clusters.base(known.model.axis(axis).link);
+        let (connection, pin) = match self.connectors[number] {
             Connector::Pin(number) => {
-                let pin = &structure.pins[number];
-                for (index, &(a, _)) in pin.members.iter().enumerate() {
-                    for &(b, _) in &pin.members[index + 1..] {
-                        if let Some(connection) = pivot(pin, a, b) {
-                            let joint = named_on(model, clusters, pin, a, b);
-                            add(
-                                Connection {
-                                    joint,
-                                    ..connection
-                                },
-                                Some(number),
-                            );
-                        }
-                    }
-                }
+                let pin = &known.structure.pins[number];
+                let [a, b] = [on.get(&a)?, on.get(&b)?];
+                // In the order in which they stand on the pin.
+                let first = pin
+                    .members
+                    .iter()
+                    .find(|(link, _)| link == a || link == b)?
+                    .0;
+                let [from, to] = if first == *a { [*a, *b] } else { [*b, *a] };
+                let joint = named_on(known.model, known.clusters, pin, from, to);
+                let connection = pivot(pin, from, to)?;
+                (
+                    Connection {
+                        joint,
+                        ..connection
+                    },
+                    Some(number),
+                )
             }
-            Connector::Slide(connection) => add(connection, None),
-        }
-        found.into_values().collect()
+            Connector::Slide(connection) => (connection, None),
+        };
+        let connection = if base(connection.from) == a {
+            connection
+        } else {
+            connection.reverse()
+        };
+        let heading = known.structure.parallels.of(connection.joint);
+        Some(Between {
+            a,
+            b,
+            connection,
+            pin,
+            direction: heading.map(|heading| heading.number),
+        })
     }
 }
 

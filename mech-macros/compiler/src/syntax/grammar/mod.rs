@@ -21,10 +21,37 @@ mod trace;
 mod unit;
 
 use super::ast::{Statement, Text};
+use super::limits;
 use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
+
+/// Of a text that is beyond a limit, the `struct` line is read if it has no more tokens than this.
+const LINE: usize = 1000;
 
 /// Reads the body of a `mechanism!`.
 pub(super) fn read(input: TokenStream) -> Text {
+    match limits::of_tokens(&input) {
+        Ok(()) => read_within(input),
+        Err(excess) => {
+            let is_end =
+                |tree: &TokenTree| matches!(tree, TokenTree::Punct(mark) if mark.as_char() == ';');
+            let line = input.into_iter().take_while(|tree| !is_end(tree));
+            let line: TokenStream = line.take(LINE).collect();
+            let is_short = limits::of_tokens(&line).is_ok();
+            let mut text = if is_short {
+                read_within(line)
+            } else {
+                Text::default()
+            };
+            text.statements = vec![recover::broken_statement(excess.message())];
+            text.beginnings.clear();
+            text.is_beyond = true;
+            text
+        }
+    }
+}
+
+/// The same of a text that is within all limits.
+fn read_within(input: TokenStream) -> Text {
     let text = tokens::run(braces_at_end(input), |input| {
         tokens::open_braces(input)
             .map(|(_, content)| statement::text(&content))

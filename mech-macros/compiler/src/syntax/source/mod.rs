@@ -98,8 +98,15 @@ impl Source {
     /// Reads the body of a `mechanism!`.
     #[must_use]
     pub fn read(input: TokenStream) -> Self {
+        let tree = grammar::read(input.clone());
+        // What is beyond a limit is not taken apart, either.
+        let input = if tree.is_beyond {
+            TokenStream::new()
+        } else {
+            input
+        };
         Self {
-            tree: RefCell::new(grammar::read(input.clone())),
+            tree: RefCell::new(tree),
             input,
             tokens: OnceCell::new(),
         }

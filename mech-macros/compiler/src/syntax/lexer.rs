@@ -2,32 +2,66 @@
 
 /// The kinds of lexemes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub enum Kind {
+    /// A word or a number; a number with a point is two.
     Word,
+    /// An opening bracket.
     Open,
+    /// A closing bracket.
     Close,
+    /// Any other character.
     Mark,
 }
 
 /// A word, a bracket or a mark, and where it stands.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Lexeme {
-    pub(crate) kind: Kind,
-    pub(crate) start: usize,
-    pub(crate) end: usize,
+pub struct Lexeme {
+    /// Its kind.
+    pub kind: Kind,
+    /// Its first byte.
+    pub start: usize,
+    /// The byte after its last.
+    pub end: usize,
 }
 
 /// Words, brackets and marks of a text. Spaces, comments and literals are left out.
-pub(crate) struct Lexer<'t> {
+pub struct Lexer<'t> {
     text: &'t str,
     at: usize,
+    /// So many bytes may still be searched for ends that are not there: else a text of quotes takes the square of its length.
+    vain: usize,
 }
+
+/// So many times may a text be searched to its end in vain.
+const SEARCHES: usize = 16;
 
 impl<'t> Lexer<'t> {
     /// Reads a text from a byte on, to its end.
-    pub(crate) fn new(text: &'t str, at: usize) -> Self {
-        Self { text, at }
+    #[must_use]
+    pub fn new(text: &'t str, at: usize) -> Self {
+        let vain = SEARCHES.saturating_mul(text.len());
+        Self { text, at, vain }
     }
+
+    /// The length of what stands here and counts for nothing; none if something else does.
+    fn hidden(&mut self) -> Option<usize> {
+        let remaining = &self.text[self.at..];
+        if self.vain == 0 && !remaining.starts_with(char::is_whitespace) {
+            return None;
+        }
+        let found = hidden(remaining);
+        if found.is_none() && has_end(remaining) {
+            self.vain = self.vain.saturating_sub(remaining.len());
+        }
+        found
+    }
+}
+
+/// Whether a comment or a literal begins here that is searched for its end.
+fn has_end(text: &str) -> bool {
+    let quoted = text.trim_start_matches(['b', 'c', 'r']);
+    let quoted = quoted.trim_start_matches('#');
+    text.starts_with("/*") || quoted.starts_with('"') || quoted.starts_with("'\\")
 }
 
 impl Iterator for Lexer<'_> {
@@ -37,7 +71,7 @@ impl Iterator for Lexer<'_> {
         loop {
             let remaining = &self.text[self.at..];
             let first = remaining.chars().next()?;
-            if let Some(length) = hidden(remaining) {
+            if let Some(length) = self.hidden() {
                 self.at += length;
                 continue;
             }
@@ -137,7 +171,7 @@ fn character(text: &str) -> Option<usize> {
 }
 
 /// Whether a letter can stand in a word.
-pub(crate) fn is_of_word(letter: char) -> bool {
+pub fn is_of_word(letter: char) -> bool {
     letter == '_' || letter.is_alphanumeric()
 }
 
