@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use syn::{Item, UseTree, Visibility};
 
 /// The crates, by the files in which they begin.
-const CRATES: [&str; 13] = [
+const CRATES: [&str; 14] = [
     "mech-macros/src/lib.rs",
     "mech-macros/compiler/src/lib.rs",
     "mech-runtime/src/lib.rs",
@@ -22,6 +22,7 @@ const CRATES: [&str; 13] = [
     "tools/src/bin/accuracy/main.rs",
     "tools/src/bin/effects/main.rs",
     "tools/notice/src/main.rs",
+    "tests/fuzz/src/main.rs",
     "tests/support/src/lib.rs",
     "tests/conformance/host/src/lib.rs",
     "examples/gallery/src/lib.rs",
