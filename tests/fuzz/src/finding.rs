@@ -22,16 +22,17 @@ impl Finding {
 
     /// The same for what differs by numbers, names and details alone.
     pub(crate) fn kind(&self) -> String {
-        let mut is_quoted = false;
-        let mut kind = String::new();
         let (what, _) = self.0.split_once(DETAILS).unwrap_or((&self.0, ""));
-        for letter in what.chars() {
-            is_quoted ^= letter == '`';
-            if !is_quoted && !letter.is_ascii_digit() {
-                kind.push(letter);
-            }
-        }
-        kind
+        // Every second piece is quoted.
+        let unquoted: String = what.split('`').step_by(2).collect();
+        let words = unquoted.split_whitespace().map(|word| {
+            let number = word.find(|letter: char| letter.is_ascii_digit());
+            &word[..number.unwrap_or(word.len())]
+        });
+        words
+            .filter(|word| !word.is_empty())
+            .collect::<Vec<_>>()
+            .join(" ")
     }
 
     /// Whether somebody has found it before, and it is not mended yet.
