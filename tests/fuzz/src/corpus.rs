@@ -1,7 +1,7 @@
 //! The texts that are mangled: those of the tests, and those of folders that the command line names.
 
 use crate::language::Language;
-use crate::mangle::words;
+use crate::pieces::words;
 use fastrand::Rng;
 use std::path::{Path, PathBuf};
 use std::{fs, io};

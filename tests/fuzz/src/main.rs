@@ -14,6 +14,7 @@ mod language;
 mod mangle;
 mod minimise;
 mod options;
+mod pieces;
 mod rounds;
 mod target;
 mod watch;

@@ -1,6 +1,7 @@
 //! Mangles texts as people, other programs and bad luck do.
 
 use crate::corpus::Corpus;
+use crate::pieces::{statements, words};
 use fastrand::Rng;
 
 /// Numbers at the ends of what numbers can be.
@@ -86,11 +87,6 @@ pub(crate) fn mangled(corpus: &Corpus, rng: &mut Rng) -> String {
     text
 }
 
-/// The statements of a text, with their ends.
-pub(crate) fn statements<'t>(text: &'t str, ends: &[char]) -> Vec<&'t str> {
-    text.split_inclusive(ends).collect()
-}
-
 fn change_statement(text: &str, corpus: &Corpus, rng: &mut Rng) -> String {
     let ends = corpus.language.ends;
     let mut all = statements(text, ends);
@@ -120,28 +116,6 @@ fn change_statement(text: &str, corpus: &Corpus, rng: &mut Rng) -> String {
         }
     }
     all.concat()
-}
-
-/// The words, numbers, blanks and marks of a text.
-pub(crate) fn words(text: &str) -> Vec<&str> {
-    let mut words = Vec::new();
-    let mut rest = text;
-    while let Some(first) = rest.chars().next() {
-        let is_in = |letter: char| letter.is_alphanumeric() || letter == '_';
-        let is_digit = first.is_ascii_digit();
-        let goes_on = |letter: char| is_in(letter) || is_digit && letter == '.';
-        let end = if is_in(first) {
-            rest.find(|letter| !goes_on(letter)).unwrap_or(rest.len())
-        } else if first.is_whitespace() {
-            rest.find(|letter: char| !letter.is_whitespace())
-                .unwrap_or(rest.len())
-        } else {
-            first.len_utf8()
-        };
-        words.push(&rest[..end]);
-        rest = &rest[end..];
-    }
-    words
 }
 
 fn change_word(text: &str, corpus: &Corpus, rng: &mut Rng) -> String {

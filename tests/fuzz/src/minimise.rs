@@ -1,8 +1,8 @@
 //! Makes a text smaller as long as the same is found about it.
 
 use crate::finding::Finding;
-use crate::mangle::{statements, words};
 use crate::options::Options;
+use crate::pieces::{statements, words};
 use crate::target::Target;
 use crate::worker::found;
 use std::io::Write;

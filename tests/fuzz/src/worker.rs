@@ -1,5 +1,6 @@
 //! The process that tries texts. Whatever kills it, another one goes on.
 
+use crate::corpus::Corpus;
 use crate::finding::Finding;
 use crate::mangle::mangled;
 use crate::options::{Lot, Options};
@@ -11,7 +12,7 @@ use std::io::{self, Read, Seek, Write};
 use std::time::{Duration, Instant};
 
 /// The text of this number.
-pub(crate) fn text(corpus: &crate::corpus::Corpus, seed: u64, number: u64) -> String {
+pub(crate) fn text(corpus: &Corpus, seed: u64, number: u64) -> String {
     mangled(
         corpus,
         &mut Rng::with_seed(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ number),
