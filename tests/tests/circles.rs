@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use syn::{Item, UseTree, Visibility};
 
 /// The crates, by the files in which they begin.
-const CRATES: [&str; 12] = [
+const CRATES: [&str; 14] = [
     "mech-macros/src/lib.rs",
     "mech-macros/compiler/src/lib.rs",
     "mech-runtime/src/lib.rs",
@@ -21,6 +21,8 @@ const CRATES: [&str; 12] = [
     "studio/page/src/lib.rs",
     "tools/src/bin/accuracy/main.rs",
     "tools/src/bin/effects/main.rs",
+    "tools/notice/src/main.rs",
+    "tests/fuzz/src/main.rs",
     "tests/support/src/lib.rs",
     "tests/conformance/host/src/lib.rs",
     "examples/gallery/src/lib.rs",
