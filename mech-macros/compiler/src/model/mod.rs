@@ -242,8 +242,11 @@ impl Model {
             parts.all(|&n| self.precision.holds(together * n))
         };
         let in_start = |value: &StartValue| self.precision.holds(value.value);
+        // Bodies are painted from squares.
+        let squared = |n: f64| self.precision.holds(16.0 * n * n);
+        let in_range = |range: &Range| squared(range.low) && squared(range.high);
         let in_joint = |joint: &Joint| match joint.kind {
-            JointKind::Rack { radius, .. } => self.precision.holds(radius),
+            JointKind::Rack { radius, .. } => squared(radius),
             JointKind::Gear {
                 ratio: Ratio::Radii(a, b),
                 ..
@@ -251,10 +254,12 @@ impl Model {
             | JointKind::Belt {
                 ratio: Ratio::Radii(a, b),
                 ..
-            } => self.precision.holds(a) && self.precision.holds(b),
+            } => squared(a) && squared(b),
             _ => true,
         };
+        let mut ranges = self.motors.iter().flat_map(|motor| &motor.range);
         self.joints.iter().all(in_joint)
+            && ranges.all(in_range)
             && shapes.all(in_shape)
             && self.axes.iter().all(in_axis)
             && self.start.values.iter().all(in_start)

@@ -127,7 +127,12 @@ fn byte_of(text: &str, index: usize) -> usize {
         .map_or(text.len(), |(byte, _)| byte)
 }
 
-/// The text in colours.
+/// The longest text that has colours, in bytes.
+const LONGEST_COLORED: usize = 1 << 17;
+/// The width of the longest row, in pixels.
+const LONGEST_ROW: f32 = 4096.0;
+
+/// The text in colours, if it is not too long for them.
 fn colored(text: &str, marks: &Marks, visuals: &egui::Visuals) -> LayoutJob {
     let dark = visuals.dark_mode;
     let pick = |by_day: [u8; 3], by_night: [u8; 3]| {
@@ -135,8 +140,8 @@ fn colored(text: &str, marks: &Marks, visuals: &egui::Visuals) -> LayoutJob {
         egui::Color32::from_rgb(red, green, blue)
     };
     let mut job = LayoutJob::default();
-    // Lines stay as they are written.
-    job.wrap.max_width = f32::INFINITY;
+    // Lines stay as they are written, but for those that nobody writes: a row that is not seen is not painted.
+    job.wrap.max_width = LONGEST_ROW;
     let mut at = 0;
     let mut add = |range: Range<usize>, color: egui::Color32| {
         for piece in pieces(text, range, marks) {
@@ -168,6 +173,10 @@ fn colored(text: &str, marks: &Marks, visuals: &egui::Visuals) -> LayoutJob {
         }
     };
     let plain = visuals.text_color();
+    if text.len() > LONGEST_COLORED {
+        add(0..text.len(), plain);
+        return job;
+    }
     let mut last = plain;
     for lexeme in Lexer::new(text, 0) {
         let range = lexeme.start..lexeme.end;
