@@ -33,3 +33,4 @@ mod seen;
 mod shafts;
 mod show;
 mod slides;
+mod strangers;

@@ -6,6 +6,7 @@ use super::cone::{Cone, Cuts, Cutter, Variable};
 use super::tape::Tape;
 use crate::plan::Solution;
 use crate::program::{ClosedForm, Op, Program, Value};
+use crate::stop;
 use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 
@@ -60,6 +61,7 @@ pub(super) fn made_from(
     values: Vec<Value>,
     held: &HeldValues,
 ) -> BTreeSet<Value> {
+    stop::check();
     let mut made_from = BTreeSet::new();
     let mut waiting = values;
     while let Some(value) = waiting.pop() {
@@ -103,6 +105,7 @@ pub(crate) fn turned_along(
     numbers: &[Value],
     vectors: &[[Value; 2]],
 ) -> Option<Vec<bool>> {
+    stop::check();
     let outputs: Vec<Value> = numbers
         .iter()
         .chain(vectors.iter().flatten())

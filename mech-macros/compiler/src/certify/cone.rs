@@ -6,6 +6,7 @@
 use crate::model::{InputId, Number};
 use crate::plan::Solution;
 use crate::program::{ClosedForm, Node, Op, Program, Value};
+use crate::stop;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A variable of a cone: a value at which it is cut.
@@ -103,6 +104,7 @@ impl<'p> Cutter<'p> {
 
     /// Returns the cone of these outputs.
     pub(crate) fn cone(&self, outputs: &[Value], cuts: &Cuts<'_>) -> Cone {
+        stop::check();
         let mut needed: BTreeSet<Value> = BTreeSet::new();
         let mut waiting: BTreeSet<Value> = outputs.iter().copied().collect();
         while let Some(value) = waiting.pop_last() {

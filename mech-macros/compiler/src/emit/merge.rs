@@ -1,5 +1,6 @@
 //! One body for the methods of alike instances: where their bodies differ in numbers only, those become a table.
 
+use crate::stop;
 use proc_macro2::{Group, Ident, TokenStream, TokenTree};
 use quote::quote;
 use std::collections::HashSet;
@@ -106,6 +107,7 @@ fn pieces(body: &TokenStream) -> Vec<Piece> {
 
 /// The names in a text, with those that it has in brackets of any kind.
 pub(super) fn names(text: &TokenStream, found: &mut HashSet<String>) {
+    stop::check();
     for tree in text.clone() {
         match tree {
             TokenTree::Ident(name) => {

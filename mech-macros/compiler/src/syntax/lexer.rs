@@ -171,6 +171,7 @@ fn character(text: &str) -> Option<usize> {
 }
 
 /// Whether a letter can stand in a word.
+#[must_use]
 pub fn is_of_word(letter: char) -> bool {
     letter == '_' || letter.is_alphanumeric()
 }

@@ -4,6 +4,7 @@ use crate::bug::bug;
 use crate::emit::module;
 use crate::emit::tokens::{hidden_ident, integer, number, without_path};
 use crate::program::{Op, Part, Program, Slot, Value};
+use crate::stop;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use std::collections::{BTreeMap, BTreeSet};
@@ -234,6 +235,7 @@ impl<'p> Scope<'p> {
     }
 
     fn name_or_operation(&self, value: Value) -> (TokenStream, Binding) {
+        stop::check();
         match (self.names.get(&value), self.elements.get(&value)) {
             (Some(name), _) => (quote!(#name), Binding::Atom),
             (None, Some(Element { array, row, .. })) => {

@@ -142,18 +142,15 @@ impl Open {
         self.of_cluster.get(&base).into_iter().flatten().copied()
     }
 
-    /// The connectors that both of a pair are on.
-    fn common(&self, (a, b): Pair) -> Vec<usize> {
-        let [few, many] = self.fewer(a, b, |base| {
-            self.of_cluster.get(&base).map_or(0, BTreeSet::len)
-        });
-        let are_common = |number: &usize| self.on[*number].contains_key(&many);
-        self.connectors_of(few).filter(are_common).collect()
+    fn count_connectors(&self, base: LinkId) -> usize {
+        self.of_cluster.get(&base).map_or(0, BTreeSet::len)
     }
 
-    /// The one of two clusters of which there is less, and the other.
-    fn fewer(&self, a: LinkId, b: LinkId, count: impl Fn(LinkId) -> usize) -> [LinkId; 2] {
-        if count(a) <= count(b) { [a, b] } else { [b, a] }
+    /// The connectors that both of a pair are on.
+    fn common(&self, (a, b): Pair) -> Vec<usize> {
+        let [few, many] = fewer(a, b, |base| self.count_connectors(base));
+        let are_common = |number: &usize| self.on[*number].contains_key(&many);
+        self.connectors_of(few).filter(are_common).collect()
     }
 
     /// The clusters that may be in a ring with a pair. Of the three connections of a ring no two are by one connector: a pair with a
@@ -170,13 +167,11 @@ impl Open {
         };
         // The ground may be on very many.
         let count = |base| elsewhere(base).map(|number| self.on[number].len()).sum();
-        let [few, many] = self.fewer(a, b, count);
+        let [few, many] = fewer(a, b, count);
         let thirds = elsewhere(few).flat_map(|number| self.on[number].keys().copied());
         let thirds: BTreeSet<LinkId> = thirds.filter(|third| *third != a && *third != b).collect();
         let is_beside = |third: &LinkId| {
-            let [one, other] = self.fewer(*third, many, |base| {
-                self.of_cluster.get(&base).map_or(0, BTreeSet::len)
-            });
+            let [one, other] = fewer(*third, many, |base| self.count_connectors(base));
             elsewhere(one).any(|number| self.on[number].contains_key(&other))
         };
         thirds.into_iter().filter(is_beside).collect()
@@ -280,6 +275,11 @@ impl Open {
             direction: heading.map(|heading| heading.number),
         })
     }
+}
+
+/// The one of two clusters of which there is less, and the other.
+fn fewer(a: LinkId, b: LinkId, count: impl Fn(LinkId) -> usize) -> [LinkId; 2] {
+    if count(a) <= count(b) { [a, b] } else { [b, a] }
 }
 
 fn sorted(mut bases: [LinkId; 3]) -> [LinkId; 3] {

@@ -62,6 +62,7 @@ fn read_within(input: TokenStream) -> Text {
 
 /// Reads a statement alone, as it stands in a text that has a header; none if these tokens are anything else.
 pub(super) fn read_statement(input: TokenStream) -> Option<Statement> {
+    limits::of_tokens(&input).ok()?;
     let text = tokens::run(input, statement::text)?;
     // The first statement says that there is no header.
     let mut statements = text.statements.into_iter();

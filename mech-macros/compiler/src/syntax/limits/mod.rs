@@ -65,7 +65,7 @@ impl Limit {
             Self::Statements => 10_000,
             Self::Copies => 20_000,
             Self::Links => 3000,
-            Self::Motors => 1000,
+            Self::Motors => 300,
         }
     }
 

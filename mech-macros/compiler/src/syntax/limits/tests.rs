@@ -1,6 +1,6 @@
 use super::{Limit, of_text, of_tokens};
 use crate::expand::expand;
-use crate::syntax;
+use crate::syntax::{self, Tokens};
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use std::fmt::Write;
 
@@ -83,6 +83,7 @@ fn brackets_that_no_stack_holds_are_an_error_of_the_macro() {
     }
     let excess = of_tokens(&deep).expect_err("it is deep");
     assert_eq!(excess.limit, Limit::Depth);
+    assert_eq!(Tokens::of(deep.clone()).places().count(), 400_000);
     let mut text: TokenStream = "krate; struct A; const N = ".parse().expect("tokens");
     text.extend(deep);
     let written = expand(text).to_string();

@@ -14,11 +14,9 @@ use super::single::Single;
 use super::{joint, link};
 use crate::model::Instance;
 use crate::syntax::ast::{Constant, Effect, Link, Part, Port, Statement, Text, Use};
+use crate::syntax::limits::Limit;
 use crate::syntax::{Message, Place, spelling};
 use proc_macro2::Ident;
-
-/// No mechanism has more instances of parts than this.
-const MOST_SCOPES: usize = 4096;
 
 impl<'t> Expansion<'t> {
     /// Enters everything that has a name, and gives the statements of the mechanism and of all instances.
@@ -27,8 +25,10 @@ impl<'t> Expansion<'t> {
         // The next is the last.
         let mut waiting: Vec<_> = locate(&self.text.statements, 0, None).rev().collect();
         let mut statements = Vec::new();
+        let mut motors = 0;
         while let Some(mut located) = waiting.pop() {
             self.enter(&located);
+            motors += usize::from(matches!(located.statement, Statement::Motor(_)));
             let scope = self.names.scopes.get_mut(located.scope);
             if let Some((place, text)) = misplacement(scope, located.statement) {
                 self.report.error(place, text);
@@ -41,6 +41,20 @@ impl<'t> Expansion<'t> {
             if let Statement::Use(used) = located.statement {
                 let inner = self.instantiate(&located, used);
                 waiting.extend(inner.into_iter().flatten().rev());
+            }
+            let counts = [
+                (Limit::Links, self.draft.model.links.len() - 1),
+                (Limit::Motors, motors),
+                (Limit::Instances, self.names.scopes.len() - 1),
+                (Limit::Copies, statements.len() + waiting.len()),
+            ];
+            let beyond = counts.iter().find(|(limit, count)| *count > limit.most());
+            if let Some(((limit, _), place)) = beyond.zip(place_of(located.statement)) {
+                // What else is wrong with so large a mechanism is told when it is smaller.
+                self.report = Report::default();
+                self.enter(&located);
+                self.report.error(place, limit.to_string());
+                return Vec::new();
             }
             statements.push(located);
         }
@@ -115,6 +129,10 @@ impl<'t> Expansion<'t> {
         };
         let said = self.report.len();
         let body = part.body.as_deref().unwrap_or_default();
+        if count * body.len() > Limit::Copies.most() {
+            let place = Place::at(used.name.span());
+            return self.report.refuse(place, Limit::Copies.to_string());
+        }
         for instance in 0..count {
             let index = known.is_array.then_some(instance);
             // Errors in the numbers of the first instance are in those of all.
@@ -165,6 +183,17 @@ impl<'t> Expansion<'t> {
             }
         }
     }
+}
+
+/// The place of a statement that makes a mechanism larger.
+fn place_of(statement: &Statement) -> Option<Place> {
+    Some(match statement {
+        Statement::Link(link) => Place::at(link.name.span()),
+        Statement::Joint(joint) => Place::at(joint.name.span()),
+        Statement::Use(used) => Place::at(used.name.span()),
+        Statement::Motor(motor) => motor.joint.place(),
+        _ => return None,
+    })
 }
 
 /// Complains about parts of which no use is to be made.
@@ -268,15 +297,9 @@ fn count(reader: &mut Reader, used: &Use) -> Option<usize> {
         );
         reader.report.error(*place, text);
     }
-    let most = i32::try_from(MOST_SCOPES).unwrap_or(i32::MAX);
+    let most = i32::try_from(Limit::Instances.most()).unwrap_or(i32::MAX);
     let count = reader.whole(count, "the number of instances", [1, most])?;
-    let count = usize::try_from(count).ok()?;
-    if reader.names.scopes.len() + count > MOST_SCOPES {
-        let text =
-            format!("a mechanism has {MOST_SCOPES} instances of parts at most; this makes more");
-        return reader.report.refuse(*place, text);
-    }
-    Some(count)
+    usize::try_from(count).ok()
 }
 
 fn find_part<'t>(reader: &mut Reader, text: &'t Text, name: &Ident) -> Option<(usize, &'t Part)> {

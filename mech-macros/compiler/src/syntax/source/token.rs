@@ -40,35 +40,34 @@ pub(super) fn read(text: &str) -> Result<Vec<Token>, LexError> {
     Ok(flat(text.parse()?))
 }
 
-/// The tokens of a stream, with those in brackets.
+/// The tokens of a stream, with those in brackets. Nothing here calls itself: the stack does not hold what stands in many brackets.
 pub(super) fn flat(stream: TokenStream) -> Vec<Token> {
     let mut tokens = Vec::new();
-    flatten(stream, &mut tokens);
-    tokens
-}
-
-fn flatten(stream: TokenStream, tokens: &mut Vec<Token>) {
-    for tree in stream {
-        let TokenTree::Group(group) = tree else {
-            tokens.push(Token {
+    let mut waiting = vec![(stream.into_iter(), None)];
+    while let Some((trees, _)) = waiting.last_mut() {
+        match trees.next() {
+            Some(TokenTree::Group(group)) => {
+                let (delimiter, end) = (group.delimiter(), group.span_close());
+                tokens.push(Token {
+                    text: brackets(delimiter)[0].to_owned(),
+                    kind: TokenKind::Open(empty(&group)),
+                });
+                waiting.push((group.stream().into_iter(), Some((delimiter, end))));
+            }
+            Some(tree) => tokens.push(Token {
                 text: tree.to_string(),
                 kind: TokenKind::Single(tree),
-            });
-            continue;
-        };
-        let (delimiter, end) = (group.delimiter(), group.span_close());
-        let [open, close] = brackets(delimiter);
-        let (inside, shell) = (group.stream(), empty(&group));
-        tokens.push(Token {
-            text: open.to_owned(),
-            kind: TokenKind::Open(shell),
-        });
-        flatten(inside, tokens);
-        tokens.push(Token {
-            text: close.to_owned(),
-            kind: TokenKind::Close(delimiter, end),
-        });
+            }),
+            None => {
+                let ended = waiting.pop().and_then(|(_, end)| end);
+                tokens.extend(ended.map(|(delimiter, end)| Token {
+                    text: brackets(delimiter)[1].to_owned(),
+                    kind: TokenKind::Close(delimiter, end),
+                }));
+            }
+        }
     }
+    tokens
 }
 
 /// The brackets of a group without what is in them.
