@@ -89,6 +89,25 @@ def texts():
         yield f"parts of parts {depth}", (
             f"struct Nested; {parts} ground {{ point a = (0, 0); }} use w: P{depth - 1}() {{ f = ground }};"
         )
+    for count in 300, 3_000:
+        yield f"constants {count}", "struct Many; const C0 = 1;" + "".join(
+            f"const C{n + 1} = C{n} + C{n};" for n in range(count)
+        )
+        yield f"gears {count}", many("link g#; joint j# = revolute(ground, g#) at (#, 0);", count) + "".join(
+            f"joint m{n} = gear(g{n}, g{n + 1}, 20 : 20);" for n in range(count - 1)
+        ) + "motor j0;"
+        yield f"welds {count}", "struct Many; " + FOUR_BAR + "link w0; joint q0 = weld(crank, w0) at (0, 0);" + "".join(
+            f"link w{n + 1}; joint q{n + 1} = weld(w{n}, w{n + 1}) at (0, {n});" for n in range(count)
+        )
+        yield f"circles {count}", "struct Many; " + FOUR_BAR.replace(
+            "link coupler;", "link coupler { " + "".join(f"circle ({n}, 1) radius 1; " for n in range(count)) + "}"
+        )
+        yield f"mechanisms {count}", "".join(f"mechanism! {{ struct A{n}; {FOUR_BAR} }}\n" for n in range(count))
+        yield f"lines {count}", "struct Many;" + "\n" * count * 100 + FOUR_BAR
+        yield f"comments in one another {count}", "struct Many; " + "/*" * count + "*/" * count + FOUR_BAR
+        yield f"attributes {count}", "#[a]" * count + "struct Many; " + FOUR_BAR
+        yield f"marks on one letter {count}", f"struct Many; // a{chr(0x301) * count}\n{FOUR_BAR}"
+        yield f"quoted letters {count}", f'struct Many; "{chr(0x1F600) * count}" {FOUR_BAR}'
     for letter in "\x00", "\u202e", "\ufeff", "'", '"', "/*", "\\":
         yield f"letters {letter!r}", f"struct Odd; {letter * 5000} {FOUR_BAR}"
 

@@ -229,7 +229,7 @@ def visit_all(browser, site, folder, shots):
 
 
 # The longest time for which the page may not answer, in seconds, on a machine that has nothing else to do; and on a busy one.
-PROMPT, LATE = 2, 10
+PROMPT, LATE = 2, 30
 
 # The hostile texts that are opened each time.
 SOME = ("brackets 20000", "semicolons 200000", "digits 200000", "empty links 3000", "scissors 10", "legs 1000", "legs 4294967295")
@@ -240,7 +240,9 @@ class Attack:
 
     def __init__(self, browser, name, address, file=None):
         self.visit, self.name = Visit(browser, address), name
-        self.visit.until("document.querySelector('#told')?.textContent !== 'The studio is loading.'", "it does not start")
+        # The studio is seen, or the page tells why not.
+        begun = "(told => told && (told.textContent ? !told.textContent.includes('loading') : !studio.hidden))(document.querySelector('#told'))"
+        self.visit.until(begun, "it does not start")
         self.slowest = 0
         if file:
             self.visit.choose(file)

@@ -72,8 +72,5 @@ fn is_plain(known: &fs::Metadata) -> io::Result<()> {
 }
 
 fn too_long(most: u64) -> io::Error {
-    let most = most >> 20;
-    io::Error::other(format!(
-        "it is longer than {most} MiB, the most that is read"
-    ))
+    io::Error::other(format!("it has more than {most} bytes, which is the limit"))
 }

@@ -1,8 +1,8 @@
 //! Texts that no friend sends: each is told what is wrong with it, or moves, before anybody gives up. No clock is read: what once took the
 //! square or the cube of its length would not end here.
 
+use mech_compiler::cancel::Cancellation;
 use mech_compiler::limits::Limit;
-use mech_compiler::stop::Stop;
 use mech_compiler::{analyse, syntax::Message};
 use mech_test_support::chain_text;
 use std::thread;
@@ -75,15 +75,15 @@ fn many_links_without_motors_are_told_what_they_need() {
 
 #[test]
 fn a_flag_ends_the_analysis_of_a_large_mechanism() {
-    let stop = Stop::default();
-    let setter = stop.clone();
+    let cancellation = Cancellation::default();
+    let setter = cancellation.clone();
     let waiting = thread::spawn(move || {
         thread::sleep(Duration::from_millis(100));
         setter.set();
     });
     let text = chain_text(900);
     // Without the flag it would go on for ever.
-    let done: Option<()> = stop.heed(|| {
+    let done: Option<()> = cancellation.heed(|| {
         loop {
             drop(said(&text));
         }

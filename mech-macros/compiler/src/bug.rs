@@ -1,6 +1,6 @@
 //! Internal errors: what can only be wrong with the compiler itself. Every room may raise one; `guard` makes an error of it.
 
-use crate::stop::Stopped;
+use crate::cancel::Cancelled;
 use std::any::Any;
 use std::fmt::Arguments;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
@@ -34,7 +34,7 @@ pub(crate) fn broken(what: Arguments<'_>) -> ! {
 pub fn catch<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     // Nothing that the work changes is read after it.
     catch_unwind(AssertUnwindSafe(work)).map_err(|panic| {
-        if panic.is::<Stopped>() {
+        if panic.is::<Cancelled>() {
             resume_unwind(panic);
         }
         broken_in(panic.as_ref())

@@ -9,6 +9,7 @@
 mod analysis;
 mod api;
 mod bug;
+pub mod cancel;
 pub mod certify;
 mod compile;
 mod compiled;
@@ -27,7 +28,7 @@ pub mod program;
 pub mod repair;
 pub mod report;
 pub mod reporter;
-pub mod stop;
+
 pub mod structure;
 pub mod symbols;
 pub mod syntax;

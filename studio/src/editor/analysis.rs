@@ -198,7 +198,9 @@ impl Analysis {
 
     /// Notes that work begins.
     pub(super) fn begin_work(&mut self, work: Work) {
-        self.is_stopped = false;
+        if let Work::Analysing | Work::Trying(_) = work {
+            self.is_stopped = false;
+        }
         self.works.push(work);
     }
 

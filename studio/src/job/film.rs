@@ -197,7 +197,7 @@ impl Shoot<'_> {
             }
         }
         for (done, poses) in (1..).zip(&poses) {
-            mech_compiler::stop::check();
+            mech_compiler::cancel::check();
             paths.record(poses);
             show(poses, &paths)?;
             self.listener.progress(done, frames);

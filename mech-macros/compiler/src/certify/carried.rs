@@ -4,9 +4,9 @@ use super::Interval;
 use super::claim::HeldValues;
 use super::cone::{Cone, Cuts, Cutter, Variable};
 use super::tape::Tape;
+use crate::cancel;
 use crate::plan::Solution;
 use crate::program::{ClosedForm, Op, Program, Value};
-use crate::stop;
 use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 
@@ -61,7 +61,7 @@ pub(super) fn made_from(
     values: Vec<Value>,
     held: &HeldValues,
 ) -> BTreeSet<Value> {
-    stop::check();
+    cancel::check();
     let mut made_from = BTreeSet::new();
     let mut waiting = values;
     while let Some(value) = waiting.pop() {
@@ -105,7 +105,7 @@ pub(crate) fn turned_along(
     numbers: &[Value],
     vectors: &[[Value; 2]],
 ) -> Option<Vec<bool>> {
-    stop::check();
+    cancel::check();
     let outputs: Vec<Value> = numbers
         .iter()
         .chain(vectors.iter().flatten())

@@ -3,10 +3,10 @@
 //! A program of many loops is proved loop by loop: what earlier loops find is taken to be anything at all, unless that is too
 //! little. So a proof costs no more in a long chain than in a short one.
 
+use crate::cancel;
 use crate::model::{InputId, Number};
 use crate::plan::Solution;
 use crate::program::{ClosedForm, Node, Op, Program, Value};
-use crate::stop;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A variable of a cone: a value at which it is cut.
@@ -104,7 +104,7 @@ impl<'p> Cutter<'p> {
 
     /// Returns the cone of these outputs.
     pub(crate) fn cone(&self, outputs: &[Value], cuts: &Cuts<'_>) -> Cone {
-        stop::check();
+        cancel::check();
         let mut needed: BTreeSet<Value> = BTreeSet::new();
         let mut waiting: BTreeSet<Value> = outputs.iter().copied().collect();
         while let Some(value) = waiting.pop_last() {

@@ -3,8 +3,8 @@
 use super::Interval;
 use super::cone::Cone;
 use super::operation::{natural, sign, strict_sign};
+use crate::cancel;
 use crate::program::{Op, Value};
-use crate::stop;
 
 /// The values of a cone on a box, and for each variable how fast they change with it.
 #[derive(Clone, Debug)]
@@ -27,7 +27,7 @@ impl<'c> Slopes<'c> {
 
     /// Finds everything on a box: for each variable an interval.
     pub(crate) fn run(&mut self, place: &[Interval]) {
-        stop::check();
+        cancel::check();
         for (index, node) in self.cone.nodes.iter().enumerate() {
             self.values[index] = match node.op {
                 Op::Input(variable) => place[variable.index()],

@@ -4,8 +4,8 @@ use super::Interval;
 use super::claim::{Group, Test, carried_sides, keeps_direction};
 use super::form::{Forms, Linear, Operand, greater, root, wave};
 use super::operation::{direction, natural, sign, strict_sign};
+use crate::cancel;
 use crate::program::{BlockId, Node, Op, Program, Slot, Value};
-use crate::stop;
 
 /// A program whose single run costs more is not proved at all.
 const MOST: usize = 100_000;
@@ -117,7 +117,7 @@ impl<'p> Tape<'p> {
 
     /// Finds what tests need, and what else is asked for; does what can be done once and for all.
     fn sort(&mut self, found: &[Value]) {
-        stop::check();
+        cancel::check();
         let nodes = self.nodes;
         let mut needed: Vec<Option<Value>> = vec![None; nodes.len()];
         for &value in found {
@@ -194,7 +194,7 @@ impl<'p> Tape<'p> {
 
     /// Runs it on a box: for each motor an interval.
     pub(super) fn run(&mut self, range: &[Interval]) {
-        stop::check();
+        cancel::check();
         // Most tapes are only run at places, which takes no forms: these grow with the square of the steps.
         if !self.forms.are_of(self.moving.len()) {
             self.forms = Forms::new(self.motors, self.moving.len());
@@ -222,7 +222,7 @@ impl<'p> Tape<'p> {
 
     /// Runs it at one place, where intervals alone are as narrow as rounding: forms would tell nothing more.
     pub(super) fn run_at(&mut self, place: &[f64]) {
-        stop::check();
+        cancel::check();
         for step in 0..self.moving.len() {
             let value = self.moving[step];
             self.values[value.index()] = match self.nodes[value.index()].op {

@@ -1,6 +1,6 @@
 //! One body for the methods of alike instances: where their bodies differ in numbers only, those become a table.
 
-use crate::stop;
+use crate::cancel;
 use proc_macro2::{Group, Ident, TokenStream, TokenTree};
 use quote::quote;
 use std::collections::HashSet;
@@ -107,7 +107,7 @@ fn pieces(body: &TokenStream) -> Vec<Piece> {
 
 /// The names in a text, with those that it has in brackets of any kind.
 pub(super) fn names(text: &TokenStream, found: &mut HashSet<String>) {
-    stop::check();
+    cancel::check();
     for tree in text.clone() {
         match tree {
             TokenTree::Ident(name) => {

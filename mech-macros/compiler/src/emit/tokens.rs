@@ -1,9 +1,9 @@
 //! Literals, types and identifiers that all files of this room write.
 
 use crate::bug::bug;
+use crate::cancel;
 use crate::model::{Origin, Precision};
 use crate::program::Program;
-use crate::stop;
 use crate::syntax::Places;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -58,7 +58,7 @@ pub(super) fn option(value: Option<TokenStream>) -> TokenStream {
 
 /// An identifier with the span of the user's declaration. What belongs to an instance of a part has a hidden one.
 pub(super) fn user_ident(name: &str, places: &Places, origin: Origin) -> Ident {
-    stop::check();
+    cancel::check();
     if name.contains('.') {
         let mut ident = format_ident!("{}", hidden_method(name));
         // Lints are not to judge it: it is not the user's.
@@ -73,7 +73,7 @@ pub(super) fn user_ident(name: &str, places: &Places, origin: Origin) -> Ident {
 /// The name of the method for a path: `left[2].foot_tip` becomes `__left_2__foot_tip`. No name in a path has two underscores in a row or
 /// one at its end, so no two paths become the same.
 pub(super) fn hidden_method(path: &str) -> String {
-    stop::check();
+    cancel::check();
     format!(
         "__{}",
         path.replace('[', "_").replace(']', "").replace('.', "__")

@@ -2,11 +2,11 @@
 
 use super::Stop;
 use crate::bug::bug;
+use crate::cancel;
 use crate::program::{
     BlockId, BlockKind, ClosedForm, Forces, LinkRates, Newton, Op, Position, Program, RateMargin,
     Results, Rounds, System, Value,
 };
-use crate::stop;
 use mech_core::Real;
 use mech_core::contraction::{before_first, contracts};
 use mech_core::dense::solve;
@@ -261,7 +261,7 @@ impl<'p, T: Real> Runner<'p, T> {
         let inputs = motors.iter().zip(turns).enumerate().map(reduced);
         let (motors, turns): (Vec<T>, Vec<i32>) = inputs.unzip();
         let mut solved = vec![false; self.program.ssa.blocks.len()];
-        stop::check();
+        cancel::check();
         for &Step { value, op } in steps {
             if let Op::Solved(block, _) = op
                 && !std::mem::replace(&mut solved[block.index()], true)

@@ -9,8 +9,8 @@ use super::scene::{Mount, Scene};
 use super::slide::Slide;
 use super::tooth::Side;
 use super::wheel::Wheels;
+use crate::cancel;
 use crate::model::{Axis, LinkId, Measure, Place};
-use crate::stop;
 use mech_core::colors::{INK, PAPER, darker, lighter};
 use nalgebra::{Point2, Rotation2, Vector2};
 use std::f64::consts::TAU;
@@ -443,7 +443,7 @@ fn branches(points: &[Point2<f64>]) -> Vec<[usize; 2]> {
         .collect();
     let mut lines = Vec::new();
     while let Some(next) = (0..free.len()).min_by(|a, b| free[*a].2.total_cmp(&free[*b].2)) {
-        stop::check();
+        cancel::check();
         let (point, known, _) = free.remove(next);
         lines.push([known, point]);
         for (other, nearest, away) in &mut free {

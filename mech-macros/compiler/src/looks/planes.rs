@@ -5,8 +5,8 @@ use super::declared::PIN;
 use super::footprint::Footprint;
 use super::scene::Scene;
 use super::survey::Frames;
+use crate::cancel;
 use crate::model::LinkId;
-use crate::stop;
 use crate::structure::Pin;
 use mech_core::Pose;
 use nalgebra::Point2;
@@ -144,7 +144,7 @@ impl Rules {
 
     /// Counts the pins that a link crosses and does not carry.
     fn crossings_of(&self, link: usize, ranks: &[usize]) -> usize {
-        stop::check();
+        cancel::check();
         let crossings = self.crossings.iter().map(|(crossing, _)| *crossing);
         let own = crossings.filter(|crossing| crossing.link == link);
         own.filter(|crossing| self.is_crossed(*crossing, ranks))
@@ -221,7 +221,7 @@ impl Rules {
 
     /// Moves a link to its best place; returns whether that is another than before.
     fn settle(&self, order: &mut Vec<usize>, link: usize) -> bool {
-        stop::check();
+        cancel::check();
         let before = self.faults_of(link, &ranks_of(order));
         let Some(place) = order.iter().position(|&other| other == link) else {
             return false;

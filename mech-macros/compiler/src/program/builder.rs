@@ -2,9 +2,9 @@
 
 use super::node::{BlockId, Node, Op, Slot, Value};
 use super::{Block, BlockKind, Position, Ssa};
+use crate::cancel;
 use crate::model::{Axis, Number, Precision};
 use crate::plan::{Algebra, Arithmetic, are_equal};
-use crate::stop;
 use std::collections::{BTreeMap, HashMap};
 
 /// The operations of a program that is being built, and the state that its positions carry.
@@ -142,7 +142,7 @@ impl SsaBuilder {
 
     /// The value that this operation makes, made now unless it was before.
     pub(super) fn make(&mut self, op: Op) -> Value {
-        stop::check();
+        cancel::check();
         if let Some(&known) = self.known.get(&op) {
             return known;
         }

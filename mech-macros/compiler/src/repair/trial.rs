@@ -1,9 +1,9 @@
 //! Changes that are tried out.
 
 use super::{Repair, edits};
+use crate::cancel;
 use crate::compile::check;
 use crate::model::{Model, MotorId, StartValue};
-use crate::stop;
 use crate::structure::{self, Diagnosis};
 use crate::syntax::Source;
 
@@ -90,7 +90,7 @@ impl<'m> Trials<'m> {
 
     /// The mechanism with these changes; none if they cannot be made to its text.
     pub(super) fn model_with(&mut self, repairs: &[Repair]) -> Option<Model> {
-        stop::check();
+        cancel::check();
         if let [Repair::StartAt { motor, value }] = *repairs
             && self.model.links.iter().any(|link| link.drawn)
         {
@@ -101,7 +101,7 @@ impl<'m> Trials<'m> {
     }
 
     fn has_work(&mut self) -> bool {
-        stop::check();
+        cancel::check();
         self.exhausted |= self.left == 0;
         self.left > 0
     }

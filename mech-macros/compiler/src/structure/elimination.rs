@@ -2,7 +2,7 @@
 
 use super::field::{Dice, Element};
 use crate::bug::bug;
-use crate::stop;
+use crate::cancel;
 
 /// A sparse row or combination: columns in ascending order, no zeros.
 pub(crate) type Sparse = Vec<(usize, Element)>;
@@ -120,10 +120,10 @@ impl Elimination {
     /// Subtracts the known rows from a new one, and keeps what is left as a pivot. If nothing is left, gives the rows that it follows
     /// from.
     fn reduce(&mut self, row: Sparse, mut made_of: Sparse) -> Option<Sparse> {
-        stop::check();
+        cancel::check();
         let mut row = sparse(row);
         while let Some(&(column, value)) = row.last() {
-            stop::check();
+            cancel::check();
             if let Some(pivot) = &self.pivots[column] {
                 row = add_scaled(&row, -value, &pivot.row);
                 made_of = add_scaled(&made_of, -value, &pivot.made_of);

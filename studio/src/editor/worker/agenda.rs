@@ -48,13 +48,9 @@ impl Agenda {
         self.drags.is_empty() && self.given.is_empty() && self.follows.is_empty()
     }
 
-    /// Forgets all tasks; what is held stays held.
+    /// Forgets all tasks, and what is held.
     pub(super) fn clear(&mut self) {
-        let held = self.held.take();
-        *self = Self {
-            held,
-            ..Self::default()
-        };
+        *self = Self::default();
     }
 
     /// Takes up the next piece, and tells what it is.

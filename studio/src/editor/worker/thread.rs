@@ -3,13 +3,13 @@
 use super::agenda::Agenda;
 use super::{Finding, Task, Work};
 use crate::failure::Failure;
-use mech_compiler::stop::Stop;
+use mech_compiler::cancel::Cancellation;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread;
 
 /// A task, and the flag that ends it.
-type Order = (Task, Stop);
+type Order = (Task, Cancellation);
 
 /// Threads beside the window, and what they have found out.
 pub(in crate::editor) struct Threads {
@@ -20,7 +20,7 @@ pub(in crate::editor) struct Threads {
     /// For what is done beside both threads.
     outbox: Outbox,
     /// The flag that ends all that was given since the last stop.
-    stop: Stop,
+    stop: Cancellation,
 }
 
 /// Where findings go: to the window, which is woken.
@@ -67,7 +67,7 @@ impl Threads {
             drags: serve_in("drag")?,
             findings,
             outbox,
-            stop: Stop::default(),
+            stop: Cancellation::default(),
         })
     }
 
@@ -120,7 +120,7 @@ impl Threads {
 /// Does what comes, until nobody listens any more.
 fn serve(to_do: &Receiver<Order>, outbox: &Outbox) {
     let mut agenda = Agenda::default();
-    let mut stop = Stop::default();
+    let mut stop = Cancellation::default();
     loop {
         if agenda.is_done() {
             match to_do.recv() {
@@ -138,7 +138,7 @@ fn serve(to_do: &Receiver<Order>, outbox: &Outbox) {
 }
 
 /// Notes a task. What was given before the last stop is not done any more.
-fn take((task, its_stop): Order, agenda: &mut Agenda, stop: &mut Stop) {
+fn take((task, its_stop): Order, agenda: &mut Agenda, stop: &mut Cancellation) {
     if its_stop.is_set() {
         return;
     }
@@ -150,7 +150,7 @@ fn take((task, its_stop): Order, agenda: &mut Agenda, stop: &mut Stop) {
 }
 
 /// Does the next piece. Returns whether anybody listens.
-fn work_off(agenda: &mut Agenda, stop: &Stop, outbox: &Outbox) -> bool {
+fn work_off(agenda: &mut Agenda, stop: &Cancellation, outbox: &Outbox) -> bool {
     let Some(work) = agenda.begin() else {
         return true;
     };

@@ -1,10 +1,10 @@
 //! The names in a generated function, and expressions that use them.
 
 use crate::bug::bug;
+use crate::cancel;
 use crate::emit::module;
 use crate::emit::tokens::{hidden_ident, integer, number, without_path};
 use crate::program::{Op, Part, Program, Slot, Value};
-use crate::stop;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use std::collections::{BTreeMap, BTreeSet};
@@ -235,7 +235,7 @@ impl<'p> Scope<'p> {
     }
 
     fn name_or_operation(&self, value: Value) -> (TokenStream, Binding) {
-        stop::check();
+        cancel::check();
         match (self.names.get(&value), self.elements.get(&value)) {
             (Some(name), _) => (quote!(#name), Binding::Atom),
             (None, Some(Element { array, row, .. })) => {

@@ -16,8 +16,8 @@ use super::linear_relations::{LinearForm, LinearRelations};
 use super::step::{Connection, ConnectionKind, Drive, Loop, Source, Step, Weld};
 use super::tight;
 use crate::bug::bug;
+use crate::cancel;
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
-use crate::stop;
 use crate::structure::{Diagnosis, KinematicGraph, Structure};
 use open::{Known, Open};
 use petgraph::unionfind::UnionFind;
@@ -198,7 +198,7 @@ impl<'m> Search<'m> {
 
     /// Accepts loops of three clusters, or of two that slide: of those found, the ones of the lowest level, in the order of declaration.
     fn close(&mut self) -> bool {
-        stop::check();
+        cancel::check();
         self.update();
         let rings = self.open.rings();
         let mut found: Vec<Loop> = rings.map(|ring| self.describe(ring.clone())).collect();

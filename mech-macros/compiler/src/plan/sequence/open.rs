@@ -1,10 +1,10 @@
 //! The connections whose coordinates are unknown. They are kept up to date while clusters merge: in a long chain, most stay as they were.
 
+use crate::cancel;
 use crate::model::{JointId, JointKind, LinkId, Model};
 use crate::plan::between::{Between, Block, pivot, ring_of_three, ring_of_two};
 use crate::plan::cluster::Clusters;
 use crate::plan::step::{Connection, ConnectionKind};
-use crate::stop;
 use crate::structure::{Pin, Structure};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -92,7 +92,7 @@ impl Open {
         let touched: BTreeSet<usize> = touched.copied().collect();
         let mut changed: BTreeSet<Pair> = BTreeSet::new();
         for number in touched {
-            stop::check();
+            cancel::check();
             let mut now: BTreeMap<LinkId, LinkId> = BTreeMap::new();
             for link in links(known.model, known.structure, &self.connectors[number]) {
                 now.entry(known.clusters.base(link)).or_insert(link);
@@ -116,7 +116,7 @@ impl Open {
             }
         }
         for pair in changed {
-            stop::check();
+            cancel::check();
             self.find_rings(known, pair);
         }
     }

@@ -4,10 +4,10 @@
 use super::class::{Class, LEAST};
 use super::shape::Shape;
 use super::term::Term;
+use crate::cancel;
 use crate::emit::step::flow::{Flow, is_computed, is_given};
 use crate::emit::step::sines::is_short;
 use crate::program::{BlockId, BlockKind, Op, Program, Slot, System, Value};
-use crate::stop;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A block or a part of it.
@@ -113,7 +113,7 @@ impl Pieces {
 
     /// The values of other pieces that a piece needs. One in a class may take a value where its own operations take the value's opposite.
     fn reads(&self, program: &Program, piece: &Piece) -> BTreeSet<Value> {
-        stop::check();
+        cancel::check();
         if let Some(place) = piece.row {
             let row = &self.classes[place.class].rows[place.row];
             return row.arguments.iter().map(|term| term.value).collect();

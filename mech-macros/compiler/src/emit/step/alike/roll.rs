@@ -3,8 +3,8 @@
 use super::class::{LEAST, Output};
 use super::pieces::{Pieces, Place};
 use super::term::Term;
+use crate::cancel;
 use crate::program::{Program, Value};
-use crate::stop;
 use std::collections::BTreeMap;
 
 /// The largest number of pieces that are computed in one round.
@@ -127,7 +127,7 @@ impl<'s> Sequence<'s> {
 
     /// The loop that begins at a place, with the length of round that puts most pieces into it.
     fn roll(&self, first: usize) -> Option<Roll> {
-        stop::check();
+        cancel::check();
         let mut best: Option<Roll> = None;
         for length in 1..=LONGEST_ROUND {
             let round = Round { first, length };

@@ -7,17 +7,17 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A flag by which somebody else ends an analysis.
 #[derive(Clone, Debug, Default)]
-pub struct Stop(Arc<AtomicBool>);
+pub struct Cancellation(Arc<AtomicBool>);
 
-/// What unwinds from work that ends early. No panic hook sees it, and only [`Stop::heed`] catches it.
-pub(crate) struct Stopped;
+/// What unwinds from work that ends early. No panic hook sees it, and only [`Cancellation::heed`] catches it.
+pub(crate) struct Cancelled;
 
 #[cfg(test)]
 mod tests;
 
 thread_local! {
     /// The flags that this thread heeds, the innermost last.
-    static HEEDED: RefCell<Vec<Stop>> = const { RefCell::new(Vec::new()) };
+    static HEEDED: RefCell<Vec<Cancellation>> = const { RefCell::new(Vec::new()) };
 }
 
 /// Heeds one flag less when it is dropped, also by a panic.
@@ -29,7 +29,7 @@ impl Drop for Heeding {
     }
 }
 
-impl Stop {
+impl Cancellation {
     /// Ends the work that heeds it.
     pub fn set(&self) {
         self.0.store(true, Ordering::Relaxed);
@@ -52,7 +52,7 @@ impl Stop {
         drop(heeding);
         match done {
             Ok(result) => Some(result),
-            Err(panic) if panic.is::<Stopped>() => None,
+            Err(panic) if panic.is::<Cancelled>() => None,
             Err(panic) => resume_unwind(panic),
         }
     }
@@ -62,7 +62,7 @@ impl Stop {
 ///
 /// It stands at the head of each loop that may take long, so that no work goes on for more than moments.
 pub fn check() {
-    if HEEDED.with_borrow(|heeded| heeded.iter().any(Stop::is_set)) {
-        resume_unwind(Box::new(Stopped));
+    if HEEDED.with_borrow(|heeded| heeded.iter().any(Cancellation::is_set)) {
+        resume_unwind(Box::new(Cancelled));
     }
 }

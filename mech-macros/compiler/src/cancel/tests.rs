@@ -1,18 +1,18 @@
-use super::{Stop, check};
+use super::{Cancellation, check};
 use crate::bug::{bug, catch};
 use std::panic::catch_unwind;
 
 #[test]
 fn a_flag_that_is_set_ends_the_work_through_every_guard() {
-    let stop = Stop::default();
-    assert_eq!(stop.heed(|| 1), Some(1));
+    let cancellation = Cancellation::default();
+    assert_eq!(cancellation.heed(|| 1), Some(1));
     let mut rounds = 0;
-    let done: Option<()> = stop.heed(|| {
+    let done: Option<()> = cancellation.heed(|| {
         let caught = catch(|| {
             loop {
                 rounds += 1;
                 if rounds == 3 {
-                    stop.set();
+                    cancellation.set();
                 }
                 check();
             }
@@ -20,14 +20,14 @@ fn a_flag_that_is_set_ends_the_work_through_every_guard() {
         unreachable!("{caught:?}");
     });
     assert_eq!((done, rounds), (None, 3));
-    assert!(stop.is_set());
+    assert!(cancellation.is_set());
     // Nobody heeds it any longer.
     check();
 }
 
 #[test]
 fn a_flag_around_others_ends_work_that_heeds_one_of_its_own() {
-    let (outer, inner) = (Stop::default(), Stop::default());
+    let (outer, inner) = (Cancellation::default(), Cancellation::default());
     let done = outer.heed(|| {
         assert_eq!(inner.heed(|| 1), Some(1));
         outer.set();
@@ -40,9 +40,9 @@ fn a_flag_around_others_ends_work_that_heeds_one_of_its_own() {
 
 #[test]
 fn a_broken_invariant_stays_one() {
-    let stop = Stop::default();
-    let broken = catch_unwind(|| stop.heed(|| bug!("a test")));
+    let cancellation = Cancellation::default();
+    let broken = catch_unwind(|| cancellation.heed(|| bug!("a test")));
     assert!(broken.is_err());
-    stop.set();
+    cancellation.set();
     check();
 }
