@@ -5,7 +5,7 @@ use super::tokens::hidden_method;
 use crate::model::Model;
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 use syn::{ImplItem, ImplItemFn};
 
 /// A method of what belongs to an instance.
@@ -16,17 +16,32 @@ pub(super) struct Owned {
     pub(super) method: ImplItemFn,
 }
 
-/// The instance to which a hidden method belongs, and the name of the method there.
-pub(super) fn owner(model: &Model, method: &Ident) -> Option<(usize, String)> {
-    let name = method.to_string();
-    let owners = model.instances.iter().enumerate();
-    let owners = owners.filter_map(|(number, instance)| {
-        let prefix = hidden_method(&format!("{}.", instance.path));
-        let local = name.strip_prefix(&prefix)?;
-        Some((prefix.len(), number, local.to_owned()))
-    });
-    let (_, number, local) = owners.max_by_key(|(length, ..)| *length)?;
-    Some((number, local))
+/// The instances, by what the names of their hidden methods begin with.
+pub(super) struct Owners(BTreeMap<String, usize>);
+
+impl Owners {
+    /// The instances of a mechanism.
+    pub(super) fn of(model: &Model) -> Self {
+        let instances = model.instances.iter().enumerate();
+        let prefixes = instances
+            .map(|(number, instance)| (hidden_method(&format!("{}.", instance.path)), number));
+        Self(prefixes.collect())
+    }
+
+    /// The instance to which a hidden method belongs, and the name of the method there.
+    pub(super) fn owner(&self, method: &Ident) -> Option<(usize, String)> {
+        let name = method.to_string();
+        // A beginning ends with two underscores; the longest one counts.
+        let ends = name
+            .char_indices()
+            .map(|(at, letter)| at + letter.len_utf8());
+        let ends = ends.rev().filter(|end| name[..*end].ends_with("__"));
+        let mut owners = ends.filter_map(|end| {
+            let number = self.0.get(&name[..end])?;
+            Some((*number, name[end..].to_owned()))
+        });
+        owners.next()
+    }
 }
 
 /// A method of a view: for each instance of the kind, that which it calls, if it has one.

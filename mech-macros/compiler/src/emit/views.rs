@@ -4,7 +4,7 @@
 //! calls them. Where those of all instances differ in numbers only, the view has a table of these, and nothing is hidden: a mechanism with
 //! many alike parts would have as many methods to be compiled.
 
-use super::instance_methods::{Owned, Shared, drop_uncalled, owner, shared, takes_mutable};
+use super::instance_methods::{Owned, Owners, Shared, drop_uncalled, shared, takes_mutable};
 use super::tokens::integer;
 use crate::bug::bug;
 use crate::model::Model;
@@ -40,12 +40,13 @@ pub(super) fn views(site: &Site<'_>, model: &Model, methods: TokenStream) -> Vie
         Ok(methods) => methods.items,
         Err(error) => bug!("methods cannot be read: {error}"),
     };
+    let owners = Owners::of(model);
     let mut owned: Vec<Owned> = Vec::new();
     for method in &mut methods {
         let ImplItem::Fn(method) = method else {
             continue;
         };
-        if let Some((instance, local)) = owner(model, &method.sig.ident) {
+        if let Some((instance, local)) = owners.owner(&method.sig.ident) {
             method.vis = Visibility::Inherited;
             let method = method.clone();
             owned.push(Owned {

@@ -21,7 +21,9 @@ impl Words<'_> {
                  use a larger unit, in which no length is greater than {most:e}"
             );
         }
-        format!("a length or a position of this mechanism, or its square, is beyond the range of `{scalar}`")
+        format!(
+            "a length or a position of this mechanism, or its square, is beyond the range of `{scalar}`"
+        )
     }
 
     pub(super) fn overflow(&self, culprit: Option<Extreme>) -> (Origin, String) {
