@@ -37,7 +37,6 @@ use similar::{DiffTag, TextDiff};
 
 /// A command that was accepted.
 #[derive(Clone, Debug)]
-#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub struct Applied {
     /// A short description of the command.
     pub title: String,

@@ -2,9 +2,7 @@
 
 use super::Editor;
 #[cfg(not(target_arch = "wasm32"))]
-use super::desk::{LONGEST_FILE, is_picture};
-#[cfg(not(target_arch = "wasm32"))]
-use crate::document::LONGEST;
+use super::opening::longest;
 use eframe::egui;
 use eframe::egui::DroppedFileHandle;
 use std::path::PathBuf;
@@ -49,12 +47,7 @@ impl Dropped {
 #[cfg(not(target_arch = "wasm32"))]
 fn read(file: &DroppedFileHandle, to: &Inbox, context: &egui::Context) {
     let path = file.path().to_owned();
-    let most = if is_picture(&path) {
-        LONGEST_FILE
-    } else {
-        LONGEST
-    };
-    let bytes = crate::input::read(&path, most);
+    let bytes = crate::input::read(&path, longest(&path));
     let read = (path, bytes.map_err(|error| error.to_string()));
     to.lock().unwrap_or_else(PoisonError::into_inner).push(read);
     context.request_repaint();

@@ -1,7 +1,8 @@
 //! The opening of files of the language, and of files of other programs.
 
+use super::desk::{LONGEST_FILE, is_picture};
 use super::question::Destination;
-use crate::document::Source;
+use crate::document::{LONGEST, Source};
 use crate::edit::Workspace;
 use crate::failure::Failure;
 use crate::import::{self, FileKind, Written};
@@ -98,4 +99,13 @@ fn imported(source: &Source, title: &str, wish: &str, file: PathBuf) -> Result<O
             .collect(),
         workspace: Workspace::proposed(file, text),
     })
+}
+
+/// The length of the longest file of this name that is taken, in bytes.
+pub(super) fn longest(path: &Path) -> u64 {
+    if is_picture(path) {
+        LONGEST_FILE
+    } else {
+        LONGEST
+    }
 }

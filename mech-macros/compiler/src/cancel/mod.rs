@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 #[derive(Clone, Debug, Default)]
 pub struct Cancellation(Arc<AtomicBool>);
 
-/// What unwinds from work that ends early. No panic hook sees it, and only [`Cancellation::heed`] catches it.
+/// The payload of the unwinding of work that ends early. No panic hook sees it, and only [`Cancellation::heed`] catches it.
 pub(crate) struct Cancelled;
 
 #[cfg(test)]

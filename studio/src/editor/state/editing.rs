@@ -2,12 +2,11 @@
 
 use super::Editor;
 use crate::dialogue::{Request, Turn, request};
-use crate::document::LONGEST;
 use crate::edit::Workspace;
-use crate::editor::desk::{LONGEST_FILE, is_picture};
+use crate::editor::desk::is_picture;
 use crate::editor::drag::Drag;
 use crate::editor::item::Item;
-use crate::editor::opening::{Opened, opened};
+use crate::editor::opening::{Opened, longest, opened};
 use crate::editor::pending::{Pending, Waiting};
 use crate::editor::question::{Destination, Dialog, Ending};
 use crate::editor::removing::removal;
@@ -199,11 +198,8 @@ impl Editor {
     /// Why a file with so many bytes is not taken, if it is not.
     #[must_use]
     pub fn refusal_of(path: &Path, bytes: u64) -> Option<String> {
-        let (kind, most) = if is_picture(path) {
-            ("picture", LONGEST_FILE)
-        } else {
-            ("text", LONGEST)
-        };
+        let kind = if is_picture(path) { "picture" } else { "text" };
+        let most = longest(path);
         let name = path.display();
         (bytes > most)
             .then(|| format!("`{name}` has {bytes} bytes; a {kind} may have {most} at most"))

@@ -48,11 +48,13 @@ impl Server {
 
     fn reply(&mut self, finding: Finding) -> Option<Vec<u8>> {
         let reply = Reply::of(finding, &mut self.known, &mut self.count)?;
-        bytes_of(&reply).or_else(|failure| told(&failure)).ok()
+        bytes_of(&reply)
+            .or_else(|failure| undone_bytes(&failure))
+            .ok()
     }
 }
 
-/// Tells that something cannot be sent.
-fn told(failure: &Failure) -> Result<Vec<u8>, Failure> {
+/// The bytes of a reply that nothing was done, as it cannot be sent.
+fn undone_bytes(failure: &Failure) -> Result<Vec<u8>, Failure> {
     bytes_of(&Reply::Undone(Undone::All, failure.clone()))
 }

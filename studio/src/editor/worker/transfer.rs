@@ -15,6 +15,7 @@ use crate::failure::Failure;
 use crate::mend::Mending;
 use crate::play::{Mechanism, Prepared};
 use crate::quantity::Table;
+use crate::text::Replacement;
 use mech_compiler::Compiled;
 use mech_compiler::model::Model;
 use serde::de::DeserializeOwned;
@@ -60,10 +61,14 @@ pub(super) struct SentMechanism(Model, Compiled, Prepared);
 #[derive(Serialize, Deserialize)]
 pub(super) struct SentPlayed(Prepared, Vec<MotorRange>, Vec<Path>);
 
+/// A gesture that was accepted: its title, its replacements, its notes, and the snapshot after it.
+#[derive(Serialize, Deserialize)]
+pub(super) struct SentGesture(String, Vec<Replacement>, Vec<String>, Sent);
+
 /// A finding on its way.
 #[derive(Serialize, Deserialize)]
 pub(super) enum Reply {
-    Tried(u64, Result<Box<(Applied, Sent)>, Refusal>),
+    Tried(u64, Result<Box<SentGesture>, Refusal>),
     Read(Box<Sent>),
     Ghost(usize, Box<Sent>),
     NotHeld(u64, Refusal),
@@ -243,7 +248,16 @@ impl Reply {
         Some(match finding {
             Finding::Tried(number, tried) => Self::Tried(
                 number,
-                tried.map(|(applied, snapshot)| Box::new((applied, sent(&snapshot)))),
+                tried.map(|(applied, snapshot)| {
+                    // The snapshot has its document and its reading, too.
+                    let Applied {
+                        title,
+                        edits,
+                        notes,
+                        ..
+                    } = applied;
+                    Box::new(SentGesture(title, edits, notes, sent(&snapshot)))
+                }),
             ),
             Finding::Read(snapshot) => Self::Read(Box::new(sent(&snapshot))),
             Finding::Ghost(number, snapshot) => {
@@ -281,7 +295,7 @@ impl Reply {
                 } = *curves;
                 match known.number_of(&snapshot) {
                     Some(number) => Self::Measured(number, wanted, table, missing),
-                    None => Self::Undone(Undone::Measure, gone()),
+                    None => Self::Undone(Undone::Measure, outdated()),
                 }
             }
             Finding::Made(path, made) => Self::Made(path, made),
@@ -298,10 +312,21 @@ impl Reply {
     pub(super) fn finding(self, known: &mut Known) -> Option<Finding> {
         Some(match self {
             Self::Tried(number, tried) => {
-                let tried = tried.map(|tried| {
-                    let (applied, sent) = *tried;
-                    (applied, sent.noted(known))
-                });
+                let tried = match tried {
+                    Ok(tried) => {
+                        let SentGesture(title, edits, notes, sent) = *tried;
+                        let snapshot = sent.noted(known);
+                        let applied = Applied {
+                            title,
+                            edits,
+                            notes,
+                            document: snapshot.document.clone(),
+                            reading: snapshot.reading.as_deref()?.clone(),
+                        };
+                        Ok((applied, snapshot))
+                    }
+                    Err(refusal) => Err(refusal),
+                };
                 Finding::Tried(number, Box::new(tried))
             }
             Self::Read(sent) => Finding::Read(sent.noted(known)),
@@ -335,7 +360,7 @@ impl Reply {
             Self::Mended(number, found) => Finding::Mended(known.of_number(number)?.clone(), found),
             Self::Measured(number, wanted, table, missing) => {
                 let Some(snapshot) = known.of_number(number).cloned() else {
-                    return Some(Finding::Undone(Undone::Measure, gone()));
+                    return Some(Finding::Undone(Undone::Measure, outdated()));
                 };
                 Finding::Measured(Box::new(Curves {
                     snapshot,
@@ -352,8 +377,8 @@ impl Reply {
     }
 }
 
-/// What was measured is of a text that is gone.
-fn gone() -> Failure {
+/// The failure of a measurement whose text is gone.
+fn outdated() -> Failure {
     Failure::mechanism("the text has changed while it was measured")
 }
 
