@@ -4,6 +4,7 @@ use crate::document::{Declaration, Document, Message, Reading};
 use crate::failure::Failure;
 use crate::mend::{Mending, mendings};
 use mech_compiler::Compiled;
+use mech_compiler::limits::Limit;
 use mech_compiler::model::Model;
 use std::ops::Range;
 
@@ -40,12 +41,24 @@ pub(crate) fn verdicts(
     name: Option<&str>,
     are_repairs_asked: bool,
 ) -> Result<Vec<Verdict>, Failure> {
-    let verdict = |declaration| verdict(document, declaration, are_repairs_asked);
     if name.is_some() {
-        return Ok(vec![verdict(document.choose(name)?)?]);
+        let declaration = document.choose(name)?;
+        let reading = document.check(declaration)?;
+        let verdict = verdict(document, declaration, reading, are_repairs_asked)?;
+        return Ok(vec![verdict]);
     }
-    let mechanisms = document.declarations().iter().map(verdict);
-    let mut verdicts = mechanisms.collect::<Result<Vec<_>, _>>()?;
+    let mut verdicts = Vec::new();
+    let mut links = 0;
+    for declaration in document.declarations() {
+        if links > Limit::Links.most() {
+            verdicts.push(unchecked(declaration));
+            break;
+        }
+        let reading = document.check(declaration)?;
+        // The ground is among them, so that nothing counts for none.
+        links += reading.model.links.len().max(1);
+        verdicts.push(verdict(document, declaration, reading, are_repairs_asked)?);
+    }
     let messages = document.faults_of_parts()?;
     if !messages.is_empty() {
         verdicts.push(Verdict::Faulty {
@@ -58,12 +71,29 @@ pub(crate) fn verdicts(
     Ok(verdicts)
 }
 
+/// The verdict on a mechanism that is not looked at, as too many are before it.
+fn unchecked(declaration: &Declaration) -> Verdict {
+    let most = Limit::Links.most();
+    let text = format!(
+        "this mechanism, and what follows it, is not checked\n\nnote: the mechanisms before have more than {most} links together, which is the limit of one run\n\nhelp: name a mechanism with `--mechanism`"
+    );
+    Verdict::Faulty {
+        name: declaration.name.clone(),
+        place: declaration.whole.clone(),
+        messages: vec![Message {
+            place: declaration.whole.clone(),
+            text,
+        }],
+        repairs: Vec::new(),
+    }
+}
+
 fn verdict(
     document: &Document,
     declaration: &Declaration,
+    reading: Reading,
     are_repairs_asked: bool,
 ) -> Result<Verdict, Failure> {
-    let reading = document.check(declaration)?;
     let repairs = if are_repairs_asked {
         mendings(document, declaration, &reading)?
     } else {

@@ -80,9 +80,11 @@ fn read(
 ) -> Result<Reading, Failure> {
     proc_macro2::extra::invalidate_current_thread_spans();
     let whole = &declaration.whole;
-    let instances = instances(document, declaration);
-    let text = match text_of(document, declaration) {
-        Ok(text) => text,
+    let (text, instances) = match tokens_of(document, declaration)
+        .map_err(|message| vec![message])
+        .and_then(|tokens| Ok((with_parts(document, declaration, tokens.clone())?, tokens)))
+    {
+        Ok((text, tokens)) => (text, instances(tokens)),
         Err(messages) => {
             return Ok(Reading {
                 model: Model::new("", Origin::default()),
@@ -147,6 +149,15 @@ pub(super) fn text_of(
     declaration: &Declaration,
 ) -> Result<TokenStream, Vec<Message>> {
     let text = tokens_of(document, declaration).map_err(|message| vec![message])?;
+    with_parts(document, declaration, text)
+}
+
+/// The same tokens with the parts written out that they take from elsewhere.
+fn with_parts(
+    document: &Document,
+    declaration: &Declaration,
+    text: TokenStream,
+) -> Result<TokenStream, Vec<Message>> {
     Import::write_out(text, |import| imported(document, import)).map_err(|unknown| {
         if let Some(fault) = unknown.fault() {
             return in_bytes(&[fault], &declaration.whole);
@@ -210,11 +221,8 @@ struct Instance {
     word: Range<usize>,
 }
 
-/// The instances of parts that a mechanism takes from elsewhere, as far as its text can be read.
-fn instances(document: &Document, declaration: &Declaration) -> Vec<Instance> {
-    let Ok(mut text) = tokens_of(document, declaration) else {
-        return Vec::new();
-    };
+/// The instances of parts that a mechanism takes from elsewhere.
+fn instances(mut text: TokenStream) -> Vec<Instance> {
     let mut words = Vec::new();
     while let Some(import) = Import::first(&text) {
         words.extend(import.name());

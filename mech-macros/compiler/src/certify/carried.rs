@@ -21,12 +21,20 @@ const SPREAD: f64 = 0.618_033_988_749_894_9;
 /// The directions in which a loop is carried, at the start: if they have no part in its slack, it closes in one as in all others. What
 /// has a part must not be made from them.
 pub(super) fn find_held(cutter: &Cutter<'_>, closed: &ClosedForm) -> HeldValues {
-    let cone = cutter.cone(&[closed.discriminant, closed.tolerance], &Cuts::ALONE);
+    let outputs = [closed.discriminant, closed.tolerance];
+    let Some(cone) = cutter.cone(&outputs, &Cuts::ALONE) else {
+        return HeldValues::new();
+    };
+    let mut trial = Trial::new(&cone, &cone.outputs, &[]);
     let variables = cone.variables.iter().enumerate();
     let (mut with_part, mut without): (Vec<Vec<Value>>, Vec<Vec<Value>>) = (Vec::new(), Vec::new());
     for (index, variable) in variables {
         let values = directions(cutter, *variable);
-        if values.is_empty() || has_part(&cone, index) {
+        let mut has_part = || {
+            let trial = trial.as_mut();
+            trial.is_none_or(|trial| trial.turned_along(index).is_none())
+        };
+        if values.is_empty() || has_part() {
             with_part.push(values_of(cutter, *variable));
         } else {
             without.push(values);
@@ -92,64 +100,78 @@ fn directions(cutter: &Cutter<'_>, variable: Variable) -> Vec<Value> {
     }
 }
 
-/// Whether a variable may have a part in the outputs of a cone.
-fn has_part(cone: &Cone, variable: usize) -> bool {
-    turned_along(cone, variable, &cone.outputs, &[]).is_none()
+/// A cone at some places, where it is turned by each of its variables.
+pub(crate) struct Trial<'c> {
+    tape: Tape<'c>,
+    numbers: usize,
+    /// The numbers, then the coordinates of the vectors.
+    outputs: Vec<Value>,
+    /// Each place, and what the outputs are there.
+    places: Vec<(Vec<f64>, Vec<Interval>)>,
 }
 
-/// Which vectors turn along with a variable, if it has no other part in them and none in the numbers. What is the same has enclosures that
-/// overlap wherever it is computed; what is not differs by more than rounding at some place. A wide enclosure tells nothing.
-pub(crate) fn turned_along(
-    cone: &Cone,
-    variable: usize,
-    numbers: &[Value],
-    vectors: &[[Value; 2]],
-) -> Option<Vec<bool>> {
-    cancel::check();
-    let outputs: Vec<Value> = numbers
-        .iter()
-        .chain(vectors.iter().flatten())
-        .copied()
-        .collect();
-    let mut tape = Tape::of(&cone.nodes, cone.variables.len(), Vec::new(), &outputs);
-    if tape.is_too_large() {
-        return None;
+impl<'c> Trial<'c> {
+    /// Looks at numbers and vectors of a cone; none if it is too large.
+    pub(crate) fn new(cone: &'c Cone, numbers: &[Value], vectors: &[[Value; 2]]) -> Option<Self> {
+        let vectors = vectors.iter().flatten();
+        let outputs: Vec<Value> = numbers.iter().chain(vectors).copied().collect();
+        let tape = Tape::of(&cone.nodes, cone.variables.len(), Vec::new(), &outputs);
+        let mut trial = Self {
+            numbers: numbers.len(),
+            places: Vec::new(),
+            tape: (!tape.is_too_large()).then_some(tape)?,
+            outputs,
+        };
+        for number in 0..PLACES {
+            let place = place(cone, number);
+            let values = trial.values(&place);
+            trial.places.push((place, values));
+        }
+        Some(trial)
     }
-    let mut values = |place: &[f64]| -> Vec<Interval> {
-        tape.run_at(place);
-        outputs.iter().map(|value| tape.value(*value)).collect()
-    };
-    let (mut stays, mut turns) = (vec![true; vectors.len()], vec![true; vectors.len()]);
-    for number in 0..PLACES {
-        let mut place = place(cone, number);
-        let from = place[variable];
-        let before = values(&place);
-        for turn in TURNS {
-            place[variable] += turn;
-            let after = values(&place);
-            let whole = place[variable] - from;
-            let (cos, sin) = (Interval::point(whole).cos(), Interval::point(whole).sin());
-            let same = |index: usize| is_same(before[index], after[index]);
-            if !(0..numbers.len()).all(same) {
-                return None;
-            }
-            for vector in 0..vectors.len() {
-                let [x, y] = [0, 1].map(|part| numbers.len() + 2 * vector + part);
-                let [u, v] = [
-                    cos * before[x] - sin * before[y],
-                    sin * before[x] + cos * before[y],
-                ];
-                stays[vector] &= same(x) && same(y);
-                turns[vector] &= is_same(u, after[x]) && is_same(v, after[y]);
+
+    fn values(&mut self, place: &[f64]) -> Vec<Interval> {
+        self.tape.run_at(place);
+        let value = |value: &Value| self.tape.value(*value);
+        self.outputs.iter().map(value).collect()
+    }
+
+    /// Which vectors turn along with a variable, if it has no other part in them and none in the numbers. What is the same has enclosures
+    /// that overlap wherever it is computed; what is not differs by more than rounding at some place. A wide enclosure tells nothing.
+    pub(crate) fn turned_along(&mut self, variable: usize) -> Option<Vec<bool>> {
+        cancel::check();
+        let vectors = (self.outputs.len() - self.numbers) / 2;
+        let (mut stays, mut turns) = (vec![true; vectors], vec![true; vectors]);
+        for number in 0..PLACES {
+            let (mut place, before) = self.places[number].clone();
+            let from = place[variable];
+            for turn in TURNS {
+                place[variable] += turn;
+                let after = self.values(&place);
+                let whole = place[variable] - from;
+                let (cos, sin) = (Interval::point(whole).cos(), Interval::point(whole).sin());
+                let same = |index: usize| is_same(before[index], after[index]);
+                if !(0..self.numbers).all(same) {
+                    return None;
+                }
+                for vector in 0..vectors {
+                    let [x, y] = [0, 1].map(|part| self.numbers + 2 * vector + part);
+                    let [u, v] = [
+                        cos * before[x] - sin * before[y],
+                        sin * before[x] + cos * before[y],
+                    ];
+                    stays[vector] &= same(x) && same(y);
+                    turns[vector] &= is_same(u, after[x]) && is_same(v, after[y]);
+                }
             }
         }
+        let all = stays
+            .iter()
+            .zip(&turns)
+            .all(|(stays, turns)| *stays || *turns);
+        // A vector that both stays and turns is zero: it counts as one that stays.
+        all.then(|| stays.into_iter().map(|stays| !stays).collect())
     }
-    let all = stays
-        .iter()
-        .zip(&turns)
-        .all(|(stays, turns)| *stays || *turns);
-    // A vector that both stays and turns is zero: it counts as one that stays.
-    all.then(|| stays.into_iter().map(|stays| !stays).collect())
 }
 
 fn is_same(a: Interval, b: Interval) -> bool {

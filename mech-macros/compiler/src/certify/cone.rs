@@ -7,7 +7,11 @@ use crate::cancel;
 use crate::model::{InputId, Number};
 use crate::plan::Solution;
 use crate::program::{ClosedForm, Node, Op, Program, Value};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BinaryHeap};
+
+/// A cone of more nodes is not looked at: it would depend on more loops than a proof can follow, and a chain of a thousand loops has a
+/// thousand such cones.
+const MOST_NODES: usize = 1024;
 
 /// A variable of a cone: a value at which it is cut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -102,13 +106,20 @@ impl<'p> Cutter<'p> {
         }
     }
 
-    /// Returns the cone of these outputs.
-    pub(crate) fn cone(&self, outputs: &[Value], cuts: &Cuts<'_>) -> Cone {
+    /// Returns the cone of these outputs; none if it is too large.
+    pub(crate) fn cone(&self, outputs: &[Value], cuts: &Cuts<'_>) -> Option<Cone> {
         cancel::check();
-        let mut needed: BTreeSet<Value> = BTreeSet::new();
-        let mut waiting: BTreeSet<Value> = outputs.iter().copied().collect();
-        while let Some(value) = waiting.pop_last() {
-            needed.insert(value);
+        // From the last to the first: what is asked for twice comes out twice in a row.
+        let mut needed: Vec<Value> = Vec::new();
+        let mut waiting: BinaryHeap<Value> = outputs.iter().copied().collect();
+        while let Some(value) = waiting.pop() {
+            if needed.last() == Some(&value) {
+                continue;
+            }
+            if needed.len() == MOST_NODES {
+                return None;
+            }
+            needed.push(value);
             if self.cut(value, outputs, cuts).is_none() {
                 waiting.extend(self.program.node(value).op.operands());
             }
@@ -122,7 +133,7 @@ impl<'p> Cutter<'p> {
             inputs: Vec::new(),
             copies: BTreeMap::new(),
         };
-        for &value in &needed {
+        for &value in needed.iter().rev() {
             let node = self.program.node(value);
             let op = match self.cut(value, outputs, cuts) {
                 Some((variable, Share::Cos)) => Op::Cos(growing.variable(variable, node)),
@@ -145,7 +156,7 @@ impl<'p> Cutter<'p> {
             mut cone, copies, ..
         } = growing;
         cone.outputs = outputs.iter().map(|output| copies[output]).collect();
-        cone
+        Some(cone)
     }
 
     /// Whether a variable stands for a value.

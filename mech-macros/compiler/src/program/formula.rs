@@ -123,23 +123,23 @@ impl SsaBuilder {
         self.make(Op::Choose(above, near, below))
     }
 
-    /// The lesser or greater of two values, as a constant and how far the other goes beyond it. So no NaN is lost, and a constant that is
-    /// not exceeded comes out exactly.
+    /// The lesser or greater of two values, of which none is lost that is NaN. With a constant it is exact; of two others it is one and how
+    /// far the other goes beyond it.
     fn extreme(&mut self, extreme: BinaryFunction, [a, b]: [Value; 2]) -> Value {
-        let [base, other] = if self.number(a).is_some() {
-            [a, b]
-        } else {
-            [b, a]
-        };
-        let zero = self.constant(0.0);
-        if extreme == BinaryFunction::Max {
-            let farther = self.sub(other, base);
-            let farther = self.max(zero, farther);
-            self.add(base, farther)
-        } else {
-            let farther = self.sub(base, other);
-            let farther = self.max(zero, farther);
-            self.sub(base, farther)
+        if extreme == BinaryFunction::Min {
+            let opposites = [a, b].map(|value| self.neg(value));
+            let greatest = self.extreme(BinaryFunction::Max, opposites);
+            return self.neg(greatest);
+        }
+        // Where one is NaN, the second is the greater.
+        match [a, b].map(|value| self.number(value).is_some()) {
+            [true, _] => self.max(a, b),
+            [false, true] => self.max(b, a),
+            [false, false] => {
+                let (zero, farther) = (self.constant(0.0), self.sub(b, a));
+                let farther = self.max(zero, farther);
+                self.add(a, farther)
+            }
         }
     }
 }

@@ -5,9 +5,14 @@ pub(super) fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str>
     let length = word.chars().count();
     // A third of the letters, but never all of them: one letter is like no other.
     let limit = (length / 3).max(1).min(length.saturating_sub(1));
-    // Of most names the length tells that they are others.
+    // Of most names length and letters tell that they are others.
+    let own = letters(word);
     let alike = candidates.iter().filter(|name| {
-        !name.is_ascii() || !word.is_ascii() || name.len().abs_diff(length) <= limit
+        let other = letters(name);
+        let more = |a: u64, b: u64| (a & !b).count_ones() as usize;
+        let is_long = name.len().abs_diff(length) > limit;
+        let is_ascii = name.is_ascii() && word.is_ascii();
+        !(is_ascii && (is_long || more(own, other).max(more(other, own)) > limit))
     });
     let near = alike.map(|candidate| (distance(word, candidate, limit), *candidate));
     let near = near.filter_map(|(distance, candidate)| Some((distance?, candidate)));
@@ -36,6 +41,12 @@ pub(super) fn list(words: &[&str]) -> String {
 pub(super) fn list_all(words: &[&str]) -> String {
     let quoted: Vec<_> = words.iter().map(|word| format!("`{word}`")).collect();
     quoted.join(", ")
+}
+
+/// A bit for each letter of an ASCII word: one that only one of two words has costs a change. Small and great letters have the same.
+fn letters(word: &str) -> u64 {
+    let bits = word.bytes().map(|letter| 1 << (letter % 32 + 32 * (letter >> 6 & 1)));
+    bits.fold(0, |all, bit: u64| all | bit)
 }
 
 /// The number of letters to insert, remove, replace or swap, unless it is above the limit.

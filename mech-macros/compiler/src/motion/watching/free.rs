@@ -6,7 +6,7 @@ use super::known::{Free, LoopProof};
 use crate::bug::bug;
 use crate::certify::Interval;
 use crate::certify::always::{Question, always_closes};
-use crate::certify::carried;
+use crate::certify::carried::Trial;
 use crate::certify::cone::{Cone, Cuts, Variable};
 use crate::plan::Solution;
 use crate::program::{BlockId, ClosedForm, Dyad, Value};
@@ -47,7 +47,7 @@ fn prove_free(
         own: Some(closed.number),
         ..Cuts::ALONE
     };
-    let cone = domain.cutter.cone(&asked.outputs, &alone);
+    let cone = domain.cutter.cone(&asked.outputs, &alone)?;
     let ranges: Vec<Interval> = cone
         .variables
         .iter()
@@ -68,7 +68,7 @@ fn prove_free(
         own: Some(closed.number),
         into: &|angle| domain.cutter.parts(angle).is_some(),
     };
-    let cone = domain.cutter.cone(&asked.outputs, &together);
+    let cone = domain.cutter.cone(&asked.outputs, &together)?;
     let mut ranges = domain.of_inputs(&cone.variables, &asked.outputs, &together);
     let is_carried = hold_carriers(domain, &cone, motors, &mut ranges);
     let mut found = asked.answer(&cone, &ranges, (TOGETHER, left))?;
@@ -208,9 +208,12 @@ impl<'c> LoopQuery<'c> {
         }
         let directions = vectors.len();
         vectors.extend(self.closed.dyad.vectors().into_iter().map(vector));
+        let Some(mut trial) = Trial::new(cone, &numbers, &vectors) else {
+            return Vec::new();
+        };
         let carrier = |(variable, what): (usize, &Variable)| {
             let start = domain.angle_of(*what)?;
-            let turned = carried::turned_along(cone, variable, &numbers, &vectors)?;
+            let turned = trial.turned_along(variable)?;
             let mut turned = turned.into_iter().take(directions);
             let along = self.unknowns.iter().map(|(solution, _)| match solution {
                 Solution::Direction(_) => turned

@@ -13,8 +13,7 @@ const WITH_PARAM: f64 = 4.0;
 impl Paces<'_> {
     /// Guesses the rate of the square of a tied loop's sine: at least that at which motors turn its unknowns through the ties.
     pub(super) fn of_tied(&self, ties: &[Tie]) -> Bound {
-        let mut bound = Bound::still(self.inputs());
-        bound.rates.fill(f64::INFINITY);
+        let mut bound = self.unbounded();
         let size = self.domain.model.size().max(f64::MIN_POSITIVE);
         let unit = |unknown: &Unknown| match unknown {
             Unknown::Direction(_) => 1.0,

@@ -163,7 +163,9 @@ impl<'d> Paces<'d> {
         let vectors = closed.dyad.vectors();
         let mut outputs = vec![closed.discriminant, closed.tolerance];
         outputs.extend(vectors.iter().flatten());
-        let cone = self.domain.cutter.cone(&outputs, &Cuts::ALONE);
+        let Some(cone) = self.domain.cutter.cone(&outputs, &Cuts::ALONE) else {
+            return self.unknown_goal(closed);
+        };
         let (ranges, far) = self.ranges(&cone);
         let swept = self.bound_rates(&cone, &ranges, &closed.dyad);
         let two_lines = matches!(closed.dyad, Dyad::TwoLines { .. });
@@ -213,6 +215,30 @@ impl<'d> Paces<'d> {
         goal
     }
 
+    /// The goal of a loop of which nothing is known but its arms at the start: too much is before it.
+    fn unknown_goal(&self, closed: &ClosedForm) -> Goal {
+        let at_start = |value: Value| self.domain.cutter.at_start[value.index()];
+        let length = |[x, y]: [Value; 2]| at_start(x).hypot(at_start(y)).max(f64::MIN_POSITIVE);
+        let vectors = closed.dyad.vectors().into_iter().enumerate();
+        let arms = vectors.filter(|(number, _)| is_arm(&closed.dyad, *number));
+        Goal {
+            moves: self.unbounded(),
+            turns: self.unbounded(),
+            reach: 4.0 * self.domain.model.size().max(f64::MIN_POSITIVE),
+            far: Vec::new(),
+            arms: arms.map(|(_, vector)| [length(vector); 2]).collect(),
+            direct: false,
+            driven: self.fastest.clone(),
+        }
+    }
+
+    /// The bound of something that may be as fast as it likes.
+    pub(super) fn unbounded(&self) -> Bound {
+        let mut bound = Bound::still(self.inputs());
+        bound.rates.fill(f64::INFINITY);
+        bound
+    }
+
     /// Lessens the rates of a goal that several angles of the same inputs move. Taken one by one, each of these angles could be at its
     /// worst.
     fn move_together(&self, goal: &mut Goal, (alone, closed): (&Cone, &ClosedForm)) {
@@ -228,7 +254,9 @@ impl<'d> Paces<'d> {
             into: &|angle| self.domain.parts(angle).is_some(),
             ..Cuts::ALONE
         };
-        let cone = self.domain.cutter.cone(&outputs, &cuts);
+        let Some(cone) = self.domain.cutter.cone(&outputs, &cuts) else {
+            return;
+        };
         let ranges = self.domain.of_inputs(&cone.variables, &outputs, &cuts);
         if !ranges.iter().all(|range| range.is_bounded()) {
             return;
@@ -397,7 +425,12 @@ impl<'d> Paces<'d> {
         if let Some(known) = self.values.get(&value) {
             return known.clone();
         }
-        let cone = self.domain.cutter.cone(&[value], &Cuts::ALONE);
+        let Some(cone) = self.domain.cutter.cone(&[value], &Cuts::ALONE) else {
+            let mut bound = self.unbounded();
+            tame(&mut bound, MOST_DIRECT, &self.fastest);
+            self.values.insert(value, bound.clone());
+            return bound;
+        };
         let (ranges, far) = self.ranges(&cone);
         let mut slopes = Slopes::new(&cone);
         let mut most = vec![0.0_f64; cone.variables.len()];
@@ -439,12 +472,7 @@ impl<'d> Paces<'d> {
             lines: vec![0.0; count],
             ..ConeRates::default()
         };
-        let lines = match dyad {
-            Dyad::TwoCircles { .. } => vec![],
-            Dyad::CircleAndLine { .. } | Dyad::TurningLine { .. } => vec![2],
-            Dyad::TwoLines { .. } => vec![1, 2],
-        };
-        let is_arm = |vector: usize| vector > 0 && !lines.contains(&vector);
+        let is_arm = |vector: usize| is_arm(dyad, vector);
         swept.lengths =
             vec![[f64::INFINITY, 0.0]; (1..vectors.len()).filter(|&v| is_arm(v)).count()];
         let mut slopes = Slopes::new(cone);
@@ -491,6 +519,16 @@ impl<'d> Paces<'d> {
         swept.reach += swept.lengths.iter().map(|[_, most]| most).sum::<f64>();
         swept
     }
+}
+
+/// Whether a vector of a dyad, by its number, is an arm: the first is the goal, and some are lines.
+fn is_arm(dyad: &Dyad<Value>, vector: usize) -> bool {
+    let lines: &[usize] = match dyad {
+        Dyad::TwoCircles { .. } => &[],
+        Dyad::CircleAndLine { .. } | Dyad::TurningLine { .. } => &[2],
+        Dyad::TwoLines { .. } => &[1, 2],
+    };
+    vector > 0 && !lines.contains(&vector)
 }
 
 /// The lengths of two arms, or of one.

@@ -20,7 +20,9 @@ pub(super) fn only_ends(domain: &Domain<'_>, closed: &ClosedForm) -> bool {
         closed.sine,
         closed.rounding_square,
     ];
-    let cone = domain.cutter.cone(&outputs, &Cuts::ALONE);
+    let Some(cone) = domain.cutter.cone(&outputs, &Cuts::ALONE) else {
+        return false;
+    };
     let goes_on = match cone.variables[..] {
         [Variable::Angle(angle)] => domain.cutter.parts(angle).is_some(),
         [Variable::Input(_)] => true,
