@@ -77,9 +77,14 @@ impl Analysis {
     }
 
     /// Notes that a gesture is tried on a text. Gives what there is to do.
-    pub(super) fn begin(&mut self, gesture: Gesture, workspace: &Workspace) -> Task {
+    pub(super) fn begin(
+        &mut self,
+        gesture: Gesture,
+        line: Option<String>,
+        workspace: &Workspace,
+    ) -> Task {
         Task::Try {
-            number: self.pending.begin(gesture.clone(), workspace),
+            number: self.pending.begin(gesture.clone(), line, workspace),
             document: workspace.document(),
             index: workspace.index(),
             gesture,

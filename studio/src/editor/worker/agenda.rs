@@ -1,7 +1,8 @@
 //! The tasks to do, in pieces.
 
 use super::{Finding, Led, Previewed, Task, Work, broken};
-use crate::edit::{Drag, apply_all};
+use crate::dialogue::{Session, hear};
+use crate::edit::{Drag, Workspace, apply_all};
 use crate::editor::curves::Curves;
 use crate::editor::snapshot::Snapshot;
 use mech_compiler::catch;
@@ -133,6 +134,17 @@ impl Agenda {
             Task::Export(order) => {
                 let made = order.make();
                 Some(Finding::Made(order.path, made))
+            }
+            Task::Ask {
+                document,
+                index,
+                line,
+            } => {
+                let mut workspace = Workspace::of(document.source().clone());
+                workspace.choose(index);
+                let (said, turn) = hear(&line, &mut Session::of(workspace));
+                let done = turn.map(drop);
+                Some(Finding::Answered { line, said, done })
             }
             Task::Measure { snapshot, wanted } => {
                 Some(Finding::Measured(Box::new(Curves::of(snapshot, wanted))))

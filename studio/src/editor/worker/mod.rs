@@ -74,6 +74,12 @@ pub(super) enum Task {
     },
     /// A file is written.
     Export(Box<Order>),
+    /// A line of the dialogue is answered that leaves the text as it is.
+    Ask {
+        document: Document,
+        index: usize,
+        line: String,
+    },
     /// The mechanism of a snapshot is made, to be played.
     Move(Arc<Snapshot>),
     /// The repairs of a snapshot are looked for.
@@ -102,6 +108,12 @@ pub(super) enum Finding {
     Made(String, Result<Made, Failure>),
     /// A note on the written file, or why nothing was written.
     Exported(Result<String, Failure>),
+    /// What is said to a line of the dialogue, and how it ended.
+    Answered {
+        line: String,
+        said: String,
+        done: Result<(), Failure>,
+    },
     /// The work that was not done, and why: an invariant of our own is broken, or the user has stopped it.
     Undone(Undone, Failure),
     /// Work begins that takes its time, perhaps.
@@ -140,7 +152,7 @@ impl Task {
             Self::Preview { number, .. } => Undone::Preview(*number),
             Self::Read { .. } | Self::Move(_) | Self::Mend(_) => Undone::Follow,
             Self::Measure { .. } => Undone::Measure,
-            Self::Ghost { .. } | Self::Export(_) => Undone::Else,
+            Self::Ghost { .. } | Self::Export(_) | Self::Ask { .. } => Undone::Else,
         }
     }
 }

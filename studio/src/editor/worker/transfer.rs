@@ -41,6 +41,7 @@ pub(super) enum Call {
     Lead(u64, [f64; 2]),
     Measure(Option<u64>, Text, Wanted),
     Export(Order),
+    Ask(Text, String),
 }
 
 /// A snapshot on its way, with its number.
@@ -78,6 +79,7 @@ pub(super) enum Reply {
     Mended(u64, Result<Vec<Mending>, Failure>),
     Measured(u64, Wanted, Result<Table, Failure>, Vec<Failure>),
     Made(String, Result<Made, Failure>),
+    Answered(String, String, Result<(), Failure>),
     Undone(Undone, Failure),
     Begun(Work),
     Ended(Work),
@@ -163,6 +165,11 @@ impl Call {
                 Self::Measure(known.number_of(&snapshot), Text::of(&snapshot), wanted)
             }
             Task::Export(order) => Self::Export(*order),
+            Task::Ask {
+                document,
+                index,
+                line,
+            } => Self::Ask(Text { document, index }, line),
             // The worker gives these to itself.
             Task::Move(_) | Task::Mend(_) => return None,
         })
@@ -202,6 +209,11 @@ impl Call {
                 wanted,
             },
             Self::Export(order) => Task::Export(Box::new(order)),
+            Self::Ask(Text { document, index }, line) => Task::Ask {
+                document,
+                index,
+                line,
+            },
         }
     }
 }
@@ -302,6 +314,7 @@ impl Reply {
             Finding::Exported(Err(failure)) => Self::Undone(Undone::Else, failure),
             // A worker writes no file.
             Finding::Exported(Ok(_)) => return None,
+            Finding::Answered { line, said, done } => Self::Answered(line, said, done),
             Finding::Undone(undone, failure) => Self::Undone(undone, failure),
             Finding::Begun(work) => Self::Begun(work),
             Finding::Ended(work) => Self::Ended(work),
@@ -370,6 +383,7 @@ impl Reply {
                 }))
             }
             Self::Made(path, made) => Finding::Made(path, made),
+            Self::Answered(line, said, done) => Finding::Answered { line, said, done },
             Self::Undone(undone, failure) => Finding::Undone(undone, failure),
             Self::Begun(work) => Finding::Begun(work),
             Self::Ended(work) => Finding::Ended(work),
