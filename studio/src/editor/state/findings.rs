@@ -3,6 +3,7 @@
 use super::Editor;
 use crate::dialogue::answer;
 use crate::edit::{Applied, Refusal};
+use crate::editor::arrow::needs;
 use crate::editor::clipboard::{gesture_of_copies, pasted};
 use crate::editor::drag::Drag;
 use crate::editor::gesture::Gesture;
@@ -81,6 +82,16 @@ impl Editor {
                 self.take_over(title);
             }
             Err(why) => self.talk.refuse(why),
+        }
+    }
+
+    /// Has computed what the wanted arrows need.
+    pub(in crate::editor) fn prepare_arrows(&mut self) {
+        let needs = needs(&self.sight, &self.settings);
+        let pending = &mut self.analysis.pending;
+        let tasks = self.sight.playing.ask_for(&needs, || pending.number());
+        for task in tasks {
+            self.give(task);
         }
     }
 
@@ -182,6 +193,11 @@ impl Editor {
                 let written = made.and_then(|made| made.write(&path));
                 self.talk.tell_done(written);
             }
+            Finding::Derived {
+                number,
+                what,
+                found,
+            } => self.sight.playing.take(number, what, found),
             Finding::Exported(done) => self.talk.tell_done(done),
             Finding::Answered { line, said, done } => self.talk.answer(&line, said, done),
             Finding::Measured(curves) => self.plotted.take(*curves),

@@ -26,7 +26,8 @@ pub(in crate::editor) struct Agenda {
 }
 
 impl Agenda {
-    /// Notes something to do. Of texts that are to be read, and of places to which something is led, the last one alone is wanted.
+    /// Notes something to do. Of texts that are to be read, of places to which something is led, and of mechanisms that need something
+    /// besides positions, the last one alone is wanted.
     pub(super) fn add(&mut self, task: Task) {
         if let Task::Hold(..) | Task::Lead { .. } = task {
             let is_lead = |task: &Task| matches!(task, Task::Lead { .. });
@@ -40,6 +41,9 @@ impl Agenda {
             self.given.retain(|other| !is_read(other));
         } else if is_preview(&task) {
             self.given.retain(|other| !is_preview(other));
+        } else if let Task::Derive { what: wanted, .. } = &task {
+            let is_it = |other: &Task| matches!(other, Task::Derive { what, .. } if what == wanted);
+            self.given.retain(|other| !is_it(other));
         }
         self.given.push_back(task);
     }
@@ -113,8 +117,9 @@ impl Agenda {
                 document,
                 index,
                 has_bodies,
+                needs,
             } => {
-                let previewed = Previewed::of(number, document, index, has_bodies);
+                let previewed = Previewed::of(number, document, index, has_bodies, &needs);
                 Some(Finding::Previewed(Box::new(previewed)))
             }
             Task::Hold(hold, text) => {
@@ -148,6 +153,19 @@ impl Agenda {
             }
             Task::Measure { snapshot, wanted } => {
                 Some(Finding::Measured(Box::new(Curves::of(snapshot, wanted))))
+            }
+            Task::Derive {
+                number,
+                snapshot,
+                what,
+            } => {
+                let (model, compiled) = snapshot.moving()?;
+                let found = what.compile(model, compiled);
+                Some(Finding::Derived {
+                    number,
+                    what,
+                    found,
+                })
             }
             Task::Move(snapshot) => {
                 let made = snapshot.played()?;

@@ -19,6 +19,8 @@ pub(in crate::editor) enum Work {
     Writing(String),
     /// This line of the dialogue is answered.
     Answering(String),
+    /// What arrows need is prepared.
+    Deriving,
     /// The mechanism is prepared to be played.
     Preparing,
     /// Repairs are looked for.
@@ -35,6 +37,7 @@ impl Work {
             Task::Measure { .. } => Self::Measuring,
             Task::Export(order) => Self::Writing(order.path.clone()),
             Task::Ask { line, .. } => Self::Answering(line.clone()),
+            Task::Derive { .. } => Self::Deriving,
             Task::Move(_) => Self::Preparing,
             Task::Mend(_) => Self::Mending,
         }
@@ -50,6 +53,7 @@ impl Display for Work {
             Self::Measuring => f.write_str("Measuring"),
             Self::Writing(path) => write!(f, "Writing {path}"),
             Self::Answering(line) => write!(f, "Answering: {line}"),
+            Self::Deriving => f.write_str("Preparing the arrows"),
             Self::Preparing => f.write_str("Preparing to play"),
             Self::Mending => f.write_str("Looking for repairs"),
         }
