@@ -56,9 +56,13 @@ fn a_line_is_ended_that_takes_its_time() {
     let long = chain(600);
     user.at_once(|editor| editor.type_text(&long));
     stop(&mut user, "Analysing");
-    for line in ["link one_more", "check"] {
+    let lines = [
+        ("point r0.tip at (1, 0)", "Trying"),
+        ("check", "Answering: check"),
+    ];
+    for (line, work) in lines {
         user.at_once(|editor| editor.say(line));
-        stop(&mut user, line);
+        stop(&mut user, work);
         assert_eq!(user.text(), long, "{line}");
         assert!(user.editor().player().is_none());
     }
@@ -71,4 +75,23 @@ fn a_line_is_ended_that_takes_its_time() {
     });
     user.settle();
     assert!(user.text().contains("another") && !user.text().contains("one_more"));
+}
+
+#[test]
+fn arrows_are_ended_and_come_when_they_are_wanted_again() {
+    let mut user = User::with_threads();
+    // Their painting would take most of the time.
+    user.show("Bodies");
+    user.at_once(|editor| editor.type_text(&chain(120)));
+    user.wait_until("it does not play", |user| user.editor().player().is_some());
+    user.show("Velocities");
+    stop(&mut user, "arrows");
+    user.wait(10);
+    assert_eq!(user.editor().work(), None);
+    assert!(user.editor().arrows().is_empty() && user.editor().player().is_some());
+    user.show("Velocities");
+    user.show("Velocities");
+    user.wait_until("there are no arrows", |user| {
+        !user.editor().arrows().is_empty()
+    });
 }

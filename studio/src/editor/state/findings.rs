@@ -96,7 +96,7 @@ impl Editor {
     }
 
     pub(in crate::editor) fn give(&mut self, task: Task) {
-        if let Err(failure) = self.analysis.worker.give(task) {
+        if let Err(failure) = self.analysis.give(task) {
             self.give_up(Undone::All, failure);
         }
         self.look();
