@@ -64,7 +64,7 @@ pub struct Layers {
 
 impl Layers {
     /// The layers that are visible.
-    pub(crate) fn shown(self) -> impl Iterator<Item = Layer> {
+    pub fn shown(self) -> impl Iterator<Item = Layer> {
         Layer::ALL.into_iter().filter(move |layer| self.has(*layer))
     }
 

@@ -152,8 +152,7 @@ impl Player {
     }
 
     /// Takes over what its mechanism was compiled to once more. Layers that it cannot show are hidden.
-    #[cfg(feature = "editor")]
-    pub(crate) fn take(&mut self, what: Derived, found: Option<Box<Compiled>>) {
+    pub fn take(&mut self, what: Derived, found: Option<Box<Compiled>>) {
         self.revision = Revision::next();
         self.mechanism.take(what, found);
         for layer in self.layers.shown() {
