@@ -9,7 +9,7 @@ use crate::check::verdict_line;
 use crate::command::obey_within;
 use crate::console::Console;
 use crate::document::{Declaration, Document, Listing, Reading};
-use crate::edit::Workspace;
+use crate::edit::{Applied, Workspace};
 use crate::failure::Failure;
 use crate::mend::mendings;
 #[cfg(not(target_arch = "wasm32"))]
@@ -60,14 +60,7 @@ impl Session {
         match request {
             Request::Edit(command) => {
                 let applied = self.workspace.apply(&command)?;
-                let notes = applied.notes.join("; ");
-                let notes = if notes.is_empty() {
-                    String::new()
-                } else {
-                    format!(": {notes}")
-                };
-                let state = state(&applied.reading);
-                console.answer(format!("{}{notes}\n  {state}\n", applied.title))?;
+                console.answer(answer(&applied) + "\n")?;
             }
             Request::Ask(words) => self.ask(&words, console)?,
             Request::Repairs => self.repairs(console)?,
@@ -209,6 +202,11 @@ impl Session {
             _ => Ok(lines),
         }
     }
+}
+
+/// What is said to a line that has changed the mechanism.
+pub(crate) fn answer(applied: &Applied) -> String {
+    format!("{}\n  {}", applied.told(), state(&applied.reading))
 }
 
 /// Says in a line whether a mechanism moves.

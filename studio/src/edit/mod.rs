@@ -50,6 +50,18 @@ pub struct Applied {
     pub reading: Reading,
 }
 
+impl Applied {
+    /// What was done, with the notes.
+    pub(crate) fn told(&self) -> String {
+        let (title, notes) = (&self.title, self.notes.join("; "));
+        if notes.is_empty() {
+            title.clone()
+        } else {
+            format!("{title}: {notes}")
+        }
+    }
+}
+
 /// The change that a command makes to a text, before it is tried.
 #[derive(Default)]
 struct Change {

@@ -76,10 +76,21 @@ impl Analysis {
         }
     }
 
+    /// Gives the worker something to do.
+    pub(super) fn give(&mut self, task: Task) -> Result<(), Failure> {
+        self.is_stopped &= !matches!(task, Task::Read { .. } | Task::Try { .. });
+        self.worker.give(task)
+    }
+
     /// Notes that a gesture is tried on a text. Gives what there is to do.
-    pub(super) fn begin(&mut self, gesture: Gesture, workspace: &Workspace) -> Task {
+    pub(super) fn begin(
+        &mut self,
+        gesture: Gesture,
+        line: Option<String>,
+        workspace: &Workspace,
+    ) -> Task {
         Task::Try {
-            number: self.pending.begin(gesture.clone(), workspace),
+            number: self.pending.begin(gesture.clone(), line, workspace),
             document: workspace.document(),
             index: workspace.index(),
             gesture,
@@ -198,9 +209,6 @@ impl Analysis {
 
     /// Notes that work begins.
     pub(super) fn begin_work(&mut self, work: Work) {
-        if let Work::Analysing | Work::Trying(_) = work {
-            self.is_stopped = false;
-        }
         self.works.push(work);
     }
 

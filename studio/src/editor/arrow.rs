@@ -4,8 +4,9 @@ use super::plotted::Plotted;
 use super::settings::{Settings, Visible};
 use super::sight::Sight;
 use super::snapshot::Snapshot;
-use crate::play::{Mechanism, Rates};
+use crate::play::{Derived, Layer, Layers, Mechanism, Player, Rates};
 use crate::quantity::load_numbers;
+use std::collections::BTreeSet;
 
 /// The quantity that an arrow shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,7 +37,17 @@ const RATE: f64 = 0.5;
 /// The length of the longest arrow of its kind, at most, as a part of the size of the mechanism.
 const LONGEST: f64 = 0.3;
 
-/// The arrows that are wanted, at the present pose.
+/// What the wanted arrows need that is computed besides positions: those of the window, and those of the player.
+pub(super) fn needs(sight: &Sight, settings: &Settings) -> BTreeSet<Derived> {
+    let layers = sight.player().map(Player::layers).into_iter();
+    let layers = layers.flat_map(Layers::shown).filter_map(Layer::derived);
+    let visible = settings.visible.iter();
+    layers
+        .chain(visible.filter_map(|what| what.derived()))
+        .collect()
+}
+
+/// The arrows that are wanted, at the present pose, as far as what they need is known.
 pub(super) fn arrows(
     sight: &Sight,
     snapshot: &Snapshot,

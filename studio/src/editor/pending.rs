@@ -18,6 +18,8 @@ pub(super) struct Pending {
 pub(super) enum Waiting {
     /// A gesture whose commands are known.
     Gesture(Gesture),
+    /// A line of the dialogue.
+    Line(String),
     /// One whose commands depend on what will be where it was picked.
     Picks(Tool, Vec<NamedPick>),
     /// These links are declared once more, under names that will be free.
@@ -30,6 +32,8 @@ pub(super) enum Waiting {
 pub(super) struct Tried {
     number: u64,
     pub(super) gesture: Gesture,
+    /// The line of the dialogue that makes it, if one does.
+    pub(super) line: Option<String>,
     text: String,
     index: usize,
 }
@@ -41,7 +45,7 @@ impl Tried {
     }
 
     /// The gesture, to be tried on this text; or why it cannot be.
-    pub(super) fn again(self, workspace: &Workspace) -> Result<Gesture, &'static str> {
+    pub(super) fn again(self, workspace: &Workspace) -> Result<Waiting, &'static str> {
         let is_repair = |command: &Command| matches!(command, Command::Repair { .. });
         // Repairs of another text have other numbers.
         if self.gesture.commands.iter().any(is_repair) {
@@ -49,7 +53,8 @@ impl Tried {
         } else if self.index != workspace.index() {
             Err("another mechanism of the file was chosen meanwhile")
         } else {
-            Ok(self.gesture)
+            let gesture = Waiting::Gesture(self.gesture);
+            Ok(self.line.map_or(gesture, Waiting::Line))
         }
     }
 }
@@ -79,8 +84,8 @@ impl Pending {
     }
 
     /// Lets a gesture be made before all that wait.
-    pub(super) fn push_first(&mut self, gesture: Gesture) {
-        self.waiting.push_front(Waiting::Gesture(gesture));
+    pub(super) fn push_first(&mut self, waiting: Waiting) {
+        self.waiting.push_front(waiting);
     }
 
     /// The next that waits, if nothing is tried.
@@ -92,11 +97,17 @@ impl Pending {
     }
 
     /// Notes that a gesture is tried on a text. Gives its number.
-    pub(super) fn begin(&mut self, gesture: Gesture, workspace: &Workspace) -> u64 {
+    pub(super) fn begin(
+        &mut self,
+        gesture: Gesture,
+        line: Option<String>,
+        workspace: &Workspace,
+    ) -> u64 {
         let number = self.number();
         self.tried = Some(Tried {
             number,
             gesture,
+            line,
             text: workspace.text().to_owned(),
             index: workspace.index(),
         });
@@ -118,6 +129,7 @@ impl Pending {
     pub(super) fn give_up_last(&mut self) -> Option<String> {
         match self.waiting.pop_back() {
             Some(Waiting::Gesture(gesture)) => Some(gesture.title),
+            Some(Waiting::Line(line)) => Some(line),
             Some(Waiting::Picks(tool, _)) => Some(tool.name().to_owned()),
             Some(Waiting::Copies(_)) => Some("copies".to_owned()),
             Some(Waiting::Paste(_)) => Some("paste".to_owned()),

@@ -3,7 +3,11 @@
 use super::path::Path;
 use super::range::MotorRange;
 use super::snapshot::Snapshot;
-use crate::play::Player;
+use super::worker::Task;
+use crate::play::{Derived, Player};
+use mech_compiler::Compiled;
+use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// The link or the motor that a user moves by hand.
@@ -25,12 +29,48 @@ pub(super) struct Playing {
     pub(super) paths: Vec<Path>,
     /// The values that the motors had before each motion by hand, since the text changed last.
     by_hand: Vec<(Hand, Vec<f64>)>,
+    /// What the mechanism was asked to compute besides positions, each with the number of its task.
+    pub(super) asked: BTreeMap<Derived, u64>,
 }
 
 impl Playing {
     /// Plays no more.
     pub(super) fn stop(&mut self) {
         *self = Self::default();
+    }
+
+    /// Asks for what arrows need, if nobody has yet. What was stopped is asked for again when they were hidden in between.
+    pub(super) fn ask_for(
+        &mut self,
+        needs: &BTreeSet<Derived>,
+        mut number: impl FnMut() -> u64,
+    ) -> Vec<Task> {
+        self.asked.retain(|what, _| needs.contains(what));
+        let (Some(player), Some(snapshot)) = (&self.player, &self.snapshot) else {
+            return Vec::new();
+        };
+        let is_unknown = |what: &&Derived| !player.mechanism().knows(**what);
+        let mut tasks = Vec::new();
+        for &what in needs.iter().filter(is_unknown) {
+            if let Entry::Vacant(asked) = self.asked.entry(what) {
+                let (number, snapshot) = (*asked.insert(number()), snapshot.clone());
+                tasks.push(Task::Derive {
+                    number,
+                    snapshot,
+                    what,
+                });
+            }
+        }
+        tasks
+    }
+
+    /// Takes over what arrows need, by the number of its task, if that is still wanted.
+    pub(super) fn take(&mut self, number: u64, what: Derived, found: Option<Box<Compiled>>) {
+        if self.asked.get(&what) == Some(&number)
+            && let Some(player) = &mut self.player
+        {
+            player.take(what, found);
+        }
     }
 
     /// Whether it is the mechanism of this text.

@@ -1,5 +1,6 @@
 //! The user's settings of the window.
 
+use crate::play::Derived;
 use std::collections::BTreeSet;
 
 /// Something in the drawing that can be hidden.
@@ -19,6 +20,17 @@ pub(crate) enum Visible {
     Accelerations,
     /// The forces in joints.
     Forces,
+}
+
+impl Visible {
+    /// What has to be computed for it besides positions.
+    pub(crate) const fn derived(self) -> Option<Derived> {
+        match self {
+            Self::Velocities | Self::Accelerations => Some(Derived::Rates),
+            Self::Forces => Some(Derived::Forces),
+            _ => None,
+        }
+    }
 }
 
 /// The user's settings of the window.

@@ -117,6 +117,7 @@ impl Sight {
             playing.player = Some(player);
         }
         playing.snapshot = Some(snapshot);
+        playing.asked.clear();
         (playing.ranges, playing.paths) = (ranges, paths);
         self.pose();
         if self.view == View::Started {

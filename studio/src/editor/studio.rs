@@ -132,6 +132,7 @@ impl Studio {
                 .default_size(380.0)
                 .show(ui, |ui| self.panels.show(editor, is_narrow, ui));
         }
+        editor.prepare_arrows();
         egui::CentralPanel::no_frame().show(ui, |ui| self.canvas.show(editor, ui));
         action::dialogs(editor, &context);
         if editor.talk.ending == Ending::Wanted {

@@ -1,13 +1,8 @@
 //! The talk: notices, questions, and the lines that were typed.
 
 use super::question::{Dialog, Ending};
-use crate::console::Console;
-use crate::dialogue::{Session, Turn};
 use crate::failure::Failure;
 use crate::text::masked;
-use std::cell::RefCell;
-use std::io::{self, Write};
-use std::rc::Rc;
 
 /// A notice at the foot of the window.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -57,6 +52,14 @@ impl Talk {
         }
     }
 
+    /// Notes what was said to a line, and how it ended. Tells it.
+    pub(super) fn answer(&mut self, line: &str, said: String, done: Result<(), impl ToString>) {
+        let done = done.map_err(|why| why.to_string());
+        let why = done.as_ref().err().map_or("", String::as_str);
+        self.journal.note(line, &[&said, why]);
+        self.tell_done(done.map(|()| said));
+    }
+
     /// Tells why something could not be done.
     pub(super) fn refuse_failed(&mut self, done: Result<(), Failure>) {
         if let Err(failure) = done {
@@ -75,48 +78,11 @@ pub(crate) struct Journal {
 }
 
 impl Journal {
-    /// Does what a line says; the answer, and how it ended.
-    pub(crate) fn obey(
-        &mut self,
-        line: &str,
-        session: &mut Session,
-    ) -> (Result<Turn, Failure>, String) {
-        let said = Heard::default();
-        let done = session.obey(line, &mut Console::to(said.clone(), said.clone()));
-        let said = said.text().trim_end().to_owned();
-        let error = done.as_ref().err().map(ToString::to_string);
-        self.note(line, [Some(said.clone()), error].into_iter().flatten());
-        (done, said)
-    }
-
-    /// Notes a line, and what was answered.
-    pub(crate) fn note(&mut self, line: &str, answers: impl IntoIterator<Item = String>) {
-        self.lines.push(line.to_owned());
+    /// Notes what was answered to a line.
+    pub(crate) fn note(&mut self, line: &str, answers: &[&str]) {
         self.text += &format!("> {}\n", masked(line));
-        for text in answers.into_iter().filter(|text| !text.is_empty()) {
-            self.text += &format!("{}\n", masked(&text));
+        for text in answers.iter().filter(|text| !text.is_empty()) {
+            self.text += &format!("{}\n", masked(text));
         }
-    }
-}
-
-/// The text that a console has received.
-#[derive(Clone, Default)]
-struct Heard(Rc<RefCell<Vec<u8>>>);
-
-impl Heard {
-    /// All of it.
-    fn text(&self) -> String {
-        String::from_utf8_lossy(&self.0.borrow()).into_owned()
-    }
-}
-
-impl Write for Heard {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.0.borrow_mut().extend_from_slice(bytes);
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        Ok(())
     }
 }

@@ -1,5 +1,7 @@
 //! Layers of a mechanism that is played.
 
+use super::Derived;
+
 /// A part of the picture that can be switched on and off by itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layer {
@@ -44,6 +46,14 @@ impl Layer {
             Self::Accelerations => "accelerations",
         }
     }
+
+    /// What has to be computed for it besides positions.
+    pub(crate) const fn derived(self) -> Option<Derived> {
+        match self {
+            Self::Velocities | Self::Accelerations => Some(Derived::Rates),
+            _ => None,
+        }
+    }
 }
 
 /// The visible layers.
@@ -53,6 +63,11 @@ pub struct Layers {
 }
 
 impl Layers {
+    /// The layers that are visible.
+    pub fn shown(self) -> impl Iterator<Item = Layer> {
+        Layer::ALL.into_iter().filter(move |layer| self.has(*layer))
+    }
+
     /// These layers only.
     #[must_use]
     pub const fn of(layers: &[Layer]) -> Self {

@@ -3,7 +3,7 @@
 use super::distance::{distance_to_shape, nearest};
 use super::landmarks::Landmarks;
 use super::motion::Motion;
-use super::{Layer, Layers, PointRates, Rates, Style};
+use super::{Derived, Layer, Layers, PointRates, Rates, Style};
 use crate::failure::Failure;
 use crate::motion::{
     Mover, Paths, Ready, in_precision, joints_in_the_way, motor_name, obstacle, range_of, turns,
@@ -12,10 +12,9 @@ use crate::painting::{Painting, number_of, poses_of};
 use mech_compiler::evaluate::Stop;
 use mech_compiler::model::{JointId, Look, Measure, Model, MotorId};
 use mech_compiler::program::{Forces, Position};
-use mech_compiler::{Compiled, Looks, compile, looks, symbols};
+use mech_compiler::{Compiled, Looks, looks, symbols};
 use mech_runtime::overlay::{Arrows, Spot};
 use mech_runtime::{Acceleration, Canvas, Overlay, Palette, Pose, Velocity};
-use std::cell::OnceCell;
 
 /// An obstacle to the motion of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,10 +29,6 @@ pub enum Obstacle {
 pub struct Mechanism {
     model: Model,
     compiled: Compiled,
-    /// The same with the rates of all links and of laws, once they are asked for; none if that is not possible.
-    with_rates: OnceCell<Option<Compiled>>,
-    /// The same with the forces in all joints.
-    with_forces: OnceCell<Option<Compiled>>,
     painting: Painting,
     prepared: Prepared,
     landmarks: Landmarks,
@@ -52,6 +47,8 @@ pub(crate) struct Prepared {
     /// The box around its whole motion: lower left and upper right corner.
     extent: [[f64; 2]; 2],
     motion: Motion,
+    /// The mechanism with what it was compiled for once more; none where that is not possible.
+    derived: Vec<(Derived, Option<Box<Compiled>>)>,
 }
 
 impl Prepared {
@@ -68,6 +65,7 @@ impl Prepared {
             looks,
             extent,
             motion: Motion::new(model, compiled, size)?,
+            derived: Vec::new(),
         })
     }
 }
@@ -99,8 +97,6 @@ impl Mechanism {
         let points = points.iter();
         let points = points.filter_map(|point| point.try_map(Measure::at_start, number));
         Ok(Self {
-            with_rates: OnceCell::new(),
-            with_forces: OnceCell::new(),
             points: points.collect(),
             landmarks: Landmarks::new(&model, &compiled),
             prepared,
@@ -162,10 +158,10 @@ impl Mechanism {
             .values
     }
 
-    /// The rates of the motors at a phase of its own motion.
+    /// The rates of the motors at a phase of its own motion; zero where they are not [prepared](Self::prepare).
     #[must_use]
     pub fn rates(&self, phase: f64) -> Rates {
-        let compiled = self.with_rates().unwrap_or(&self.compiled);
+        let compiled = self.with(Derived::Rates).unwrap_or(&self.compiled);
         let [first, second] = self.prepared.motion.at(&self.model, compiled, phase).rates;
         Rates { first, second }
     }
@@ -376,27 +372,40 @@ impl Mechanism {
         nearest(at, bars)
     }
 
-    /// Whether it can show a layer.
+    /// Whether it can show a layer, as far as that is known.
     #[must_use]
     pub fn offers(&self, layer: Layer) -> bool {
         match layer {
             Layer::Shapes => !self.painting.is_empty(),
             Layer::Joints | Layer::Links | Layer::Axes | Layer::Motors => true,
-            Layer::Velocities | Layer::Accelerations => self.with_rates().is_some(),
+            Layer::Velocities | Layer::Accelerations => {
+                !self.knows(Derived::Rates) || self.with(Derived::Rates).is_some()
+            }
         }
     }
 
-    /// The mechanism with the rates of all links. Where they are not declared, it is compiled once more, with them.
-    fn with_rates(&self) -> Option<&Compiled> {
-        let found = self.with_rates.get_or_init(|| {
-            let mut model = self.model.clone();
-            model.effects.velocity = true;
-            model.effects.acceleration = true;
-            // Positions have to mean the same in both.
-            let compiled = compile(&model).ok();
-            compiled.filter(|other| other.program == self.compiled.program)
-        });
-        found.as_ref()
+    /// Compiles it once more, to compute something besides positions.
+    pub fn prepare(&mut self, what: Derived) {
+        if !self.knows(what) {
+            self.take(what, what.compile(&self.model, &self.compiled));
+        }
+    }
+
+    /// Takes over what it was compiled to once more.
+    pub(super) fn take(&mut self, what: Derived, found: Option<Box<Compiled>>) {
+        self.prepared.derived.push((what, found));
+    }
+
+    /// Whether it was compiled once more for something.
+    pub(crate) fn knows(&self, what: Derived) -> bool {
+        let mut known = self.prepared.derived.iter();
+        known.any(|(known, _)| *known == what)
+    }
+
+    /// The mechanism with something besides positions.
+    fn with(&self, what: Derived) -> Option<&Compiled> {
+        let mut known = self.prepared.derived.iter();
+        known.find(|(known, _)| *known == what)?.1.as_deref()
     }
 
     /// Draws the mechanism, whose motors have these rates.
@@ -438,10 +447,12 @@ impl Mechanism {
         }
     }
 
-    /// The velocities and accelerations of its points, while its motors have these rates; none where they are not determined.
+    /// The velocities and accelerations of its points, while its motors have these rates; none where they are not
+    /// [prepared](Self::prepare) or not determined.
     #[must_use]
     pub fn point_rates(&self, rates: &Rates) -> Vec<PointRates> {
-        let program = self.with_rates().and_then(|found| found.moving.as_ref());
+        let program = self.with(Derived::Rates);
+        let program = program.and_then(|found| found.moving.as_ref());
         let Some(program) = program else {
             return Vec::new();
         };
@@ -472,11 +483,11 @@ impl Mechanism {
     }
 
     /// The force that the first link of each joint exerts on the second, with the place of the joint, while its motors have these rates and
-    /// its loads these numbers; none where forces are not determined. Loads that are not given are zero.
+    /// its loads these numbers; none where forces are not [prepared](Self::prepare) or not determined. Loads that are not given are zero.
     #[must_use]
     pub fn reactions(&self, rates: &Rates, loads: &[f64]) -> Vec<([f64; 2], [f64; 2])> {
         let program = self
-            .with_forces()
+            .with(Derived::Forces)
             .and_then(|found| found.forced.inverse_dynamics.as_ref());
         let Some(program) = program else {
             return Vec::new();
@@ -494,20 +505,6 @@ impl Mechanism {
         let joints = self.model.declared_joints().zip(&found.reactions);
         let reactions = joints.filter_map(|(joint, &[x, y, _])| Some((self.joint(joint)?, [x, y])));
         reactions.collect()
-    }
-
-    /// The mechanism with the forces in all joints. Where they are not declared, it is compiled once more, with them.
-    fn with_forces(&self) -> Option<&Compiled> {
-        let found = self.with_forces.get_or_init(|| {
-            let mut model = self.model.clone();
-            model.effects.velocity = true;
-            model.effects.acceleration = true;
-            model.effects.force = true;
-            // Positions have to mean the same in both.
-            let compiled = compile(&model).ok();
-            compiled.filter(|other| other.program == self.compiled.program)
-        });
-        found.as_ref()
     }
 
     /// The rates of all motors, and their second rates.

@@ -8,6 +8,7 @@ mod bounds;
 mod camera;
 mod caption;
 mod control;
+mod derived;
 mod distance;
 mod driver;
 mod grip;
@@ -33,6 +34,7 @@ pub mod window;
 
 pub use camera::Camera;
 pub use control::Control;
+pub use derived::Derived;
 pub use driver::Driver;
 use grip::Held;
 pub use grip::{Free, Grip};

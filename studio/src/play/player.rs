@@ -2,9 +2,10 @@
 
 use super::bounds::Bounds;
 use super::{
-    Camera, Control, Driver, Grip, Held, Layer, Layers, Limit, Mechanism, Obstacle, Pace, Rates,
-    Revision, Selection, Style, marks,
+    Camera, Control, Derived, Driver, Grip, Held, Layer, Layers, Limit, Mechanism, Obstacle, Pace,
+    Rates, Revision, Selection, Style, marks,
 };
+use mech_compiler::Compiled;
 use mech_runtime::Canvas;
 use mech_runtime::overlay::Spot;
 use std::collections::VecDeque;
@@ -79,9 +80,7 @@ impl Player {
             Control::NextMotor => self.driver.next(),
             Control::PreviousMotor => self.driver.previous(),
             Control::Toggle(layer) if self.mechanism.offers(layer) => self.layers.toggle(layer),
-            Control::Toggle(layer) => {
-                self.notice = Some(format!("{} has no {}", self.title(), layer.name()));
-            }
+            Control::Toggle(layer) => self.miss(layer),
             Control::DayOrNight => self.is_night = !self.is_night,
             Control::NextMechanism => self.show_next(),
             Control::PreviousMechanism => self.show_previous(),
@@ -143,6 +142,30 @@ impl Player {
             let obstacle = self.mechanism.move_toward(&target);
             self.settle(obstacle, &from, &target);
         }
+    }
+
+    /// Has its mechanism compute what a layer shows, which takes its time once.
+    pub fn prepare(&mut self, layer: Layer) {
+        if let Some(what) = layer.derived() {
+            self.mechanism.prepare(what);
+        }
+    }
+
+    /// Takes over what its mechanism was compiled to once more. Layers that it cannot show are hidden.
+    pub fn take(&mut self, what: Derived, found: Option<Box<Compiled>>) {
+        self.revision = Revision::next();
+        self.mechanism.take(what, found);
+        for layer in self.layers.shown() {
+            if layer.derived() == Some(what) && !self.mechanism.offers(layer) {
+                self.layers.toggle(layer);
+                self.miss(layer);
+            }
+        }
+    }
+
+    /// Tells that its mechanism has no such layer.
+    fn miss(&mut self, layer: Layer) {
+        self.notice = Some(format!("{} has no {}", self.title(), layer.name()));
     }
 
     /// Shows these layers.

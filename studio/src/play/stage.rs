@@ -40,6 +40,9 @@ impl Stage {
 
     /// Obeys a control. `Break` if it is the one to stop.
     pub fn obey(&mut self, control: Control) -> ControlFlow<()> {
+        if let Control::Toggle(layer) = control {
+            self.player.prepare(layer);
+        }
         self.player.obey(control);
         match control {
             Control::Help => self.helps = !self.helps,

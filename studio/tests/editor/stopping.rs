@@ -21,6 +21,15 @@ fn chain(count: usize) -> String {
     format!("struct Chain;\n{text}")
 }
 
+/// Ends such work while it is done: it cannot have been done at once.
+fn stop(user: &mut User, work: &str) {
+    user.wait_until("the work is not told", |user| user.sees("Stop"));
+    let told = user.editor().work().expect("it is being done");
+    assert!(told.contains(work), "{told}");
+    user.click_on("Stop");
+    assert_eq!(user.editor().work(), None);
+}
+
 #[test]
 fn an_analysis_is_ended_and_taken_up_again() {
     let mut user = User::with_threads();
@@ -29,18 +38,60 @@ fn an_analysis_is_ended_and_taken_up_again() {
     assert!(user.editor().player().is_some());
     let long = chain(600);
     user.at_once(|editor| editor.type_text(&long));
-    user.wait_until("the work is not told", |user| user.sees("Stop"));
-    assert!(user.editor().work().is_some());
-    user.click_on("Stop");
-    assert_eq!(user.editor().work(), None);
+    stop(&mut user, "Analysing");
     // What was known is still there, and the text is as it was typed.
     assert!(user.editor().player().is_some());
     assert_eq!(user.text(), long);
     user.click_on("Analyse");
-    user.wait_until("it is not taken up again", |user| user.sees("Stop"));
-    user.click_on("Stop");
+    stop(&mut user, "Analysing");
     // Other texts are analysed as before.
     user.at_once(|editor| editor.type_text(TEXT));
     user.settle();
     assert!(!user.sees("Analyse") && user.editor().player().is_some());
+}
+
+#[test]
+fn a_line_is_ended_that_takes_its_time() {
+    let mut user = User::with_threads();
+    let long = chain(600);
+    user.at_once(|editor| editor.type_text(&long));
+    stop(&mut user, "Analysing");
+    let lines = [
+        ("point r0.tip at (1, 0)", "Trying"),
+        ("check", "Answering: check"),
+    ];
+    for (line, work) in lines {
+        user.at_once(|editor| editor.say(line));
+        stop(&mut user, work);
+        assert_eq!(user.text(), long, "{line}");
+        assert!(user.editor().player().is_none());
+    }
+    // Lines take their turns as before.
+    user.at_once(|editor| editor.type_text(TEXT));
+    user.at_once(|editor| {
+        editor.say("link one_more");
+        editor.say("undo");
+        editor.say("link another");
+    });
+    user.settle();
+    assert!(user.text().contains("another") && !user.text().contains("one_more"));
+}
+
+#[test]
+fn arrows_are_ended_and_come_when_they_are_wanted_again() {
+    let mut user = User::with_threads();
+    // Their painting would take most of the time.
+    user.show("Bodies");
+    user.at_once(|editor| editor.type_text(&chain(120)));
+    user.wait_until("it does not play", |user| user.editor().player().is_some());
+    user.show("Velocities");
+    stop(&mut user, "arrows");
+    user.wait(10);
+    assert_eq!(user.editor().work(), None);
+    assert!(user.editor().arrows().is_empty() && user.editor().player().is_some());
+    user.show("Velocities");
+    user.show("Velocities");
+    user.wait_until("there are no arrows", |user| {
+        !user.editor().arrows().is_empty()
+    });
 }

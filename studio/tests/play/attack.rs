@@ -90,6 +90,9 @@ fn take_anything(seeds: Range<u64>) {
             let control = dice.control();
             let title = player.title().to_owned();
             let before = player.motors().to_vec();
+            if let Control::Toggle(layer) = control {
+                player.prepare(layer);
+            }
             player.obey(control);
             if let Control::Step(steps) = control {
                 // As far as a whole motion, however many steps are wanted.

@@ -4,7 +4,7 @@ use crate::gallery::{FILES, SIZE, first, from_text, mechanism, near, path, playe
 use mech_gallery::Exhibited;
 use mech_gallery::skeleton::Skeleton;
 use mech_studio::Document;
-use mech_studio::play::{Mechanism, Player};
+use mech_studio::play::{Derived, Mechanism, Player};
 use std::f64::consts::TAU;
 use std::fs;
 use std::path::Path;
@@ -40,7 +40,8 @@ fn all_motors_of_the_gallery_move_and_nothing_is_in_their_way() {
 fn rates_are_slopes() {
     const APART: f64 = 1e-5;
     for file in ["crane", "excavator", "skeleton"] {
-        let mechanism = mechanism(file);
+        let mut mechanism = mechanism(file);
+        mechanism.prepare(Derived::Rates);
         let seconds = mechanism.seconds();
         // Within a stroke, not where one motor follows another.
         for phase in [0.13, 0.77, 1.4] {
@@ -66,7 +67,9 @@ fn motors_follow_their_laws_in_seconds() {
     let text = "struct Crank; link crank { point pin = (1, 0); }
 joint a = revolute(ground, crank) at (0, 0);
 motor a = 0.5 * t * t;";
-    let mut player = Player::new(from_text(text), Vec::new(), SIZE);
+    let mut mechanism = from_text(text);
+    mechanism.prepare(Derived::Rates);
+    let mut player = Player::new(mechanism, Vec::new(), SIZE);
     for _ in 0..40 {
         player.advance(0.1);
     }

@@ -212,6 +212,7 @@ fn layers_are_seen() {
     player.obey(Control::PlayOrPause);
     let mut last = picture(&player);
     for layer in Layer::ALL.into_iter().rev() {
+        player.prepare(layer);
         player.obey(Control::Toggle(layer));
         let next = picture(&player);
         assert!(next != last, "{}", layer.name());

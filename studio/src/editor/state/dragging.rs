@@ -2,6 +2,7 @@
 
 use super::Editor;
 use crate::document::{Document, Source};
+use crate::editor::arrow::needs;
 use crate::editor::drag::Drag;
 use crate::editor::item::Item;
 use crate::editor::worker::{Held, Task};
@@ -82,6 +83,7 @@ impl Editor {
                 document: Document::of(source),
                 index: self.workspace().index(),
                 has_bodies,
+                needs: needs(&self.sight, &self.settings),
             };
             self.give(task);
         }

@@ -1,17 +1,18 @@
 //! The user's changes of the text: by tools, by typing, by lines of the dialogue, by steps back and forth.
 
 use super::Editor;
-use crate::dialogue::{Request, Turn, request};
+use crate::dialogue::{Request, hear, request};
 use crate::edit::Workspace;
 use crate::editor::desk::is_picture;
 use crate::editor::drag::Drag;
+use crate::editor::gesture::Gesture;
 use crate::editor::item::Item;
 use crate::editor::opening::{Opened, longest, opened};
 use crate::editor::pending::{Pending, Waiting};
 use crate::editor::question::{Destination, Dialog, Ending};
 use crate::editor::removing::removal;
 use crate::editor::tool::{NamedPick, Pick, Picking, Tool};
-use crate::editor::worker::Worker;
+use crate::editor::worker::{Task, Worker};
 use crate::play::Control;
 use crate::text::masked;
 use std::path::Path;
@@ -114,30 +115,46 @@ impl Editor {
 
     /// Does what a line of the dialogue says.
     pub fn say(&mut self, line: &str) {
-        let asked = request(line);
-        match &asked {
+        self.talk.journal.lines.push(line.to_owned());
+        match request(line) {
             Ok(Some(Request::Ask(words))) if words.first().is_some_and(|word| word == "play") => {
-                self.talk.journal.note(line, []);
+                self.talk.journal.note(line, &[]);
                 self.sight.obey(Control::PlayOrPause);
-                return;
             }
             Ok(Some(Request::Quit)) => {
-                self.talk.journal.note(line, []);
+                self.talk.journal.note(line, &[]);
                 self.talk.ending = Ending::Wanted;
-                return;
             }
             Ok(Some(Request::Open { .. })) if !self.is_at_rest() => {
                 let why = "a gesture is still being tried; open the file in a moment";
                 self.talk.refuse(why);
-                return;
             }
             // The session reports lines that it does not understand, too.
-            Ok(_) | Err(_) => {}
+            Ok(_) | Err(_) => self.wait(Waiting::Line(line.to_owned())),
+        }
+    }
+
+    /// Does what a line says whose turn has come. Gives the gesture that it makes, if it makes one: that is to be tried.
+    pub(super) fn obey(&mut self, line: &str) -> Option<Gesture> {
+        let asked = request(line);
+        match asked {
+            Ok(Some(Request::Edit(command))) => return Some(command.into()),
+            Ok(Some(Request::Ask(_) | Request::Repairs | Request::Numbers(_))) => {
+                let (document, index) = (self.workspace().document(), self.workspace().index());
+                let line = line.to_owned();
+                self.give(Task::Ask {
+                    document,
+                    index,
+                    line,
+                });
+                return None;
+            }
+            _ => {}
         }
         let before = self.workspace().text().to_owned();
-        let (turn, said) = self.talk.journal.obey(line, &mut self.session);
+        let (said, turn) = hear(line, &mut self.session);
         let is_done = turn.is_ok();
-        self.talk.tell_done(turn.map(|_: Turn| said));
+        self.talk.answer(line, said, turn.map(drop));
         if !matches!(asked, Ok(Some(Request::Open { .. }))) {
             if self.workspace().text() != before {
                 self.let_go();
@@ -149,6 +166,7 @@ impl Editor {
             self.open(self.workspace().clone());
             self.talk.journal = journal;
         }
+        None
     }
 
     /// Edits another text. If the present one has changes, the user is asked first.

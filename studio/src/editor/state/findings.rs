@@ -1,11 +1,13 @@
 //! The tasks for the worker, and the use of its findings.
 
 use super::Editor;
-use crate::edit::Applied;
+use crate::dialogue::answer;
+use crate::edit::{Applied, Refusal};
+use crate::editor::arrow::needs;
 use crate::editor::clipboard::{gesture_of_copies, pasted};
 use crate::editor::drag::Drag;
 use crate::editor::gesture::Gesture;
-use crate::editor::pending::Waiting;
+use crate::editor::pending::{Tried, Waiting};
 use crate::editor::snap::{CLOSE, grid};
 use crate::editor::snapshot::Snapshot;
 use crate::editor::tool::NamedPick;
@@ -28,8 +30,16 @@ impl Editor {
     fn go_on(&mut self) {
         while let Some(waiting) = self.analysis.pending.pop() {
             let (drawing, scale) = (self.sight.drawing(), self.sight.scale());
+            let mut said = None;
             let gesture = match waiting {
                 Waiting::Gesture(gesture) => gesture,
+                Waiting::Line(line) => match self.obey(&line) {
+                    Some(gesture) => {
+                        said = Some(line);
+                        gesture
+                    }
+                    None => continue,
+                },
                 Waiting::Copies(links) => match gesture_of_copies(&links, drawing, scale) {
                     Some((gesture, copies)) => {
                         self.selection.select_links(copies);
@@ -52,7 +62,7 @@ impl Editor {
                     }
                 }
             };
-            let task = self.analysis.begin(gesture, &self.session.workspace);
+            let task = self.analysis.begin(gesture, said, &self.session.workspace);
             self.give(task);
         }
     }
@@ -75,8 +85,18 @@ impl Editor {
         }
     }
 
+    /// Has computed what the wanted arrows need.
+    pub(in crate::editor) fn prepare_arrows(&mut self) {
+        let needs = needs(&self.sight, &self.settings);
+        let pending = &mut self.analysis.pending;
+        let tasks = self.sight.playing.ask_for(&needs, || pending.number());
+        for task in tasks {
+            self.give(task);
+        }
+    }
+
     pub(in crate::editor) fn give(&mut self, task: Task) {
-        if let Err(failure) = self.analysis.worker.give(task) {
+        if let Err(failure) = self.analysis.give(task) {
             self.give_up(Undone::All, failure);
         }
         self.look();
@@ -109,14 +129,19 @@ impl Editor {
                     // On another text it is tried again.
                     (Some(before), _) if !before.is_of(self.workspace()) => {
                         match before.again(self.workspace()) {
-                            Ok(gesture) => self.analysis.pending.push_first(gesture),
+                            Ok(waiting) => self.analysis.pending.push_first(waiting),
                             Err(why) => self.talk.refuse(why),
                         }
                     }
                     (Some(before), Ok((applied, snapshot))) => {
-                        self.accept(&applied, snapshot, &before.gesture);
+                        self.accept(&applied, snapshot, &before);
                     }
-                    (Some(_), Err(refusal)) => self.give_up(Undone::Try, refusal),
+                    (Some(before), Err(refusal)) => {
+                        if let Some(line) = before.line {
+                            self.talk.journal.note(&line, &[&refusal.to_string()]);
+                        }
+                        self.give_up(Undone::Try, refusal);
+                    }
                 }
                 self.go_on();
             }
@@ -168,7 +193,13 @@ impl Editor {
                 let written = made.and_then(|made| made.write(&path));
                 self.talk.tell_done(written);
             }
+            Finding::Derived {
+                number,
+                what,
+                found,
+            } => self.sight.playing.take(number, what, found),
             Finding::Exported(done) => self.talk.tell_done(done),
+            Finding::Answered { line, said, done } => self.talk.answer(&line, said, done),
             Finding::Measured(curves) => self.plotted.take(*curves),
             Finding::Mended(snapshot, found) => {
                 let done = self.analysis.take_mended(&snapshot, found);
@@ -194,20 +225,20 @@ impl Editor {
     }
 
     /// Takes over what a gesture does.
-    fn accept(&mut self, applied: &Applied, snapshot: Arc<Snapshot>, gesture: &Gesture) {
+    fn accept(&mut self, applied: &Applied, snapshot: Arc<Snapshot>, tried: &Tried) {
         let text = applied.document.source().text();
         self.session.workspace.push(applied.title.as_str(), text);
-        let notes = applied.notes.join("; ");
-        self.talk.tell(if notes.is_empty() {
-            applied.title.clone()
-        } else {
-            format!("{}: {notes}", applied.title)
-        });
+        match &tried.line {
+            Some(line) => self
+                .talk
+                .answer(line, answer(applied), Ok::<_, Refusal>(())),
+            None => self.talk.tell(applied.told()),
+        }
         let mut drag = std::mem::take(&mut self.sight.drag);
         self.show(snapshot);
         if drag.left().is_some() {
             // Its own gesture waits for its turn: until then it is seen where it was let go.
-            drag.give_up_if(|drag| drag.left() == Some(gesture));
+            drag.give_up_if(|drag| drag.left() == Some(&tried.gesture));
             self.sight.drag = drag;
             return;
         }

@@ -1,7 +1,8 @@
 //! The tasks to do, in pieces.
 
 use super::{Finding, Led, Previewed, Task, Work, broken};
-use crate::edit::{Drag, apply_all};
+use crate::dialogue::{Session, hear};
+use crate::edit::{Drag, Workspace, apply_all};
 use crate::editor::curves::Curves;
 use crate::editor::snapshot::Snapshot;
 use mech_compiler::catch;
@@ -25,7 +26,8 @@ pub(in crate::editor) struct Agenda {
 }
 
 impl Agenda {
-    /// Notes something to do. Of texts that are to be read, and of places to which something is led, the last one alone is wanted.
+    /// Notes something to do. Of texts that are to be read, of places to which something is led, and of mechanisms that need something
+    /// besides positions, the last one alone is wanted.
     pub(super) fn add(&mut self, task: Task) {
         if let Task::Hold(..) | Task::Lead { .. } = task {
             let is_lead = |task: &Task| matches!(task, Task::Lead { .. });
@@ -39,6 +41,9 @@ impl Agenda {
             self.given.retain(|other| !is_read(other));
         } else if is_preview(&task) {
             self.given.retain(|other| !is_preview(other));
+        } else if let Task::Derive { what: wanted, .. } = &task {
+            let is_it = |other: &Task| matches!(other, Task::Derive { what, .. } if what == wanted);
+            self.given.retain(|other| !is_it(other));
         }
         self.given.push_back(task);
     }
@@ -112,8 +117,9 @@ impl Agenda {
                 document,
                 index,
                 has_bodies,
+                needs,
             } => {
-                let previewed = Previewed::of(number, document, index, has_bodies);
+                let previewed = Previewed::of(number, document, index, has_bodies, &needs);
                 Some(Finding::Previewed(Box::new(previewed)))
             }
             Task::Hold(hold, text) => {
@@ -134,8 +140,32 @@ impl Agenda {
                 let made = order.make();
                 Some(Finding::Made(order.path, made))
             }
+            Task::Ask {
+                document,
+                index,
+                line,
+            } => {
+                let mut workspace = Workspace::of(document.source().clone());
+                workspace.choose(index);
+                let (said, turn) = hear(&line, &mut Session::of(workspace));
+                let done = turn.map(drop);
+                Some(Finding::Answered { line, said, done })
+            }
             Task::Measure { snapshot, wanted } => {
                 Some(Finding::Measured(Box::new(Curves::of(snapshot, wanted))))
+            }
+            Task::Derive {
+                number,
+                snapshot,
+                what,
+            } => {
+                let (model, compiled) = snapshot.moving()?;
+                let found = what.compile(model, compiled);
+                Some(Finding::Derived {
+                    number,
+                    what,
+                    found,
+                })
             }
             Task::Move(snapshot) => {
                 let made = snapshot.played()?;

@@ -35,7 +35,9 @@ use crate::document::Document;
 use crate::edit::{Applied, Refusal};
 use crate::failure::Failure;
 use crate::mend::Mending;
-use std::collections::VecDeque;
+use crate::play::Derived;
+use mech_compiler::Compiled;
+use std::collections::{BTreeSet, VecDeque};
 use std::sync::Arc;
 #[cfg(not(target_arch = "wasm32"))]
 use thread::Threads;
@@ -56,12 +58,14 @@ pub(super) enum Task {
         document: Document,
         index: usize,
     },
-    /// A text is read that will be another at once: while something is dragged, by the number of the drag. Bodies may be wanted.
+    /// A text is read that will be another at once: while something is dragged, by the number of the drag. Bodies may be wanted, and what
+    /// arrows need.
     Preview {
         number: u64,
         document: Document,
         index: usize,
         has_bodies: bool,
+        needs: BTreeSet<Derived>,
     },
     /// Something is taken hold of in a text.
     Hold(Box<Hold>, Held),
@@ -74,6 +78,18 @@ pub(super) enum Task {
     },
     /// A file is written.
     Export(Box<Order>),
+    /// A line of the dialogue is answered that leaves the text as it is.
+    Ask {
+        document: Document,
+        index: usize,
+        line: String,
+    },
+    /// A mechanism is compiled once more, to compute something besides positions. It has a number.
+    Derive {
+        number: u64,
+        snapshot: Arc<Snapshot>,
+        what: Derived,
+    },
     /// The mechanism of a snapshot is made, to be played.
     Move(Arc<Snapshot>),
     /// The repairs of a snapshot are looked for.
@@ -98,10 +114,22 @@ pub(super) enum Finding {
     /// The repairs of a snapshot.
     Mended(Arc<Snapshot>, Result<Vec<Mending>, Failure>),
     Measured(Box<Curves>),
+    /// A mechanism that was compiled once more, by the number of the task; none if that is not possible.
+    Derived {
+        number: u64,
+        what: Derived,
+        found: Option<Box<Compiled>>,
+    },
     /// What is to be written, or why it could not be made.
     Made(String, Result<Made, Failure>),
     /// A note on the written file, or why nothing was written.
     Exported(Result<String, Failure>),
+    /// What is said to a line of the dialogue, and how it ended.
+    Answered {
+        line: String,
+        said: String,
+        done: Result<(), Failure>,
+    },
     /// The work that was not done, and why: an invariant of our own is broken, or the user has stopped it.
     Undone(Undone, Failure),
     /// Work begins that takes its time, perhaps.
@@ -140,7 +168,9 @@ impl Task {
             Self::Preview { number, .. } => Undone::Preview(*number),
             Self::Read { .. } | Self::Move(_) | Self::Mend(_) => Undone::Follow,
             Self::Measure { .. } => Undone::Measure,
-            Self::Ghost { .. } | Self::Export(_) => Undone::Else,
+            Self::Ghost { .. } | Self::Export(_) | Self::Ask { .. } | Self::Derive { .. } => {
+                Undone::Else
+            }
         }
     }
 }

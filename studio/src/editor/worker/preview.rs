@@ -3,7 +3,8 @@
 use crate::document::Document;
 use crate::editor::path::Path;
 use crate::editor::snapshot::Snapshot;
-use crate::play::Mechanism;
+use crate::play::{Derived, Mechanism};
+use std::collections::BTreeSet;
 
 /// The compiler's findings on a text while something is dragged: only those that the window shows, which would have to free the others.
 pub(in crate::editor) struct Previewed {
@@ -18,15 +19,26 @@ pub(in crate::editor) struct Previewed {
 }
 
 impl Previewed {
-    /// Reads a text.
-    pub(super) fn of(number: u64, document: Document, index: usize, has_bodies: bool) -> Self {
+    /// Reads a text. Bodies may be wanted, with arrows that need something besides positions.
+    pub(super) fn of(
+        number: u64,
+        document: Document,
+        index: usize,
+        has_bodies: bool,
+        needs: &BTreeSet<Derived>,
+    ) -> Self {
         let snapshot = Snapshot::of(document, index);
         let first = snapshot.messages().first();
         let fault = first.and_then(|message| message.text.lines().next());
         let fault = fault.map(ToOwned::to_owned);
         let played = has_bodies.then(|| snapshot.played()).flatten();
         let (mechanism, paths) = match played.and_then(Result::ok) {
-            Some((mechanism, _, paths)) => (Some(mechanism), paths),
+            Some((mut mechanism, _, paths)) => {
+                for what in needs {
+                    mechanism.prepare(*what);
+                }
+                (Some(mechanism), paths)
+            }
             None => (None, snapshot.paths()),
         };
         Self {

@@ -1,7 +1,7 @@
 //! Threads beside the window.
 
 use super::agenda::Agenda;
-use super::{Finding, Task, Work};
+use super::{Finding, Task, Undone, Work};
 use crate::failure::Failure;
 use mech_compiler::cancel::Cancellation;
 use std::sync::Arc;
@@ -80,8 +80,8 @@ impl Threads {
         let to = match &order.0 {
             Task::Hold(..) | Task::Lead { .. } => &self.drags,
             // A film takes its time, and nothing else waits for it.
-            Task::Export(_) => {
-                self.export(order);
+            Task::Export(_) | Task::Ask { .. } => {
+                self.do_apart(order);
                 return Ok(());
             }
             _ => &self.tasks,
@@ -90,19 +90,19 @@ impl Threads {
         to.send(order).map_err(ended)
     }
 
-    /// Writes a file in a thread of its own.
-    fn export(&self, order: Order) {
+    /// Does a task in a thread of its own.
+    fn do_apart(&self, order: Order) {
         let outbox = self.outbox.clone();
-        let export = move || {
+        let serve = move || {
             let mut agenda = Agenda::default();
             let (task, stop) = order;
             agenda.add(task);
             work_off(&mut agenda, &stop, &outbox);
         };
-        let thread = thread::Builder::new().name("export".to_owned());
-        if let Err(error) = thread.stack_size(STACK).spawn(export) {
-            let failure = Failure::file(format!("nothing is written: {error}"));
-            self.outbox.send(Finding::Exported(Err(failure)));
+        let thread = thread::Builder::new().name("apart".to_owned());
+        if let Err(error) = thread.stack_size(STACK).spawn(serve) {
+            let failure = Failure::file(format!("nothing is done: {error}"));
+            self.outbox.send(Finding::Undone(Undone::Else, failure));
         }
     }
 

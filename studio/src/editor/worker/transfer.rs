@@ -13,14 +13,14 @@ use crate::editor::range::MotorRange;
 use crate::editor::snapshot::Snapshot;
 use crate::failure::Failure;
 use crate::mend::Mending;
-use crate::play::{Mechanism, Prepared};
+use crate::play::{Derived, Mechanism, Prepared};
 use crate::quantity::Table;
 use crate::text::Replacement;
 use mech_compiler::Compiled;
 use mech_compiler::model::Model;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
-use std::collections::VecDeque;
+use std::collections::{BTreeSet, VecDeque};
 use std::sync::Arc;
 
 /// A text with the number of the mechanism in it.
@@ -36,11 +36,13 @@ pub(super) enum Call {
     Try(u64, Text, Gesture),
     Read(Text),
     Ghost(usize, Text),
-    Preview(u64, Text, bool),
+    Preview(u64, Text, bool, BTreeSet<Derived>),
     Hold(Hold, Option<u64>, Text),
     Lead(u64, [f64; 2]),
     Measure(Option<u64>, Text, Wanted),
     Export(Order),
+    Ask(Text, String),
+    Derive(u64, Option<u64>, Text, Derived),
 }
 
 /// A snapshot on its way, with its number.
@@ -78,6 +80,8 @@ pub(super) enum Reply {
     Mended(u64, Result<Vec<Mending>, Failure>),
     Measured(u64, Wanted, Result<Table, Failure>, Vec<Failure>),
     Made(String, Result<Made, Failure>),
+    Answered(String, String, Result<(), Failure>),
+    Derived(u64, Derived, Option<Box<Compiled>>),
     Undone(Undone, Failure),
     Begun(Work),
     Ended(Work),
@@ -151,7 +155,8 @@ impl Call {
                 document,
                 index,
                 has_bodies,
-            } => Self::Preview(number, Text { document, index }, has_bodies),
+                needs,
+            } => Self::Preview(number, Text { document, index }, has_bodies, needs),
             Task::Hold(hold, Held::Known(snapshot)) => {
                 Self::Hold(*hold, known.number_of(&snapshot), Text::of(&snapshot))
             }
@@ -163,6 +168,19 @@ impl Call {
                 Self::Measure(known.number_of(&snapshot), Text::of(&snapshot), wanted)
             }
             Task::Export(order) => Self::Export(*order),
+            Task::Ask {
+                document,
+                index,
+                line,
+            } => Self::Ask(Text { document, index }, line),
+            Task::Derive {
+                number,
+                snapshot,
+                what,
+            } => {
+                let known = known.number_of(&snapshot);
+                Self::Derive(number, known, Text::of(&snapshot), what)
+            }
             // The worker gives these to itself.
             Task::Move(_) | Task::Mend(_) => return None,
         })
@@ -183,11 +201,12 @@ impl Call {
                 document,
                 index,
             },
-            Self::Preview(number, Text { document, index }, has_bodies) => Task::Preview {
+            Self::Preview(number, Text { document, index }, has_bodies, needs) => Task::Preview {
                 number,
                 document,
                 index,
                 has_bodies,
+                needs,
             },
             Self::Hold(hold, number, text) => {
                 let held = match number.and_then(|number| known.of_number(number)) {
@@ -202,6 +221,16 @@ impl Call {
                 wanted,
             },
             Self::Export(order) => Task::Export(Box::new(order)),
+            Self::Derive(number, of, text, what) => Task::Derive {
+                number,
+                snapshot: known.of(of, text),
+                what,
+            },
+            Self::Ask(Text { document, index }, line) => Task::Ask {
+                document,
+                index,
+                line,
+            },
         }
     }
 }
@@ -302,6 +331,12 @@ impl Reply {
             Finding::Exported(Err(failure)) => Self::Undone(Undone::Else, failure),
             // A worker writes no file.
             Finding::Exported(Ok(_)) => return None,
+            Finding::Derived {
+                number,
+                what,
+                found,
+            } => Self::Derived(number, what, found),
+            Finding::Answered { line, said, done } => Self::Answered(line, said, done),
             Finding::Undone(undone, failure) => Self::Undone(undone, failure),
             Finding::Begun(work) => Self::Begun(work),
             Finding::Ended(work) => Self::Ended(work),
@@ -370,6 +405,12 @@ impl Reply {
                 }))
             }
             Self::Made(path, made) => Finding::Made(path, made),
+            Self::Derived(number, what, found) => Finding::Derived {
+                number,
+                what,
+                found,
+            },
+            Self::Answered(line, said, done) => Finding::Answered { line, said, done },
             Self::Undone(undone, failure) => Finding::Undone(undone, failure),
             Self::Begun(work) => Finding::Begun(work),
             Self::Ended(work) => Finding::Ended(work),

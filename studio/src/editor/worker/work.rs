@@ -17,6 +17,10 @@ pub(in crate::editor) enum Work {
     Measuring,
     /// A file of this name is written.
     Writing(String),
+    /// This line of the dialogue is answered.
+    Answering(String),
+    /// What arrows need is prepared.
+    Deriving,
     /// The mechanism is prepared to be played.
     Preparing,
     /// Repairs are looked for.
@@ -32,6 +36,8 @@ impl Work {
             Task::Preview { .. } | Task::Hold(..) | Task::Lead { .. } => Self::Dragging,
             Task::Measure { .. } => Self::Measuring,
             Task::Export(order) => Self::Writing(order.path.clone()),
+            Task::Ask { line, .. } => Self::Answering(line.clone()),
+            Task::Derive { .. } => Self::Deriving,
             Task::Move(_) => Self::Preparing,
             Task::Mend(_) => Self::Mending,
         }
@@ -46,6 +52,8 @@ impl Display for Work {
             Self::Dragging => f.write_str("Following the pointer"),
             Self::Measuring => f.write_str("Measuring"),
             Self::Writing(path) => write!(f, "Writing {path}"),
+            Self::Answering(line) => write!(f, "Answering: {line}"),
+            Self::Deriving => f.write_str("Preparing the arrows"),
             Self::Preparing => f.write_str("Preparing to play"),
             Self::Mending => f.write_str("Looking for repairs"),
         }
