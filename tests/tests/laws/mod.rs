@@ -158,3 +158,22 @@ fn what_has_no_value_does_not_get_one_from_its_surroundings() {
         assert_eq!(found.is_nan(), !law.starts_with('0'), "{law}: {found}");
     }
 }
+
+#[test]
+fn what_is_compared_with_a_constant_comes_out_exactly() {
+    for law in [
+        "max(-1e300, t)",
+        "max(t, -1e300)",
+        "min(t, 1e300)",
+        "min(1e300, t)",
+        "max(-1e6, min(1e6, t))",
+        "max(t, 0)",
+    ] {
+        let at = |time| timing(&model(law)).at(time, &[])[0];
+        assert_eq!(at(0.1), [0.1, 1.0, 0.0], "{law}");
+    }
+    for (law, value) in [("max(2, t)", 2.0), ("min(t, -2)", -2.0)] {
+        let at = |time| timing(&model(law)).at(time, &[])[0];
+        assert_eq!(at(0.1), [value, 0.0, 0.0], "{law}");
+    }
+}

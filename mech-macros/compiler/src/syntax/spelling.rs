@@ -45,7 +45,9 @@ pub(super) fn list_all(words: &[&str]) -> String {
 
 /// A bit for each letter of an ASCII word: one that only one of two words has costs a change. Small and great letters have the same.
 fn letters(word: &str) -> u64 {
-    let bits = word.bytes().map(|letter| 1 << (letter % 32 + 32 * (letter >> 6 & 1)));
+    let bits = word
+        .bytes()
+        .map(|letter| 1 << (letter % 32 + 32 * (letter >> 6 & 1)));
     bits.fold(0, |all, bit: u64| all | bit)
 }
 
