@@ -27,9 +27,10 @@ pub(super) fn ask_about_degrees(report: &mut Report, [low, high]: &[Expr; 2], ra
     }
 }
 
-/// Whether one end of a range, or the step in it, is a plain number beside degrees. Told if so.
+/// Whether one end of a range, or the step in it, is a plain number beside an end in degrees. Told if so.
 pub(super) fn is_half_in_degrees(report: &mut Report, numbers: &[&Expr]) -> bool {
-    let with = numbers.iter().find(|number| is_in_degrees(number));
+    let mut ends = numbers.iter().take(2);
+    let with = ends.find(|number| is_in_degrees(number));
     let without = numbers
         .iter()
         .find(|number| is_plain(number) && !is_zero(number));

@@ -4,8 +4,9 @@ use super::good;
 use std::f64::consts::PI;
 
 fn value(text: &str) -> f64 {
-    let text =
-        format!("struct M; const A = 3; const B_2 = A + 1; ground {{ point p = ({text}, 0); }}");
+    let text = format!(
+        "struct M; const A = 3; const B_2 = A + 1; const X = {text}; ground {{ point p = (X, 0); }}"
+    );
     good(&text).model.axes[0].at[0]
 }
 
