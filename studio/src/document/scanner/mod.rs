@@ -47,6 +47,23 @@ pub(super) fn calls<'t>(text: &'t str, names: &[&str]) -> Vec<Call<'t>> {
     found
 }
 
+/// What is probably between the brackets of a call that are not closed: up to a `}` that is indented no further than the call, or all of it.
+pub(super) fn endless_body(text: &str, whole: &Range<usize>) -> Option<Range<usize>> {
+    let mut lexemes = Lexer::new(&text[..whole.end], whole.start);
+    let start = lexemes.find(|lexeme| lexeme.kind == Kind::Open)?.end;
+    let indent = |line: &str| line.len() - line.trim_start_matches([' ', '\t']).len();
+    let line = text[..whole.start].rfind('\n').map_or(0, |at| at + 1);
+    let most = indent(&text[line..]);
+    let mut end = start;
+    for line in text[start..whole.end].split_inclusive('\n') {
+        if end > start && indent(line) <= most && line.trim_start().starts_with('}') {
+            return Some(start..end);
+        }
+        end += line.len();
+    }
+    Some(start..end)
+}
+
 /// The word after the first of these words that stands in no brackets: `Name` in `struct Name;`.
 pub(super) fn word_after<'t>(text: &'t str, first: &str) -> Option<&'t str> {
     let mut depth = 0_usize;
