@@ -1,11 +1,42 @@
 //! Brackets without their partners.
 
 use super::{Body, Unlexed};
-use crate::text::{Kind, Replacement};
+use crate::text::{Kind, Replacement, is_of_word};
 use mech_compiler::syntax::STATEMENTS;
+use std::ops::Range;
 
 /// So many brackets are looked at, in all, to find changes after which each has its partner.
 const MOST: usize = 1 << 22;
+
+/// The words that stand before round brackets.
+const CALLED: [&str; 26] = [
+    "revolute",
+    "prismatic",
+    "gear",
+    "slot",
+    "rack",
+    "belt",
+    "weld",
+    "cam",
+    "linear",
+    "torsional",
+    "force",
+    "torque",
+    "at",
+    "along",
+    "asin",
+    "acos",
+    "atan",
+    "sin",
+    "cos",
+    "tan",
+    "sqrt",
+    "abs",
+    "exp",
+    "ln",
+    "min",
+    "max",
+];
 
 /// A bracket that was opened.
 #[derive(Clone, Copy)]
@@ -32,6 +63,8 @@ struct Clash {
 enum Edit {
     /// Before a lexeme, or at the end.
     Insert(usize, char),
+    /// An opening bracket within a word, after so many of its bytes.
+    Split(usize, usize, char),
     Remove(usize),
     Exchange(usize, char),
 }
@@ -98,6 +131,25 @@ impl Body<'_> {
         self.word(index).chars().next()
     }
 
+    /// A lexeme with those that are one mark or one number with it.
+    fn whole(&self, index: usize) -> Range<usize> {
+        let place = self.place(index);
+        let rest = &self.text[place.start..];
+        let marks = ["->", "..="]
+            .into_iter()
+            .find(|mark| rest.starts_with(mark));
+        let is_number = rest.starts_with(|first: char| first.is_ascii_digit());
+        let length = match marks {
+            Some(marks) => marks.len(),
+            None if is_number && !rest[place.len()..].starts_with("..") => {
+                let end = rest.find(|letter| letter != '.' && !is_of_word(letter));
+                end.unwrap_or(rest.len())
+            }
+            None => place.len(),
+        };
+        place.start..place.start + length
+    }
+
     fn is_closing(&self, index: usize) -> bool {
         self.lexemes
             .get(index)
@@ -122,7 +174,7 @@ impl Body<'_> {
                 "at" => next == "change",
                 "ground" | "start" | "effects" => next == "{",
                 "gravity" => next == "(",
-                _ => next != "near" && next.starts_with(crate::text::is_of_word),
+                _ => next != "near" && next.starts_with(is_of_word),
             }
     }
 }
@@ -238,6 +290,15 @@ fn edits(body: &Body<'_>, lines: &Lines, clash: &Clash) -> Vec<Edit> {
             edits.extend((begin..=at).map(|gap| Edit::Insert(gap, '{')));
         }
         Some(close) => {
+            let words = clash.begin..at;
+            let splits = words.filter_map(|index| {
+                Some(Edit::Split(
+                    index,
+                    split(body, index, close)?,
+                    partner(close),
+                ))
+            });
+            edits.extend(splits);
             // Brackets around one word are the last that one would write.
             let alone = at.saturating_sub(1).max(clash.begin);
             let gaps = (clash.begin..alone).rev().chain([alone]);
@@ -251,6 +312,21 @@ fn edits(body: &Body<'_>, lines: &Lines, clash: &Clash) -> Vec<Edit> {
         edits.extend(others.map(|other| Edit::Exchange(index, other)));
     }
     edits
+}
+
+/// After how many bytes of a word a bracket may be lost that stood in it: `revolutecrank, arm)`, `leg3]`.
+fn split(body: &Body<'_>, index: usize, close: char) -> Option<usize> {
+    let word = body.word(index);
+    let length = match close {
+        ')' => CALLED
+            .iter()
+            .find(|called| word.starts_with(**called))?
+            .len(),
+        _ => word
+            .trim_end_matches(|letter: char| letter.is_ascii_digit())
+            .len(),
+    };
+    (0 < length && length < word.len()).then_some(length)
 }
 
 /// Whether each bracket has its partner after a change.
@@ -269,6 +345,11 @@ fn is_balanced(body: &Body<'_>, edit: Edit) -> bool {
             && !take(bracket)
         {
             return false;
+        }
+        if let Edit::Split(word, _, bracket) = edit
+            && word == index
+        {
+            take(bracket);
         }
         let bracket = match edit {
             Edit::Remove(gone) if gone == index => None,
@@ -308,6 +389,13 @@ fn replacement(body: &Body<'_>, lines: &Lines, edit: Edit) -> Replacement {
             range: body.place(index),
             text: by.to_string(),
         },
+        Edit::Split(index, length, bracket) => {
+            let at = body.lexemes[index].start + length;
+            Replacement {
+                range: at..at,
+                text: bracket.to_string(),
+            }
+        }
         Edit::Insert(gap, bracket @ ('(' | '[' | '{')) => {
             let at = body
                 .lexemes
@@ -367,9 +455,19 @@ fn told(
             depth == 0
         })
     };
+    let shown = |index: usize| &body.text[body.whole(index)];
     let (at, text) = match edit {
+        Edit::Split(index, length, bracket) => {
+            let (word, close) = (&body.word(index)[..length], partner(bracket));
+            (
+                index,
+                format!(
+                    "expected `{bracket}` after `{word}`: the `{close}` after it closes nothing"
+                ),
+            )
+        }
         Edit::Insert(gap, bracket @ ('(' | '[' | '{')) => {
-            let word = body.word(gap);
+            let word = shown(gap);
             (
                 gap,
                 format!(
@@ -380,13 +478,13 @@ fn told(
         }
         Edit::Insert(gap, bracket) => {
             let last = gap.checked_sub(1)?;
-            let is_before = gap < body.lexemes.len() && lines.are_same(last, gap);
+            let is_before = bracket != '}' && gap < body.lexemes.len() && lines.are_same(last, gap);
             let (at, side) = if is_before {
                 (gap, "before")
             } else {
                 (last, "after")
             };
-            let word = body.word(at);
+            let word = shown(at);
             let open = open_before(body, gap).map(of)?;
             (
                 at,
@@ -423,7 +521,7 @@ fn told(
         }
     };
     Some(Unlexed {
-        place: body.place(at),
+        place: body.whole(at),
         text,
         change,
     })

@@ -235,9 +235,14 @@ fn code(text: &str) -> Vec<bool> {
 }
 
 /// The statement in which a byte stands. Those of a part are statements, too.
-fn statement(text: &str, code: &[bool], byte: usize) -> Range<usize> {
-    let (mut start, mut depth, mut base) = (0, 0, 0);
-    for (at, letter) in text.bytes().enumerate().filter(|(at, _)| code[*at]) {
+fn statement(text: &str, code: &[bool], start: usize, byte: usize) -> Range<usize> {
+    let (mut start, mut depth, mut base) = (start, 0, 0);
+    for (at, letter) in text
+        .bytes()
+        .enumerate()
+        .skip(start)
+        .filter(|(at, _)| code[*at])
+    {
         match letter {
             b'{' if depth == base && text[start..at].trim_start().starts_with("part ") => {
                 (start, base) = (at + 1, base + 1);
@@ -315,21 +320,33 @@ fn slips_in_all_texts() {
                     break;
                 }
                 let mut text = texts[next(texts.len())].clone();
+                if in_rust {
+                    let lines = text.lines().map(|line| format!("    {line}\n"));
+                    text = format!(
+                        "mechanism! {{\n{}}}\n\nfn main() {{}}\n",
+                        lines.collect::<String>()
+                    );
+                }
                 let code = code(&text);
                 let places = text
                     .match_indices(right)
                     .map(|(at, _)| at)
                     .filter(|at| code[*at]);
-                let places: Vec<usize> = places.collect();
+                let inside = if in_rust {
+                    12..text.len() - 17
+                } else {
+                    0..text.len()
+                };
+                let places: Vec<usize> = places.filter(|at| inside.contains(at)).collect();
                 let Some(&at) = places.get(next(places.len().max(1))) else {
                     continue;
                 };
-                let mut range = statement(&text, &code, at);
+                let mut range = statement(&text[..inside.end], &code, inside.start, at);
                 let original = text.clone();
                 text.replace_range(at..at + right.len(), wrong);
                 range.end = range.end + wrong.len() - right.len();
-                let _ = in_rust;
-                let document = Document::of(Source::new("a.mech", &*text));
+                let document =
+                    Document::of(Source::new(if in_rust { "a.rs" } else { "a.mech" }, &*text));
                 let declaration = &document.declarations()[0];
                 proc_macro2::extra::invalidate_current_thread_spans();
                 let Err(slip) = reading::lexed(&document, declaration) else {
@@ -357,13 +374,10 @@ fn slips_in_all_texts() {
                     );
                 }
             }
-            writeln!(table, "{right:>5} {wrong:>5} {counts:?}").expect("a text");
+            writeln!(table, "{in_rust} {right:>5} {wrong:>5} {counts:?}").expect("a text");
             for (sum, count) in all.iter_mut().zip(counts) {
                 *sum += count;
             }
-        }
-        if !in_rust {
-            break;
         }
     }
     println!("{table}{all:?}");
