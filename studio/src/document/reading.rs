@@ -210,7 +210,28 @@ pub(super) fn lexed(
         return Err(excess);
     }
     let tokens = document.tokens(body);
-    tokens.map_err(|error| slip(document, declaration, body, &error))
+    let goes_on = scanner::goes_on(document.source().text(), body.end);
+    let tokens = match tokens {
+        Ok(tokens) if !goes_on => return Ok(tokens),
+        tokens => tokens,
+    };
+    // A brace too many ends it too early.
+    let longer = indented(document, declaration, body.end);
+    let longer = longer.filter(|slip| tokens.is_ok() || slip.change.is_some());
+    match longer {
+        Some(slip) => Err(slip),
+        None => tokens.map_err(|error| slip(document, declaration, body, &error)),
+    }
+}
+
+/// The slip in a mechanism that ends, as it is indented, only after a byte.
+fn indented(document: &Document, declaration: &Declaration, after: usize) -> Option<Unlexed> {
+    let body = scanner::indented_body(document.source().text(), declaration.whole.start)?;
+    if body.end <= after || excess(document, &body).is_some() {
+        return None;
+    }
+    let error = document.tokens(&body).err()?;
+    Some(slip(document, declaration, &body, &error))
 }
 
 fn excess(document: &Document, body: &Range<usize>) -> Option<Unlexed> {
@@ -219,18 +240,12 @@ fn excess(document: &Document, body: &Range<usize>) -> Option<Unlexed> {
     Some(Unlexed::new(place, excess.limit.to_string()))
 }
 
-/// A mechanism whose brackets are not closed: the slip in what seems to be its body.
+/// A mechanism whose brackets are not closed.
 fn endless(document: &Document, declaration: &Declaration) -> Unlexed {
-    let whole = &declaration.whole;
-    let slip = scanner::endless_body(document.source().text(), whole)
-        .filter(|body| excess(document, body).is_none())
-        .and_then(|body| {
-            let error = document.tokens(&body).err()?;
-            Some(slip(document, declaration, &body, &error))
-        });
-    slip.unwrap_or_else(|| {
+    let start = declaration.whole.start;
+    indented(document, declaration, start).unwrap_or_else(|| {
         Unlexed::new(
-            whole.start..whole.start + 1,
+            start..start + 1,
             "this mechanism has no end: one of its brackets is not closed, or closed by another kind",
         )
     })

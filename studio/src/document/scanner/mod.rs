@@ -1,6 +1,7 @@
 //! Finds the calls of macros in a Rust file, without reading the rest: it may be wrong in any way.
 
 use crate::text::{Kind, Lexeme, Lexer};
+use mech_compiler::syntax::STATEMENTS;
 use std::ops::Range;
 
 /// A call of a macro.
@@ -47,21 +48,32 @@ pub(super) fn calls<'t>(text: &'t str, names: &[&str]) -> Vec<Call<'t>> {
     found
 }
 
-/// What is probably between the brackets of a call that are not closed: up to a `}` that is indented no further than the call, or all of it.
-pub(super) fn endless_body(text: &str, whole: &Range<usize>) -> Option<Range<usize>> {
-    let mut lexemes = Lexer::new(&text[..whole.end], whole.start);
+/// What a call has in its brackets as it is indented: up to a `}` that is indented no further than its first line, or up to the end.
+pub(super) fn indented_body(text: &str, call: usize) -> Option<Range<usize>> {
+    let mut lexemes = Lexer::new(text, call);
     let start = lexemes.find(|lexeme| lexeme.kind == Kind::Open)?.end;
     let indent = |line: &str| line.len() - line.trim_start_matches([' ', '\t']).len();
-    let line = text[..whole.start].rfind('\n').map_or(0, |at| at + 1);
+    let line = text[..call].rfind('\n').map_or(0, |at| at + 1);
     let most = indent(&text[line..]);
     let mut end = start;
-    for line in text[start..whole.end].split_inclusive('\n') {
+    for line in text[start..].split_inclusive('\n') {
         if end > start && indent(line) <= most && line.trim_start().starts_with('}') {
-            return Some(start..end);
+            break;
         }
         end += line.len();
     }
     Some(start..end)
+}
+
+/// Whether a statement of a mechanism follows the closing bracket of a call, which no Rust does.
+pub(super) fn goes_on(text: &str, close: usize) -> bool {
+    let mut lexemes = Lexer::new(text, close).skip(1);
+    let mut word = || {
+        let lexeme = lexemes.next().filter(|lexeme| lexeme.kind == Kind::Word)?;
+        Some(&text[lexeme.start..lexeme.end])
+    };
+    let is_ours = |word: &str| STATEMENTS.contains(&word) && !matches!(word, "const" | "use");
+    word().is_some_and(is_ours) && word().is_some()
 }
 
 /// The word after the first of these words that stands in no brackets: `Name` in `struct Name;`.

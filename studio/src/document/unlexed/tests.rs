@@ -245,6 +245,9 @@ fn statement(text: &str, code: &[bool], start: usize, byte: usize) -> Range<usiz
     {
         match letter {
             b'{' if depth == base && text[start..at].trim_start().starts_with("part ") => {
+                if at >= byte {
+                    return start..at + 1;
+                }
                 (start, base) = (at + 1, base + 1);
                 depth += 1;
             }
