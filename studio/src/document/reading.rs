@@ -210,7 +210,7 @@ pub(super) fn lexed(
         return Err(excess);
     }
     let tokens = document.tokens(body);
-    let goes_on = scanner::goes_on(document.source().text(), body.end);
+    let goes_on = scanner::goes_on(document.source().text(), declaration.whole.start, body.end);
     let tokens = match tokens {
         Ok(tokens) if !goes_on => return Ok(tokens),
         tokens => tokens,

@@ -52,12 +52,10 @@ pub(super) fn calls<'t>(text: &'t str, names: &[&str]) -> Vec<Call<'t>> {
 pub(super) fn indented_body(text: &str, call: usize) -> Option<Range<usize>> {
     let mut lexemes = Lexer::new(text, call);
     let start = lexemes.find(|lexeme| lexeme.kind == Kind::Open)?.end;
-    let indent = |line: &str| line.len() - line.trim_start_matches([' ', '\t']).len();
-    let line = text[..call].rfind('\n').map_or(0, |at| at + 1);
-    let most = indent(&text[line..]);
+    let most = indent(text, call);
     let mut end = start;
     for line in text[start..].split_inclusive('\n') {
-        if end > start && indent(line) <= most && line.trim_start().starts_with('}') {
+        if end > start && line.trim_start().starts_with('}') && indent(text, end) <= most {
             break;
         }
         end += line.len();
@@ -65,15 +63,29 @@ pub(super) fn indented_body(text: &str, call: usize) -> Option<Range<usize>> {
     Some(start..end)
 }
 
-/// Whether a statement of a mechanism follows the closing bracket of a call, which no Rust does.
-pub(super) fn goes_on(text: &str, close: usize) -> bool {
+/// Whether a call of ours seems to go on after its closing bracket: by a statement, which is no Rust, or by a brace that stands where one
+/// would close the call.
+pub(super) fn goes_on(text: &str, call: usize, close: usize) -> bool {
     let mut lexemes = Lexer::new(text, close).skip(1);
-    let mut word = || {
-        let lexeme = lexemes.next().filter(|lexeme| lexeme.kind == Kind::Word)?;
-        Some(&text[lexeme.start..lexeme.end])
+    let Some(next) = lexemes.next() else {
+        return false;
     };
-    let is_ours = |word: &str| STATEMENTS.contains(&word) && !matches!(word, "const" | "use");
-    word().is_some_and(is_ours) && word().is_some()
+    match &text[next.start..next.end] {
+        "}" => {
+            indent(text, close) > indent(text, call)
+                && indent(text, next.start) == indent(text, call)
+        }
+        "const" | "use" => false,
+        word => {
+            STATEMENTS.contains(&word) && lexemes.next().is_some_and(|next| next.kind == Kind::Word)
+        }
+    }
+}
+
+/// How far the line is indented in which a byte stands.
+fn indent(text: &str, byte: usize) -> usize {
+    let line = text[..byte].rfind('\n').map_or(0, |at| at + 1);
+    text[line..].len() - text[line..].trim_start_matches([' ', '\t']).len()
 }
 
 /// The word after the first of these words that stands in no brackets: `Name` in `struct Name;`.

@@ -396,15 +396,23 @@ fn replacement(body: &Body<'_>, lines: &Lines, edit: Edit) -> Replacement {
                 text: bracket.to_string(),
             }
         }
+        Edit::Insert(gap, '{') if gap > 0 => {
+            let at = body.lexemes[gap - 1].end;
+            let text = " {".to_owned();
+            Replacement {
+                range: at..at,
+                text,
+            }
+        }
         Edit::Insert(gap, bracket @ ('(' | '[' | '{')) => {
             let at = body
                 .lexemes
                 .get(gap)
                 .map_or(body.text.len(), |next| next.start);
-            let space = if bracket == '{' { " " } else { "" };
+            let text = bracket.to_string();
             Replacement {
                 range: at..at,
-                text: format!("{bracket}{space}"),
+                text,
             }
         }
         Edit::Insert(gap, bracket) => {
@@ -466,29 +474,21 @@ fn told(
                 ),
             )
         }
-        Edit::Insert(gap, bracket @ ('(' | '[' | '{')) => {
-            let word = shown(gap);
-            (
-                gap,
-                format!(
-                    "expected `{bracket}` before `{word}`: the `{}` after it closes nothing",
-                    partner(bracket)
-                ),
-            )
-        }
         Edit::Insert(gap, bracket) => {
             let last = gap.checked_sub(1)?;
-            let is_before = bracket != '}' && gap < body.lexemes.len() && lines.are_same(last, gap);
-            let (at, side) = if is_before {
-                (gap, "before")
-            } else {
+            let is_end = gap >= body.lexemes.len() || !lines.are_same(last, gap);
+            let (at, side) = if is_end || bracket == '}' {
                 (last, "after")
+            } else {
+                (gap, "before")
             };
-            let word = shown(at);
-            let open = open_before(body, gap).map(of)?;
+            let why = match bracket {
+                '(' | '[' | '{' => format!("the `{}` after it closes nothing", partner(bracket)),
+                _ => format!("{} is still open", open_before(body, gap).map(of)?),
+            };
             (
                 at,
-                format!("expected `{bracket}` {side} `{word}`: {open} is still open"),
+                format!("expected `{bracket}` {side} `{}`: {why}", shown(at)),
             )
         }
         Edit::Remove(index) if body.is_closing(index) => (

@@ -145,4 +145,6 @@ impl Body<'_> {
 }
 
 #[cfg(test)]
+mod measure;
+#[cfg(test)]
 mod tests;
