@@ -210,24 +210,28 @@ pub(super) fn lexed(
         return Err(excess);
     }
     let tokens = document.tokens(body);
-    let goes_on = scanner::goes_on(document.source().text(), declaration.whole.start, body.end);
+    let (text, start) = (document.source().text(), declaration.whole.start);
+    let is_doubtful = scanner::has_doubtful_end(text, start, body.end);
     let tokens = match tokens {
-        Ok(tokens) if !goes_on => return Ok(tokens),
+        Ok(tokens) if !is_doubtful => return Ok(tokens),
         tokens => tokens,
     };
-    // A brace too many ends it too early.
-    let longer = indented(document, declaration, body.end);
-    let longer = longer.filter(|slip| tokens.is_ok() || slip.change.is_some());
-    match longer {
+    // A brace too many ends it too early, one too few too late.
+    let slip_within = indented(document, declaration);
+    match slip_within.filter(|slip| tokens.is_ok() || slip.change.is_some()) {
         Some(slip) => Err(slip),
         None => tokens.map_err(|error| slip(document, declaration, body, &error)),
     }
 }
 
-/// The slip in a mechanism that ends, as it is indented, only after a byte.
-fn indented(document: &Document, declaration: &Declaration, after: usize) -> Option<Unlexed> {
-    let body = scanner::indented_body(document.source().text(), declaration.whole.start)?;
-    if body.end <= after || excess(document, &body).is_some() {
+/// The slip in a mechanism of a file of Rust that ends where it is indented so.
+fn indented(document: &Document, declaration: &Declaration) -> Option<Unlexed> {
+    let (text, whole) = (document.source().text(), &declaration.whole);
+    if declaration.body.as_ref() == Some(whole) {
+        return None;
+    }
+    let body = scanner::indented_body(text, whole.start)?;
+    if excess(document, &body).is_some() {
         return None;
     }
     let error = document.tokens(&body).err()?;
@@ -243,7 +247,7 @@ fn excess(document: &Document, body: &Range<usize>) -> Option<Unlexed> {
 /// A mechanism whose brackets are not closed.
 fn endless(document: &Document, declaration: &Declaration) -> Unlexed {
     let start = declaration.whole.start;
-    indented(document, declaration, start).unwrap_or_else(|| {
+    indented(document, declaration).unwrap_or_else(|| {
         Unlexed::new(
             start..start + 1,
             "this mechanism has no end: one of its brackets is not closed, or closed by another kind",

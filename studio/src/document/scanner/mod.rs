@@ -63,23 +63,23 @@ pub(super) fn indented_body(text: &str, call: usize) -> Option<Range<usize>> {
     Some(start..end)
 }
 
-/// Whether a call of ours seems to go on after its closing bracket: by a statement, which is no Rust, or by a brace that stands where one
-/// would close the call.
-pub(super) fn goes_on(text: &str, call: usize, close: usize) -> bool {
+/// Whether a call of ours seems to end elsewhere than at its closing bracket: that is indented less, or a statement follows, which is no
+/// Rust, or a brace that stands where one would close the call.
+pub(super) fn has_doubtful_end(text: &str, call: usize, close: usize) -> bool {
     let mut lexemes = Lexer::new(text, close).skip(1);
-    let Some(next) = lexemes.next() else {
-        return false;
-    };
-    match &text[next.start..next.end] {
-        "}" => {
-            indent(text, close) > indent(text, call)
-                && indent(text, next.start) == indent(text, call)
-        }
-        "const" | "use" => false,
-        word => {
-            STATEMENTS.contains(&word) && lexemes.next().is_some_and(|next| next.kind == Kind::Word)
-        }
-    }
+    let [call, close] = [call, close].map(|byte| indent(text, byte));
+    close < call
+        || lexemes
+            .next()
+            .is_some_and(|next| match &text[next.start..next.end] {
+                "}" => close > call && indent(text, next.start) == call,
+                "const" | "use" => false,
+                word => {
+                    let after = lexemes.next();
+                    STATEMENTS.contains(&word)
+                        && after.is_some_and(|after| after.kind == Kind::Word)
+                }
+            })
 }
 
 /// How far the line is indented in which a byte stands.

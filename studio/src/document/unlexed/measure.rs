@@ -92,7 +92,7 @@ fn statement(text: &str, code: &[bool], start: usize, byte: usize) -> Range<usiz
             _ => {}
         }
         base = base.min(depth);
-        if letter == b'}' && depth == base || letter == b';' && depth == base {
+        if matches!(letter, b'}' | b';') && depth == base {
             if at >= byte {
                 return start..at + 1;
             }
@@ -139,16 +139,12 @@ impl Slip {
     /// Makes one, at some place of a text.
     fn of(
         original: String,
-        is_rust: bool,
+        around: Around,
         kind: &(String, String),
         next: &mut impl FnMut(usize) -> usize,
     ) -> Option<Self> {
         let code = code(&original);
-        let inside = if is_rust {
-            BEFORE.len()..original.len() - AFTER.len()
-        } else {
-            0..original.len()
-        };
+        let inside = around[0].len()..original.len() - around[1].len();
         let places = original.match_indices(&kind.0).map(|(at, _)| at);
         let places: Vec<usize> = places
             .filter(|at| code[*at] && inside.contains(at))
@@ -167,8 +163,12 @@ impl Slip {
 
     /// Whether it is told within its statement, and whether its change gives the text back; none if there is no slip: the comment or
     /// the quote that it opens ends where another does.
-    fn judge(&self, is_rust: bool) -> Option<[bool; 2]> {
-        let path = if is_rust { "a.rs" } else { "a.mech" };
+    fn judge(&self, around: Around) -> Option<[bool; 2]> {
+        let path = if around[0].is_empty() {
+            "a.mech"
+        } else {
+            "a.rs"
+        };
         let document = Document::of(Source::new(path, &*self.text));
         proc_macro2::extra::invalidate_current_thread_spans();
         let Err(found) = reading::lexed(&document, &document.declarations()[0]) else {
@@ -187,14 +187,24 @@ impl Slip {
     }
 }
 
-/// What stands around a text in a file of Rust.
-const BEFORE: &str = "mechanism! {\n";
-const AFTER: &str = "}\n\nfn main() {}\n";
+/// What stands around a text: nothing in a file of its own, or Rust.
+type Around = [&'static str; 2];
+const AROUND: [Around; 3] = [
+    ["", ""],
+    ["mechanism! {\n", "}\n\nfn main() {}\n"],
+    ["fn main() {\n    mechanism! {\n", "    }\n}\n"],
+];
+
+fn placed(text: &str, [before, after]: Around) -> String {
+    let space = "    ".repeat(before.matches('\n').count());
+    let lines = text.lines().map(|line| format!("{space}{line}\n"));
+    format!("{before}{}{after}", lines.collect::<String>())
+}
 
 /// Makes slips in right texts, and judges what is told of them: by where they were made, and by what the text was.
 #[test]
 fn slips_in_right_texts() {
-    const OF_A_KIND: usize = 20;
+    const OF_A_KIND: usize = 14;
     let texts = texts();
     let mut seed = 1_u64;
     let mut next = |most: usize| {
@@ -207,14 +217,10 @@ fn slips_in_right_texts() {
     println!("slip, instead of what: made, placed, given back");
     for kind in kinds() {
         let mut counts = [0; 3];
-        for is_rust in [false, true] {
+        for around in AROUND {
             let mut slips = std::iter::repeat_with(|| {
-                let mut text = texts[next(texts.len())].clone();
-                if is_rust {
-                    let lines = text.lines().map(|line| format!("    {line}\n"));
-                    text = format!("{BEFORE}{}{AFTER}", lines.collect::<String>());
-                }
-                Slip::of(text, is_rust, &kind, &mut next)?.judge(is_rust)
+                let text = placed(&texts[next(texts.len())], around);
+                Slip::of(text, around, &kind, &mut next)?.judge(around)
             });
             for [is_placed, is_back] in slips.by_ref().flatten().take(OF_A_KIND) {
                 counts[0] += 1;

@@ -139,7 +139,7 @@ impl Body<'_> {
             } else {
                 format!("`{word}` is no word and no number")
             },
-            change: self.best(removal).map(|(_, change)| change),
+            change: self.best(removal).map(|((), change)| change),
         }
     }
 }
