@@ -9,6 +9,7 @@ mod rust;
 mod scanner;
 mod source;
 mod tree;
+mod unlexed;
 
 pub use listing::{Listing, NameText, NumberText};
 #[cfg(feature = "editor")]

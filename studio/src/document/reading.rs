@@ -3,7 +3,8 @@
 //! The compiler tells places by spans, which are worth something only until the next text is read. So everything that leaves this file
 //! has its place as a range of bytes in the file.
 
-use super::{Declaration, Document, library};
+use super::unlexed::{self, Unlexed};
+use super::{Declaration, Document, library, scanner};
 use crate::failure::Failure;
 use mech_compiler::model::{Model, Origin};
 use mech_compiler::repair::Offers;
@@ -179,7 +180,11 @@ fn imported(document: &Document, import: &Import) -> Option<TokenStream> {
     }
     let name = import.name()?;
     let here = document.parts.iter().find_map(|part| {
-        let tokens = tokens_of(document, part).ok()?;
+        let body = part.body.as_ref()?;
+        if excess(document, body).is_some() {
+            return None;
+        }
+        let tokens = document.tokens(body).ok()?;
         let part = PartText::read(&tokens).ok()?;
         (part.name == name).then_some(part.body)
     });
@@ -190,27 +195,80 @@ pub(super) fn tokens_of(
     document: &Document,
     declaration: &Declaration,
 ) -> Result<TokenStream, Message> {
-    let whole = &declaration.whole;
-    let body = declaration.body.as_ref().ok_or_else(|| Message {
-        place: whole.start..whole.start + 1,
-        text: "this mechanism has no end: one of its brackets is not closed, or closed by another kind".to_owned(),
-    })?;
-    let text = &document.source().text()[body.clone()];
-    limits::of_text(text).map_err(|excess| Message {
-        place: body.start + excess.place.start..body.start + excess.place.end,
-        text: excess.limit.to_string(),
-    })?;
-    document.tokens(body).map_err(|error| unlexed(&error, body))
+    lexed(document, declaration).map_err(|Unlexed { place, text, .. }| Message { place, text })
+}
+
+/// The tokens of a mechanism, or what keeps it from having any.
+pub(super) fn lexed(
+    document: &Document,
+    declaration: &Declaration,
+) -> Result<TokenStream, Unlexed> {
+    let Some(body) = &declaration.body else {
+        return Err(endless(document, declaration));
+    };
+    if let Some(excess) = excess(document, body) {
+        return Err(excess);
+    }
+    let tokens = document.tokens(body);
+    let (text, start) = (document.source().text(), declaration.whole.start);
+    let is_doubtful = scanner::has_doubtful_end(text, start, body.end);
+    let tokens = match tokens {
+        Ok(tokens) if !is_doubtful => return Ok(tokens),
+        tokens => tokens,
+    };
+    // A brace too many ends it too early, one too few too late.
+    let slip_within = indented(document, declaration);
+    match slip_within.filter(|slip| tokens.is_ok() || slip.change.is_some()) {
+        Some(slip) => Err(slip),
+        None => tokens.map_err(|error| slip(document, declaration, body, &error)),
+    }
+}
+
+/// The slip in a mechanism of a file of Rust that ends where it is indented so.
+fn indented(document: &Document, declaration: &Declaration) -> Option<Unlexed> {
+    let (text, whole) = (document.source().text(), &declaration.whole);
+    if declaration.body.as_ref() == Some(whole) {
+        return None;
+    }
+    let body = scanner::indented_body(text, whole.start)?;
+    if excess(document, &body).is_some() {
+        return None;
+    }
+    let error = document.tokens(&body).err()?;
+    Some(slip(document, declaration, &body, &error))
+}
+
+fn excess(document: &Document, body: &Range<usize>) -> Option<Unlexed> {
+    let excess = limits::of_text(&document.source().text()[body.clone()]).err()?;
+    let place = body.start + excess.place.start..body.start + excess.place.end;
+    Some(Unlexed::new(place, excess.limit.to_string()))
+}
+
+/// A mechanism whose brackets are not closed.
+fn endless(document: &Document, declaration: &Declaration) -> Unlexed {
+    let start = declaration.whole.start;
+    indented(document, declaration).unwrap_or_else(|| {
+        Unlexed::new(
+            start..start + 1,
+            "this mechanism has no end: one of its brackets is not closed, or closed by another kind",
+        )
+    })
 }
 
 /// A text that does not even consist of words, numbers and marks.
-fn unlexed(error: &LexError, body: &Range<usize>) -> Message {
-    let place = error.span().byte_range();
-    let is_inside = place.start < place.end && body.start <= place.start && place.end <= body.end;
-    Message {
-        place: if is_inside { place } else { body.clone() },
-        text: "this is no text of Rust: a quote or a bracket may be without its partner".to_owned(),
-    }
+fn slip(
+    document: &Document,
+    declaration: &Declaration,
+    body: &Range<usize>,
+    error: &LexError,
+) -> Unlexed {
+    let at = error.span().byte_range().start;
+    unlexed::slip(document.source(), body, at, &|text| {
+        let tokens: TokenStream = text.parse().ok()?;
+        let text = with_parts(document, declaration, tokens.clone()).unwrap_or(tokens);
+        let parsed = catch(|| syntax::parse(text)).ok()?;
+        Some(parsed.errors.len())
+    })
 }
 
 /// An instance of a part from elsewhere.

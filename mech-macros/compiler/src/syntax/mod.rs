@@ -17,6 +17,7 @@ pub mod spelling;
 mod tests;
 mod written;
 
+pub use grammar::STATEMENTS;
 pub use listing::{ListedName, ListedNumber, Listing, Noun};
 pub use place::{Message, Place, Places};
 pub use source::{Edit, Edits, Rewriter, Source, StatementText, Tokens};

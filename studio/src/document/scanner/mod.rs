@@ -1,6 +1,7 @@
 //! Finds the calls of macros in a Rust file, without reading the rest: it may be wrong in any way.
 
 use crate::text::{Kind, Lexeme, Lexer};
+use mech_compiler::syntax::STATEMENTS;
 use std::ops::Range;
 
 /// A call of a macro.
@@ -45,6 +46,46 @@ pub(super) fn calls<'t>(text: &'t str, names: &[&str]) -> Vec<Call<'t>> {
         };
     }
     found
+}
+
+/// What a call has in its brackets as it is indented: up to a `}` that is indented no further than its first line, or up to the end.
+pub(super) fn indented_body(text: &str, call: usize) -> Option<Range<usize>> {
+    let mut lexemes = Lexer::new(text, call);
+    let start = lexemes.find(|lexeme| lexeme.kind == Kind::Open)?.end;
+    let most = indent(text, call);
+    let mut end = start;
+    for line in text[start..].split_inclusive('\n') {
+        if end > start && line.trim_start().starts_with('}') && indent(text, end) <= most {
+            break;
+        }
+        end += line.len();
+    }
+    Some(start..end)
+}
+
+/// Whether a call of ours seems to end elsewhere than at its closing bracket: that is indented less, or a statement follows, which is no
+/// Rust, or a brace that stands where one would close the call.
+pub(super) fn has_doubtful_end(text: &str, call: usize, close: usize) -> bool {
+    let mut lexemes = Lexer::new(text, close).skip(1);
+    let [call, close] = [call, close].map(|byte| indent(text, byte));
+    close < call
+        || lexemes
+            .next()
+            .is_some_and(|next| match &text[next.start..next.end] {
+                "}" => close > call && indent(text, next.start) == call,
+                "const" | "use" => false,
+                word => {
+                    let after = lexemes.next();
+                    STATEMENTS.contains(&word)
+                        && after.is_some_and(|after| after.kind == Kind::Word)
+                }
+            })
+}
+
+/// How far the line is indented in which a byte stands.
+fn indent(text: &str, byte: usize) -> usize {
+    let line = text[..byte].rfind('\n').map_or(0, |at| at + 1);
+    text[line..].len() - text[line..].trim_start_matches([' ', '\t']).len()
 }
 
 /// The word after the first of these words that stands in no brackets: `Name` in `struct Name;`.

@@ -3,7 +3,7 @@
 use syn::parse::ParseStream;
 
 /// The words that a statement may begin with.
-pub(super) const STATEMENTS: [&str; 25] = [
+pub const STATEMENTS: [&str; 25] = [
     "const",
     "param",
     "ground",

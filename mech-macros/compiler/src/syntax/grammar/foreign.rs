@@ -1,8 +1,9 @@
-//! Functions and operators of other languages, and how they are written here.
+//! Functions, operators and comments of other languages, and how they are written here.
 
 use crate::syntax::ast::{Expr, ExprKind};
 use crate::syntax::written::{in_product, with_degrees};
 use crate::syntax::{Message, Place};
+use syn::parse::ParseStream;
 
 /// Functions that look like one of ours, but are another.
 const FUNCTIONS: [&str; 24] = [
@@ -76,4 +77,12 @@ pub(super) fn remainder(number: &Expr, divisor: &Expr) -> Message {
     let place: Place = number.place.to(divisor.place);
     let text = format!("there is no `%`; write `mod({number}, {divisor})`");
     Message::new(place, text)
+}
+
+/// Returns the message about a `#` that begins no attribute.
+pub(super) fn comment(input: ParseStream) -> Option<Message> {
+    let (mark, rest) = input.cursor().punct()?;
+    let is_comment = mark.as_char() == '#' && rest.any_group().is_none() && rest.punct().is_none();
+    let text = "a comment begins with `//`, not with `#`";
+    is_comment.then(|| Message::new(Place::at(mark.span()), text))
 }

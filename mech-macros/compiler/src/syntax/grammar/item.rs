@@ -4,6 +4,7 @@ use super::beginning::{ITEMS, STATEMENTS, at_beginning};
 use super::ending::missing_after;
 use super::expression::{direction, expression, pair, read_labelled};
 use super::figure::{self, corners};
+use super::foreign;
 use super::misplaced;
 use super::recover::{or_skip, skip, to_semicolon};
 use super::tokens::{
@@ -28,7 +29,8 @@ pub(super) fn items(input: ParseStream) -> Read<Vec<Item>> {
 
 fn item(input: ParseStream) -> Item {
     let Some(keyword) = any_word(input) else {
-        let otherwise = expected_message(input, "`point`, `line`, `circle` or `polygon`");
+        let otherwise = foreign::comment(input)
+            .unwrap_or_else(|| expected_message(input, "`point`, `line`, `circle` or `polygon`"));
         if take(input, ";").is_none() {
             take_tree(input);
             skip(input, &ITEMS);

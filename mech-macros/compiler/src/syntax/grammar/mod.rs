@@ -20,6 +20,8 @@ mod tokens;
 mod trace;
 mod unit;
 
+pub use beginning::STATEMENTS;
+
 use super::ast::{Statement, Text};
 use super::limits;
 use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};

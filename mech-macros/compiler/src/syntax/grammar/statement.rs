@@ -7,7 +7,7 @@ use super::recover::{broken_statement, or_skip, read_declared, skip, to_semicolo
 use super::tokens::{
     any_word, comes, comes_word, expected_message, message_of, name, symbol, take, take_tree,
 };
-use super::{action, item, joint, method, misplaced, part, setting};
+use super::{action, foreign, item, joint, method, misplaced, part, setting};
 use crate::syntax::ast::{Broken, Constant, Ground, Link, Read, Statement, Text};
 use crate::syntax::{Message, Place, spelling};
 use proc_macro2::{Ident, Span};
@@ -86,6 +86,7 @@ fn out_of_place(name: Option<&Ident>, first: bool, headed: bool) -> Option<Messa
 
 fn attributes(input: ParseStream) -> Read<Vec<Attribute>> {
     or_skip(input, &STATEMENTS, |input| {
+        foreign::comment(input).map_or(Ok(()), Err)?;
         Attribute::parse_outer(input).map_err(|error| message_of(&error))
     })
 }
