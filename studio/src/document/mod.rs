@@ -20,6 +20,7 @@ pub use source::{LONGEST, Source, Spot};
 pub(crate) use tree::TextTree;
 
 use crate::failure::Failure;
+use crate::text::Replacement;
 use mech_compiler::model::Model;
 use proc_macro2::TokenStream;
 use std::ops::Range;
@@ -245,6 +246,11 @@ impl Document {
             found.extend(reading::faults_of_part(self, part)?);
         }
         Ok(found)
+    }
+
+    /// The change after which the text of one of its mechanisms lexes, if it does not, and one is known.
+    pub(crate) fn change_to_lex(&self, declaration: &Declaration) -> Option<Replacement> {
+        reading::lexed(self, declaration).err()?.change
     }
 
     /// The tokens of a range, whose places are those in the file.

@@ -4,15 +4,19 @@ use super::{Mending, Remainder};
 use crate::document::{Declaration, Document, Message, Source};
 use crate::failure::Failure;
 use crate::text::{Kind, Lexeme, Lexer, Replacement, keyword::KEYWORDS, written};
+use mech_compiler::model::Model;
 use mech_compiler::syntax::spelling;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// Changes are looked for near so many messages.
 const MESSAGES: usize = 3;
-/// So many changes of a text are tried at most, and so many bytes are read for that.
+/// So many changes of a text are tried at most. In all, so many bytes are read for that, of which a link or joint counts for some.
 const MOST: usize = 600;
-const BYTES: usize = 2 << 20;
+const BYTES: usize = 1 << 20;
+const EACH: usize = 200;
+/// Changes of so many letters are not written out in words.
+const LONG: usize = 40;
 /// So many other ends of joints are tried, each of which takes an analysis.
 const ATTACHMENTS: usize = 60;
 /// So many that make it move are enough.
@@ -31,13 +35,17 @@ struct Slip {
 pub(super) fn mendings_of_slips(
     document: &Document,
     declaration: &Declaration,
-    messages: &[Message],
+    (messages, model): (&[Message], &Model),
 ) -> Result<Vec<Mending>, Failure> {
+    let mut trials = Trials::new(document, declaration)?;
+    if let Some(change) = document.change_to_lex(declaration) {
+        trials.lex(change)?;
+        return Ok(trials.found());
+    }
     let Some(near) = Near::new(document, declaration) else {
         return Ok(Vec::new());
     };
-    let mut trials = Trials::new(document, declaration)?;
-    let most = MOST.min(BYTES / document.source().text().len().max(1));
+    let most = MOST.min(BYTES / cost(document, model));
     let messages = messages.iter().take(MESSAGES);
     let slips = messages.flat_map(|message| near.slips(&message.place));
     for slip in slips.take(most) {
@@ -53,22 +61,30 @@ pub(super) fn mendings_of_slips(
 pub(super) fn attachments(
     document: &Document,
     declaration: &Declaration,
-    messages: &[Message],
-    links: &[&str],
+    (messages, model): (&[Message], &Model),
 ) -> Result<Vec<Mending>, Failure> {
+    let links = model
+        .declared_links()
+        .map(|link| model.link(link).name.as_str());
+    let links: Vec<&str> = ["ground"].into_iter().chain(links).collect();
     let Some(near) = Near::new(document, declaration) else {
         return Ok(Vec::new());
     };
     let mut trials = Trials::new(document, declaration)?;
-    let most = ATTACHMENTS.min(BYTES / document.source().text().len().max(1));
+    let most = ATTACHMENTS.min(BYTES / cost(document, model) / 4);
     let places = messages.iter().map(|message| &message.place);
-    for slip in near.attachments(places, links).take(most) {
+    for slip in near.attachments(places, &links).take(most) {
         if trials.whole.len() == PARTIAL {
             break;
         }
         trials.attempt(slip)?;
     }
     Ok(trials.whole)
+}
+
+/// How much there is to read in a text, in bytes.
+fn cost(document: &Document, model: &Model) -> usize {
+    document.source().text().len() + EACH * (1 + model.links.len() + model.joints.len())
 }
 
 /// The changes that were tried so far.
@@ -92,6 +108,38 @@ impl<'d> Trials<'d> {
             whole: Vec::new(),
             partial: Vec::new(),
         })
+    }
+
+    /// Makes the change after which the text lexes, whatever else is wrong with it.
+    fn lex(&mut self, change: Replacement) -> Result<(), Failure> {
+        let source = self.document.source();
+        let (before, range) = (&source.text()[change.range.clone()], &change.range);
+        let is_long = before.len().max(change.text.len()) > LONG;
+        let follows = source.text()[range.end..].split_whitespace().next();
+        let words = match (before, &*change.text) {
+            _ if is_long => "write it with the signs of the keyboard".to_owned(),
+            ("", text) => format!(
+                "write `{}` before `{}`",
+                text.trim(),
+                follows.unwrap_or("the end")
+            ),
+            (before, "") => format!("remove `{before}`"),
+            (before, text) => format!("write `{text}` for `{before}`"),
+        };
+        let edits = vec![change];
+        let text = written(source.text(), &edits);
+        self.attempt(Slip {
+            words: words.clone(),
+            edits,
+        })?;
+        if self.whole.is_empty() && self.partial.is_empty() {
+            self.partial.push(Mending {
+                words,
+                remainder: Remainder::OtherFaults,
+                text,
+            });
+        }
+        Ok(())
     }
 
     /// Makes a change, and looks at what comes of it.
