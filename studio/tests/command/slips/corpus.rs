@@ -1,21 +1,16 @@
 //! The correct texts of the project.
 
-use super::dice::Dice;
 use crate::run::repository;
 use mech_compiler::model::Model;
 use mech_studio::{Document, Reading, Source};
 use std::fs;
 use std::path::Path;
-use std::rc::Rc;
 
 /// A text that moves, and its mechanism.
 pub(super) struct Correct {
     pub(super) text: String,
     pub(super) model: Model,
 }
-
-/// Texts that may be correct, and those of them that are known to be.
-pub(super) struct Corpus(Vec<(String, Option<Option<Rc<Correct>>>)>);
 
 /// Reads a mechanism of a file of its own.
 pub(super) fn analyse(text: &str) -> (Document, Reading) {
@@ -25,8 +20,8 @@ pub(super) fn analyse(text: &str) -> (Document, Reading) {
     (document, reading)
 }
 
-/// Reads all texts of these folders that may be correct.
-pub(super) fn read() -> Corpus {
+/// Reads all correct texts of these folders.
+pub(super) fn read() -> Vec<Correct> {
     const FOLDERS: [&str; 5] = [
         "docs",
         "examples",
@@ -40,9 +35,14 @@ pub(super) fn read() -> Corpus {
     }
     found.sort();
     found.dedup();
-    Corpus(found.into_iter().map(|text| (text, None)).collect())
+    let correct = found.into_iter().filter_map(|text| {
+        let Reading { model, result, .. } = analyse(&text).1;
+        result.is_ok().then_some(Correct { text, model })
+    });
+    correct.collect()
 }
 
+/// Collects what may be correct.
 fn collect(path: &Path, found: &mut Vec<String>) {
     if path.is_dir() {
         let entries = fs::read_dir(path).expect("a folder");
@@ -71,21 +71,4 @@ fn collect(path: &Path, found: &mut Vec<String>) {
         }
     }
     found.retain(|one| one.contains("struct "));
-}
-
-impl Corpus {
-    /// One of the texts, if it is correct.
-    pub(super) fn pick(&mut self, dice: &mut Dice) -> Option<Rc<Correct>> {
-        let index = dice.below(self.0.len());
-        let (text, known) = &mut self.0[index];
-        let known = known.get_or_insert_with(|| {
-            let (_, reading) = analyse(text);
-            let (text, model) = (text.clone(), reading.model);
-            reading
-                .result
-                .ok()
-                .map(|_| Rc::new(Correct { text, model }))
-        });
-        known.clone()
-    }
 }

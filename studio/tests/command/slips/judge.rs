@@ -33,14 +33,14 @@ pub(super) struct Said {
 }
 
 /// Judges the answer to a slip; none if it changes nothing.
-pub(super) fn judge(correct: &Correct, slip: Slip) -> Option<Answer> {
+pub(super) fn judge(correct: &Correct, slip: &Slip) -> Option<Answer> {
     if sorted(&slip.text) == sorted(&correct.text) {
         return None;
     }
     let start = Instant::now();
     let (document, reading) = analyse(&slip.text);
     let check = start.elapsed();
-    let line = line(&slip);
+    let line = format!("{}: {}", correct.model.name, line(slip));
     let Err(faults) = &reading.result else {
         let is_same = without_places(&reading.model) == without_places(&correct.model);
         let (said, fix) = (None, Duration::ZERO);
@@ -72,7 +72,7 @@ pub(super) fn judge(correct: &Correct, slip: Slip) -> Option<Answer> {
         shortened(first.text.lines().next().unwrap_or("")),
     );
     let said = Some(Said {
-        is_placed: is_placed(&slip, first),
+        is_placed: is_placed(slip, first),
         is_single: faults.messages.len() == 1,
         is_mended: found
             .iter()
@@ -132,7 +132,8 @@ fn statement(slip: &Slip) -> Range<usize> {
         .filter(|one| ";{}".contains(&slip.text[one.start..one.end]))
         .collect();
     let before = ends.iter().rfind(|one| one.end <= slip.place.start);
-    let after = ends.iter().find(|one| one.start >= slip.place.end);
+    // Whole statements end where they end.
+    let after = ends.iter().find(|one| one.end >= slip.place.end);
     before.map_or(0, |one| one.end)..after.map_or(slip.text.len(), |one| one.end)
 }
 
@@ -145,8 +146,7 @@ fn is_placed(slip: &Slip, message: &Message) -> bool {
         let mut words = text.split(|one| !is_of_word(one));
         words.any(|word| slip.names.iter().any(|name| name == word))
     };
-    let title = message.text.lines().next().unwrap_or("");
-    !is_whole && (is_near || names(title) || names(&slip.text[place.clone()]))
+    !is_whole && (is_near || names(&message.text) || names(&slip.text[place.clone()]))
 }
 
 /// The lines on which the slip stands.

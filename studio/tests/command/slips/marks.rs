@@ -91,14 +91,37 @@ pub(super) const KINDS: &[(&str, Make)] = &[
             text.is_number(one - 1)
         })
     }),
+    ("ratio of one number", |text, dice| {
+        let is_ratio = |one: usize| text.is_number(one - 1) && text.is_number(one + 1);
+        let index = text.find(dice, |one| text.is(one, ":") && is_ratio(one))?;
+        let start = text.lexemes[index].start;
+        Some(text.with(start..text.end_of_number(index + 1), ""))
+    }),
+    ("coordinates with names", |text, dice| {
+        let index = text.find(dice, |one| is_place(text, one))?;
+        let numbers = &text.text[text.bytes(index + 1..text.partner(index)?)];
+        let numbers = format!("x = {}", numbers.replacen(", ", ", y = ", 1));
+        Some(text.instead(index + 1..text.partner(index)?, &numbers))
+    }),
     ("point of three numbers", |text, dice| {
         let index = text.find(dice, |one| is_place(text, one))?;
         let end = text.lexemes[text.partner(index)?].start;
         Some(text.with(end..end, ", 0"))
     }),
+    ("place without brackets", |text, dice| {
+        let index = text.find(dice, |one| is_place(text, one))?;
+        let inside = index + 1..text.partner(index)?;
+        let numbers = &text.text[text.bytes(inside.clone())];
+        Some(text.instead(index..inside.end + 1, numbers))
+    }),
+    ("comment without an end", |text, dice| {
+        let index = text.find(dice, |one| text.is_head(one))?;
+        let start = text.lexemes[index].start;
+        Some(text.with(start..start, "/* to be measured "))
+    }),
     ("point of one number", |text, dice| {
         let index = text.find(dice, |one| is_place(text, one))?;
-        let comma = (index..).find(|&one| text.is(one, ","))?;
+        let comma = (index..text.partner(index)?).find(|&one| text.is(one, ","))?;
         Some(text.instead(comma..text.partner(index)?, ""))
     }),
 ];

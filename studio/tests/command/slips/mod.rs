@@ -18,11 +18,11 @@ use judge::judge;
 use text::{Slip, Text};
 
 /// Floors over all kinds, in percent of the slips that are refused. The goals are 98, 97 and 70.
-const PLACED: usize = 0;
-const SINGLE: usize = 0;
-const MENDED: usize = 0;
-/// Repairs that promise to be enough, and are not: at most so many in a hundred slips. The goal is 0.
-const DISHONEST: usize = 100;
+const PLACED: usize = 83;
+const SINGLE: usize = 82;
+const MENDED: usize = 1;
+/// Repairs that promise to be enough, and are not, in a hundred slips, rounded up. The goal is 0.
+const DISHONEST: usize = 1;
 
 /// Makes one slip in a text, if there is a place for it.
 type Make = fn(&Text<'_>, &mut Dice) -> Option<Slip>;
@@ -32,21 +32,20 @@ fn slips_of_a_hand_are_answered() {
     let is_all = std::env::var("SLIPS").is_ok_and(|asked| asked == "all");
     let seed = std::env::var("SLIPS_SEED").ok();
     let mut dice = Dice::new(seed.and_then(|seed| seed.parse().ok()).unwrap_or(1));
-    let mut corpus = corpus::read();
+    let corpus = corpus::read();
+    println!("{} correct texts", corpus.len());
     let kinds = [words::KINDS, marks::KINDS, statements::KINDS].concat();
     let mut rows = Vec::new();
     for (name, make) in kinds {
         let mut answers = Vec::new();
         // Not all texts have a place for each slip, and some slips change nothing.
-        for _ in 0..if is_all { 400 } else { 60 } {
+        for _ in 0..if is_all { 2000 } else { 400 } {
             if answers.len() == if is_all { 60 } else { 6 } {
                 break;
             }
-            let Some(correct) = corpus.pick(&mut dice) else {
-                continue;
-            };
+            let correct = dice.pick(&corpus);
             let slip = make(&Text::of(&correct.text), &mut dice);
-            answers.extend(slip.and_then(|slip| judge(&correct, slip)));
+            answers.extend(slip.and_then(|slip| judge(correct, &slip)));
         }
         rows.push((name, answers));
     }

@@ -3,6 +3,7 @@
 use super::Make;
 use super::dice::Dice;
 use super::text::{Slip, Text};
+use super::words::is_argument;
 use std::ops::Range;
 
 pub(super) const KINDS: &[(&str, Make)] = &[
@@ -28,6 +29,47 @@ pub(super) const KINDS: &[(&str, Make)] = &[
     }),
     ("ground forgotten", |text, dice| {
         forget(text, dice, &["ground"])
+    }),
+    ("`allow` forgotten", |text, dice| {
+        forget(text, dice, &["allow"])
+    }),
+    ("`struct` forgotten", |text, dice| {
+        let header = text.statement(dice, &["struct", "pub"], |_| true)?;
+        let names = vec!["struct".to_owned()];
+        Some(text.instead(header, "").told_by(names))
+    }),
+    ("`near` forgotten", |text, dice| {
+        let near = text.find(dice, |one| {
+            one > 0 && text.is(one, "near") && text.is_head(one - 1)
+        })?;
+        let end = (near..text.lexemes.len()).find(|&one| text.is(one, ";"))?;
+        let names = text.names(near - 1..end);
+        Some(text.instead(near - 1..end + 1, "").told_by(names))
+    }),
+    ("effect outside of `effects`", |text, dice| {
+        let effects = text.statement(dice, &["effects"], |_| true)?;
+        let inside = effects.start + 2..effects.end - 1;
+        let inside = &text.text[text.bytes(inside)];
+        Some(text.instead(effects, inside))
+    }),
+    ("port forgotten", |text, dice| {
+        let index = text.find(dice, |one| is_argument(text, one, "{"))?;
+        let end = end_of_argument(text, index)?;
+        let is_last = !text.is(end, ",");
+        let names = vec![text.word(index).to_owned()];
+        Some(
+            text.instead(index..if is_last { end } else { end + 1 }, "")
+                .told_by(names),
+        )
+    }),
+    ("number of a part without value", |text, dice| {
+        let index = text.find(dice, |one| is_argument(text, one, "("))?;
+        Some(text.instead(index + 1..end_of_argument(text, index)?, ""))
+    }),
+    ("motor on a link", |text, dice| {
+        let motor = text.statement(dice, &["motor"], |one| text.is_used(one.start + 1))?;
+        let link = text.find(dice, |one| one > 0 && text.is(one - 1, "link"))?;
+        Some(text.instead(motor.start + 1..motor.start + 2, text.word(link)))
     }),
     ("motor twice", |text, dice| double(text, dice, &["motor"])),
     ("name twice", |text, dice| {
@@ -74,10 +116,21 @@ pub(super) const KINDS: &[(&str, Make)] = &[
     }),
 ];
 
-/// Leaves one of the statements with these first words out.
+/// Leaves one of the statements with these first words out; one whose name is used.
 fn forget(text: &Text<'_>, dice: &mut Dice, heads: &[&str]) -> Option<Slip> {
-    let left_out = text.statement(dice, heads, |_| true)?;
-    let names = text.names(left_out.clone());
+    let name = |one: &Range<usize>| text.word(one.start + 1);
+    let is_used = |one: &Range<usize>| {
+        let mut others = (0..text.lexemes.len()).filter(|&other| !one.contains(&other));
+        let is_joint = text.is(one.start, "joint");
+        is_joint
+            || !text.is_declared(one.start + 1)
+            || others.any(|other| text.is(other, name(one)))
+    };
+    let left_out = text.statement(dice, heads, is_used)?;
+    let mut names = text.names(left_out.clone());
+    // A mechanism without any motor has no place for one.
+    let head = text.word(left_out.start);
+    names.extend(["motor", "allow"].contains(&head).then(|| head.to_owned()));
     Some(text.instead(left_out, "").told_by(names))
 }
 
@@ -99,4 +152,12 @@ fn ends(text: &Text<'_>, dice: &mut Dice) -> Option<[Range<usize>; 2]> {
     let comma = (open..joint.end).find(|&one| text.is(one, ","))?;
     let close = text.partner(open)?;
     (text.is(open, "(") && comma < close).then(|| [open + 1..comma, comma + 1..close])
+}
+
+/// The mark after a port or number of a part, and what it gets.
+fn end_of_argument(text: &Text<'_>, index: usize) -> Option<usize> {
+    let open = text.bracket(index)?;
+    let close = text.partner(open)?;
+    let is_end = |one: &usize| text.is(*one, ",") && text.bracket(*one) == Some(open);
+    Some((index..close).find(is_end).unwrap_or(close))
 }

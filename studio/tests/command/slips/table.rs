@@ -41,7 +41,7 @@ fn print_row(name: &str, answers: &[&Answer]) -> Total {
         placed: share(|one| one.is_placed),
         single: share(|one| one.is_single),
         mended: share(|one| one.is_mended),
-        dishonest: percent(dishonest),
+        dishonest: (dishonest * 100).div_ceil(said.len().max(1)),
     };
     println!(
         "| {name} | {} | {} | {} | {} | {} | {dishonest} | {} | {} |",

@@ -28,10 +28,17 @@ pub(super) const KINDS: &[(&str, Make)] = &[
         let is_known = (0..text.lexemes.len()).any(|one| text.word(one) == other);
         (!is_known).then(|| text.instead(index..index + 1, &other))
     }),
+    ("name in quotes", |text, dice| {
+        let index = text.find(dice, |one| text.is_declared(one) || text.is_used(one))?;
+        Some(text.instead(index..index + 1, &format!("\"{}\"", text.word(index))))
+    }),
+    ("point in brackets", |text, dice| {
+        let is_path = |one| text.is_name(one - 1) && text.is_name(one + 1);
+        let index = text.find(dice, |one| text.is(one, ".") && is_path(one))?;
+        Some(text.instead(index..index + 2, &format!("[{}]", text.word(index + 1))))
+    }),
     ("keyword misspelt", |text, dice| {
-        text.misspell(dice, |one| {
-            text.is_head(one) && KEYWORDS.contains(&text.word(one))
-        })
+        text.misspell(dice, |one| is_keyword(text, one))
     }),
     ("kind of a joint misspelt", |text, dice| {
         text.misspell(dice, |one| is_kind(text, one))
@@ -41,16 +48,19 @@ pub(super) const KINDS: &[(&str, Make)] = &[
             EFFECTS.contains(&text.word(one)) && text.is_head(one)
         })
     }),
+    ("function misspelt", |text, dice| {
+        text.misspell(dice, |one| {
+            ["sin", "cos", "sqrt", "asin", "exp"].contains(&text.word(one))
+        })
+    }),
     ("keyword left out", |text, dice| {
-        let fits =
-            |one| text.is_head(one) && KEYWORDS.contains(&text.word(one)) || is_kind(text, one);
+        let fits = |one| is_keyword(text, one) || is_kind(text, one);
         let index = text.find(dice, fits)?;
         let names = vec![text.word(index).to_owned()];
         Some(text.instead(index..index + 1, "").told_by(names))
     }),
     ("keyword doubled", |text, dice| {
-        let fits =
-            |one| text.is_head(one) && KEYWORDS.contains(&text.word(one)) || is_kind(text, one);
+        let fits = |one| is_keyword(text, one) || is_kind(text, one);
         let index = text.find(dice, fits)?;
         let word = text.word(index);
         Some(text.instead(index..index + 1, &format!("{word} {word}")))
@@ -115,6 +125,10 @@ const JOINTS: [&str; 8] = [
     "cam",
 ];
 
+fn is_keyword(text: &Text<'_>, index: usize) -> bool {
+    text.is_head(index) && KEYWORDS.contains(&text.word(index))
+}
+
 fn is_kind(text: &Text<'_>, index: usize) -> bool {
     index > 0 && JOINTS.contains(&text.word(index)) && text.is(index - 1, "=")
 }
@@ -124,7 +138,7 @@ fn is_preposition(text: &Text<'_>, index: usize) -> bool {
 }
 
 /// Whether a port or a number of a part gets something there.
-fn is_argument(text: &Text<'_>, index: usize, bracket: &str) -> bool {
+pub(super) fn is_argument(text: &Text<'_>, index: usize, bracket: &str) -> bool {
     let is_in = |open: usize| {
         let head = (0..open).rev().find(|&one| text.is_head(one));
         text.is(open, bracket) && head.is_some_and(|head| text.is(head, "use"))
