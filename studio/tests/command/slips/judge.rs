@@ -4,7 +4,7 @@ use super::corpus::{Correct, analyse};
 use super::text::{Slip, Text};
 use mech_compiler::model::Model;
 use mech_compiler::structure::Diagnosis;
-use mech_compiler::syntax::lexer::{Lexer, is_of_word};
+use mech_compiler::syntax::lexer::{Lexeme, Lexer, is_of_word};
 use mech_studio::{Message, Remainder, mendings};
 use std::ops::Range;
 use std::time::{Duration, Instant};
@@ -132,8 +132,9 @@ fn statement(slip: &Slip) -> Range<usize> {
         .filter(|one| ";{}".contains(&slip.text[one.start..one.end]))
         .collect();
     let before = ends.iter().rfind(|one| one.end <= slip.place.start);
-    // Whole statements end where they end.
-    let after = ends.iter().find(|one| one.end >= slip.place.end);
+    // Whole statements end where they end; a mark alone has statements on both sides.
+    let is_after = |one: &&Lexeme| one.end >= slip.place.end && one.start > slip.place.start;
+    let after = ends.iter().find(is_after);
     before.map_or(0, |one| one.end)..after.map_or(slip.text.len(), |one| one.end)
 }
 

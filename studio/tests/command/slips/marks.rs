@@ -5,32 +5,21 @@ use super::dice::Dice;
 use super::text::{Slip, Text};
 use mech_compiler::syntax::lexer::Kind;
 
+#[rustfmt::skip]
 pub(super) const KINDS: &[(&str, Make)] = &[
     ("`;` missing", |text, dice| swap(text, dice, ";", &[""])),
     ("`;` doubled", |text, dice| swap(text, dice, ";", &[";;"])),
     ("`,` missing", |text, dice| swap(text, dice, ",", &[""])),
     ("`,` doubled", |text, dice| swap(text, dice, ",", &[",,"])),
     ("`;` and `,` exchanged", |text, dice| {
-        let other = if dice.once_in(2) {
-            [";", ","]
-        } else {
-            [",", ";"]
-        };
+        let other = if dice.once_in(2) { [";", ","] } else { [",", ";"] };
         swap(text, dice, other[0], &other[1..])
     }),
-    ("bracket lost", |text, dice| {
-        bracket(text, dice, |_, _| String::new())
-    }),
-    ("bracket doubled", |text, dice| {
-        bracket(text, dice, |old, _| [old, old].concat())
-    }),
+    ("bracket lost", |text, dice| bracket(text, dice, |_, _| String::new())),
+    ("bracket doubled", |text, dice| bracket(text, dice, |old, _| [old, old].concat())),
     ("bracket of another kind", |text, dice| {
         bracket(text, dice, |old, dice| {
-            let all = if "([{".contains(old) {
-                ["(", "[", "{"]
-            } else {
-                [")", "]", "}"]
-            };
+            let all = if "([{".contains(old) { ["(", "[", "{"] } else { [")", "]", "}"] };
             let others = all.into_iter().filter(|one| *one != old);
             (*dice.pick(&others.collect::<Vec<_>>())).to_owned()
         })
@@ -41,26 +30,14 @@ pub(super) const KINDS: &[(&str, Make)] = &[
         let is_arrow = |one| text.is(one, "->");
         text.exchange(dice, (&[old], &[new]), |one| old == "->" || !is_arrow(one))
     }),
-    ("`°` for `deg`", |text, dice| {
-        swap(text, dice, "deg", &["°"])
-    }),
-    ("`=` exchanged", |text, dice| {
-        text.exchange(dice, (&["="], &[":", "", "==", ":="]), |one| {
-            !text.is(one - 1, ".")
-        })
-    }),
+    ("`°` for `deg`", |text, dice| swap(text, dice, "deg", &["°"])),
+    ("`=` exchanged", |text, dice| text.exchange(dice, (&["="], &[":", "", "==", ":="]), |one| !text.is(one - 1, "."))),
     ("`:` exchanged", |text, dice| {
         let is_path = |one: usize| text.is(one, "::") || text.is(one - 1, "::");
-        text.exchange(dice, (&[":"], &["=", ";", "", "::"]), |one| {
-            !is_path(one) && !text.is_number(one - 1)
-        })
+        text.exchange(dice, (&[":"], &["=", ";", "", "::"]), |one| !is_path(one) && !text.is_number(one - 1))
     }),
-    ("`->` exchanged", |text, dice| {
-        swap(text, dice, "->", &["=>", "-", ">", ",", "→", "to"])
-    }),
-    ("`..=` exchanged", |text, dice| {
-        swap(text, dice, "..=", &["..", "...", "to", "-", ",", "=.."])
-    }),
+    ("`->` exchanged", |text, dice| swap(text, dice, "->", &["=>", "-", ">", ",", "→", "to"])),
+    ("`..=` exchanged", |text, dice| swap(text, dice, "..=", &["..", "...", "to", "-", ",", "=.."])),
     ("`.` of a path exchanged", |text, dice| {
         let is_path = |one| text.is_name(one - 1) && text.is_name(one + 1);
         text.exchange(dice, (&["."], &[",", ":", "::", "->", " ", "_"]), is_path)
@@ -74,23 +51,11 @@ pub(super) const KINDS: &[(&str, Make)] = &[
         let end = text.bytes(dice.pick(&all).clone()).end;
         Some(text.with(end..end, " # to be measured\n"))
     }),
-    ("`deg` left out", |text, dice| {
-        swap(text, dice, "deg", &[""])
-    }),
-    ("`deg` on a length", |text, dice| {
-        unit(text, dice, &[" deg"])
-    }),
-    ("unit of a length", |text, dice| {
-        unit(text, dice, &[" cm", " mm", "cm", "mm", " m"])
-    }),
-    ("unit of an angle", |text, dice| {
-        swap(text, dice, "deg", &["rad", "degrees", "degree", "grad"])
-    }),
-    ("ratio with another mark", |text, dice| {
-        text.exchange(dice, (&[":"], &["/", ",", "to"]), |one| {
-            text.is_number(one - 1)
-        })
-    }),
+    ("`deg` left out", |text, dice| swap(text, dice, "deg", &[""])),
+    ("`deg` on a length", |text, dice| unit(text, dice, &[" deg"])),
+    ("unit of a length", |text, dice| unit(text, dice, &[" cm", " mm", "cm", "mm", " m"])),
+    ("unit of an angle", |text, dice| swap(text, dice, "deg", &["rad", "degrees", "degree", "grad"])),
+    ("ratio with another mark", |text, dice| text.exchange(dice, (&[":"], &["/", ",", "to"]), |one| text.is_number(one - 1))),
     ("ratio of one number", |text, dice| {
         let is_ratio = |one: usize| text.is_number(one - 1) && text.is_number(one + 1);
         let index = text.find(dice, |one| text.is(one, ":") && is_ratio(one))?;
@@ -137,11 +102,8 @@ fn bracket(text: &Text<'_>, dice: &mut Dice, other: fn(&str, &mut Dice) -> Strin
     let other = other(text.word(index), dice);
     let mut slip = text.instead(index..index + 1, &other);
     let partner = &text.lexemes[text.partner(index)?];
-    slip.place.start = slip.place.start.min(partner.start);
-    slip.place.end = slip
-        .place
-        .end
-        .max((partner.end + other.len()).saturating_sub(1));
+    let end = (partner.end + other.len()).max(slip.place.end + 1) - 1;
+    slip.place = slip.place.start.min(partner.start)..end;
     Some(slip)
 }
 

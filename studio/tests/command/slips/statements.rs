@@ -6,6 +6,7 @@ use super::text::{Slip, Text};
 use super::words::is_argument;
 use std::ops::Range;
 
+#[rustfmt::skip]
 pub(super) const KINDS: &[(&str, Make)] = &[
     ("`link a, b;`", |text, dice| {
         let is_bare = |one: &Range<usize>| one.len() == 3;
@@ -14,34 +15,20 @@ pub(super) const KINDS: &[(&str, Make)] = &[
         })?;
         Some(text.instead(first.end - 1..first.end + 1, ","))
     }),
-    ("joint forgotten", |text, dice| {
-        forget(text, dice, &["joint"])
-    }),
+    ("joint forgotten", |text, dice| forget(text, dice, &["joint"])),
     ("link forgotten", |text, dice| forget(text, dice, &["link"])),
-    ("point forgotten", |text, dice| {
-        forget(text, dice, &["point", "line"])
-    }),
-    ("const forgotten", |text, dice| {
-        forget(text, dice, &["const", "param"])
-    }),
-    ("motor forgotten", |text, dice| {
-        forget(text, dice, &["motor"])
-    }),
-    ("ground forgotten", |text, dice| {
-        forget(text, dice, &["ground"])
-    }),
-    ("`allow` forgotten", |text, dice| {
-        forget(text, dice, &["allow"])
-    }),
+    ("point forgotten", |text, dice| forget(text, dice, &["point", "line"])),
+    ("const forgotten", |text, dice| forget(text, dice, &["const", "param"])),
+    ("motor forgotten", |text, dice| forget(text, dice, &["motor"])),
+    ("ground forgotten", |text, dice| forget(text, dice, &["ground"])),
+    ("`allow` forgotten", |text, dice| forget(text, dice, &["allow"])),
     ("`struct` forgotten", |text, dice| {
         let header = text.statement(dice, &["struct", "pub"], |_| true)?;
         let names = vec!["struct".to_owned()];
         Some(text.instead(header, "").told_by(names))
     }),
     ("`near` forgotten", |text, dice| {
-        let near = text.find(dice, |one| {
-            one > 0 && text.is(one, "near") && text.is_head(one - 1)
-        })?;
+        let near = text.find(dice, |one| one > 0 && text.is(one, "near") && text.is_head(one - 1))?;
         let end = (near..text.lexemes.len()).find(|&one| text.is(one, ";"))?;
         let names = text.names(near - 1..end);
         Some(text.instead(near - 1..end + 1, "").told_by(names))
@@ -55,12 +42,9 @@ pub(super) const KINDS: &[(&str, Make)] = &[
     ("port forgotten", |text, dice| {
         let index = text.find(dice, |one| is_argument(text, one, "{"))?;
         let end = end_of_argument(text, index)?;
-        let is_last = !text.is(end, ",");
+        let end = end + usize::from(text.is(end, ","));
         let names = vec![text.word(index).to_owned()];
-        Some(
-            text.instead(index..if is_last { end } else { end + 1 }, "")
-                .told_by(names),
-        )
+        Some(text.instead(index..end, "").told_by(names))
     }),
     ("number of a part without value", |text, dice| {
         let index = text.find(dice, |one| is_argument(text, one, "("))?;
@@ -72,20 +56,13 @@ pub(super) const KINDS: &[(&str, Make)] = &[
         Some(text.instead(motor.start + 1..motor.start + 2, text.word(link)))
     }),
     ("motor twice", |text, dice| double(text, dice, &["motor"])),
-    ("name twice", |text, dice| {
-        double(
-            text,
-            dice,
-            &["link", "joint", "point", "line", "const", "param"],
-        )
-    }),
+    ("name twice", |text, dice| double(text, dice, &["link", "joint", "point", "line", "const", "param"])),
     ("joint pasted under another name", |text, dice| {
         let joint = text.statement(dice, &["joint"], |_| true)?;
-        let line = &text.text[text.bytes(joint.clone())];
-        let name = text.word(joint.start + 1);
-        let copy = line.replacen(name, &format!("{name}2"), 1);
+        let start = &text.text[text.bytes(joint.start..joint.start + 2)];
+        let others = &text.text[text.bytes(joint.start + 2..joint.end)];
         let end = text.bytes(joint).end;
-        Some(text.with(end..end, &format!("\n{copy}")))
+        Some(text.with(end..end, &format!("\n{start}2 {others}")))
     }),
     ("joint with itself", |text, dice| {
         let [first, second] = ends(text, dice)?;
@@ -107,13 +84,7 @@ pub(super) const KINDS: &[(&str, Make)] = &[
         let link = text.find(dice, is_other)?;
         Some(text.instead(end.start..end.start + 1, text.word(link)))
     }),
-    ("another kind of joint", |text, dice| {
-        text.exchange(
-            dice,
-            (&["revolute"], &["prismatic", "gear", "slot"]),
-            |_| true,
-        )
-    }),
+    ("another kind of joint", |text, dice| text.exchange(dice, (&["revolute"], &["prismatic", "gear", "slot"]), |_| true)),
 ];
 
 /// Leaves one of the statements with these first words out; one whose name is used.

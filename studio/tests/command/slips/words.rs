@@ -3,15 +3,13 @@
 use super::Make;
 use super::text::Text;
 
+#[rustfmt::skip]
 pub(super) const KINDS: &[(&str, Make)] = &[
-    ("name misspelt where used", |text, dice| {
-        text.misspell(dice, |one| text.is_used(one))
-    }),
+    ("name misspelt where used", |text, dice| text.misspell(dice, |one| text.is_used(one))),
     ("name misspelt where declared", |text, dice| {
         let times = |index| {
             let all = 0..text.lexemes.len();
-            all.filter(|&one| text.word(one) == text.word(index))
-                .count()
+            all.filter(|&one| text.word(one) == text.word(index)).count()
         };
         text.misspell(dice, |one| text.is_declared(one) && times(one) > 2)
     }),
@@ -37,31 +35,17 @@ pub(super) const KINDS: &[(&str, Make)] = &[
         let index = text.find(dice, |one| text.is(one, ".") && is_path(one))?;
         Some(text.instead(index..index + 2, &format!("[{}]", text.word(index + 1))))
     }),
-    ("keyword misspelt", |text, dice| {
-        text.misspell(dice, |one| is_keyword(text, one))
-    }),
-    ("kind of a joint misspelt", |text, dice| {
-        text.misspell(dice, |one| is_kind(text, one))
-    }),
-    ("effect misspelt", |text, dice| {
-        text.misspell(dice, |one| {
-            EFFECTS.contains(&text.word(one)) && text.is_head(one)
-        })
-    }),
-    ("function misspelt", |text, dice| {
-        text.misspell(dice, |one| {
-            ["sin", "cos", "sqrt", "asin", "exp"].contains(&text.word(one))
-        })
-    }),
+    ("keyword misspelt", |text, dice| text.misspell(dice, |one| is_keyword(text, one))),
+    ("kind of a joint misspelt", |text, dice| text.misspell(dice, |one| is_kind(text, one))),
+    ("effect misspelt", |text, dice| text.misspell(dice, |one| is_of(text, one, EFFECTS) && text.is_head(one))),
+    ("function misspelt", |text, dice| text.misspell(dice, |one| is_of(text, one, FUNCTIONS))),
     ("keyword left out", |text, dice| {
-        let fits = |one| is_keyword(text, one) || is_kind(text, one);
-        let index = text.find(dice, fits)?;
+        let index = text.find(dice, |one| is_keyword(text, one) || is_kind(text, one))?;
         let names = vec![text.word(index).to_owned()];
         Some(text.instead(index..index + 1, "").told_by(names))
     }),
     ("keyword doubled", |text, dice| {
-        let fits = |one| is_keyword(text, one) || is_kind(text, one);
-        let index = text.find(dice, fits)?;
+        let index = text.find(dice, |one| is_keyword(text, one) || is_kind(text, one))?;
         let word = text.word(index);
         Some(text.instead(index..index + 1, &format!("{word} {word}")))
     }),
@@ -79,62 +63,37 @@ pub(super) const KINDS: &[(&str, Make)] = &[
         let index = text.find(dice, |one| is_preposition(text, one))?;
         Some(text.instead(index..index + 1, ""))
     }),
-    ("colour misspelt", |text, dice| {
-        text.misspell(dice, |one| {
-            one > 0 && text.is(one - 1, "color") && text.is_name(one)
-        })
-    }),
-    ("port misspelt", |text, dice| {
-        text.misspell(dice, |one| is_argument(text, one, "{"))
-    }),
+    ("colour misspelt", |text, dice| text.misspell(dice, |one| one > 0 && text.is(one - 1, "color") && text.is_name(one))),
+    ("port misspelt", |text, dice| text.misspell(dice, |one| is_argument(text, one, "{"))),
     ("number of a part misspelt", |text, dice| {
         let index = text.find(dice, |one| is_argument(text, one, "("))?;
         let word = text.word(index);
-        let other = text
-            .misspelt(index, dice)
-            .unwrap_or_else(|| [word, word].concat());
+        let other = text.misspelt(index, dice).unwrap_or_else(|| [word, word].concat());
         Some(text.instead(index..index + 1, &other))
     }),
 ];
 
-const KEYWORDS: [&str; 14] = [
-    "struct", "const", "param", "ground", "link", "point", "line", "part", "port", "use", "joint",
-    "motor", "start", "effects",
-];
+const KEYWORDS: &str =
+    "struct const param ground link point line part port use joint motor start effects";
+const EFFECTS: &str =
+    "velocity acceleration force dynamics overlay trace sensitivity redundant coupled";
+const JOINTS: &str = "revolute prismatic slot weld gear belt rack cam";
+const FUNCTIONS: &str = "sin cos sqrt asin exp";
 
-const EFFECTS: [&str; 9] = [
-    "velocity",
-    "acceleration",
-    "force",
-    "dynamics",
-    "overlay",
-    "trace",
-    "sensitivity",
-    "redundant",
-    "coupled",
-];
-
-const JOINTS: [&str; 8] = [
-    "revolute",
-    "prismatic",
-    "slot",
-    "weld",
-    "gear",
-    "belt",
-    "rack",
-    "cam",
-];
+fn is_of(text: &Text<'_>, index: usize, words: &str) -> bool {
+    words.split(' ').any(|word| word == text.word(index))
+}
 
 fn is_keyword(text: &Text<'_>, index: usize) -> bool {
-    text.is_head(index) && KEYWORDS.contains(&text.word(index))
+    text.is_head(index) && is_of(text, index, KEYWORDS)
 }
 
 fn is_kind(text: &Text<'_>, index: usize) -> bool {
-    index > 0 && JOINTS.contains(&text.word(index)) && text.is(index - 1, "=")
+    index > 0 && is_of(text, index, JOINTS) && text.is(index - 1, "=")
 }
 
 fn is_preposition(text: &Text<'_>, index: usize) -> bool {
-    ["at", "along", "near", "in"].contains(&text.word(index)) && !text.is_head(index)
+    is_of(text, index, "at along near in") && !text.is_head(index)
 }
 
 /// Whether a port or a number of a part gets something there.
