@@ -38,7 +38,7 @@ pub(super) const KINDS: &[(&str, Make)] = &[
     ("keyword misspelt", |text, dice| text.misspell(dice, |one| is_keyword(text, one))),
     ("kind of a joint misspelt", |text, dice| text.misspell(dice, |one| is_kind(text, one))),
     ("effect misspelt", |text, dice| text.misspell(dice, |one| is_of(text, one, EFFECTS) && text.is_head(one))),
-    ("word within a statement misspelt", |text, dice| text.misspell(dice, |one| is_of(text, one, WITHIN) && !text.is_head(one))),
+    ("word within a statement misspelt", |text, dice| text.misspell(dice, |one| is_of(text, one, WITHIN) && !text.is_declared(one) && !text.is_used(one))),
     ("function misspelt", |text, dice| text.misspell(dice, |one| is_of(text, one, FUNCTIONS))),
     ("keyword left out", |text, dice| {
         let index = text.find(dice, |one| is_keyword(text, one) || is_kind(text, one))?;
