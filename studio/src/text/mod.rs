@@ -1,6 +1,7 @@
 //! Texts as they stand: their words, and changes of them.
 
 mod draft;
+pub(crate) mod keyword;
 mod masked;
 mod number;
 mod places;

@@ -36,7 +36,7 @@ fn an_analysis_is_ended_and_taken_up_again() {
     user.at_once(|editor| editor.type_text(TEXT));
     user.settle();
     assert!(user.editor().player().is_some());
-    let long = chain(600);
+    let long = chain(1200);
     user.at_once(|editor| editor.type_text(&long));
     stop(&mut user, "Analysing");
     // What was known is still there, and the text is as it was typed.
@@ -53,7 +53,7 @@ fn an_analysis_is_ended_and_taken_up_again() {
 #[test]
 fn a_line_is_ended_that_takes_its_time() {
     let mut user = User::with_threads();
-    let long = chain(600);
+    let long = chain(1200);
     user.at_once(|editor| editor.type_text(&long));
     stop(&mut user, "Analysing");
     let lines = [
@@ -82,7 +82,7 @@ fn arrows_are_ended_and_come_when_they_are_wanted_again() {
     let mut user = User::with_threads();
     // Their painting would take most of the time.
     user.show("Bodies");
-    user.at_once(|editor| editor.type_text(&chain(120)));
+    user.at_once(|editor| editor.type_text(&chain(700)));
     user.wait_until("it does not play", |user| user.editor().player().is_some());
     user.show("Velocities");
     stop(&mut user, "arrows");

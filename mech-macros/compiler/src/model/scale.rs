@@ -23,7 +23,7 @@ impl Precision {
 }
 
 impl Model {
-    /// Why its loops could not be solved, if it has any: it is too large or too small. One without any length has no size.
+    /// Why its loops could not be solved, or it could not be drawn: it is too large or too small. One without any length has no size.
     #[must_use]
     pub fn scale_trouble(&self) -> Option<ScaleTrouble> {
         let holds = |kind: JointKind| {
@@ -37,12 +37,12 @@ impl Model {
         let has_loops = joints.count() >= self.links.len();
         let size = self.size();
         let [least, most] = self.precision.lengths();
-        if !has_loops || size == 0.0 {
-            None
-        } else if size > most {
+        // Without loops squares of its lengths are enough, to draw it.
+        let least = if has_loops { least } else { least * least };
+        if has_loops && size > most {
             Some(ScaleTrouble::TooLarge)
         } else {
-            (size < least).then_some(ScaleTrouble::TooSmall)
+            (size > 0.0 && size < least).then_some(ScaleTrouble::TooSmall)
         }
     }
 }

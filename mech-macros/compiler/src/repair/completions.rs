@@ -5,9 +5,9 @@ use super::declaration::{
     Declaration, Ends, NewJoint, NewKind, NewNames, Purpose, drawn_joint, turns_freely,
 };
 use super::joined::Joined;
-use super::sketch::{DrawnPin, LooseEnd, Scene, Sketch, distance, unjoined_points};
+use super::sketch::{DrawnPin, LooseEnd, Scene, Sketch, distance, unjoined};
 use crate::digits::round_to;
-use crate::model::{AxisId, JointId, JointKind, LinkId, Model};
+use crate::model::{AxisId, AxisKind, JointId, JointKind, LinkId, Model};
 
 /// Ends that are no farther apart than this part of the size may be meant to be one.
 const NEAR: f64 = 0.15;
@@ -22,7 +22,7 @@ pub(super) fn joints(model: &Model, sketch: &Sketch) -> Vec<Repair> {
     let joined = Joined::of(model);
     let kinds = [
         meeting_joints(model, sketch, &joined),
-        points(model, &joined),
+        between_axes(model, &joined),
         reaching_joints(model, sketch, &joined, &bare),
         alone(model, sketch, &joined),
         below(model, sketch, &joined, &bare),
@@ -75,33 +75,53 @@ fn meeting_joints<'s>(model: &Model, sketch: &'s Sketch, joined: &Joined) -> Vec
     found.into_iter().map(joint).take(FEW).collect()
 }
 
-/// The joints between points of links with frames of their own: those of one name first.
-fn points(model: &Model, joined: &Joined) -> Vec<Repair> {
-    let free = unjoined_points(model);
+/// The joints between points and lines of links with frames of their own: pins, guides and slots, those of one name first.
+fn between_axes(model: &Model, joined: &Joined) -> Vec<Repair> {
+    let [points, lines] = [AxisKind::Point, AxisKind::Line].map(|kind| unjoined(model, kind));
     let scene = Scene::of(model);
     let link = |id: AxisId| model.axis(id).link;
     let own = |id: AxisId| !scene.has(link(id));
-    let mut pairs: Vec<[AxisId; 2]> = Vec::new();
-    for (number, &b) in free.iter().enumerate() {
-        let before = free[..number].iter().map(|&a| [a, b]);
-        pairs.extend(before.filter(|[a, b]| {
-            let links = [link(*a), link(*b)];
-            links[0] != links[1] && (own(*a) || own(*b)) && !joined.are_joined(links)
-        }));
+    let along = |line: AxisId| model.axis(line).direction;
+    let mut pairs: Vec<(NewKind, [AxisId; 2])> = Vec::new();
+    for (number, &b) in points.iter().enumerate() {
+        let before = points[..number].iter();
+        pairs.extend(before.map(|&a| (NewKind::Revolute, [a, b])));
     }
+    for (number, &b) in lines.iter().enumerate() {
+        let before = lines[..number].iter();
+        pairs.extend(before.map(|&a| (NewKind::Prismatic(along(a)), [a, b])));
+        pairs.extend(points.iter().map(|&a| (NewKind::Slot(along(b)), [a, b])));
+    }
+    pairs.retain(|(_, [a, b])| {
+        let links = [link(*a), link(*b)];
+        links[0] != links[1] && (own(*a) || own(*b)) && !joined.are_joined(links)
+    });
     let differ = |[a, b]: &[AxisId; 2]| model.axis(*a).name != model.axis(*b).name;
-    pairs.sort_by_key(differ);
-    pairs.truncate(FEW);
-    let joint = |[a, b]: [AxisId; 2]| {
-        let joint = NewJoint {
-            name: NewNames::new(model).like(model.axis(b).name.as_deref(), "pin"),
-            kind: NewKind::Revolute,
-            ends: Ends::Points([a, b]),
+    // Of each kind the likeliest.
+    let mut all = Vec::new();
+    for word in ["pin", "guide", "slot"] {
+        let of_word = |kind: &NewKind| match kind {
+            NewKind::Revolute | NewKind::Weld => "pin",
+            NewKind::Prismatic(_) => "guide",
+            NewKind::Slot(_) => "slot",
         };
-        let apart = 0.0;
-        Declaration::joint(Purpose::Join { apart }, joint).into()
-    };
-    pairs.into_iter().map(joint).collect()
+        let mut some: Vec<_> = pairs
+            .iter()
+            .filter(|(kind, _)| of_word(kind) == word)
+            .collect();
+        some.sort_by_key(|(_, ends)| differ(ends));
+        let joint = |&&(kind, [a, b]): &&(NewKind, [AxisId; 2])| {
+            let joint = NewJoint {
+                name: NewNames::new(model).like(model.axis(b).name.as_deref(), word),
+                kind,
+                ends: Ends::Points([a, b]),
+            };
+            let apart = 0.0;
+            Declaration::joint(Purpose::Join { apart }, joint).into()
+        };
+        all.extend(some.iter().take(FEW).map(joint));
+    }
+    all
 }
 
 fn on_ground(model: &Model, link: LinkId, name: Option<&str>, at: [f64; 2]) -> Repair {

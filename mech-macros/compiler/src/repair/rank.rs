@@ -31,6 +31,7 @@ impl<'m> Ranking<'m> {
                 Purpose::Connect => (9, 0),
                 Purpose::Stiffen => (10, 0),
             },
+            Repair::RemoveJoint(joint) if self.is_copy(*joint) => (0, 2),
             Repair::RemoveLink(link) if self.incomplete => (1, link.index()),
             Repair::RemoveLink(link) if self.is_brace(*link) => (2, link.index()),
             Repair::RemoveJoint(joint) if self.pins_again(*joint) => (4, joint.index()),
@@ -65,6 +66,18 @@ impl<'m> Ranking<'m> {
     fn pins_again(&self, joint: JointId) -> bool {
         let (a, b) = self.model.ends(joint);
         (a == LinkId::GROUND || b == LinkId::GROUND) && self.is_shared(joint)
+    }
+
+    /// Whether a joint pins the same links together as one that was declared before it.
+    fn is_copy(&self, joint: JointId) -> bool {
+        let ends = |joint: JointId| {
+            let (a, b) = self.model.ends(joint);
+            (a.min(b), a.max(b))
+        };
+        let mut pins = self.pins.iter();
+        let pin = pins.find(|pin| pin.joints.contains(&joint));
+        let mut others = pin.into_iter().flat_map(|pin| &pin.joints);
+        others.any(|&other| other < joint && ends(other) == ends(joint))
     }
 
     /// Whether more than two links turn on the pin of a joint.

@@ -52,7 +52,7 @@ impl Sketch {
                 _ => {}
             }
         }
-        for id in unjoined_points(model) {
+        for id in unjoined(model, AxisKind::Point) {
             let axis = model.axis(id);
             let name = axis.name.clone();
             if scene.draws(axis) {
@@ -134,16 +134,16 @@ fn joined_axes(model: &Model) -> impl Iterator<Item = AxisId> + '_ {
     axes.flatten()
 }
 
-/// The named points that no joint makes coincide with another. Traced points are left out: they need no joint.
-pub(super) fn unjoined_points(model: &Model) -> Vec<AxisId> {
+/// The named points or lines that no joint makes coincide with another. Traced points are left out: they need no joint.
+pub(super) fn unjoined(model: &Model, kind: AxisKind) -> Vec<AxisId> {
     let ids = (0..model.axes.len()).map(AxisId::new);
     let joined: HashSet<AxisId> = joined_axes(model).collect();
     let traced: HashSet<AxisId> = model.traces.iter().map(|trace| trace.point).collect();
     let is_free = |id: &AxisId| {
         let axis = model.axis(*id);
         let named = axis.name.is_some() && !axis.varies();
-        let point = axis.kind == AxisKind::Point && model.link(axis.link).die.is_none();
-        named && point && !traced.contains(id) && !joined.contains(id)
+        let own = axis.kind == kind && model.link(axis.link).die.is_none();
+        named && own && !traced.contains(id) && !joined.contains(id)
     };
     ids.filter(is_free).collect()
 }

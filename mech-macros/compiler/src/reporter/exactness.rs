@@ -65,7 +65,7 @@ impl Words<'_> {
     pub(super) fn too_small(&self) -> String {
         let (scalar, [least, _]) = (self.scalar(), self.model.precision.lengths());
         format!(
-            "all lengths of this mechanism are too small for `{scalar}`: its loops are solved with fourth powers of lengths\nhelp: use a \
+            "all lengths of this mechanism are too small for `{scalar}`: it is solved and drawn with powers of them, which vanish\nhelp: use a \
              smaller unit, in which some length is at least {least:e}"
         )
     }

@@ -90,8 +90,8 @@ pub(super) enum Statement {
 pub(super) struct Broken {
     /// The message about it.
     pub error: Message,
-    /// The name that it seems to declare: whoever refers to it is not to blame.
-    pub name: Option<Ident>,
+    /// The names that it seems to declare: whoever refers to them is not to blame.
+    pub names: Vec<Ident>,
 }
 
 /// `const NAME = value;` or `param name = value;`

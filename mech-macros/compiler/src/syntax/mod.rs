@@ -12,7 +12,7 @@ mod name;
 mod place;
 mod shape;
 mod source;
-mod spelling;
+pub mod spelling;
 #[cfg(test)]
 mod tests;
 mod written;

@@ -2,22 +2,29 @@
 
 /// The candidate that looks most like the word, if one does.
 pub(super) fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
+    let alike = alike(word, candidates.iter().copied()).into_iter();
+    alike
+        .min_by_key(|(distance, _)| *distance)
+        .map(|(_, near)| near)
+}
+
+/// The candidates that look like the word, with the number of letters in which they are others.
+pub fn alike<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Vec<(usize, &'a str)> {
     let length = word.chars().count();
     // A third of the letters, but never all of them: one letter is like no other.
     let limit = (length / 3).max(1).min(length.saturating_sub(1));
     // Of most names length and letters tell that they are others.
     let own = letters(word);
-    let alike = candidates.iter().filter(|name| {
+    let near = candidates.filter(|name| {
         let other = letters(name);
         let more = |a: u64, b: u64| (a & !b).count_ones() as usize;
         let is_long = name.len().abs_diff(length) > limit;
         let is_ascii = name.is_ascii() && word.is_ascii();
         !(is_ascii && (is_long || more(own, other).max(more(other, own)) > limit))
     });
-    let near = alike.map(|candidate| (distance(word, candidate, limit), *candidate));
-    let near = near.filter_map(|(distance, candidate)| Some((distance?, candidate)));
-    near.min_by_key(|(distance, _)| *distance)
-        .map(|(_, candidate)| candidate)
+    let near = near.map(|candidate| (distance(word, candidate, limit), candidate));
+    near.filter_map(|(distance, candidate)| Some((distance?, candidate)))
+        .collect()
 }
 
 /// The end of a message about an unknown word: what it may have meant, or else what there is to choose from.

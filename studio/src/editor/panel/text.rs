@@ -5,6 +5,7 @@ use crate::editor::drag::Drag;
 use crate::editor::drawing::Drawing;
 use crate::editor::selection::Selection;
 use crate::editor::{Editor, Item};
+use crate::text::keyword::is_keyword;
 use crate::text::{Kind, Lexer, masked, written};
 use eframe::egui;
 use eframe::egui::text::{LayoutJob, TextFormat};
@@ -220,14 +221,6 @@ fn pieces(text: &str, range: Range<usize>, marks: &Marks) -> Vec<Range<usize>> {
     cuts.sort_unstable();
     cuts.dedup();
     cuts.windows(2).map(|ends| ends[0]..ends[1]).collect()
-}
-
-/// Whether a word begins a statement, or stands in one for something fixed.
-fn is_keyword(word: &str) -> bool {
-    const KEYWORDS: &str = "struct link ground point line joint motor const param start near at along on plane color \
-        revolute prismatic slot weld gear belt rack cam spring damper load mass inertia part \
-        port use look trace show effects circle polygon radius deg method accuracy gravity allow";
-    KEYWORDS.split(' ').any(|keyword| keyword == word)
 }
 
 fn marks(editor: &Editor) -> Marks {

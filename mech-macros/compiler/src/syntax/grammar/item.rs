@@ -35,7 +35,7 @@ fn item(input: ParseStream) -> Item {
         }
         return Item::Broken(Broken {
             error: otherwise,
-            name: None,
+            names: Vec::new(),
         });
     };
     match keyword.to_string().as_str() {
@@ -76,7 +76,10 @@ fn unknown_item(input: ParseStream, keyword: &Ident) -> Item {
         name(input, "a name").ok()
     };
     skip(input, &ITEMS);
-    Item::Broken(Broken { error, name })
+    Item::Broken(Broken {
+        error,
+        names: name.into_iter().collect(),
+    })
 }
 
 fn axis(input: ParseStream, kind: AxisKind) -> Item {
@@ -86,7 +89,12 @@ fn axis(input: ParseStream, kind: AxisKind) -> Item {
     };
     let name = match or_skip(input, &ITEMS, |input| name(input, what)) {
         Ok(name) => name,
-        Err(error) => return Item::Broken(Broken { error, name: None }),
+        Err(error) => {
+            return Item::Broken(Broken {
+                error,
+                names: Vec::new(),
+            });
+        }
     };
     let value = to_semicolon(input, &ITEMS, |input| axis_value(input, kind));
     Item::Axis(Axis { kind, name, value })
@@ -132,7 +140,10 @@ fn shape(input: ParseStream, keyword: Span, outline: fn(ParseStream) -> Read<Out
     });
     match shape {
         Ok(shape) => Item::Shape(shape),
-        Err(error) => Item::Broken(Broken { error, name: None }),
+        Err(error) => Item::Broken(Broken {
+            error,
+            names: Vec::new(),
+        }),
     }
 }
 
@@ -238,7 +249,10 @@ fn polygon(input: ParseStream) -> Read<Outline> {
 fn matter(input: ParseStream, keyword: Span, kind: fn(ParseStream) -> Read<MatterKind>) -> Item {
     match to_semicolon(input, &ITEMS, kind) {
         Ok(kind) => Item::Matter(Box::new(Matter { keyword, kind })),
-        Err(error) => Item::Broken(Broken { error, name: None }),
+        Err(error) => Item::Broken(Broken {
+            error,
+            names: Vec::new(),
+        }),
     }
 }
 

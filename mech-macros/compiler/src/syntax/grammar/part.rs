@@ -56,7 +56,7 @@ pub(super) fn used(input: ParseStream) -> Statement {
             Ok(used) => Statement::Use(Box::new(used)),
             Err(error) => Statement::Broken(Broken {
                 error,
-                name: Some(unread),
+                names: vec![unread],
             }),
         }
     })

@@ -57,7 +57,10 @@ fn ends_with_braces(tree: Option<TokenTree>) -> bool {
 
 /// A statement without a name that could not be read.
 pub(super) fn broken_statement(error: Message) -> Statement {
-    Statement::Broken(Broken { error, name: None })
+    Statement::Broken(Broken {
+        error,
+        names: Vec::new(),
+    })
 }
 
 /// Reads the name that a statement declares; without one, the statement is lost.

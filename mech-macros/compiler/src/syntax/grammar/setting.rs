@@ -83,7 +83,10 @@ fn after_step(input: ParseStream) -> Read<()> {
 pub(super) fn start(input: ParseStream, keyword: Span) -> Statement {
     match or_skip(input, &STATEMENTS, |input| in_braces(input, "`{`", clause)) {
         Ok(clauses) => Statement::Start(Start { keyword, clauses }),
-        Err(error) => Statement::Broken(Broken { error, name: None }),
+        Err(error) => Statement::Broken(Broken {
+            error,
+            names: Vec::new(),
+        }),
     }
 }
 
@@ -118,7 +121,10 @@ pub(super) fn effects(input: ParseStream, keyword: Span) -> Statement {
     };
     match or_skip(input, &STATEMENTS, in_braces) {
         Ok(effects) => Statement::Effects { keyword, effects },
-        Err(error) => Statement::Broken(Broken { error, name: None }),
+        Err(error) => Statement::Broken(Broken {
+            error,
+            names: Vec::new(),
+        }),
     }
 }
 

@@ -5,7 +5,7 @@ use super::expression::expression;
 use super::header::{self, Line};
 use super::recover::{broken_statement, or_skip, read_declared, skip, to_semicolon};
 use super::tokens::{
-    any_word, comes_word, expected_message, message_of, name, symbol, take, take_tree,
+    any_word, comes, comes_word, expected_message, message_of, name, symbol, take, take_tree,
 };
 use super::{action, item, joint, method, misplaced, part, setting};
 use crate::syntax::ast::{Broken, Constant, Ground, Link, Read, Statement, Text};
@@ -177,7 +177,10 @@ fn left_behind(input: ParseStream, error: Message) -> Statement {
         name(input, "a name").ok()
     };
     skip(input, &STATEMENTS);
-    Statement::Broken(Broken { error, name })
+    Statement::Broken(Broken {
+        error,
+        names: name.into_iter().collect(),
+    })
 }
 
 /// Reads `NAME = value;`.
@@ -208,6 +211,23 @@ fn refuse_type(input: ParseStream) -> Read<()> {
     ))
 }
 
+/// Complains about several links in one statement.
+fn several_links(input: ParseStream, first: Ident) -> Statement {
+    let mut names = vec![first];
+    while take(input, ",").is_some() {
+        names.extend(any_word(input));
+    }
+    skip(input, &STATEMENTS);
+    let place = Place::at(names[0].span()).to(Place::at(names[names.len() - 1].span()));
+    let statements: Vec<String> = names.iter().map(|name| format!("link {name};")).collect();
+    let text = format!(
+        "each link has its own statement; write `{}`",
+        statements.join(" ")
+    );
+    let error = Message::new(place, text);
+    Statement::Broken(Broken { error, names })
+}
+
 fn ground(input: ParseStream, keyword: Span) -> Statement {
     let items = or_skip(input, &STATEMENTS, item::items);
     Statement::Ground(Ground { keyword, items })
@@ -216,6 +236,9 @@ fn ground(input: ParseStream, keyword: Span) -> Statement {
 fn link(input: ParseStream) -> Statement {
     let begin = input.cursor();
     read_declared(input, "the name of a link", |input, name| {
+        if comes(input, ",") {
+            return several_links(input, name);
+        }
         let items = or_skip(input, &STATEMENTS, |input| item::body(input, begin));
         Statement::Link(Link { name, items })
     })

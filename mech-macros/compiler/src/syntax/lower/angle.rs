@@ -1,4 +1,4 @@
-//! Plain numbers of more than a turn, which may have been meant in degrees.
+//! Plain numbers that may have been meant in degrees, and degrees where no angle stands.
 
 use super::report::Report;
 use crate::model::Range;
@@ -24,6 +24,48 @@ pub(super) fn ask_about_degrees(report: &mut Report, [low, high]: &[Expr; 2], ra
         let what = format!("`{low} ..= {high}` is in radians, more than a turn");
         let offer = format!("{} ..= {}", with_degrees(low), with_degrees(high));
         offer_degrees(report, low.place.to(high.place), &what, &offer);
+    }
+}
+
+/// Whether one end of a range, or the step in it, is a plain number beside degrees. Told if so.
+pub(super) fn is_half_in_degrees(report: &mut Report, numbers: &[&Expr]) -> bool {
+    let with = numbers.iter().find(|number| is_in_degrees(number));
+    let without = numbers
+        .iter()
+        .find(|number| is_plain(number) && !is_zero(number));
+    let (Some(with), Some(without)) = (with, without) else {
+        return false;
+    };
+    let what = format!("`{without}` is in radians, beside `{with}`");
+    offer_degrees(report, without.place, &what, &with_degrees(without));
+    true
+}
+
+/// Whether a number is written in degrees.
+pub(super) fn is_in_degrees(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Degrees(_) => true,
+        ExprKind::Negative(inner) => is_in_degrees(inner),
+        ExprKind::Sum(parts) => parts.iter().any(|(_, part)| is_in_degrees(part)),
+        _ => false,
+    }
+}
+
+/// Whether a length is written in degrees. Told if so.
+pub(super) fn is_no_length(report: &mut Report, length: &Expr) -> bool {
+    let is_angle = is_in_degrees(length);
+    if is_angle {
+        let text = format!("`{length}` is an angle, and this is a length; leave `deg` out");
+        report.error(length.place, text);
+    }
+    is_angle
+}
+
+fn is_zero(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Integer(digits) | ExprKind::Decimal(digits) => digits.parse() == Ok(0.0),
+        ExprKind::Negative(inner) => is_zero(inner),
+        _ => false,
     }
 }
 

@@ -70,7 +70,7 @@ impl Constants {
                 Statement::Param(param) => constants.enter(&param.name, statement, "param"),
                 // Something that could not be read counts as declared before everything else.
                 Statement::Broken(broken) => {
-                    let names = broken.name.iter();
+                    let names = broken.names.iter();
                     names.for_each(|name| constants.enter(name, 0, "constant"));
                 }
                 _ => {}
@@ -200,7 +200,7 @@ impl Constants {
             }
             None => self.unknown_name(&text, passing, here),
         };
-        report.refuse(Place::at(name.span()), trouble)
+        report.refuse_unknown(Place::at(name.span()), trouble)
     }
 
     /// Returns the message about an unknown name; one of Rust's may be meant, which a macro cannot see.

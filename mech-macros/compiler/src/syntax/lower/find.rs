@@ -52,7 +52,7 @@ pub(super) fn body(reader: &mut Reader, draft: &Draft, name: &Name) -> Option<Bo
             spelling::remedy(divide(&key).1, &reader.names.links(&key))
         ),
     };
-    reader.report.refuse(name.place(), trouble)
+    reader.report.refuse_unknown(name.place(), trouble)
 }
 
 /// The joint of this name.
@@ -76,7 +76,7 @@ pub(super) fn joint(reader: &mut Reader, draft: &Draft, name: &Name) -> Option<J
             ),
         },
     };
-    reader.report.refuse(name.place(), trouble)
+    reader.report.refuse_unknown(name.place(), trouble)
 }
 
 /// The first link that has a point of this name.
@@ -144,7 +144,9 @@ pub(super) fn axis(
         spelling::remedy(&text, &candidates)
     };
     let message = format!("`{link_name}` has no {what} `{text}`{remedy}");
-    reader.report.refuse(Place::at(name.span()), message)
+    reader
+        .report
+        .refuse_unknown(Place::at(name.span()), message)
 }
 
 /// Returns the message about a use of a part where one of its links or joints should be.

@@ -64,7 +64,7 @@ pub(super) fn fix(reader: &mut Reader, draft: &mut Draft, link: Body, items: &Re
             Item::Shape(shape) => lower_shape(reader, draft, link.id, shape),
             Item::Broken(broken) => {
                 reader.report.pass_on(broken.error.clone());
-                let names = broken.name.iter();
+                let names = broken.names.iter();
                 names.for_each(|name| draft.lose_axis(link, Some(name)));
             }
         }

@@ -1,6 +1,6 @@
 //! Motors, their ranges and steps.
 
-use super::angle::ask_about_degrees;
+use super::angle::{ask_about_degrees, is_half_in_degrees, is_no_length};
 use super::constant::TIME;
 use super::coordinate::is_drawn;
 use super::draft::{Draft, WrittenMotor};
@@ -10,13 +10,27 @@ use super::report::{Report, StatementPlace};
 use super::value::format_number;
 use super::{find, law, rolling};
 use crate::model::{self, JointId, JointKind, Model, Range};
-use crate::syntax::ast::{Motor, Name, StartClause};
+use crate::syntax::ast::{Expr, Motor, Name, StartClause};
 
 /// The greatest relative difference between two numbers that are equal but were computed differently.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, motor: &Motor) {
     let joint = find_driven(reader, draft, &motor.joint);
+    let kind = joint.map(|joint| draft.model.joint(joint).kind);
+    let ends = motor.range.iter().flatten();
+    let numbers: Vec<&Expr> = ends.chain(&motor.step).collect();
+    let is_told = match kind {
+        Some(JointKind::Revolute(..)) => is_half_in_degrees(reader.report, &numbers),
+        Some(JointKind::Prismatic(..)) => {
+            let mut numbers = numbers.iter();
+            numbers.any(|number| is_no_length(reader.report, number))
+        }
+        _ => false,
+    };
+    if is_told {
+        return;
+    }
     let range = range(reader, draft, motor);
     let step = step(reader, motor);
     let law = motor.law.as_ref();
@@ -25,7 +39,7 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, motor: &Motor) {
         return;
     };
     if let (Some(range), Some(ends)) = (range, &motor.range)
-        && let JointKind::Revolute(..) = draft.model.joint(joint).kind
+        && let Some(JointKind::Revolute(..)) = kind
     {
         ask_about_degrees(reader.report, ends, range);
     }

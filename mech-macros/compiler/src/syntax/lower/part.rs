@@ -72,10 +72,15 @@ impl<'t> Expansion<'t> {
             Statement::Use(used) => (&used.name, declare_use(&mut reader, draft, used)),
             Statement::Broken(broken) => {
                 reader.report.pass_on(broken.error.clone());
-                let Some(name) = &broken.name else {
-                    return false;
-                };
-                (name, Referent::Broken)
+                let keys: Vec<String> = broken
+                    .names
+                    .iter()
+                    .map(|name| reader.key_of(name))
+                    .collect();
+                for key in keys {
+                    self.names.enter(key, Referent::Broken);
+                }
+                return false;
             }
             Statement::Ground(ground) => {
                 link::declare_ground(&mut reader, draft, ground);

@@ -3,6 +3,7 @@
 use crate::syntax::ast::Read;
 use crate::syntax::{Message, Place, spelling};
 use proc_macro2::Ident;
+use std::collections::HashSet;
 
 /// Where a statement stands: its number among those of the mechanism, and among those of the part in it, if it is in a part.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -35,6 +36,8 @@ pub(super) struct Report {
     position: Position,
     instance: Option<String>,
     entries: Vec<Entry>,
+    /// What was said of unknown names, and in which instances.
+    unknown: HashSet<(Option<String>, String)>,
 }
 
 impl Report {
@@ -68,6 +71,14 @@ impl Report {
     /// Tells why there is nothing of what is read.
     pub(super) fn refuse<T>(&mut self, place: Place, text: impl Into<String>) -> Option<T> {
         self.error(place, text);
+        None
+    }
+
+    /// The same of a name that is unknown, wherever it stands: it is told once.
+    pub(super) fn refuse_unknown<T>(&mut self, place: Place, text: String) -> Option<T> {
+        if self.unknown.insert((self.instance.clone(), text.clone())) {
+            self.error(place, text);
+        }
         None
     }
 

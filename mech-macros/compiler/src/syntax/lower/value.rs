@@ -1,5 +1,6 @@
 //! Computing numbers. What is wrong with one is reported where it is wrong, and there is no value then.
 
+use super::angle::is_no_length;
 use super::constant::{INSTANCE, Value};
 use super::quantity::{Length, Quantity, Spot, as_formulas};
 use super::reader::Reader;
@@ -219,7 +220,10 @@ impl Reader<'_> {
 
     /// A place in a link, which may depend on params.
     pub(super) fn spot(&mut self, pair: &Pair) -> Option<Spot> {
-        let (x, y) = (self.quantity(&pair.x), self.quantity(&pair.y));
+        let [x, y] = [&pair.x, &pair.y].map(|length| {
+            let is_angle = is_no_length(self.report, length);
+            self.quantity(length).filter(|_| !is_angle)
+        });
         let (x, y) = (x?, y?);
         Some(([x.value?, y.value?], [x.formula, y.formula]))
     }
@@ -284,6 +288,9 @@ impl Reader<'_> {
 
     /// A length greater than zero, at the start if it depends on params.
     pub(super) fn length(&mut self, expr: &Expr, what: &str) -> Option<Length> {
+        if is_no_length(self.report, expr) {
+            return None;
+        }
         let Quantity { value, formula } = self.quantity(expr)?;
         let value = self.check_positive(value?, expr, what)?;
         Some((value, formula))

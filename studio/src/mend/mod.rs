@@ -1,5 +1,7 @@
 //! Repairs of a mechanism, as changes of its text.
 
+mod slip;
+
 use crate::document::{Declaration, Document, Faults, Reading};
 use crate::failure::Failure;
 use crate::text::written;
@@ -32,7 +34,7 @@ pub enum Remainder {
     OtherFaults,
 }
 
-/// The repairs of a mechanism, the likeliest first; none if nothing is wrong with it, or if its text cannot be read.
+/// The repairs of a mechanism, the likeliest first; none if nothing is wrong with it.
 ///
 /// # Errors
 /// If the compiler itself fails, which is a mistake of ours.
@@ -42,11 +44,16 @@ pub fn mendings(
     reading: &Reading,
 ) -> Result<Vec<Mending>, Failure> {
     let Err(Faults {
-        offers, diagnoses, ..
+        offers,
+        diagnoses,
+        messages,
     }) = &reading.result
     else {
         return Ok(Vec::new());
     };
+    if diagnoses.is_empty() {
+        return slip::mendings_of_slips(document, declaration, messages);
+    }
     let Some(tree) = document.tree(declaration)? else {
         return Ok(Vec::new());
     };
@@ -82,6 +89,17 @@ pub fn mendings(
             let edits = done.map(|()| rewriter.edits);
             add(words, Remainder::Nothing, edits)?;
         }
+    }
+    if found
+        .iter()
+        .all(|mending| mending.remainder != Remainder::Nothing)
+    {
+        let links = model
+            .declared_links()
+            .map(|link| model.link(link).name.as_str());
+        let links: Vec<&str> = ["ground"].into_iter().chain(links).collect();
+        let attached = slip::attachments(document, declaration, messages, &links)?;
+        found.splice(0..0, attached);
     }
     Ok(found)
 }
