@@ -52,7 +52,7 @@ pub fn mendings(
         return Ok(Vec::new());
     };
     if diagnoses.is_empty() {
-        return slip::mendings_of_slips(document, declaration, messages);
+        return slip::mendings_of_slips(document, declaration, messages, &reading.model);
     }
     let Some(tree) = document.tree(declaration)? else {
         return Ok(Vec::new());
@@ -94,11 +94,7 @@ pub fn mendings(
         .iter()
         .all(|mending| mending.remainder != Remainder::Nothing)
     {
-        let links = model
-            .declared_links()
-            .map(|link| model.link(link).name.as_str());
-        let links: Vec<&str> = ["ground"].into_iter().chain(links).collect();
-        let attached = slip::attachments(document, declaration, messages, &links)?;
+        let attached = slip::attachments(document, declaration, messages, model)?;
         found.splice(0..0, attached);
     }
     Ok(found)

@@ -35,7 +35,8 @@ struct Slip {
 pub(super) fn mendings_of_slips(
     document: &Document,
     declaration: &Declaration,
-    (messages, model): (&[Message], &Model),
+    messages: &[Message],
+    model: &Model,
 ) -> Result<Vec<Mending>, Failure> {
     let mut trials = Trials::new(document, declaration)?;
     if let Some(change) = document.change_to_lex(declaration) {
@@ -61,7 +62,8 @@ pub(super) fn mendings_of_slips(
 pub(super) fn attachments(
     document: &Document,
     declaration: &Declaration,
-    (messages, model): (&[Message], &Model),
+    messages: &[Message],
+    model: &Model,
 ) -> Result<Vec<Mending>, Failure> {
     let links = model
         .declared_links()

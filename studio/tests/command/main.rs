@@ -16,5 +16,6 @@ mod play;
 mod properties;
 mod run;
 mod script;
+mod slips;
 mod terminal;
 mod transcripts;
