@@ -1,5 +1,6 @@
 //! Repairs of a mechanism, as changes of its text.
 
+mod near;
 mod slip;
 
 use crate::document::{Declaration, Document, Faults, Reading};
