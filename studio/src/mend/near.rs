@@ -279,7 +279,7 @@ impl<'t> Near<'t> {
         }
     }
 
-    fn inserted(&self, at: usize, text: &str, words: String) -> Slip {
+    fn inserted(at: usize, text: &str, words: String) -> Slip {
         Slip {
             words,
             edits: vec![Replacement {
@@ -303,8 +303,8 @@ impl<'t> Near<'t> {
         let mut alike = spelling::alike(word, others);
         alike.sort_by_key(|(distance, _)| *distance);
         let alike: Vec<&str> = alike.into_iter().map(|(_, other)| other).collect();
-        let single = |name: &&str| {
-            let mut all = (0..self.tokens.len()).filter(|token| self.word(*token) == *name);
+        let single = |name: &str| {
+            let mut all = (0..self.tokens.len()).filter(|token| self.word(*token) == name);
             let only = all.next()?;
             all.next().is_none().then_some(only)
         };
@@ -318,7 +318,7 @@ impl<'t> Near<'t> {
             .map(|other| self.replaced(token..token + 1, other));
         let there = alike
             .iter()
-            .filter_map(|name| single(&name))
+            .filter_map(|name| single(name))
             .map(|other| self.replaced(other..other + 1, word));
         if count > 1 {
             there.chain(here).collect()
@@ -340,14 +340,14 @@ impl<'t> Near<'t> {
             " ".to_owned()
         };
         let is_name = !KEYWORDS.split_whitespace().any(|keyword| keyword == word);
-        is_name.then(|| self.inserted(at, &format!("{text}{gap}"), format!("add `{text}`")))
+        is_name.then(|| Self::inserted(at, &format!("{text}{gap}"), format!("add `{text}`")))
     }
 
     /// Several names after one word: `link a, b;`.
     fn commas(&self, around: &[usize], statement: &Range<usize>) -> Option<Slip> {
         let keyword = self.word(statement.start);
         let is_comma = |token: &usize| statement.contains(token) && self.word(*token) == ",";
-        if !around.iter().any(|token| is_comma(token)) || !self.is_word(statement.start) {
+        if !around.iter().any(is_comma) || !self.is_word(statement.start) {
             return None;
         }
         let commas = statement.clone().filter(|token| self.word(*token) == ",");
@@ -448,7 +448,7 @@ impl<'t> Near<'t> {
                 ""
             };
             let words = format!("write `{}` before `{}`", text.trim(), self.word(token));
-            self.inserted(at, &(text + gap), words)
+            Self::inserted(at, &(text + gap), words)
         };
         all.iter().map(slip).collect()
     }
