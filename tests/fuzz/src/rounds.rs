@@ -130,7 +130,7 @@ impl<'o> Round<'o> {
         let corpus = self.target.corpus(&self.options.folders)?;
         let (longest, slowest) = self.longest;
         #[expect(clippy::cast_precision_loss, reason = "a rate has few digits")]
-        let rate = self.whole as f64 / self.computed.as_secs_f64();
+        let rate = self.whole as f64 / self.computed.as_secs_f64().max(f64::MIN_POSITIVE);
         println!(
             "{}: {} texts, {} % understood, {rate:.0} a second of one core; the longest took {:.3} s (number {slowest})",
             self.target.name(),
