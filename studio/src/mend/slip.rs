@@ -104,7 +104,7 @@ impl<'d> Trials<'d> {
         })
     }
 
-    /// Makes the change after which the text lexes, whatever else is wrong with it.
+    /// Makes the change after which the text lexes.
     fn lex(&mut self, change: Replacement) -> Result<(), Failure> {
         let source = self.document.source();
         let (before, range) = (&source.text()[change.range.clone()], &change.range);
@@ -120,20 +120,10 @@ impl<'d> Trials<'d> {
             (before, "") => format!("remove `{before}`"),
             (before, text) => format!("write `{text}` for `{before}`"),
         };
-        let edits = vec![change];
-        let text = written(source.text(), &edits);
         self.attempt(Slip {
-            words: words.clone(),
-            edits,
-        })?;
-        if self.whole.is_empty() && self.partial.is_empty() {
-            self.partial.push(Mending {
-                words,
-                remainder: Remainder::OtherFaults,
-                text,
-            });
-        }
-        Ok(())
+            words,
+            edits: vec![change],
+        })
     }
 
     /// Makes a change, and looks at what comes of it.
