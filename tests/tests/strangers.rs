@@ -76,15 +76,14 @@ fn many_links_without_motors_are_told_what_they_need() {
 #[test]
 fn many_dyads_in_a_row_move() {
     let text = many(700, |number| {
-        let (link, [before, x]) = (number + 1, [number, 3 * number]);
+        let (link, [before, left, x]) = (number + 1, [number, 3 * number, 3 * number + 3]);
         let first = match number {
-            0 => "link r0; joint a = revolute(ground, r0) at (-3, 0); motor a;",
+            0 => "link r0; joint a = revolute(ground, r0) at (0, 0); motor a;",
             _ => "",
         };
         format!(
-            "{first} link k{link}; link r{link}; joint b{link} = revolute(r{before}, k{link}) at ({0}, 1);
-            joint c{link} = revolute(k{link}, r{link}) at ({x}, 2); joint d{link} = revolute(r{link}, ground) at ({x}, 0);",
-            x - 3
+            "{first} link k{link}; link r{link}; joint b{link} = revolute(r{before}, k{link}) at ({left}, 1);
+            joint c{link} = revolute(k{link}, r{link}) at ({x}, 2); joint d{link} = revolute(r{link}, ground) at ({x}, 0);"
         )
     });
     assert_eq!(said(&text), [""; 0]);

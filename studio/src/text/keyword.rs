@@ -11,3 +11,33 @@ pub(crate) const KEYWORDS: &str = "struct link ground point line joint motor con
 pub(crate) fn is_keyword(word: &str) -> bool {
     KEYWORDS.split(' ').any(|keyword| keyword == word)
 }
+
+/// The words that stand before round brackets.
+pub(crate) const CALLED: [&str; 26] = [
+    "revolute",
+    "prismatic",
+    "gear",
+    "slot",
+    "rack",
+    "belt",
+    "weld",
+    "cam",
+    "linear",
+    "torsional",
+    "force",
+    "torque",
+    "at",
+    "along",
+    "asin",
+    "acos",
+    "atan",
+    "sin",
+    "cos",
+    "tan",
+    "sqrt",
+    "abs",
+    "exp",
+    "ln",
+    "min",
+    "max",
+];

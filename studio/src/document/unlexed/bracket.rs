@@ -1,42 +1,13 @@
 //! Brackets without their partners.
 
 use super::{Body, Unlexed};
+use crate::text::keyword::CALLED;
 use crate::text::{Kind, Replacement, is_of_word};
 use mech_compiler::syntax::STATEMENTS;
 use std::ops::Range;
 
 /// So many brackets are looked at, in all, to find changes after which each has its partner.
 const MOST: usize = 1 << 22;
-
-/// The words that stand before round brackets.
-const CALLED: [&str; 26] = [
-    "revolute",
-    "prismatic",
-    "gear",
-    "slot",
-    "rack",
-    "belt",
-    "weld",
-    "cam",
-    "linear",
-    "torsional",
-    "force",
-    "torque",
-    "at",
-    "along",
-    "asin",
-    "acos",
-    "atan",
-    "sin",
-    "cos",
-    "tan",
-    "sqrt",
-    "abs",
-    "exp",
-    "ln",
-    "min",
-    "max",
-];
 
 /// A bracket that was opened.
 #[derive(Clone, Copy)]
