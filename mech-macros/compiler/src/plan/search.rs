@@ -9,8 +9,6 @@ use nalgebra::{DMatrix, DVector};
 
 /// Starts for each unknown: enough to find, in practice, all of the up to six assemblies of a triad.
 const STARTS: usize = 60;
-/// Where this part of the starts has led to no solution, the others will not.
-const HOPELESS: usize = 4;
 /// Newton's iteration converges in fewer rounds than this or not at all.
 const ROUNDS: usize = 60;
 /// Assemblies closer than this are one.
@@ -40,9 +38,6 @@ pub(super) fn search(
     let mut solutions: Vec<Vec<Solution<f64>>> = Vec::new();
     let (mut least, mut dead) = (f64::INFINITY, false);
     for start in 0..starts {
-        if start > starts / HOPELESS && solutions.is_empty() && !dead {
-            break;
-        }
         let mut now: Vec<Solution<f64>> = Vec::new();
         for (axis, unknown) in equation.unknowns.iter().enumerate() {
             let at = if start == 0 { 0.0 } else { sequence.at(axis) };

@@ -64,7 +64,7 @@ impl Limit {
             Self::Tokens => 200_000,
             Self::Statements => 10_000,
             Self::Copies => 20_000,
-            Self::Links => 3000,
+            Self::Links => 2500,
             Self::Motors => 300,
         }
     }
