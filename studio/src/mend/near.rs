@@ -6,6 +6,9 @@ use mech_compiler::syntax::spelling;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
+/// So many words and marks of a place are looked at.
+const FAR: usize = 12;
+
 /// A change that may mend a text.
 pub(super) struct Slip {
     pub(super) words: String,
@@ -59,16 +62,15 @@ impl<'t> Near<'t> {
         if first >= self.tokens.len() {
             return Vec::new();
         }
-        let last = end.max(first + 1) - 1;
+        // Of a message about more than that, the beginning counts.
+        let last = (end.max(first + 1) - 1).min(first + FAR);
         let statement = self.statement(first);
         let mut slips = Vec::new();
-        if last - first < 8 {
-            let mut named = vec![last];
-            named.extend((first != last).then_some(first));
-            for token in named.into_iter().filter(|token| self.is_word(*token)) {
-                slips.extend(self.misspelt(token));
-                slips.extend(self.undeclared(token, &statement));
-            }
+        let mut named = vec![last];
+        named.extend((first != last).then_some(first));
+        for token in named.into_iter().filter(|token| self.is_word(*token)) {
+            slips.extend(self.misspelt(token));
+            slips.extend(self.undeclared(token, &statement));
         }
         let around = first.saturating_sub(2)..(last + 3).min(self.tokens.len());
         let mut around: Vec<usize> = around.collect();
@@ -135,6 +137,7 @@ impl<'t> Near<'t> {
             ["x", "y"].contains(&self.word(*token))
                 && self.word(token + 1) == "="
                 && *token > 0
+                && token + 2 < self.tokens.len()
                 && ["(", ","].contains(&self.word(token - 1))
         };
         let edits = statement.clone().filter(is_name).map(|token| Replacement {
@@ -207,7 +210,8 @@ impl<'t> Near<'t> {
             let token = self
                 .tokens
                 .partition_point(|token| token.end <= place.start);
-            self.statement(token.min(self.tokens.len() - 1)).start
+            self.statement(token.min(self.tokens.len().saturating_sub(1)))
+                .start
         });
         let joints = (0..self.tokens.len()).rev();
         let joints = joints.filter(|token| self.word(*token) == "joint");
