@@ -41,15 +41,13 @@ pub(crate) fn verdicts(
     name: Option<&str>,
     are_repairs_asked: bool,
 ) -> Result<Vec<Verdict>, Failure> {
-    if name.is_some() {
-        let declaration = document.choose(name)?;
-        let reading = document.check(declaration)?;
-        let verdict = verdict(document, declaration, reading, are_repairs_asked)?;
-        return Ok(vec![verdict]);
-    }
+    let chosen = match name {
+        Some(_) => vec![document.choose(name)?],
+        None => document.declarations().iter().collect(),
+    };
     let mut verdicts = Vec::new();
     let mut links = 0;
-    for declaration in document.declarations() {
+    for declaration in chosen {
         if links > Limit::Links.most() {
             verdicts.push(unchecked(declaration));
             break;
@@ -58,6 +56,9 @@ pub(crate) fn verdicts(
         // The ground is among them, so that nothing counts for none.
         links += reading.model.links.len().max(1);
         verdicts.push(verdict(document, declaration, reading, are_repairs_asked)?);
+    }
+    if name.is_some() {
+        return Ok(verdicts);
     }
     let messages = document.faults_of_parts()?;
     if !messages.is_empty() {

@@ -206,7 +206,7 @@ impl Session {
 
 /// What is said to a line that has changed the mechanism.
 pub(crate) fn answer(applied: &Applied) -> String {
-    format!("{}\n  {}", applied.told(), state(&applied.reading))
+    format!("{}\n  {}", applied.summary(), state(&applied.reading))
 }
 
 /// Says in a line whether a mechanism moves.

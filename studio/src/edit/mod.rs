@@ -52,7 +52,7 @@ pub struct Applied {
 
 impl Applied {
     /// What was done, with the notes.
-    pub(crate) fn told(&self) -> String {
+    pub(crate) fn summary(&self) -> String {
         let (title, notes) = (&self.title, self.notes.join("; "));
         if notes.is_empty() {
             title.clone()

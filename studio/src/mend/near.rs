@@ -1,7 +1,8 @@
 //! The places of a text near a message, and the changes that a slip of a hand asks for there.
 
 use crate::document::{Declaration, Document};
-use crate::text::{Kind, Lexeme, Lexer, Replacement, keyword::KEYWORDS};
+use crate::text::keyword::{KEYWORDS, is_keyword};
+use crate::text::{Kind, Lexeme, Lexer, Replacement, is_of_word};
 use mech_compiler::syntax::spelling;
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -14,6 +15,21 @@ pub(super) struct Slip {
     pub(super) words: String,
     /// Replacements in the order of their places.
     pub(super) edits: Vec<Replacement>,
+}
+
+impl Slip {
+    /// A single replacement.
+    fn new(words: String, range: Range<usize>, text: impl Into<String>) -> Self {
+        Self {
+            words,
+            edits: vec![replacement(range, text)],
+        }
+    }
+}
+
+fn replacement(range: Range<usize>, text: impl Into<String>) -> Replacement {
+    let text = text.into();
+    Replacement { range, text }
 }
 
 /// The words and marks of a text, near which slips are looked for.
@@ -122,13 +138,8 @@ impl<'t> Near<'t> {
     fn unquoted(&self, place: &Range<usize>) -> Option<Slip> {
         let written = self.text.get(place.clone())?;
         let inside = written.strip_prefix('"')?.strip_suffix('"')?;
-        Some(Slip {
-            words: format!("write `{inside}` for `{written}`"),
-            edits: vec![Replacement {
-                range: place.clone(),
-                text: inside.to_owned(),
-            }],
-        })
+        let words = format!("write `{inside}` for `{written}`");
+        Some(Slip::new(words, place.clone(), inside))
     }
 
     /// Coordinates without their names: `(x = 1, y = 2)`.
@@ -140,10 +151,9 @@ impl<'t> Near<'t> {
                 && token + 2 < self.tokens.len()
                 && ["(", ","].contains(&self.word(token - 1))
         };
-        let edits = statement.clone().filter(is_name).map(|token| Replacement {
-            range: self.tokens[token].start..self.tokens[token + 2].start,
-            text: String::new(),
-        });
+        let edits = statement.clone().filter(is_name);
+        let edits = edits
+            .map(|token| replacement(self.tokens[token].start..self.tokens[token + 2].start, ""));
         let edits: Vec<Replacement> = edits.collect();
         let words = "leave `x =` and `y =` out".to_owned();
         (!edits.is_empty()).then_some(Slip { words, edits })
@@ -162,10 +172,7 @@ impl<'t> Near<'t> {
             return None;
         }
         let range = self.range(first..end);
-        let edit = |at: usize, text: &str| Replacement {
-            range: at..at,
-            text: text.to_owned(),
-        };
+        let edit = |at: usize, text: &str| replacement(at..at, text);
         Some(Slip {
             words: format!("write `({})`", &self.text[range.clone()]),
             edits: vec![edit(range.start, "("), edit(range.end, ")")],
@@ -249,13 +256,8 @@ impl<'t> Near<'t> {
 
     fn replaced(&self, tokens: Range<usize>, by: &str) -> Slip {
         let range = self.range(tokens);
-        Slip {
-            words: format!("write `{by}` for `{}`", &self.text[range.clone()]),
-            edits: vec![Replacement {
-                range,
-                text: by.to_owned(),
-            }],
-        }
+        let words = format!("write `{by}` for `{}`", &self.text[range.clone()]);
+        Slip::new(words, range, by)
     }
 
     fn without(&self, tokens: Range<usize>) -> Slip {
@@ -274,23 +276,7 @@ impl<'t> Near<'t> {
         } else {
             before
         };
-        Slip {
-            words,
-            edits: vec![Replacement {
-                range: start..range.end,
-                text: String::new(),
-            }],
-        }
-    }
-
-    fn inserted(at: usize, text: &str, words: String) -> Slip {
-        Slip {
-            words,
-            edits: vec![Replacement {
-                range: at..at,
-                text: text.to_owned(),
-            }],
-        }
+        Slip::new(words, start..range.end, "")
     }
 
     /// Words that look like this one: here, or where another is declared that nothing else names.
@@ -312,11 +298,8 @@ impl<'t> Near<'t> {
             let only = all.next()?;
             all.next().is_none().then_some(only)
         };
-        let count = self
-            .tokens
-            .iter()
-            .filter(|token| &self.text[token.start..token.end] == word)
-            .count();
+        let all = (0..self.tokens.len()).filter(|token| self.word(*token) == word);
+        let count = all.count();
         let here = alike
             .iter()
             .map(|other| self.replaced(token..token + 1, other));
@@ -343,8 +326,8 @@ impl<'t> Near<'t> {
         } else {
             " ".to_owned()
         };
-        let is_name = !KEYWORDS.split_whitespace().any(|keyword| keyword == word);
-        is_name.then(|| Self::inserted(at, &format!("{text}{gap}"), format!("add `{text}`")))
+        let is_name = !is_keyword(word);
+        is_name.then(|| Slip::new(format!("add `{text}`"), at..at, format!("{text}{gap}")))
     }
 
     /// Several names after one word: `link a, b;`.
@@ -355,10 +338,8 @@ impl<'t> Near<'t> {
             return None;
         }
         let commas = statement.clone().filter(|token| self.word(*token) == ",");
-        let edits = commas.map(|token| Replacement {
-            range: self.range(token..token + 1),
-            text: format!("; {keyword}"),
-        });
+        let edits =
+            commas.map(|token| replacement(self.range(token..token + 1), format!("; {keyword}")));
         Some(Slip {
             words: format!("write `{keyword}` for each of them"),
             edits: edits.collect(),
@@ -413,10 +394,7 @@ impl<'t> Near<'t> {
             .into_iter()
             .filter(|[open, _]| *open != self.word(token));
         let slip = |[open, close]: [&str; 2]| {
-            let edit = |token: usize, text: &str| Replacement {
-                range: self.range(token..token + 1),
-                text: text.to_owned(),
-            };
+            let edit = |token: usize, text: &str| replacement(self.range(token..token + 1), text);
             let inside = &self.text[self.tokens[token].end..self.tokens[closing].start];
             Slip {
                 words: format!(
@@ -444,7 +422,7 @@ impl<'t> Near<'t> {
             } else {
                 (self.tokens[token].start, (*text).to_owned())
             };
-            let gap = if self.text[at..].starts_with(is_word_letter)
+            let gap = if self.text[at..].starts_with(is_of_word)
                 && text.ends_with(|last: char| last.is_alphanumeric())
             {
                 " "
@@ -452,7 +430,7 @@ impl<'t> Near<'t> {
                 ""
             };
             let words = format!("write `{}` before `{}`", text.trim(), self.word(token));
-            Self::inserted(at, &(text + gap), words)
+            Slip::new(words, at..at, text + gap)
         };
         all.iter().map(slip).collect()
     }
@@ -481,8 +459,4 @@ impl<'t> Near<'t> {
             .map(|word| self.replaced(token..token + 1, word))
             .collect()
     }
-}
-
-fn is_word_letter(letter: char) -> bool {
-    letter == '_' || letter.is_alphanumeric()
 }

@@ -33,7 +33,7 @@ pub(super) fn mendings_of_slips(
     let mut trials = Trials::new(document, declaration)?;
     if let Some(change) = document.change_to_lex(declaration) {
         trials.lex(change)?;
-        return Ok(trials.found());
+        return Ok(trials.mendings());
     }
     let Some(near) = Near::new(document, declaration) else {
         return Ok(Vec::new());
@@ -47,7 +47,7 @@ pub(super) fn mendings_of_slips(
         }
         trials.attempt(slip)?;
     }
-    Ok(trials.found())
+    Ok(trials.mendings())
 }
 
 /// The joints that hold another link than is written: after each of these changes the mechanism moves.
@@ -138,11 +138,10 @@ impl<'d> Trials<'d> {
         let Some(declaration) = changed.declarations().get(self.index) else {
             return Ok(());
         };
-        if changed.model(declaration)?.is_none() {
-            return Ok(());
-        }
         let (found, remainder) = match changed.analyse(declaration)?.result {
             Ok(_) => (&mut self.whole, Remainder::Nothing),
+            // It cannot be read.
+            Err(faults) if faults.diagnoses.is_empty() => return Ok(()),
             Err(_) => (&mut self.partial, Remainder::OtherFaults),
         };
         // What is left out mends nothing if something else is wrong then.
@@ -157,7 +156,7 @@ impl<'d> Trials<'d> {
         Ok(())
     }
 
-    fn found(mut self) -> Vec<Mending> {
+    fn mendings(mut self) -> Vec<Mending> {
         self.whole.extend(self.partial);
         self.whole
     }

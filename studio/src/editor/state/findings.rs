@@ -232,7 +232,7 @@ impl Editor {
             Some(line) => self
                 .talk
                 .answer(line, answer(applied), Ok::<_, Refusal>(())),
-            None => self.talk.tell(applied.told()),
+            None => self.talk.tell(applied.summary()),
         }
         let mut drag = std::mem::take(&mut self.sight.drag);
         self.show(snapshot);
