@@ -6,6 +6,7 @@ use crate::document::{Declaration, Document, Message, Source};
 use crate::failure::Failure;
 use crate::text::{Replacement, written};
 use mech_compiler::model::Model;
+use mech_compiler::{catch, compile};
 use std::collections::BTreeSet;
 
 /// Changes are looked for near so many messages.
@@ -138,10 +139,13 @@ impl<'d> Trials<'d> {
         let Some(declaration) = changed.declarations().get(self.index) else {
             return Ok(());
         };
-        let (found, remainder) = match changed.analyse(declaration)?.result {
+        // It cannot be read.
+        let Some(model) = changed.model(declaration)? else {
+            return Ok(());
+        };
+        let compiled = catch(|| compile(&model)).map_err(Failure::internal)?;
+        let (found, remainder) = match compiled {
             Ok(_) => (&mut self.whole, Remainder::Nothing),
-            // It cannot be read.
-            Err(faults) if faults.diagnoses.is_empty() => return Ok(()),
             Err(_) => (&mut self.partial, Remainder::OtherFaults),
         };
         // What is left out mends nothing if something else is wrong then.

@@ -6,7 +6,7 @@ use super::path::{end, path};
 use super::recover::{read_declared, to_semicolon};
 use super::tokens::{comes_word, expected_message, in_parens, symbol, take, take_word};
 use crate::syntax::ast::{
-    Clause, End, Expr, Joint, JointBody, JointWord, Name, Read, Rolling, Size, Statement,
+    Clause, End, Expr, ExprKind, Joint, JointBody, JointWord, Name, Read, Rolling, Size, Statement,
 };
 use crate::syntax::{Message, Place};
 use syn::parse::ParseStream;
@@ -86,7 +86,7 @@ fn parts(input: ParseStream, kind: JointWord) -> Read<Parts> {
         None => None,
     };
     if take(input, ",").is_some() && size_is_none(kind) {
-        two_links(input, kind, &first)?;
+        two_links(input, kind, [&first, &second])?;
     }
     Ok(([first, second], (rolling, law)))
 }
@@ -106,18 +106,30 @@ fn ratio(input: ParseStream, [a, b]: [&End; 2]) -> Read<Size> {
         let second = expression(input)?;
         return Ok(Size::Ratio([first, second]));
     }
+    let written = |first: &Expr, second: &Expr| {
+        format!("a ratio is written with `:`; write `{first} : {second}`")
+    };
     let otherwise = expected_message(input, "`:`");
     if take(input, ",").is_some() && !input.is_empty() {
         let second = expression(input)?;
-        let text = format!("a ratio is written with `:`; write `{first} : {second}`");
-        return Err(Message::new(first.place.to(second.place), text));
+        return Err(Message::new(
+            first.place.to(second.place),
+            written(&first, &second),
+        ));
     }
     if !input.is_empty() && !comes_word(input, "on") {
         return Err(otherwise);
     }
-    let text = format!(
-        "a ratio has two numbers; write `1 : {first}` if `{b}` is the larger wheel, or `{first} : 1` if `{a}` is"
-    );
+    let factors = match &first.kind {
+        ExprKind::Product(factors) => &factors[..],
+        _ => &[],
+    };
+    let text = match factors {
+        [(false, first), (true, second)] => written(first, second),
+        _ => format!(
+            "a ratio has two numbers; write `1 : {first}` if `{b}` is the larger wheel, or `{first} : 1` if `{a}` is"
+        ),
+    };
     Err(Message::new(first.place, text))
 }
 
@@ -129,16 +141,21 @@ fn size_is_none(kind: JointWord) -> bool {
 }
 
 /// Complains about a third link.
-fn two_links(input: ParseStream, kind: JointWord, first: &End) -> Read<()> {
+fn two_links(input: ParseStream, kind: JointWord, [first, second]: [&End; 2]) -> Read<()> {
     if input.is_empty() {
         return Ok(());
     }
     let third = end(input)?;
     let words = WORDS.iter().filter(|(_, word)| *word == kind);
     let word: String = words.map(|(word, _)| *word).collect();
-    let text = format!(
-        "a joint joins two links; declare another one for the third, as `{word}({first}, {third})`"
-    );
+    let link = third.link.to_string();
+    let is_known = [first, second]
+        .iter()
+        .any(|end| end.link.to_string() == link);
+    let mut text = format!("a joint joins two links; leave `, {third}` out");
+    if !is_known {
+        text += &format!(", or declare another joint for it, as `{word}({first}, {third})`");
+    }
     Err(Message::new(third.place(), text))
 }
 

@@ -4,7 +4,8 @@ use super::expression::expression;
 use super::tokens::{comes, in_brackets, name, take};
 use crate::syntax::Message;
 use crate::syntax::Place;
-use crate::syntax::ast::{End, Index, Name, Read, Segment};
+use crate::syntax::ast::{End, ExprKind, Index, Name, Read, Segment};
+use proc_macro2::Ident;
 use syn::parse::ParseStream;
 use syn::token;
 
@@ -36,32 +37,48 @@ pub(super) fn path(input: ParseStream, what: &str) -> Read<Name> {
 }
 
 /// Reads words with dots between them; the last has no brackets.
-fn segments(
-    input: ParseStream,
-    first: &str,
-    later: &str,
-) -> Read<(Vec<Segment>, proc_macro2::Ident)> {
+fn segments(input: ParseStream, first: &str, later: &str) -> Read<(Vec<Segment>, Ident)> {
     let mut segments = Vec::new();
     let mut what = first;
     loop {
         let name = name(input, what)?;
         let index = index(input)?;
         if take(input, ".").is_none() {
-            if let Some(Index::At(_) | Index::Every(_)) = index {
-                let text = format!(
-                    "`{name}` in brackets is an instance of a part; name what of it is meant, as `{}.tip`",
-                    Segment {
-                        name: name.clone(),
-                        index
-                    }
-                );
-                return Err(Message::new(Place::at(name.span()), text));
-            }
-            return Ok((segments, name));
+            return match index {
+                None => Ok((segments, name)),
+                Some(index) => Err(no_instance(name, index)),
+            };
         }
         segments.push(Segment { name, index });
         what = later;
     }
+}
+
+/// The message about a name in brackets with nothing after it.
+fn no_instance(name: Ident, index: Index) -> Message {
+    let place = Place::at(name.span());
+    let point = match &index {
+        Index::At(index) if matches!(index.kind, ExprKind::Constant(_)) => {
+            Some(format!("{name}.{index}"))
+        }
+        _ => None,
+    };
+    let text = match point {
+        Some(point) if name == "ground" => {
+            format!("a point of a link is named with `.`; write `{point}`")
+        }
+        point => {
+            let or = point.map(|point| format!(", or write `{point}` if a point is meant"));
+            let index = Some(index);
+            let instance = Segment { name, index };
+            format!(
+                "`{}` in brackets is an instance of a part; name what of it is meant, as `{instance}.tip`{}",
+                instance.name,
+                or.unwrap_or_default()
+            )
+        }
+    };
+    Message::new(place, text)
 }
 
 fn index(input: ParseStream) -> Read<Option<Index>> {

@@ -8,7 +8,7 @@ use super::recover::{or_skip, read_setting, to_semicolon};
 use super::tokens::{any_word, comes, expected_message, in_braces, name, symbol, take, take_word};
 use super::trace::trace;
 use crate::syntax::ast::{Broken, Effect, Expr, Motor, Name, Read, Start, StartClause, Statement};
-use crate::syntax::{Message, Place};
+use crate::syntax::{Message, Place, spelling};
 use proc_macro2::Span;
 use syn::parse::ParseStream;
 use syn::token;
@@ -137,6 +137,11 @@ fn effect(input: ParseStream) -> Read<Effect> {
         let effect = name(input, "the name of an effect")?;
         // No number stands here: a word is the next effect.
         let next = input.cursor().ident();
+        let word = effect.to_string();
+        if next.is_some() && spelling::nearest(&word, &["trace"]).is_some() {
+            let text = format!("unknown effect `{word}`; did you mean `trace`?");
+            return Err(Message::new(Place::at(effect.span()), text));
+        }
         match next.and_then(|_| after_last(input, begin, "`;`")) {
             Some(missing) => Err(missing),
             None => Ok(Effect::Plain(effect)),
