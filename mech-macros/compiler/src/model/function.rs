@@ -45,6 +45,12 @@ pub enum BinaryFunction {
 }
 
 impl Function {
+    /// Whether it is a function of an angle in radians.
+    #[must_use]
+    pub fn is_of_angle(self) -> bool {
+        matches!(self, Self::Sin | Self::Cos | Self::Tan)
+    }
+
     /// All of them.
     pub const ALL: [Self; 11] = [
         Self::Sqrt,

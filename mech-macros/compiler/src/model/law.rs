@@ -93,6 +93,13 @@ impl Law {
         self.evaluate(&mut Windings).by()
     }
 
+    /// Whether it is one number, whatever its variable and the params are.
+    #[must_use]
+    pub fn is_fixed(&self) -> bool {
+        let mut all = self.formulas.all().iter();
+        !all.any(|formula| matches!(formula, Formula::Variable | Formula::Param(_)))
+    }
+
     /// Whether its variable is in it.
     #[must_use]
     pub fn varies(&self) -> bool {

@@ -52,12 +52,12 @@ pub(super) fn is_in_degrees(expr: &Expr) -> bool {
     }
 }
 
-/// Whether a length is written in degrees. Told if so.
-pub(super) fn is_no_length(report: &mut Report, length: &Expr) -> bool {
-    let is_angle = is_in_degrees(length);
+/// Whether what is no angle, but a length or a mass, is written in degrees. Told if so.
+pub(super) fn is_angle(report: &mut Report, number: &Expr, what: &str) -> bool {
+    let is_angle = is_in_degrees(number);
     if is_angle {
-        let text = format!("`{length}` is an angle, and this is a length; leave `deg` out");
-        report.error(length.place, text);
+        let text = format!("`{number}` is an angle, and this is {what}; leave `deg` out");
+        report.error(number.place, text);
     }
     is_angle
 }

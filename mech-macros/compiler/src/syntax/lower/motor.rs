@@ -1,6 +1,6 @@
 //! Motors, their ranges and steps.
 
-use super::angle::{ask_about_degrees, is_half_in_degrees, is_no_length};
+use super::angle::{ask_about_degrees, is_angle, is_half_in_degrees, is_in_degrees};
 use super::constant::TIME;
 use super::coordinate::is_drawn;
 use super::draft::{Draft, WrittenMotor};
@@ -24,7 +24,7 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, motor: &Motor) {
         Some(JointKind::Revolute(..)) => is_half_in_degrees(reader.report, &numbers),
         Some(JointKind::Prismatic(..)) => {
             let mut numbers = numbers.iter();
-            numbers.any(|number| is_no_length(reader.report, number))
+            numbers.any(|number| is_angle(reader.report, number, "a length"))
         }
         _ => false,
     };
@@ -33,8 +33,19 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, motor: &Motor) {
     }
     let range = range(reader, draft, motor);
     let step = step(reader, motor);
-    let law = motor.law.as_ref();
-    let law = law.and_then(|law| law::read(reader, draft, law, TIME, [Quantity::fixed(1.0); 2]));
+    let written = motor.law.as_ref();
+    let law =
+        written.and_then(|law| law::read(reader, draft, law, TIME, [Quantity::fixed(1.0); 2]));
+    if let (Some(written), Some(law)) = (written, law)
+        && is_in_degrees(written)
+        && draft.model.law(law).is_fixed()
+    {
+        let name = &motor.joint;
+        let text = format!(
+            "by this law motor `{name}` never moves; write `motor {name}; start {{ {name} = {written}; }}` if it starts there"
+        );
+        return reader.report.error(written.place, text);
+    }
     let Some(joint) = joint else {
         return;
     };

@@ -1,6 +1,6 @@
 //! Computing numbers. What is wrong with one is reported where it is wrong, and there is no value then.
 
-use super::angle::is_no_length;
+use super::angle::{is_angle, is_degrees_perhaps};
 use super::constant::{INSTANCE, Value};
 use super::quantity::{Length, Quantity, Spot, as_formulas};
 use super::reader::Reader;
@@ -34,8 +34,13 @@ impl Reader<'_> {
             }
             ExprKind::Sum(terms) => self.chain(terms, Chain::Sum),
             ExprKind::Product(factors) => self.chain(factors, Chain::Product),
-            ExprKind::Call(function, argument) => {
-                let argument = self.quantity(argument)?;
+            ExprKind::Call(function, of) => {
+                let argument = self.quantity(of)?;
+                if let (true, Some(angle)) = (function.is_of_angle(), argument.value)
+                    && is_degrees_perhaps(self.report, of, angle)
+                {
+                    return None;
+                }
                 self.call(*function, argument, expr.place)
             }
             ExprKind::CallBoth(function, parts) => {
@@ -221,7 +226,7 @@ impl Reader<'_> {
     /// A place in a link, which may depend on params.
     pub(super) fn spot(&mut self, pair: &Pair) -> Option<Spot> {
         let [x, y] = [&pair.x, &pair.y].map(|length| {
-            let is_angle = is_no_length(self.report, length);
+            let is_angle = is_angle(self.report, length, "a length");
             self.quantity(length).filter(|_| !is_angle)
         });
         let (x, y) = (x?, y?);
@@ -282,13 +287,16 @@ impl Reader<'_> {
 
     /// A number greater than zero.
     pub(super) fn positive(&mut self, expr: &Expr, what: &str) -> Option<f64> {
+        if is_angle(self.report, expr, what) {
+            return None;
+        }
         let value = self.value(expr)?;
         self.check_positive(value, expr, what)
     }
 
     /// A length greater than zero, at the start if it depends on params.
     pub(super) fn length(&mut self, expr: &Expr, what: &str) -> Option<Length> {
-        if is_no_length(self.report, expr) {
+        if is_angle(self.report, expr, what) {
             return None;
         }
         let Quantity { value, formula } = self.quantity(expr)?;
@@ -298,6 +306,9 @@ impl Reader<'_> {
 
     /// A number that is not less than zero.
     pub(super) fn not_negative(&mut self, expr: &Expr, what: &str) -> Option<f64> {
+        if is_angle(self.report, expr, what) {
+            return None;
+        }
         let value = self.value(expr)?;
         if value >= 0.0 {
             return Some(value);
