@@ -1,9 +1,9 @@
 //! The places of a text near a message, and the changes that a slip of a hand asks for there.
 
-use crate::document::{Declaration, Document};
+use crate::document::{Declaration, Document, Message};
 use crate::text::keyword::{KEYWORDS, is_keyword};
 use crate::text::{Kind, Lexeme, Lexer, Replacement, is_of_word};
-use mech_compiler::syntax::spelling;
+use mech_compiler::syntax::{self, spelling};
 use std::collections::BTreeSet;
 use std::ops::Range;
 
@@ -69,8 +69,8 @@ impl<'t> Near<'t> {
         self.words.contains(self.word(token))
     }
 
-    /// The changes near a place, the likeliest first.
-    pub(super) fn slips(&self, place: &Range<usize>) -> Vec<Slip> {
+    /// The changes near the place of a message, the likeliest first.
+    pub(super) fn slips(&self, Message { place, text }: &Message) -> Vec<Slip> {
         let first = self
             .tokens
             .partition_point(|token| token.end <= place.start);
@@ -81,7 +81,7 @@ impl<'t> Near<'t> {
         // Of a message about more than that, the beginning counts.
         let last = (end.max(first + 1) - 1).min(first + FAR);
         let statement = self.statement(first);
-        let mut slips = Vec::new();
+        let mut slips = Vec::from_iter(self.offered(place, text));
         let mut named = vec![last];
         named.extend((first != last).then_some(first));
         for token in named.into_iter().filter(|token| self.is_word(*token)) {
@@ -132,6 +132,14 @@ impl<'t> Near<'t> {
         slips.extend(self.other_names(last));
         slips.push(self.without(statement));
         slips
+    }
+
+    /// The change that a message offers in its words.
+    fn offered(&self, place: &Range<usize>, words: &str) -> Option<Slip> {
+        let offer = syntax::Message::offer(words)?;
+        let written = self.text.get(place.clone())?;
+        let words = format!("write `{offer}` for `{written}`");
+        Some(Slip::new(words, place.clone(), offer))
     }
 
     /// A name without its quotes.

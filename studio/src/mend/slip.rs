@@ -41,7 +41,7 @@ pub(super) fn mendings_of_slips(
     };
     let most = MOST.min(BYTES / cost(document, model));
     let messages = messages.iter().take(MESSAGES);
-    let slips = messages.flat_map(|message| near.slips(&message.place));
+    let slips = messages.flat_map(|message| near.slips(message));
     for slip in slips.take(most) {
         if trials.whole.len() == ENOUGH {
             break;

@@ -94,6 +94,17 @@ impl Message {
         }
     }
 
+    /// The text that stands in the place of a message after what its words offer: what they say to write, or ask for.
+    #[must_use]
+    pub fn offer(words: &str) -> Option<&str> {
+        let first = words.split("\n\n").next()?;
+        let offer = first
+            .split_once("write `")
+            .or(first.split_once("did you mean `"));
+        let (offer, _) = offer?.1.split_once('`')?;
+        Some(offer)
+    }
+
     /// The first of these messages. If there are many, one more tells the number of those left out, and of `others` that are not made.
     #[must_use]
     pub fn first(mut messages: Vec<Self>, others: usize) -> Vec<Self> {

@@ -1,11 +1,52 @@
 //! Words that the user may have meant.
 
-/// The candidate that looks most like the word, if one does.
+/// Words of other languages and books, each with ours.
+const OTHERS: [(&str, &str); 30] = [
+    ("pin", "revolute"),
+    ("hinge", "revolute"),
+    ("pivot", "revolute"),
+    ("turning", "revolute"),
+    ("rotational", "revolute"),
+    ("slider", "prismatic"),
+    ("slide", "prismatic"),
+    ("sliding", "prismatic"),
+    ("linear", "prismatic"),
+    ("translational", "prismatic"),
+    ("fixed", "weld"),
+    ("rigid", "weld"),
+    ("chain", "belt"),
+    ("pulley", "belt"),
+    ("body", "link"),
+    ("bar", "link"),
+    ("beam", "link"),
+    ("rod", "link"),
+    ("frame", "ground"),
+    ("base", "ground"),
+    ("world", "ground"),
+    ("drive", "motor"),
+    ("actuator", "motor"),
+    ("input", "motor"),
+    ("driver", "motor"),
+    ("pt", "point"),
+    ("vertex", "point"),
+    ("disk", "circle"),
+    ("rectangle", "polygon"),
+    ("time", "t"),
+];
+
+/// The candidate that looks most like the word, or else means the same elsewhere, if one does.
 pub(super) fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
     let alike = alike(word, candidates.iter().copied()).into_iter();
-    alike
+    let alike = alike
         .min_by_key(|(distance, _)| *distance)
-        .map(|(_, near)| near)
+        .map(|(_, near)| near);
+    alike.or_else(|| {
+        let (_, own) = OTHERS.iter().find(|(other, _)| *other == word)?;
+        candidates
+            .iter()
+            .copied()
+            .find(|candidate| candidate == own)
+    })
 }
 
 /// The candidates that look like the word, with the number of letters in which they are others.

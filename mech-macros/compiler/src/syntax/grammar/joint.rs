@@ -3,12 +3,14 @@
 use super::beginning::{STATEMENTS, at_beginning};
 use super::expression::{direction, expression, one_of, pair, read_labelled};
 use super::path::{end, path};
-use super::recover::{read_declared, to_semicolon};
+use super::recover::{read_declared, skip, to_semicolon};
 use super::tokens::{comes_word, expected_message, in_parens, symbol, take, take_word};
 use crate::syntax::ast::{
-    Clause, End, Expr, ExprKind, Joint, JointBody, JointWord, Name, Read, Rolling, Size, Statement,
+    Broken, Clause, End, Expr, ExprKind, Joint, JointBody, JointWord, Name, Read, Rolling, Size,
+    Statement,
 };
 use crate::syntax::{Message, Place};
+use proc_macro2::{Delimiter, Ident};
 use syn::parse::ParseStream;
 
 const WORDS: [(&str, JointWord); 8] = [
@@ -27,6 +29,28 @@ pub(super) fn joint(input: ParseStream) -> Statement {
     read_declared(input, "the name of a joint", |input, name| {
         let body = to_semicolon(input, &STATEMENTS, body);
         Statement::Joint(Box::new(Joint { name, body }))
+    })
+}
+
+/// Whether `= revolute(` comes next: a joint whose keyword is missing.
+pub(super) fn body_comes(input: ParseStream) -> bool {
+    let sign = input.cursor().punct();
+    let kind = sign
+        .filter(|(sign, _)| sign.as_char() == '=')
+        .and_then(|(_, rest)| rest.ident());
+    kind.is_some_and(|(kind, rest)| {
+        let is_called = rest.group(Delimiter::Parenthesis).is_some();
+        is_called && WORDS.iter().any(|(word, _)| kind == word)
+    })
+}
+
+/// The message about a joint that begins with its name.
+pub(super) fn without_keyword(input: ParseStream, name: Ident) -> Statement {
+    skip(input, &STATEMENTS);
+    let text = format!("a joint begins with `joint`; write `joint {name}` for `{name}`");
+    Statement::Broken(Broken {
+        error: Message::new(Place::at(name.span()), text),
+        names: vec![name],
     })
 }
 

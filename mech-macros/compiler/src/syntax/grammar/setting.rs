@@ -5,7 +5,9 @@ use super::ending::after_last;
 use super::expression::expression;
 use super::path::{end, path};
 use super::recover::{or_skip, read_setting, to_semicolon};
-use super::tokens::{any_word, comes, expected_message, in_braces, name, symbol, take, take_word};
+use super::tokens::{
+    any_word, comes, expected_message, in_braces, in_brackets, name, symbol, take, take_word,
+};
 use super::trace::trace;
 use crate::syntax::ast::{Broken, Effect, Expr, Motor, Name, Read, Start, StartClause, Statement};
 use crate::syntax::{Message, Place, spelling};
@@ -26,6 +28,7 @@ pub(super) fn motor(input: ParseStream) -> Statement {
         let joint = path(input, "the name of a joint")?;
         one_motor(input, &joint)?;
         let law = take(input, "=").map(|_| expression(input)).transpose()?;
+        worded_range(input)?;
         let range = take_word(input, "in").map(|_| range(input)).transpose()?;
         let step = take_word(input, "by")
             .map(|_| expression(input))
@@ -59,7 +62,31 @@ fn one_motor(input: ParseStream, first: &Name) -> Read<()> {
     Err(Message::new(place, text))
 }
 
+/// Complains about a range in words: `from low to high`.
+fn worded_range(input: ParseStream) -> Read<()> {
+    let Some(first) = take_word(input, "from").or_else(|| take_word(input, "between")) else {
+        return Ok(());
+    };
+    let low = expression(input)?;
+    if take_word(input, "to").is_none() && take_word(input, "and").is_none() {
+        return Err(expected_message(input, "`to`"));
+    }
+    let high = expression(input)?;
+    let text = format!("a range is written with `..=`; write `in {low} ..= {high}`");
+    Err(Message::new(Place::at(first).to(high.place), text))
+}
+
 fn range(input: ParseStream) -> Read<[Expr; 2]> {
+    if input.peek(token::Bracket) {
+        let comma = |input: ParseStream| {
+            let low = expression(input)?;
+            symbol(input, ",")?;
+            Ok((low, expression(input)?))
+        };
+        let ((low, high), place) = in_brackets(input, "`[`", comma)?;
+        let text = format!("a range is written with `..=`; write `{low} ..= {high}`");
+        return Err(Message::new(place, text));
+    }
     let low = expression(input)?;
     symbol(input, "..=")?;
     Ok([low, expression(input)?])

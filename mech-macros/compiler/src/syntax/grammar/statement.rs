@@ -138,6 +138,7 @@ pub(super) fn statement(input: ParseStream) -> Statement {
         "use" if part::is_of_rust(input) => left_behind(input, unknown_statement(&keyword)),
         "use" => part::used(input),
         NOT_YET => left_behind(input, not_yet(&keyword)),
+        _ if joint::body_comes(input) => joint::without_keyword(input, keyword),
         _ => left_behind(input, unknown_statement(&keyword)),
     }
 }

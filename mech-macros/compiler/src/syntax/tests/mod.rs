@@ -64,10 +64,8 @@ fn places_of(marked: &str) -> (String, Vec<(Spot, Spot)>) {
 
 /// Returns the first offer of a message: the text to be written, or else the text that it quotes.
 fn first_offer(message: &str) -> Option<&str> {
-    let (_, first) = message.split_once('`')?;
-    let offer = message.split_once("write `");
-    let (offer, _) = offer.map_or(first, |(_, offer)| offer).split_once('`')?;
-    Some(offer)
+    let quoted = || message.split('`').nth(1);
+    Message::offer(message).or_else(quoted)
 }
 
 /// A text with something else in the place of its first mark.
