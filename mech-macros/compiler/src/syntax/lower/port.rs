@@ -6,10 +6,11 @@ use super::name::{Body, LentLink, Referent};
 use super::reader::{Located, Reader};
 use super::report::Report;
 use super::similarity::Similarity;
+use super::unknown::Unknown;
 use super::{find, link};
 use crate::model::LinkId;
 use crate::syntax::ast::{Part, PortBinding, Statement, Use};
-use crate::syntax::{Place, spelling};
+use crate::syntax::{Noun, Place, spelling};
 use proc_macro2::Ident;
 
 impl Expansion<'_> {
@@ -109,23 +110,35 @@ fn drawn_joint(part: &Part) -> Option<&Ident> {
 /// Complains about ports that are not lent, lent twice, or not there.
 fn check_ports(used: &Use, part: &Part, ports: &[String], report: &mut Report) {
     let ports: Vec<&str> = ports.iter().map(String::as_str).collect();
+    // A link under an unknown name is meant for one of them: for this, or for any.
+    let (mut meant, mut others) = (Vec::new(), 0);
     for (number, binding) in used.ports.iter().enumerate() {
         let port = &binding.port;
+        let place = Place::at(port.span());
         let mut earlier = used.ports[..number].iter();
-        let text = if !ports.iter().any(|known| port == known) {
+        if !ports.iter().any(|known| port == known) {
+            match spelling::nearest(&port.to_string(), &ports) {
+                Some(near) => meant.push(near),
+                None => others += 1,
+            }
+            if part.seems_to_declare(port) {
+                continue;
+            }
             let remedy = spelling::remedy(&port.to_string(), &ports);
-            format!("part `{}` has no port `{port}`{remedy}", part.name)
+            let part = part.name.to_string();
+            let text = format!("part `{part}` has no port `{port}`{remedy}");
+            let name = Unknown::of_part(Noun::Body, Some(part), port);
+            report.refuse_unknown::<()>(name, place, text);
         } else if earlier.any(|earlier| earlier.port == *port) {
-            format!("port `{port}` is lent twice; remove one of the two")
-        } else {
-            continue;
-        };
-        report.error(Place::at(port.span()), text);
+            let text = format!("port `{port}` is lent twice; remove one of the two");
+            report.error(place, text);
+        }
     }
     let is_lent = |port: &str| used.ports.iter().any(|binding| binding.port == *port);
-    let missing = ports.iter().copied().filter(|port| !is_lent(port));
+    let missing = ports.iter().copied();
+    let missing = missing.filter(|port| !is_lent(port) && !meant.contains(port));
     let missing: Vec<&str> = missing.collect();
-    if let Some(first) = missing.first() {
+    if let Some(first) = missing.first().filter(|_| missing.len() > others) {
         let text = format!(
             "part `{}` needs a link for {}; write `{first} = ...` with the name of a link in the braces",
             part.name,
