@@ -119,11 +119,11 @@ impl Import {
     }
 }
 
-/// Whether a statement ends with this token.
+/// Whether a statement, or an attribute before it, ends with this token.
 fn ends(tree: &TokenTree) -> bool {
     match tree {
         TokenTree::Punct(mark) => mark.as_char() == ';',
-        TokenTree::Group(group) => group.delimiter() == Delimiter::Brace,
+        TokenTree::Group(group) => group.delimiter() != Delimiter::Parenthesis,
         _ => false,
     }
 }

@@ -349,6 +349,17 @@ pub(super) struct StartClause {
     pub value: Expr,
 }
 
+/// The words for effects.
+pub(super) const EFFECTS: [&str; 7] = [
+    "velocity",
+    "acceleration",
+    "force",
+    "dynamics",
+    "trace",
+    "overlay",
+    "sensitivity",
+];
+
 /// One of the effects.
 pub(super) enum Effect {
     /// `velocity;`
@@ -430,6 +441,17 @@ pub(super) struct PortBinding {
 }
 
 impl Part {
+    /// Whether a statement that could not be read may declare this name in it.
+    pub(super) fn seems_to_declare(&self, name: &Ident) -> bool {
+        match &self.body {
+            Ok(body) => body.iter().any(|statement| match statement {
+                Statement::Broken(broken) => broken.names.contains(name),
+                _ => false,
+            }),
+            Err(_) => true,
+        }
+    }
+
     /// The ports it has, as far as they could be read.
     pub(super) fn ports(&self) -> impl Iterator<Item = &Port> {
         let body = self.body.iter().flatten();

@@ -4,6 +4,11 @@ use super::ast::Shade;
 use super::spelling;
 use mech_core::colors::{NAMED, darker, lighter};
 
+/// Whether a color has this name.
+pub(super) fn is_name(name: &str) -> bool {
+    NAMED.iter().any(|(known, _)| *known == name)
+}
+
 /// The entry of the palette that has this name.
 ///
 /// # Errors

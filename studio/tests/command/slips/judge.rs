@@ -138,7 +138,7 @@ fn statement(slip: &Slip) -> Range<usize> {
     before.map_or(0, |one| one.end)..after.map_or(slip.text.len(), |one| one.end)
 }
 
-fn is_placed(slip: &Slip, message: &Message) -> bool {
+pub(super) fn is_placed(slip: &Slip, message: &Message) -> bool {
     let (place, statement) = (&message.place, statement(slip));
     let is_near = place.start < statement.end && statement.start < place.end;
     let is_whole =

@@ -8,6 +8,7 @@ mod corpus;
 mod dice;
 mod judge;
 mod marks;
+mod pair;
 mod statements;
 mod table;
 mod text;

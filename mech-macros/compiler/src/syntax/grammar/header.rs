@@ -6,7 +6,7 @@ use super::recover::skip;
 use super::tokens::{any_word, expected_message, message_of, name, take};
 use crate::model::Precision;
 use crate::syntax::ast::Read;
-use crate::syntax::{Header, Message, Place};
+use crate::syntax::{Header, Message, Place, spelling};
 use syn::buffer::Cursor;
 use syn::parse::ParseStream;
 use syn::{Attribute, Token, Visibility};
@@ -21,6 +21,22 @@ pub(super) struct Line {
 pub(super) fn comes(input: ParseStream) -> bool {
     let invisible = input.peek(syn::token::Group) && input.peek2(Token![struct]);
     invisible || input.peek(Token![pub]) || input.peek(Token![struct])
+}
+
+/// Whether a `struct` line seems to come whose keyword is misspelt or left out.
+pub(super) fn seems(input: ParseStream) -> bool {
+    let Some((word, rest)) = input.cursor().ident() else {
+        return false;
+    };
+    let (text, words) = (word.to_string(), [&STATEMENTS[..], &["struct"]].concat());
+    let rest = match rest.ident() {
+        Some((_, rest)) if spelling::nearest(&text, &words) == Some("struct") => rest,
+        // The names of types have a great letter.
+        None if text.starts_with(char::is_uppercase) => rest,
+        _ => return false,
+    };
+    rest.punct()
+        .is_some_and(|(mark, _)| ";:".contains(mark.as_char()))
 }
 
 /// Reads a `struct` line from its visibility on.

@@ -1,15 +1,14 @@
 //! The items of a link: `{ point pin = (1, 0); circle (0, 0) radius 0.2; }`.
 
-use super::beginning::{ITEMS, STATEMENTS, at_beginning};
+use super::beginning::{ITEMS, STATEMENTS};
 use super::ending::missing_after;
 use super::expression::{direction, expression, pair, read_labelled};
 use super::figure::{self, corners};
 use super::foreign;
 use super::misplaced;
-use super::recover::{or_skip, skip, to_semicolon};
+use super::recover::{declared_name, doubled, leave_behind, skip, to_semicolon};
 use super::tokens::{
-    any_word, comes, expected_message, in_braces, in_brackets, name, symbol, take, take_tree,
-    take_word,
+    any_word, comes, expected_message, in_braces, in_brackets, symbol, take, take_tree, take_word,
 };
 use crate::model::AxisKind;
 use crate::syntax::ast::{
@@ -40,6 +39,12 @@ fn item(input: ParseStream) -> Item {
             names: Vec::new(),
         });
     };
+    if let Some(error) = doubled(input, &keyword) {
+        return Item::Broken(Broken {
+            error,
+            names: Vec::new(),
+        });
+    }
     match keyword.to_string().as_str() {
         "point" => axis(input, AxisKind::Point),
         "line" => axis(input, AxisKind::Line),
@@ -72,16 +77,7 @@ fn unknown_item(input: ParseStream, keyword: &Ident) -> Item {
         format!("unknown item `{keyword}`; {remedy}")
     });
     let error = Message::new(Place::at(keyword.span()), text);
-    let name = if at_beginning(input, &ITEMS) {
-        None
-    } else {
-        name(input, "a name").ok()
-    };
-    skip(input, &ITEMS);
-    Item::Broken(Broken {
-        error,
-        names: name.into_iter().collect(),
-    })
+    Item::Broken(leave_behind(input, &ITEMS, keyword, error))
 }
 
 fn axis(input: ParseStream, kind: AxisKind) -> Item {
@@ -89,14 +85,9 @@ fn axis(input: ParseStream, kind: AxisKind) -> Item {
         AxisKind::Point => "the name of a point",
         AxisKind::Line => "the name of a line",
     };
-    let name = match or_skip(input, &ITEMS, |input| name(input, what)) {
+    let name = match declared_name(input, &ITEMS, what) {
         Ok(name) => name,
-        Err(error) => {
-            return Item::Broken(Broken {
-                error,
-                names: Vec::new(),
-            });
-        }
+        Err(broken) => return Item::Broken(broken),
     };
     let value = to_semicolon(input, &ITEMS, |input| axis_value(input, kind));
     Item::Axis(Axis { kind, name, value })

@@ -4,11 +4,12 @@ use super::beginning::STATEMENTS;
 use super::expression::{expression, pair};
 use super::item::body;
 use super::path::path;
-use super::recover::{or_skip, read_declared, to_semicolon};
+use super::recover::{or_skip, read_declared, skip, to_semicolon};
 use super::tokens::{
-    comes, end, expected_message, in_braces, in_brackets, in_parens, name, open_braces, symbol,
-    take, take_word,
+    any_word, comes, end, expected_message, in_braces, in_brackets, in_parens, name, open_braces,
+    symbol, take, take_word,
 };
+use crate::syntax::Message;
 use crate::syntax::ast::{Broken, Constant, Part, Port, PortBinding, Read, Statement, Use};
 use proc_macro2::{Ident, Spacing};
 use syn::parse::ParseStream;
@@ -46,6 +47,23 @@ pub(super) fn is_of_rust(input: ParseStream) -> bool {
         let next = rest.punct();
         next.is_some_and(|(mark, _)| mark.as_char() == ':' && mark.spacing() == Spacing::Joint)
     })
+}
+
+/// Leaves behind a path of Rust after the word `use`: the part that it names is not unknown.
+pub(super) fn rust_path(input: ParseStream, outside: Message) -> Broken {
+    let mut names = Vec::new();
+    while let Some(name) = any_word(input) {
+        names = vec![name];
+        take(input, "::");
+    }
+    let is_ended = input.is_empty() || comes(input, ";");
+    let error = if is_ended {
+        outside
+    } else {
+        expected_message(input, "`;`")
+    };
+    skip(input, &STATEMENTS);
+    Broken { error, names }
 }
 
 /// Reads `left[6]: Leg(size = 2) mirrored scaled 2 { frame = ground };`.

@@ -4,14 +4,16 @@ use super::beginning::STATEMENTS;
 use super::ending::after_last;
 use super::expression::expression;
 use super::path::{end, path};
-use super::recover::{or_skip, read_setting, to_semicolon};
+use super::recover::{or_skip, read_setting, skip, to_semicolon};
 use super::tokens::{
     any_word, comes, expected_message, in_braces, in_brackets, name, symbol, take, take_word,
 };
 use super::trace::trace;
-use crate::syntax::ast::{Broken, Effect, Expr, Motor, Name, Read, Start, StartClause, Statement};
+use crate::syntax::ast::{
+    Broken, EFFECTS, Effect, Expr, Motor, Name, Read, Start, StartClause, Statement,
+};
 use crate::syntax::{Message, Place, spelling};
-use proc_macro2::Span;
+use proc_macro2::{Ident, Span};
 use syn::parse::ParseStream;
 use syn::token;
 
@@ -153,6 +155,33 @@ pub(super) fn effects(input: ParseStream, keyword: Span) -> Statement {
             names: Vec::new(),
         }),
     }
+}
+
+/// Complains about effects outside of their braces: all that stand there in a row.
+pub(super) fn stray_effects(input: ParseStream, first: &Ident) -> Message {
+    let mut effects = vec![first.clone()];
+    loop {
+        skip(input, &STATEMENTS);
+        let next = input.cursor().ident().map(|(word, _)| word);
+        let Some(next) = next.filter(|word| EFFECTS.iter().any(|effect| word == effect)) else {
+            break;
+        };
+        any_word(input);
+        effects.push(next);
+    }
+    let place = Place::at(first.span()).to(Place::at(effects[effects.len() - 1].span()));
+    let statements: Vec<String> = effects
+        .iter()
+        .map(|effect| match effect.to_string().as_str() {
+            "trace" => "trace ...;".to_owned(),
+            plain => format!("{plain};"),
+        })
+        .collect();
+    let text = format!(
+        "effects stand in braces; write `effects {{ {} }}`",
+        statements.join(" ")
+    );
+    Message::new(place, text)
 }
 
 fn effect(input: ParseStream) -> Read<Effect> {

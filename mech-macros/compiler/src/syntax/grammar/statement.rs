@@ -3,12 +3,14 @@
 use super::beginning::{NOT_YET, STATEMENTS, at_beginning};
 use super::expression::expression;
 use super::header::{self, Line};
-use super::recover::{broken_statement, or_skip, read_declared, skip, to_semicolon};
+use super::recover::{
+    broken_statement, doubled, leave_behind, or_skip, read_declared, skip, to_semicolon,
+};
 use super::tokens::{
-    any_word, comes, comes_word, expected_message, message_of, name, symbol, take, take_tree,
+    any_word, comes, comes_word, expected_message, message_of, symbol, take, take_tree,
 };
 use super::{action, foreign, item, joint, method, misplaced, part, setting};
-use crate::syntax::ast::{Broken, Constant, Ground, Link, Read, Statement, Text};
+use crate::syntax::ast::{Broken, Constant, EFFECTS, Ground, Link, Read, Statement, Text};
 use crate::syntax::{Message, Place, spelling};
 use proc_macro2::{Ident, Span};
 use syn::Attribute;
@@ -17,9 +19,11 @@ use syn::parse::ParseStream;
 /// Reads everything.
 pub(super) fn text(input: ParseStream) -> Text {
     let mut text = Text::default();
-    let beginning = input.span();
     let mut headed = false;
     let mut first = true;
+    let mut beginning = input.span();
+    // What is said before the second statement of a `struct` line that is missing or misspelt.
+    let mut of_header = 0..0;
     while !input.is_empty() {
         let begin = input.span();
         let attributes = match attributes(input) {
@@ -43,6 +47,11 @@ pub(super) fn text(input: ParseStream) -> Text {
         } else {
             let is_documented = comes_word(input, "part");
             let stray = stray(&attributes, is_documented);
+            if first {
+                beginning = input.span();
+                let said = usize::from(stray.is_some()) + usize::from(header::seems(input));
+                of_header = text.statements.len()..text.statements.len() + said;
+            }
             text.statements.extend(stray.map(broken_statement));
             if !input.is_empty() {
                 text.motors += usize::from(comes_word(input, "motor"));
@@ -54,6 +63,7 @@ pub(super) fn text(input: ParseStream) -> Text {
         first = false;
     }
     if !headed {
+        text.statements.drain(of_header);
         text.statements
             .insert(0, broken_statement(headless(beginning)));
         text.beginnings.clear();
@@ -111,6 +121,17 @@ pub(super) fn statement(input: ParseStream) -> Statement {
         }
         return broken_statement(otherwise);
     };
+    if let Some(error) = doubled(input, &keyword) {
+        return broken_statement(error);
+    }
+    // It is not read, but its name is kept: it is not unknown where it is used.
+    let left_behind = |error| {
+        let mut broken = leave_behind(input, &STATEMENTS, &keyword, error);
+        if spelling::nearest(&keyword.to_string(), &STATEMENTS) == Some("ground") {
+            broken.names = vec![Ident::new("ground", keyword.span())];
+        }
+        Statement::Broken(broken)
+    };
     match keyword.to_string().as_str() {
         "const" => constant(input, "the name of a constant", Statement::Constant),
         "param" => constant(input, "the name of a param", Statement::Param),
@@ -135,11 +156,16 @@ pub(super) fn statement(input: ParseStream) -> Statement {
         "allow" => setting::allow(input),
         "part" => part::part(input, statement),
         "port" => part::port(input),
-        "use" if part::is_of_rust(input) => left_behind(input, unknown_statement(&keyword)),
+        "use" if part::is_of_rust(input) => {
+            Statement::Broken(part::rust_path(input, unknown_statement(&keyword)))
+        }
         "use" => part::used(input),
-        NOT_YET => left_behind(input, not_yet(&keyword)),
+        NOT_YET => left_behind(not_yet(&keyword)),
+        word if EFFECTS.contains(&word) => {
+            broken_statement(setting::stray_effects(input, &keyword))
+        }
         _ if joint::body_comes(input) => joint::without_keyword(input, keyword),
-        _ => left_behind(input, unknown_statement(&keyword)),
+        _ => left_behind(unknown_statement(&keyword)),
     }
 }
 
@@ -171,20 +197,6 @@ fn unknown_statement(keyword: &Ident) -> Message {
     )
 }
 
-/// A statement that is not read, but whose name is kept: it is not unknown where it is used.
-fn left_behind(input: ParseStream, error: Message) -> Statement {
-    let name = if at_beginning(input, &STATEMENTS) {
-        None
-    } else {
-        name(input, "a name").ok()
-    };
-    skip(input, &STATEMENTS);
-    Statement::Broken(Broken {
-        error,
-        names: name.into_iter().collect(),
-    })
-}
-
 /// Reads `NAME = value;`.
 fn constant(input: ParseStream, what: &str, kind: fn(Constant) -> Statement) -> Statement {
     read_declared(input, what, |input, name| {
@@ -213,21 +225,30 @@ fn refuse_type(input: ParseStream) -> Read<()> {
     ))
 }
 
-/// Complains about several links in one statement.
-fn several_links(input: ParseStream, first: Ident) -> Statement {
+/// Complains about a comma after a link: it stands for `;`, or between several links.
+fn after_comma(input: ParseStream, first: Ident) -> Statement {
+    let instead = expected_message(input, "`;`");
     let mut names = vec![first];
-    while take(input, ",").is_some() {
+    while take(input, ",").is_some() && !at_beginning(input, &STATEMENTS) {
         names.extend(any_word(input));
     }
     skip(input, &STATEMENTS);
+    let error = match &names[..] {
+        [_] => instead,
+        _ => several_links(&names),
+    };
+    Statement::Broken(Broken { error, names })
+}
+
+/// The message about several links in one statement.
+fn several_links(names: &[Ident]) -> Message {
     let place = Place::at(names[0].span()).to(Place::at(names[names.len() - 1].span()));
     let statements: Vec<String> = names.iter().map(|name| format!("link {name};")).collect();
     let text = format!(
         "each link has its own statement; write `{}`",
         statements.join(" ")
     );
-    let error = Message::new(place, text);
-    Statement::Broken(Broken { error, names })
+    Message::new(place, text)
 }
 
 fn ground(input: ParseStream, keyword: Span) -> Statement {
@@ -239,7 +260,7 @@ fn link(input: ParseStream) -> Statement {
     let begin = input.cursor();
     read_declared(input, "the name of a link", |input, name| {
         if comes(input, ",") {
-            return several_links(input, name);
+            return after_comma(input, name);
         }
         let items = or_skip(input, &STATEMENTS, |input| item::body(input, begin));
         Statement::Link(Link { name, items })

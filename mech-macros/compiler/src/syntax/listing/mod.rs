@@ -3,12 +3,12 @@
 mod query;
 mod shape;
 
-use super::Place;
 use super::ast::{
     AxisValue, BetweenEnds, Clause, Color, Constant, Direction, Effect, Elastic, End, Expr,
     ExprKind, Ground, Index, Item, Joint, JointWord, Link, LoadOn, Matter, MatterKind, Motor, Name,
     Pair, Part, Port, Shape, Size, Start, Statement, Text, Trace, Use,
 };
+use super::{Place, color};
 use proc_macro2::{Ident, Span};
 use shape::shape_numbers;
 
@@ -39,7 +39,7 @@ pub struct ListedName<P = Place> {
 }
 
 /// The kind of thing that a name stands for, as far as the grammar knows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Noun {
     /// A link, a port, or the use of a part.
@@ -79,14 +79,21 @@ pub struct ListedNumber<P = Place> {
 impl Listing {
     /// Lists what a text consists of.
     pub(super) fn of(text: &Text) -> Self {
+        Self::by_statements(text).0
+    }
+
+    /// The same, and how many names there are up to the end of each statement.
+    pub(super) fn by_statements(text: &Text) -> (Self, Vec<usize>) {
         let mut reader = Reader {
             listing: Self::default(),
             part: None,
         };
+        let mut ends = Vec::new();
         for statement in &text.statements {
             reader.statement(statement);
+            ends.push(reader.listing.names.len());
         }
-        reader.listing
+        (reader.listing, ends)
     }
 }
 
@@ -222,7 +229,12 @@ impl Reader {
             Some((_, shade)) => color.value.place.to(Place::at(shade)),
             None => color.value.place,
         };
-        // Its name is none of a constant.
+        // A color that has a name is no constant.
+        if let ExprKind::Constant(name) = &color.value.kind
+            && !color::is_name(&name.to_string())
+        {
+            self.leaves(&color.value, &mut Vec::new());
+        }
         self.quantity(owner, role, place, false, Vec::new());
     }
 

@@ -11,6 +11,18 @@ impl<P> Default for Listing<P> {
     }
 }
 
+impl<P> ListedName<P> {
+    /// Its own word: the last of its path.
+    #[must_use]
+    pub fn word(&self) -> &str {
+        own_word(&self.path)
+    }
+}
+
+fn own_word(path: &str) -> &str {
+    path.rsplit_once('.').map_or(path, |(_, word)| word)
+}
+
 impl<P> ListedNumber<P> {
     /// Returns the path of its owner, with the part in which that is declared: `Leg.foot.tip`.
     #[must_use]
@@ -111,6 +123,24 @@ impl<P> Listing<P> {
             (part, path) = (Some(used), inner);
         }
         (part, path)
+    }
+
+    /// Where a name is used that is declared in this part, or in the mechanism, under this path.
+    pub fn uses<'a>(
+        &'a self,
+        noun: Noun,
+        part: Option<&'a str>,
+        path: &'a str,
+    ) -> impl Iterator<Item = &'a ListedName<P>> {
+        let word = own_word(path);
+        self.names.iter().filter(move |one| {
+            let is_like_it = match one.noun {
+                Noun::BodyOrJoint => matches!(noun, Noun::Body | Noun::Joint),
+                other => other == noun,
+            };
+            let is_it = || self.resolve(&one.path, one.part.as_deref()) == (part, path);
+            !one.is_declared && is_like_it && one.word() == word && is_it()
+        })
     }
 
     /// The declarations that a path may mean: of a link, a joint, an axis, a number and so on.

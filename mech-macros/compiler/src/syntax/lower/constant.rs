@@ -180,17 +180,19 @@ impl Constants {
         }
     }
 
-    /// The value of a constant where the report is.
+    /// The value of a constant in the statement of this number.
+    ///
+    /// # Errors
+    /// Why it has none there.
     pub(super) fn value(
         &self,
         name: &Ident,
         passing: Passing,
-        report: &mut Report,
-    ) -> Option<Quantity> {
+        here: usize,
+    ) -> Result<Option<Quantity>, String> {
         let text = name.to_string();
-        let here = report.statement();
-        let trouble = match self.find(&text) {
-            Some(entry) if entry.statement < here => return entry.value.quantity,
+        Err(match self.find(&text) {
+            Some(entry) if entry.statement < here => return Ok(entry.value.quantity),
             Some(entry) if entry.statement == here => {
                 format!("{} `{text}` cannot be computed from itself", entry.word)
             }
@@ -199,8 +201,7 @@ impl Constants {
                 format!("{word} `{text}` is declared further down; move its line up")
             }
             None => self.unknown_name(&text, passing, here),
-        };
-        report.refuse_unknown(Place::at(name.span()), trouble)
+        })
     }
 
     /// Returns the message about an unknown name; one of Rust's may be meant, which a macro cannot see.

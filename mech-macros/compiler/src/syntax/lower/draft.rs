@@ -22,8 +22,9 @@ pub(super) struct Draft {
     drawn: BTreeMap<LinkId, Vec<AxisId>>,
     /// The motors of the model, as the text declares them.
     pub(super) motors: Vec<WrittenMotor>,
-    /// Names of points and lines that are left out of the model because of an error; of all, if there is no name.
-    lost: Vec<(Body, Option<String>)>,
+    /// Names of points and lines that are left out of the model because of an error; of all, if there is no name. Without a link,
+    /// they may be meant for any.
+    lost: Vec<(Option<Body>, Option<String>)>,
 }
 
 /// A motor of the model, as the text declares it, for messages.
@@ -73,13 +74,23 @@ impl Draft {
 
     /// Notes that a link should have an axis of this name, or any, had there not been an error.
     pub(super) fn lose_axis(&mut self, link: Body, name: Option<&Ident>) {
-        self.lost.push((link, name.map(ToString::to_string)));
+        self.lost.push((Some(link), name.map(ToString::to_string)));
+    }
+
+    /// Notes that a statement that could not be read may be a point outside of its link, or the ground.
+    pub(super) fn lose(&mut self, names: &[Ident]) {
+        for name in names {
+            self.lost.push((None, Some(name.to_string())));
+            if name == "ground" {
+                self.lose_axis(LinkId::GROUND.into(), None);
+            }
+        }
     }
 
     /// Whether a link should have an axis of this name.
     pub(super) fn is_lost(&self, link: Body, name: &str) -> bool {
         let lost = |entry: &Option<String>| entry.as_deref().is_none_or(|entry| entry == name);
         let mut all = self.lost.iter();
-        all.any(|(owner, entry)| *owner == link && lost(entry))
+        all.any(|(owner, entry)| owner.is_none_or(|owner| owner == link) && lost(entry))
     }
 }

@@ -8,18 +8,8 @@ use super::trace;
 use crate::api::Owner;
 use crate::model::{AxisKind, Effects, JointKind, LinkId, Model, Origin};
 use crate::syntax::Place;
-use crate::syntax::ast::{Effect, Read};
+use crate::syntax::ast::{EFFECTS, Effect, Read};
 use proc_macro2::Ident;
-
-const EFFECTS: [&str; 7] = [
-    "velocity",
-    "acceleration",
-    "force",
-    "dynamics",
-    "trace",
-    "overlay",
-    "sensitivity",
-];
 
 pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, effects: &[Read<Effect>]) {
     let mut listed: Vec<&Ident> = Vec::new();

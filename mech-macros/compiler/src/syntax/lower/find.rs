@@ -4,9 +4,10 @@ use super::draft::Draft;
 use super::name::{Body, Referent, divide, word_for};
 use super::path::key;
 use super::reader::Reader;
-use crate::model::{Axis, AxisId, AxisKind, JointId, JointKind, LinkId, Model};
+use super::unknown::Unknown;
+use crate::model::{Axis, AxisId, AxisKind, JointId, JointKind, LinkId, Model, Origin};
 use crate::syntax::ast::Name;
-use crate::syntax::{Place, spelling};
+use crate::syntax::{Noun, Place, spelling};
 use proc_macro2::Ident;
 
 /// Returns the referent of this name, if there is one.
@@ -52,7 +53,8 @@ pub(super) fn body(reader: &mut Reader, draft: &Draft, name: &Name) -> Option<Bo
             spelling::remedy(divide(&key).1, &reader.names.links(&key))
         ),
     };
-    reader.report.refuse_unknown(name.place(), trouble)
+    let unknown = Unknown::named(Noun::Body, reader.names, &key);
+    reader.report.refuse_unknown(unknown, name.place(), trouble)
 }
 
 /// The joint of this name.
@@ -76,7 +78,8 @@ pub(super) fn joint(reader: &mut Reader, draft: &Draft, name: &Name) -> Option<J
             ),
         },
     };
-    reader.report.refuse_unknown(name.place(), trouble)
+    let unknown = Unknown::named(Noun::Joint, reader.names, &key);
+    reader.report.refuse_unknown(unknown, name.place(), trouble)
 }
 
 /// The first link that has a point of this name.
@@ -112,12 +115,18 @@ pub(super) fn refuse_unknown(reader: &mut Reader, name: &Name) {
         return;
     };
     let text = name.to_string();
-    let candidates: Vec<_> = [reader.names.links(&key), reader.names.joints(&key)].concat();
+    let joints = reader.names.joints(&key);
+    let noun = match spelling::nearest(divide(&key).1, &joints) {
+        Some(_) => Noun::Joint,
+        None => Noun::Body,
+    };
+    let candidates: Vec<_> = [reader.names.links(&key), joints].concat();
     let remedy = spelling::remedy(divide(&key).1, &candidates);
-    reader.report.error(
-        name.place(),
-        format!("unknown link or joint `{text}`{remedy}"),
-    );
+    let trouble = format!("unknown link or joint `{text}`{remedy}");
+    let unknown = Unknown::named(noun, reader.names, &key);
+    reader
+        .report
+        .refuse_unknown::<()>(unknown, name.place(), trouble);
 }
 
 /// The axis of this name on a link; of this kind, if one is given.
@@ -144,9 +153,12 @@ pub(super) fn axis(
         spelling::remedy(&text, &candidates)
     };
     let message = format!("`{link_name}` has no {what} `{text}`{remedy}");
+    let is_declared = draft.model.link(link.id).origin != Origin::default();
+    let name_of_all = if is_declared { text.as_str() } else { "" };
+    let unknown = Unknown::axis(reader.names, link_name, name_of_all);
     reader
         .report
-        .refuse_unknown(Place::at(name.span()), message)
+        .refuse_unknown(unknown, Place::at(name.span()), message)
 }
 
 /// Returns the message about a use of a part where one of its links or joints should be.

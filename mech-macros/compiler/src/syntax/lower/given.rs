@@ -36,6 +36,13 @@ fn given_axes(
     let axes = if body.kind == JointWord::Slot && found == [LINE, POINT] {
         refuse_swapped(reader, body);
         [None; 2]
+    } else if let ([Some(is), Some(other)], [wanted, second]) = (found, kinds)
+        && is == other
+        && wanted == second
+        && is != wanted
+    {
+        refuse_both(reader, body, [is, wanted], found);
+        [None; 2]
     } else {
         let [first, second] = &body.ends;
         [
@@ -71,6 +78,23 @@ fn refuse_swapped(reader: &mut Reader, body: &JointBody) {
     let text =
         format!("a `slot` takes the point first, then the line; write `slot({point}, {line})`");
     reader.report.error(line.place().to(point.place()), text);
+}
+
+/// Complains about two axes that are both of one kind where another is wanted.
+fn refuse_both(
+    reader: &mut Reader,
+    body: &JointBody,
+    kinds: [AxisKind; 2],
+    found: [Option<AxisKind>; 2],
+) {
+    let [is, wanted] = kinds.map(word_for);
+    let [first, second] = &body.ends;
+    let text = format!(
+        "`{first}` and `{second}` are {is}s, but `{}` joins {wanted}s; name {wanted}s{}",
+        body.word,
+        other_joint(body, found)
+    );
+    reader.report.error(first.place().to(second.place()), text);
 }
 
 /// The axis of an end, which must be of this kind; both ends are of those that were found.

@@ -6,6 +6,7 @@ use super::mass::{matter, weigh};
 use super::name::{Body, Referent, word_for};
 use super::quantity::{Length, Quantity, Spot};
 use super::reader::Reader;
+use super::unknown::Unknown;
 use crate::model::{self, AxisKind, FORWARD, FormulaId, LinkId, ShapeKind, color_of};
 use crate::syntax::ast::{
     Axis, AxisValue, Color, Expr, ExprKind, Ground, Item, Link, Outline, Pair, Read, Shape,
@@ -209,10 +210,15 @@ pub(super) fn read_color(reader: &mut Reader, color: &Color) -> Option<u8> {
     if let ExprKind::Constant(name) = &value.kind
         && !reader.constants().has(&name.to_string())
     {
-        let entry = color::named(&name.to_string(), shade.map(|(shade, _)| shade));
-        return match entry {
+        return match color::named(&name.to_string(), shade.map(|(shade, _)| shade)) {
             Ok(entry) => Some(entry),
-            Err(text) => reader.report.refuse(value.place, text),
+            Err(text) if color::is_name(&name.to_string()) => {
+                reader.report.refuse(value.place, text)
+            }
+            Err(text) => {
+                let unknown = Unknown::number(reader.here(), name);
+                reader.report.refuse_unknown(unknown, value.place, text)
+            }
         };
     }
     let number = reader.whole(value, "the number of a color", [0, 255])?;

@@ -38,6 +38,7 @@ mod similarity;
 mod single;
 mod start;
 mod trace;
+mod unknown;
 mod value;
 mod weld;
 
@@ -63,6 +64,7 @@ const PASSES: [fn(&mut Reader, &mut Draft, &Statement); 3] = [set, begin, go_on]
 /// Makes the model of a text. Each pass goes once through the text, and through each part as often as there are instances.
 pub(super) fn lower(text: &mut Text) -> Lowered {
     path::find_uses(text);
+    let text = &*text;
     let mut expansion = Expansion::of(text);
     let statements = expansion.declare_all();
     for located in &statements {
@@ -106,7 +108,7 @@ pub(super) fn lower(text: &mut Text) -> Lowered {
     Lowered {
         model: draft.model,
         places: draft.places,
-        errors: report.finish(),
+        errors: report.finish(text),
     }
 }
 

@@ -11,11 +11,12 @@ use super::report::{Report, StatementPlace};
 use super::scope::{Scope, UsedPart};
 use super::similarity::Similarity;
 use super::single::Single;
+use super::unknown::Unknown;
 use super::{joint, link};
 use crate::model::Instance;
 use crate::syntax::ast::{Constant, Effect, Link, Part, Port, Statement, Text, Use};
 use crate::syntax::limits::Limit;
-use crate::syntax::{Message, Place, spelling};
+use crate::syntax::{Message, Noun, Place, spelling};
 use proc_macro2::Ident;
 
 impl<'t> Expansion<'t> {
@@ -72,6 +73,7 @@ impl<'t> Expansion<'t> {
             Statement::Use(used) => (&used.name, declare_use(&mut reader, draft, used)),
             Statement::Broken(broken) => {
                 reader.report.pass_on(broken.error.clone());
+                draft.lose(&broken.names);
                 let keys: Vec<String> = broken
                     .names
                     .iter()
@@ -314,6 +316,7 @@ fn find_part<'t>(reader: &mut Reader, text: &'t Text, name: &Ident) -> Option<(u
             format!("part `{word}` uses itself; it would never end")
         }
         Some(found) => return Some(found),
+        None if matches!(reader.names.get(&word), Some(Referent::Broken)) => return None,
         None => {
             let known: Vec<String> = parts(text).map(|(_, part)| part.name.to_string()).collect();
             let known: Vec<&str> = known.iter().map(String::as_str).collect();
@@ -321,7 +324,11 @@ fn find_part<'t>(reader: &mut Reader, text: &'t Text, name: &Ident) -> Option<(u
                 [] => format!("; declare `part {word} {{ ... }}` in the mechanism"),
                 known => spelling::remedy(&word, known),
             };
-            format!("unknown part `{word}`{remedy}")
+            let text = format!("unknown part `{word}`{remedy}");
+            let unknown = Unknown::of_part(Noun::Part, None, name);
+            return reader
+                .report
+                .refuse_unknown(unknown, Place::at(name.span()), text);
         }
     };
     reader.report.refuse(Place::at(name.span()), trouble)
@@ -359,6 +366,7 @@ fn arguments(reader: &mut Reader, used: &Use, part: &Part) -> Vec<Option<Value>>
                 values[index] = Some(value);
                 continue;
             }
+            None if part.body.is_err() => continue,
             None => {
                 let known: Vec<String> = part
                     .parameters
@@ -366,11 +374,15 @@ fn arguments(reader: &mut Reader, used: &Use, part: &Part) -> Vec<Option<Value>>
                     .map(|known| known.name.to_string())
                     .collect();
                 let known: Vec<&str> = known.iter().map(String::as_str).collect();
-                let part = &part.name;
-                format!(
+                let part = part.name.to_string();
+                let text = format!(
                     "part `{part}` has no number `{name}`{}",
                     spelling::remedy(&name.to_string(), &known)
-                )
+                );
+                let unknown = Unknown::of_part(Noun::Number, Some(part), name);
+                let place = Place::at(name.span());
+                reader.report.refuse_unknown::<()>(unknown, place, text);
+                continue;
             }
         };
         reader.report.error(Place::at(name.span()), trouble);

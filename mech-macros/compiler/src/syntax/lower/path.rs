@@ -3,10 +3,11 @@
 use super::name::Referent;
 use super::reader::Reader;
 use super::scope::UsedPart;
+use super::unknown::Unknown;
 use crate::syntax::ast::{
     BetweenEnds, Effect, End, Expr, Index, LoadOn, Name, Segment, Statement, Text,
 };
-use crate::syntax::{Place, spelling};
+use crate::syntax::{Noun, Place, spelling};
 
 /// The uses of the mechanism and of each part.
 struct UseTable(Vec<Uses>);
@@ -153,13 +154,18 @@ fn used<'r>(reader: &mut Reader<'r>, scope: usize, segment: &Segment) -> Option<
     let scope = reader.names.scope(scope);
     let Some(used) = scope.used(name) else {
         let text = match reader.names.get(&scope.key_of(name)) {
-            Some(Referent::Broken) => return None,
+            // Its part is not known, or it has no instances: that was told.
+            Some(Referent::Broken | Referent::Use) => return None,
             Some(Referent::Link(_)) => format!("`{name}` is a link, not a use of a part"),
             Some(Referent::Joint(_)) => format!("`{name}` is a joint, not a use of a part"),
             _ => {
                 let known = scope.uses.iter().map(|used| used.name.as_str());
                 let remedy = spelling::remedy(&name.to_string(), &known.collect::<Vec<_>>());
-                format!("`{name}` is not a use of a part{remedy}")
+                let text = format!("`{name}` is not a use of a part{remedy}");
+                let key = scope.key_of(name);
+                let unknown = Unknown::named(Noun::Body, reader.names, &key);
+                let place = Place::at(name.span());
+                return reader.report.refuse_unknown(unknown, place, text);
             }
         };
         return refuse(reader, Place::at(name.span()), text);

@@ -6,10 +6,11 @@ use super::name::{Body, LentLink, Referent};
 use super::reader::{Located, Reader};
 use super::report::Report;
 use super::similarity::Similarity;
+use super::unknown::Unknown;
 use super::{find, link};
 use crate::model::LinkId;
 use crate::syntax::ast::{Part, PortBinding, Statement, Use};
-use crate::syntax::{Place, spelling};
+use crate::syntax::{Noun, Place, spelling};
 use proc_macro2::Ident;
 
 impl Expansion<'_> {
@@ -109,29 +110,38 @@ fn drawn_joint(part: &Part) -> Option<&Ident> {
 /// Complains about ports that are not lent, lent twice, or not there.
 fn check_ports(used: &Use, part: &Part, ports: &[String], report: &mut Report) {
     let ports: Vec<&str> = ports.iter().map(String::as_str).collect();
-    for (number, binding) in used.ports.iter().enumerate() {
-        let port = &binding.port;
-        let mut earlier = used.ports[..number].iter();
-        let text = if !ports.iter().any(|known| port == known) {
-            let remedy = spelling::remedy(&port.to_string(), &ports);
-            format!("part `{}` has no port `{port}`{remedy}", part.name)
-        } else if earlier.any(|earlier| earlier.port == *port) {
-            format!("port `{port}` is lent twice; remove one of the two")
-        } else {
-            continue;
-        };
-        report.error(Place::at(port.span()), text);
-    }
-    let is_lent = |port: &str| used.ports.iter().any(|binding| binding.port == *port);
+    let is_unknown = |port: &Ident| ports.iter().all(|known| port != known);
+    let lent = used.ports.iter().map(|binding| &binding.port);
+    let unknown: Vec<&Ident> = lent.clone().filter(|port| is_unknown(port)).collect();
+    // A link under an unknown name is meant for the port that looks like it, or else for any.
+    let looks = unknown.iter().map(|port| port.to_string());
+    let meant = looks.filter_map(|port| spelling::nearest(&port, &ports));
+    let meant: Vec<&str> = meant.collect();
+    let is_lent = |port: &str| lent.clone().any(|lent| lent == port) || meant.contains(&port);
     let missing = ports.iter().copied().filter(|port| !is_lent(port));
     let missing: Vec<&str> = missing.collect();
-    if let Some(first) = missing.first() {
+    if let Some(first) = missing.first()
+        && missing.len() > unknown.len() - meant.len()
+    {
         let text = format!(
             "part `{}` needs a link for {}; write `{first} = ...` with the name of a link in the braces",
             part.name,
             spelling::list(&missing)
         );
         report.error(Place::at(used.part.span()), text);
+    }
+    for (number, port) in lent.clone().enumerate() {
+        let place = Place::at(port.span());
+        if is_unknown(port) && !part.seems_to_declare(port) {
+            let remedy = spelling::remedy(&port.to_string(), &ports);
+            let part = part.name.to_string();
+            let text = format!("part `{part}` has no port `{port}`{remedy}");
+            let name = Unknown::of_part(Noun::Body, Some(part), port);
+            report.refuse_unknown::<()>(name, place, text);
+        } else if lent.clone().take(number).any(|earlier| earlier == port) {
+            let text = format!("port `{port}` is lent twice; remove one of the two");
+            report.error(place, text);
+        }
     }
 }
 

@@ -1,9 +1,10 @@
 //! Messages, put into the order of the text.
 
-use crate::syntax::ast::Read;
-use crate::syntax::{Message, Place, spelling};
+use super::unknown::Unknown;
+use crate::syntax::ast::{Read, Text};
+use crate::syntax::{Listing, Message, Place, spelling};
 use proc_macro2::Ident;
-use std::collections::HashSet;
+use std::collections::HashMap;
 
 /// Where a statement stands: its number among those of the mechanism, and among those of the part in it, if it is in a part.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -25,8 +26,10 @@ type Position = (StatementPlace, usize);
 /// A message as it came.
 struct Entry {
     position: Position,
-    /// The instance of a part about which it is: `left[2]`.
-    instance: Option<String>,
+    /// The instances of a part about which it is: `left[2]`.
+    instances: Vec<String>,
+    /// The name that is unknown, if that is the message.
+    unknown: Option<Unknown>,
     message: Message,
 }
 
@@ -36,8 +39,8 @@ pub(super) struct Report {
     position: Position,
     instance: Option<String>,
     entries: Vec<Entry>,
-    /// What was said of unknown names, and in which instances.
-    unknown: HashSet<(Option<String>, String)>,
+    /// Which entry tells that a name is unknown. Looked up only, never iterated.
+    unknown: HashMap<Unknown, usize>,
 }
 
 impl Report {
@@ -75,10 +78,25 @@ impl Report {
     }
 
     /// The same of a name that is unknown, wherever it stands: it is told once.
-    pub(super) fn refuse_unknown<T>(&mut self, place: Place, text: String) -> Option<T> {
-        if self.unknown.insert((self.instance.clone(), text.clone())) {
-            self.error(place, text);
+    pub(super) fn refuse_unknown<T>(
+        &mut self,
+        unknown: Unknown,
+        place: Place,
+        text: String,
+    ) -> Option<T> {
+        if let Some(&index) = self.unknown.get(&unknown) {
+            let entry = &mut self.entries[index];
+            let here = self.instance.iter();
+            let others = here.filter(|instance| !entry.instances.contains(instance));
+            if entry.position == self.position {
+                entry.instances.extend(others.cloned().collect::<Vec<_>>());
+            }
+            return None;
         }
+        self.unknown.insert(unknown.clone(), self.entries.len());
+        self.error(place, text);
+        let entry = self.entries.last_mut()?;
+        entry.unknown = Some(unknown);
         None
     }
 
@@ -108,7 +126,8 @@ impl Report {
         }
         self.entries.push(Entry {
             position: self.position,
-            instance: self.instance.clone(),
+            instances: self.instance.iter().cloned().collect(),
+            unknown: None,
             message,
         });
     }
@@ -131,29 +150,48 @@ impl Report {
         entries.any(|entry| entry.position == self.position && entry.message.text == text)
     }
 
-    /// All messages in the order of the text; what is wrong with several instances of a part once.
-    pub(super) fn finish(mut self) -> Vec<Message> {
-        self.entries.sort_by_key(|entry| entry.position);
-        let mut messages: Vec<(Entry, Vec<String>)> = Vec::new();
-        for mut entry in self.entries {
-            let Some(instance) = entry.instance.take() else {
-                messages.push((entry, Vec::new()));
-                continue;
-            };
-            // Of one instance the same may be said twice, about two places.
-            let same = messages.iter_mut().find(|(earlier, instances)| {
-                let said = earlier.position == entry.position
-                    && earlier.message.text == entry.message.text;
-                said && !instances.is_empty() && !instances.contains(&instance)
-            });
-            match same {
-                Some((_, instances)) => instances.push(instance),
-                None => messages.push((entry, vec![instance])),
+    /// Says of unknown names what is known of them at the end: which of them are misspelt where they are declared.
+    fn explain_unknown(&mut self, text: &Text) {
+        let unknown = self.entries.iter_mut();
+        let unknown = unknown.filter_map(|entry| Some((entry.unknown.take()?, entry)));
+        let mut listing = None;
+        // More are not shown.
+        for (unknown, entry) in unknown.take(Message::MOST) {
+            let (listing, ends) = listing.get_or_insert_with(|| Listing::by_statements(text));
+            if let Some(text) = unknown.without_ground(listing) {
+                entry.message.text = text;
+            } else if let Some((index, text)) = unknown.misspelt(listing) {
+                let before = ends.iter().take_while(|end| **end <= index);
+                let statement = StatementPlace::of_mechanism(before.count() + 1);
+                entry.position = (statement, 0);
+                entry.message = Message::new(listing.names[index].place, text);
             }
         }
-        let named = messages.into_iter().map(|(mut entry, instances)| {
-            if !instances.is_empty() {
-                let instances: Vec<&str> = instances.iter().map(String::as_str).collect();
+    }
+
+    /// All messages in the order of the text; what is wrong with several instances of a part once.
+    pub(super) fn finish(mut self, text: &Text) -> Vec<Message> {
+        self.explain_unknown(text);
+        self.entries.sort_by_key(|entry| entry.position);
+        let mut told: Vec<Entry> = Vec::new();
+        for entry in self.entries {
+            // Of one instance the same may be said twice, about two places.
+            let same = told.iter_mut().find(|earlier| {
+                let said = earlier.position == entry.position
+                    && earlier.message.text == entry.message.text;
+                let is_told = |instance| earlier.instances.contains(instance);
+                said && !earlier.instances.is_empty()
+                    && !entry.instances.is_empty()
+                    && !entry.instances.iter().any(is_told)
+            });
+            match same {
+                Some(same) => same.instances.extend(entry.instances),
+                None => told.push(entry),
+            }
+        }
+        let named = told.into_iter().map(|mut entry| {
+            if !entry.instances.is_empty() {
+                let instances: Vec<&str> = entry.instances.iter().map(String::as_str).collect();
                 entry.message.text += &format!("\n\nnote: in {}", spelling::list(&instances));
             }
             entry.message

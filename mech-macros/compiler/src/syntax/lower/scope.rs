@@ -102,6 +102,12 @@ impl Scopes {
         &self.0[scope]
     }
 
+    /// The scope to which this path leads: `left[2]`.
+    pub(super) fn find(&self, path: &str) -> Option<&Scope> {
+        let mut scopes = self.0.iter();
+        scopes.find(|scope| scope.prefix.trim_end_matches('.') == path)
+    }
+
     /// The same, to be changed.
     pub(super) fn get_mut(&mut self, scope: usize) -> &mut Scope {
         &mut self.0[scope]

@@ -4,6 +4,7 @@ use super::angle::{is_angle, is_degrees_perhaps};
 use super::constant::{INSTANCE, Value};
 use super::quantity::{Length, Quantity, Spot, as_formulas};
 use super::reader::Reader;
+use super::unknown::Unknown;
 use crate::bug::bug;
 use crate::model::{BinaryFunction, Formula, FormulaId, Function};
 use crate::syntax::Place;
@@ -109,7 +110,17 @@ impl Reader<'_> {
         )]
         let known = match passing.instance {
             Some(instance) if name == INSTANCE => Quantity::fixed(instance as f64),
-            _ => self.constants().value(name, passing, self.report)?,
+            _ => match self
+                .constants()
+                .value(name, passing, self.report.statement())
+            {
+                Ok(known) => known?,
+                Err(text) => {
+                    let unknown = Unknown::number(self.here(), name);
+                    let place = Place::at(name.span());
+                    return self.report.refuse_unknown(unknown, place, text);
+                }
+            },
         };
         Some(self.in_this_law(known))
     }
