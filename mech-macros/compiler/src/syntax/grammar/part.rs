@@ -49,20 +49,23 @@ pub(super) fn is_of_rust(input: ParseStream) -> bool {
     })
 }
 
-/// Leaves behind a path of Rust after the word `use`: the part that it names is not unknown.
+/// Leaves behind a path of Rust, which may be meant for a use: what it declares is not unknown.
 pub(super) fn rust_path(input: ParseStream, outside: Message) -> Broken {
-    let mut names = Vec::new();
+    let (mut names, mut colons) = (Vec::new(), None);
     while let Some(name) = any_word(input) {
-        names = vec![name];
-        take(input, "::");
+        names.push(name);
+        let next = take(input, "::");
+        colons = colons.or(next);
     }
-    let is_ended = input.is_empty() || comes(input, ";");
-    let error = if is_ended {
-        outside
-    } else {
-        expected_message(input, "`;`")
+    let is_use = input.peek(token::Brace) || input.peek(token::Paren);
+    let error = match colons {
+        Some(colons) if is_use => Message::new(colons, "expected `:`, found `::`"),
+        _ if input.is_empty() || comes(input, ";") => outside,
+        _ => expected_message(input, "`;`"),
     };
     skip(input, &STATEMENTS);
+    let declared = if is_use { names.first() } else { names.last() };
+    let names = declared.cloned().into_iter().collect();
     Broken { error, names }
 }
 

@@ -15,6 +15,7 @@ use crate::syntax::{Message, Place, spelling};
 use proc_macro2::{Ident, Span};
 use syn::Attribute;
 use syn::parse::ParseStream;
+use syn::token::Brace;
 
 /// Reads everything.
 pub(super) fn text(input: ParseStream) -> Text {
@@ -114,12 +115,18 @@ fn stray(attributes: &[Attribute], is_documented: bool) -> Option<Message> {
 pub(super) fn statement(input: ParseStream) -> Statement {
     let Some(keyword) = any_word(input) else {
         let otherwise = expected_message(input, "a statement");
+        // Braces without a word are those of the ground, as no name is missing.
+        let ground = Ident::new("ground", input.span());
+        let names = input.peek(Brace).then_some(ground).into_iter().collect();
         // One token at least, or a stray keyword after it would be waited for forever.
         if take(input, ";").is_none() {
             take_tree(input);
             skip(input, &STATEMENTS);
         }
-        return broken_statement(otherwise);
+        return Statement::Broken(Broken {
+            error: otherwise,
+            names,
+        });
     };
     if let Some(error) = doubled(input, &keyword) {
         return broken_statement(error);
@@ -165,6 +172,9 @@ pub(super) fn statement(input: ParseStream) -> Statement {
             broken_statement(setting::stray_effects(input, &keyword))
         }
         _ if joint::body_comes(input) => joint::without_keyword(input, keyword),
+        _ if take(input, "::").is_some() => {
+            Statement::Broken(part::rust_path(input, unknown_statement(&keyword)))
+        }
         _ => left_behind(unknown_statement(&keyword)),
     }
 }

@@ -4,7 +4,6 @@ use super::draft::Draft;
 use super::name::{Body, Referent, divide, word_for};
 use super::path::key;
 use super::reader::Reader;
-use super::unknown::Unknown;
 use crate::model::{Axis, AxisId, AxisKind, JointId, JointKind, LinkId, Model, Origin};
 use crate::syntax::ast::Name;
 use crate::syntax::{Noun, Place, spelling};
@@ -53,7 +52,7 @@ pub(super) fn body(reader: &mut Reader, draft: &Draft, name: &Name) -> Option<Bo
             spelling::remedy(divide(&key).1, &reader.names.links(&key))
         ),
     };
-    let unknown = Unknown::named(Noun::Body, reader.names, &key);
+    let unknown = reader.names.unknown(Noun::Body, &key);
     reader.report.refuse_unknown(unknown, name.place(), trouble)
 }
 
@@ -78,7 +77,7 @@ pub(super) fn joint(reader: &mut Reader, draft: &Draft, name: &Name) -> Option<J
             ),
         },
     };
-    let unknown = Unknown::named(Noun::Joint, reader.names, &key);
+    let unknown = reader.names.unknown(Noun::Joint, &key);
     reader.report.refuse_unknown(unknown, name.place(), trouble)
 }
 
@@ -123,7 +122,7 @@ pub(super) fn refuse_unknown(reader: &mut Reader, name: &Name) {
     let candidates: Vec<_> = [reader.names.links(&key), joints].concat();
     let remedy = spelling::remedy(divide(&key).1, &candidates);
     let trouble = format!("unknown link or joint `{text}`{remedy}");
-    let unknown = Unknown::named(noun, reader.names, &key);
+    let unknown = reader.names.unknown(noun, &key);
     reader
         .report
         .refuse_unknown::<()>(unknown, name.place(), trouble);
@@ -155,7 +154,7 @@ pub(super) fn axis(
     let message = format!("`{link_name}` has no {what} `{text}`{remedy}");
     let is_declared = draft.model.link(link.id).origin != Origin::default();
     let name_of_all = if is_declared { text.as_str() } else { "" };
-    let unknown = Unknown::axis(reader.names, link_name, name_of_all);
+    let unknown = reader.names.unknown_axis(link_name, name_of_all);
     reader
         .report
         .refuse_unknown(unknown, Place::at(name.span()), message)

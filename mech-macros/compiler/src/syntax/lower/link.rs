@@ -6,7 +6,6 @@ use super::mass::{matter, weigh};
 use super::name::{Body, Referent, word_for};
 use super::quantity::{Length, Quantity, Spot};
 use super::reader::Reader;
-use super::unknown::Unknown;
 use crate::model::{self, AxisKind, FORWARD, FormulaId, LinkId, ShapeKind, color_of};
 use crate::syntax::ast::{
     Axis, AxisValue, Color, Expr, ExprKind, Ground, Item, Link, Outline, Pair, Read, Shape,
@@ -216,7 +215,7 @@ pub(super) fn read_color(reader: &mut Reader, color: &Color) -> Option<u8> {
                 reader.report.refuse(value.place, text)
             }
             Err(text) => {
-                let unknown = Unknown::number(reader.here(), name);
+                let unknown = reader.unknown_number(name);
                 reader.report.refuse_unknown(unknown, value.place, text)
             }
         };

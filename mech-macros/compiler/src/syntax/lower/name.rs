@@ -2,7 +2,9 @@
 
 use super::scope::{Scope, Scopes};
 use super::similarity::Similarity;
+use super::unknown::Unknown;
 use crate::model::{Axis, AxisId, AxisKind, JointId, LinkId, Model};
+use crate::syntax::Noun;
 use std::collections::HashMap;
 
 /// A link, and the port by which a part knows it.
@@ -132,6 +134,23 @@ impl Names {
             .filter(|(prefix, _)| *prefix == scope)
             .map(|(_, name)| name)
             .collect()
+    }
+
+    /// A link, a use or a joint that is unknown, by its name with the path to its scope.
+    pub(super) fn unknown(&self, noun: Noun, key: &str) -> Unknown {
+        let (path, name) = divide(key);
+        let part = self.scopes.find(path).and_then(|scope| scope.part.clone());
+        Unknown::new(noun, part, &name)
+    }
+
+    /// A point or line of a link that is unknown; without a name, all of them.
+    pub(super) fn unknown_axis(&self, link: &str, name: &str) -> Unknown {
+        let link = self.unknown(Noun::Axis, link);
+        Unknown {
+            owner: format!("{}.", link.word),
+            word: name.to_owned(),
+            ..link
+        }
     }
 
     /// The path of a link: that of its port in a part to which it is lent.

@@ -325,7 +325,7 @@ fn find_part<'t>(reader: &mut Reader, text: &'t Text, name: &Ident) -> Option<(u
                 known => spelling::remedy(&word, known),
             };
             let text = format!("unknown part `{word}`{remedy}");
-            let unknown = Unknown::of_part(Noun::Part, None, name);
+            let unknown = Unknown::new(Noun::Part, None, name);
             return reader
                 .report
                 .refuse_unknown(unknown, Place::at(name.span()), text);
@@ -379,7 +379,7 @@ fn arguments(reader: &mut Reader, used: &Use, part: &Part) -> Vec<Option<Value>>
                     "part `{part}` has no number `{name}`{}",
                     spelling::remedy(&name.to_string(), &known)
                 );
-                let unknown = Unknown::of_part(Noun::Number, Some(part), name);
+                let unknown = Unknown::new(Noun::Number, Some(part), name);
                 let place = Place::at(name.span());
                 reader.report.refuse_unknown::<()>(unknown, place, text);
                 continue;

@@ -3,7 +3,6 @@
 use super::name::Referent;
 use super::reader::Reader;
 use super::scope::UsedPart;
-use super::unknown::Unknown;
 use crate::syntax::ast::{
     BetweenEnds, Effect, End, Expr, Index, LoadOn, Name, Segment, Statement, Text,
 };
@@ -163,7 +162,7 @@ fn used<'r>(reader: &mut Reader<'r>, scope: usize, segment: &Segment) -> Option<
                 let remedy = spelling::remedy(&name.to_string(), &known.collect::<Vec<_>>());
                 let text = format!("`{name}` is not a use of a part{remedy}");
                 let key = scope.key_of(name);
-                let unknown = Unknown::named(Noun::Body, reader.names, &key);
+                let unknown = reader.names.unknown(Noun::Body, &key);
                 let place = Place::at(name.span());
                 return reader.report.refuse_unknown(unknown, place, text);
             }

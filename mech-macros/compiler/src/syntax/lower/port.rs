@@ -136,7 +136,7 @@ fn check_ports(used: &Use, part: &Part, ports: &[String], report: &mut Report) {
             let remedy = spelling::remedy(&port.to_string(), &ports);
             let part = part.name.to_string();
             let text = format!("part `{part}` has no port `{port}`{remedy}");
-            let name = Unknown::of_part(Noun::Body, Some(part), port);
+            let name = Unknown::new(Noun::Body, Some(part), port);
             report.refuse_unknown::<()>(name, place, text);
         } else if lent.clone().take(number).any(|earlier| earlier == port) {
             let text = format!("port `{port}` is lent twice; remove one of the two");

@@ -6,9 +6,10 @@ use super::quantity::{Quantity, Spot};
 use super::report::{Report, StatementPlace};
 use super::scope::Scope;
 use super::similarity::Similarity;
+use super::unknown::Unknown;
 use crate::model::{Formulas, Params};
-use crate::syntax::Place;
 use crate::syntax::ast::Statement;
+use crate::syntax::{Noun, Place};
 use proc_macro2::Ident;
 
 /// A statement in one of the scopes in which it is read.
@@ -105,6 +106,11 @@ impl<'r> Reader<'r> {
     /// The numbers of the mechanism or the instance that is read.
     pub(super) fn constants(&self) -> &'r Constants {
         &self.here().constants
+    }
+
+    /// A number of this name that is unknown here.
+    pub(super) fn unknown_number(&self, name: &Ident) -> Unknown {
+        Unknown::new(Noun::Number, self.here().part.clone(), name)
     }
 
     /// The name of something that is declared here, with the path to it.

@@ -1,58 +1,33 @@
 //! Names that nothing declares.
 
-use super::name::{Names, divide};
-use super::scope::Scope;
 use crate::syntax::{ListedName, Listing, Noun, spelling};
-use proc_macro2::Ident;
 
 /// A name that nothing declares.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Unknown {
-    noun: Noun,
+    pub(super) noun: Noun,
     /// The part in whose braces it should be declared.
-    part: Option<String>,
-    /// Its path there: `crank`, or `crank.pin`. Of all that is fixed to a ground that is not declared, `ground.`.
-    path: String,
+    pub(super) part: Option<String>,
+    /// The link to which it should be fixed, with a dot, if it is a point or a line.
+    pub(super) owner: String,
+    /// Its own word; none for all that is fixed to a ground that is not declared.
+    pub(super) word: String,
 }
 
 impl Unknown {
-    /// A link, a use or a joint of this name, which the path to its scope precedes.
-    pub(super) fn named(noun: Noun, names: &Names, key: &str) -> Self {
-        let (path, name) = divide(key);
-        Self {
-            noun,
-            part: names.scopes.find(path).and_then(|scope| scope.part.clone()),
-            path: name.to_owned(),
-        }
-    }
-
-    /// A point or line of a link.
-    pub(super) fn axis(names: &Names, link: &str, name: &str) -> Self {
-        let link = Self::named(Noun::Axis, names, link);
-        Self {
-            path: format!("{}.{name}", link.path),
-            ..link
-        }
-    }
-
-    /// A constant, a param, or a number of a part.
-    pub(super) fn number(scope: &Scope, name: &Ident) -> Self {
-        let part = scope.part.clone();
-        Self::of_part(Noun::Number, part, name)
-    }
-
-    /// A number or a port of this part; without one, a part.
-    pub(super) fn of_part(noun: Noun, part: Option<String>, name: &Ident) -> Self {
+    /// What is fixed to no link.
+    pub(super) fn new(noun: Noun, part: Option<String>, name: &impl ToString) -> Self {
         Self {
             noun,
             part,
-            path: name.to_string(),
+            owner: String::new(),
+            word: name.to_string(),
         }
     }
 
     /// What is said instead, if nothing of the ground is declared.
     pub(super) fn without_ground(&self, listing: &Listing) -> Option<String> {
-        if divide(&self.path) != ("ground", "") {
+        if (&*self.owner, &*self.word) != ("ground.", "") {
             return None;
         }
         let mut names: Vec<&str> = Vec::new();
@@ -69,15 +44,18 @@ impl Unknown {
 
     /// The number of the declaration that is misspelt, if one is, and what is said there: it looks like this name, and is not used.
     pub(super) fn misspelt(&self, listing: &Listing) -> Option<(usize, String)> {
-        let (owner, word) = divide(&self.path);
+        let (owner, word) = (&self.owner, &self.word);
+        let path = format!("{owner}{word}");
+        let is_other =
+            |one: &ListedName| one.is_declared && one.part == self.part && one.path == path;
         // A name that stands nowhere else may as well be misspelt itself.
         let same = listing.names.iter().filter(|one| one.word() == word);
-        if same.count() < 2 {
+        if same.count() < 2 || listing.names.iter().any(is_other) {
             return None;
         }
         let is_beside = |one: &ListedName| {
             let is_like_it = (one.noun, &one.part) == (self.noun, &self.part);
-            one.is_declared && is_like_it && divide(&one.path).0 == owner
+            one.is_declared && is_like_it && one.path.strip_suffix(one.word()) == Some(owner)
         };
         let all = listing.names.iter();
         let beside: Vec<&str> = all
@@ -86,10 +64,7 @@ impl Unknown {
             .collect();
         let mut unused = spelling::alike(word, beside.into_iter());
         unused.retain(|(_, near)| {
-            let path = match owner {
-                "" => (*near).to_owned(),
-                owner => format!("{owner}.{near}"),
-            };
+            let path = format!("{owner}{near}");
             let mut uses = listing.uses(self.noun, self.part.as_deref(), &path);
             uses.next().is_none()
         });
@@ -100,14 +75,13 @@ impl Unknown {
         };
         let mut all = listing.names.iter();
         let declared = all.position(|one| is_beside(one) && one.word() == near)?;
-        let uses = listing.uses(self.noun, self.part.as_deref(), &self.path);
+        let uses = listing.uses(self.noun, self.part.as_deref(), &path);
         let times = match uses.count() {
             0 | 1 => "used".to_owned(),
             count => format!("used {count} times"),
         };
         let text = format!(
-            "`{near}` is declared but not used, and `{}`, which is {times}, is not declared; did you mean `{word}`?",
-            self.path
+            "`{near}` is declared but not used, and `{path}`, which is {times}, is not declared; did you mean `{word}`?"
         );
         Some((declared, text))
     }

@@ -4,7 +4,6 @@ use super::angle::{is_angle, is_degrees_perhaps};
 use super::constant::{INSTANCE, Value};
 use super::quantity::{Length, Quantity, Spot, as_formulas};
 use super::reader::Reader;
-use super::unknown::Unknown;
 use crate::bug::bug;
 use crate::model::{BinaryFunction, Formula, FormulaId, Function};
 use crate::syntax::Place;
@@ -116,7 +115,7 @@ impl Reader<'_> {
             {
                 Ok(known) => known?,
                 Err(text) => {
-                    let unknown = Unknown::number(self.here(), name);
+                    let unknown = self.unknown_number(name);
                     let place = Place::at(name.span());
                     return self.report.refuse_unknown(unknown, place, text);
                 }
