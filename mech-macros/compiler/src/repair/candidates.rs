@@ -47,7 +47,9 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
             let joints = with_slides(model, &joints, &mut links);
             repairs.extend(replacement::slots(model, &joints));
             repairs.extend(replacement::free_from_ground(model, &joints));
-            repairs.extend(replacement::splits(model, &links));
+            if !is_mobile {
+                repairs.extend(replacement::splits(model, &links));
+            }
             repairs.extend(on_part(model, &links, &joints));
             repairs
         }
