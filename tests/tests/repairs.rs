@@ -201,7 +201,7 @@ fn a_missing_motor_is_found_and_can_be_put_back() {
         let joint = model
             .declared_joints()
             .find(|&id| model.joint(id).name == *name);
-        let added = Repair::AddMotors(vec![joint.expect("the joint")]);
+        let added = Repair::AddMotors(vec![joint.expect("the joint").into()]);
         assert!(found[0].single.contains(&added), "{found:?}");
     });
 }

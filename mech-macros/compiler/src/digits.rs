@@ -13,6 +13,11 @@ pub(crate) fn of_four_digits(value: f64) -> f64 {
     read(&format!("{value:.3e}"))
 }
 
+/// A number with one digit.
+pub(crate) fn of_one_digit(value: f64) -> f64 {
+    read(&format!("{value:.0e}"))
+}
+
 fn read(text: &str) -> f64 {
     let Ok(value) = text.parse() else {
         bug!("`{text}` is no number");

@@ -1,5 +1,47 @@
 //! What messages advise, and doing it.
 
+use mech_compiler::compile;
+use mech_compiler::repair::{Offers, Repair, edits};
+use mech_compiler::reporter::repair_text;
+use mech_compiler::structure::Diagnosis;
+
+/// The repairs that are enough, in words, in the order in which they are offered; each was made to the text, and the text compiled.
+pub(crate) fn repairs(text: &str) -> Vec<String> {
+    let analysis = mech_compiler::analyse(text.parse().expect("tokens"));
+    let faults = analysis.result.err().into_iter();
+    let offers = faults.flat_map(|faults| faults.offers);
+    let parsed = &analysis.parsed;
+    let mut found = Vec::new();
+    for repairs in offers.flat_map(|offers| enough(&offers)) {
+        let words = repair_text(&repairs, &parsed.model);
+        let edits = edits(&repairs, &parsed.model, parsed.source.tokens());
+        let changed = edits.and_then(|edits| parsed.source.model_with(&edits));
+        let Some(changed) = changed else {
+            // What is drawn has to be drawn anew, by hand.
+            let is_start = matches!(repairs[..], [Repair::StartAt { .. }]);
+            assert!(is_start, "cannot be made: {words}\n{text}");
+            continue;
+        };
+        if let Err(wrong) = compile(&changed) {
+            let several = matches!(wrong[..], [Diagnosis::SeveralAssemblies { .. }]);
+            assert!(several, "{words}: {wrong:?}\n{text}");
+        }
+        if !found.contains(&words) {
+            found.push(words);
+        }
+    }
+    found
+}
+
+/// What is offered as enough: single changes, and those that are made together.
+fn enough(offers: &Offers) -> Vec<Vec<Repair>> {
+    let single = offers.single.iter().map(|repair| vec![repair.clone()]);
+    let coupled = offers.coupled.iter();
+    let coupled = coupled.map(|repair| vec![repair.clone(), Repair::AllowCoupled]);
+    let pairs = offers.pairs.iter().map(|pair| pair.to_vec());
+    single.chain(coupled).chain(pairs).collect()
+}
+
 /// What the compiler says of a text, as the macro does.
 pub(crate) fn messages(text: &str) -> Vec<String> {
     let analysis = mech_compiler::analyse(text.parse().expect("tokens"));
@@ -42,7 +84,8 @@ pub(crate) fn written_out(message: &str) -> Vec<String> {
         // Two changes at once are tried as data, by `repairs`.
         .filter(|line| line.matches(": add `").count() + line.matches(": write `").count() == 1)
         .filter(|line| !line.contains("` and `"))
-        .filter(|line| !line.starts_with("remove "))
+        // So are links, with their joints.
+        .filter(|line| !line.starts_with("remove ") && !line.contains(": write `link "))
         .map(str::to_owned)
         .collect()
 }

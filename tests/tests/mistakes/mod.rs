@@ -4,7 +4,8 @@
 mod advice;
 mod forgotten;
 
-use advice::{alternatives, mend, messages};
+use advice::{alternatives, messages, repairs};
+use std::panic::catch_unwind;
 
 /// A mechanism as it is drawn: points with their places, links by the letters of their points, what is pinned to the ground, and
 /// what else there is.
@@ -91,21 +92,15 @@ fn assert_advised(drawing: &Drawing, style: Style, wanted: &str) {
         "{style:?}: no `{wanted}` in {first:#?}\n{text}{}",
         reported.join("\n")
     );
+    // What is offered compiles, and this is not far behind.
+    let mended = repairs(&text);
+    let place = mended.iter().position(|words| words == wanted);
+    assert!(place.is_none_or(|place| place < 2), "{mended:#?}");
     for message in &reported {
         assert!(
             message.matches("help: ").count() <= 4,
             "too much help\n{message}"
         );
-        for advice in advice::written_out(message) {
-            let text = mend(&text, &advice);
-            let left = messages(&text);
-            let alone = message.contains("for this alone");
-            assert!(
-                left.is_empty() || alone,
-                "{advice}\n{text}{}",
-                left.join("\n")
-            );
-        }
     }
 }
 
@@ -117,6 +112,17 @@ fn assert_offered_first(text: &str, wanted: &str) {
     assert!(first.contains(wanted), "{reported:#?}");
     let left = messages(&format!("{text} {wanted}"));
     assert!(left.is_empty(), "{left:#?}\n{text}");
+}
+
+/// A repair is offered first or second, was made to the text, and compiled.
+fn assert_mended(text: &str, wanted: &str) {
+    let offered = repairs(text);
+    let place = offered.iter().position(|words| words == wanted);
+    assert!(
+        place.is_some_and(|place| place < 2),
+        "no `{wanted}` in {offered:#?}\n{text}{}",
+        messages(text).join("\n")
+    );
 }
 
 /// A line of a mistake: more of what is drawn, or what is to be said of it.
@@ -141,6 +147,7 @@ fn follow<'t>(line: &'t str, drawing: &mut Drawing<'t>) -> bool {
                 assert_advised(drawing, style, rest);
             }
         }
+        "mend:" => assert_mended(&drawing.text(Style::Points), rest),
         "first:" => assert_offered_first(&drawing.text(Style::Points), rest),
         "says:" => {
             let all = messages(&drawing.text(Style::Points)).join("\n");
@@ -154,16 +161,21 @@ fn follow<'t>(line: &'t str, drawing: &mut Drawing<'t>) -> bool {
 #[test]
 fn a_teacher_s_advice_is_offered() {
     let text = include_str!("../../cases/mistakes.txt");
-    let mut asked = 0;
+    let (mut asked, mut wrong) = (0, Vec::new());
     for mistake in text.split("\n\n").skip(1) {
         let (title, lines) = mistake.trim().split_once('\n').expect("a title and more");
         println!("{title}");
-        let mut drawing = Drawing::default();
-        asked += lines
-            .lines()
-            .filter(|line| follow(line, &mut drawing))
-            .count();
+        let follow_all = || {
+            let mut drawing = Drawing::default();
+            let lines = lines.lines();
+            lines.filter(|line| follow(line, &mut drawing)).count()
+        };
+        match catch_unwind(follow_all) {
+            Ok(count) => asked += count,
+            Err(_) => wrong.push(title),
+        }
     }
+    assert!(wrong.is_empty(), "{wrong:#?}");
     // As many as there were when this was written: none is lost by a slip of the format.
-    assert!(asked >= 32, "{asked}");
+    assert!(asked >= 55, "{asked}");
 }

@@ -1,7 +1,8 @@
 //! The changes that might cure a diagnosis.
 
-use super::sketch::Sketch;
-use super::{NewKind, Repair, completions, drivable, sizes};
+use super::sketch::{Sketch, leaves};
+use super::union::unions;
+use super::{NewKind, Repair, completions, drivable, guess, replacement, sizes};
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
 use crate::structure::{self, Diagnosis, MeshTrouble};
 
@@ -18,8 +19,9 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
             let mut links = ends(model, joints);
             links.extend(part);
             let joints = with_slides(model, joints, &mut links);
-            repairs.extend(completions::slots(model, &joints));
-            repairs.extend(completions::free_from_ground(model, &joints));
+            repairs.extend(replacement::slots(model, &joints));
+            repairs.extend(replacement::free_from_ground(model, &joints));
+            repairs.extend(replacement::splits(model, &links));
             repairs.extend(on_part(model, &links, &joints));
             repairs
         }
@@ -36,22 +38,27 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
             if *is_mobile {
                 repairs.push(Repair::AllowRedundant);
             }
+            repairs.extend(replacement::bolts(model, joints));
             let mut joints = joints.clone();
             if *is_mobile {
                 joints.extend(held_joints(model));
             }
             let mut links = ends(model, &joints);
             let joints = with_slides(model, &joints, &mut links);
-            repairs.extend(completions::slots(model, &joints));
-            repairs.extend(completions::free_from_ground(model, &joints));
+            repairs.extend(replacement::slots(model, &joints));
+            repairs.extend(replacement::free_from_ground(model, &joints));
+            if !is_mobile {
+                repairs.extend(replacement::splits(model, &links));
+            }
             repairs.extend(on_part(model, &links, &joints));
             repairs
         }
         Diagnosis::Rigid => {
             let (links, joints): (Vec<_>, Vec<_>) =
                 (model.link_ids().collect(), model.joint_ids().collect());
-            let mut repairs = completions::slots(model, &joints);
-            repairs.extend(completions::free_from_ground(model, &joints));
+            let mut repairs = replacement::slots(model, &joints);
+            repairs.extend(replacement::free_from_ground(model, &joints));
+            repairs.extend(replacement::splits(model, &links));
             repairs.extend(on_part(model, &links, &joints));
             repairs
         }
@@ -76,18 +83,22 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
             let mut repairs = vec![Repair::AllowCoupled];
             for motor in model.motor_ids() {
                 let joints = ground_first(model, model.joint_ids());
-                repairs.extend(joints.map(|to| Repair::MoveMotor { motor, to }));
+                repairs.extend(joints.map(|to| moved(motor, to)));
             }
             repairs
         }
-        Diagnosis::NotCarrier { .. } | Diagnosis::NoMesh { .. } => on_wheels(model, of),
+        Diagnosis::NoCarrier { joint } => carriers(model, *joint, None),
+        Diagnosis::NotCarrier { joint, link } => {
+            [on_wheels(model, of), carriers(model, *joint, Some(*link))].concat()
+        }
+        Diagnosis::NoMesh { .. } => on_wheels(model, of),
         Diagnosis::DeadStart { .. } => {
             let motors = model.motor_ids();
             let mut repairs: Vec<Repair> =
                 motors.flat_map(|motor| elsewhere(model, motor)).collect();
             for motor in model.motor_ids() {
                 let joints = ground_first(model, model.joint_ids());
-                repairs.extend(joints.map(|to| Repair::MoveMotor { motor, to }));
+                repairs.extend(joints.map(|to| moved(motor, to)));
             }
             repairs
         }
@@ -105,6 +116,7 @@ fn free_to_move(
 ) -> Vec<Repair> {
     let sketch = Sketch::of(model);
     let mut repairs = completions::joints(model, &sketch);
+    repairs.extend(unions(model, &sketch, free));
     repairs.extend(motors(model, all, of, candidates));
     let on_ground = |joint: JointId| {
         let (a, b) = model.ends(joint);
@@ -112,13 +124,13 @@ fn free_to_move(
     };
     // A single crank without a motor is no link too many.
     let lone = model.motors.is_empty();
-    let leaves = completions::leaves(model).into_iter();
+    let leaves = leaves(model).into_iter();
     let leaves = leaves.filter(|(_, joint)| free.contains(joint) && !(lone && on_ground(*joint)));
     repairs.extend(leaves.map(|(link, _)| Repair::RemoveLink(link)));
-    repairs.extend(completions::guides(model, free));
+    repairs.extend(replacement::guides(model, free));
     repairs.extend(completions::connecting_links(model, &sketch));
     if !lone {
-        repairs.extend(completions::welds(model, free));
+        repairs.extend(replacement::welds(model, free));
     }
     repairs
 }
@@ -131,19 +143,37 @@ fn motors(model: &Model, all: &[Diagnosis], of: &Diagnosis, candidates: &[JointI
     if *freedom == 1 {
         let mut repairs = relocations_to(model, all, candidates);
         let motors = ground_first(model, candidates.iter().copied());
-        repairs.extend(motors.map(|joint| Repair::AddMotors(vec![joint])));
+        repairs.extend(motors.map(|joint| Repair::AddMotors(vec![joint.into()])));
         return repairs;
     }
     let free: Vec<JointId> = ground_first(model, model.joint_ids()).collect();
-    let mut repairs = vec![Repair::AddMotors(candidates.to_vec())];
+    let mut repairs = vec![added(candidates)];
     let others = several(&free, *freedom).filter(|joints| !same_joints(joints, candidates));
-    repairs.extend(others.map(Repair::AddMotors));
+    repairs.extend(others.map(|joints| added(&joints)));
     repairs
+}
+
+fn added(joints: &[JointId]) -> Repair {
+    Repair::AddMotors(joints.iter().map(|&joint| joint.into()).collect())
+}
+
+fn moved(motor: MotorId, to: JointId) -> Repair {
+    Repair::MoveMotor {
+        motor,
+        to: to.into(),
+    }
 }
 
 /// Whether these are the same joints, in whatever order.
 fn same_joints(some: &[JointId], others: &[JointId]) -> bool {
     some.len() == others.len() && some.iter().all(|joint| others.contains(joint))
+}
+
+/// Joints by which a link, or this one, would carry what rolls.
+fn carriers(model: &Model, rolling: JointId, on: Option<LinkId>) -> Vec<Repair> {
+    let sketch = Sketch::of(model);
+    let joints = completions::joints(model, &sketch);
+    [joints, guess::axles(model, rolling, on)].concat()
 }
 
 /// Other carriers, or other sizes, of wheels.
@@ -240,7 +270,7 @@ fn relocations(model: &Model, all: &[Diagnosis], motors: &[MotorId]) -> Vec<Repa
     });
     let to = |motor| {
         let joints = free.into_iter().flatten().copied();
-        ground_first(model, joints).map(move |to| Repair::MoveMotor { motor, to })
+        ground_first(model, joints).map(move |to| moved(motor, to))
     };
     motors.iter().copied().flat_map(to).collect()
 }
@@ -254,7 +284,7 @@ fn relocations_to(model: &Model, all: &[Diagnosis], joints: &[JointId]) -> Vec<R
     });
     let to = |motor| {
         let joints = joints.iter().copied();
-        ground_first(model, joints).map(move |to| Repair::MoveMotor { motor, to })
+        ground_first(model, joints).map(move |to| moved(motor, to))
     };
     idle.flat_map(to).collect()
 }

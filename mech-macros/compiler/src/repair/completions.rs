@@ -2,19 +2,12 @@
 
 use super::Repair;
 use super::declaration::{
-    Declaration, Ends, NewJoint, NewKind, NewNames, Purpose, drawn_joint, turns_freely,
+    Declaration, Ends, NewJoint, NewKind, NewNames, Purpose, drawn_joint, join, on_ground,
 };
+use super::guess::{apexes, bare_leaves, below, floors, yoke_guides};
 use super::joined::Joined;
-use super::sketch::{DrawnPin, LooseEnd, Scene, Sketch, distance, unjoined};
-use crate::digits::round_to;
-use crate::model::{AxisId, AxisKind, JointId, JointKind, LinkId, Model};
-
-/// Ends that are no farther apart than this part of the size may be meant to be one.
-const NEAR: f64 = 0.15;
-/// So many joints of a kind are tried, and links between no more ends than these.
-const FEW: usize = 4;
-/// So many welds are tried.
-const WELDS: usize = 3;
+use super::sketch::{DrawnPin, FEW, LooseEnd, NEAR, Scene, Sketch, distance, leaves, unjoined};
+use crate::model::{AxisId, AxisKind, LinkId, Model};
 
 /// The joints that the drawing suggests, the likeliest first: ends that nearly meet, then ends that stand alone. Of each kind a few.
 pub(super) fn joints(model: &Model, sketch: &Sketch) -> Vec<Repair> {
@@ -25,7 +18,9 @@ pub(super) fn joints(model: &Model, sketch: &Sketch) -> Vec<Repair> {
         between_axes(model, &joined),
         reaching_joints(model, sketch, &joined, &bare),
         alone(model, sketch, &joined),
+        yoke_guides(model),
         below(model, sketch, &joined, &bare),
+        floors(model, sketch, &bare),
         apexes(model, &joined, &bare),
     ];
     kinds.concat()
@@ -124,22 +119,6 @@ fn between_axes(model: &Model, joined: &Joined) -> Vec<Repair> {
     all
 }
 
-fn on_ground(model: &Model, link: LinkId, name: Option<&str>, at: [f64; 2]) -> Repair {
-    let name = NewNames::new(model).like(name, "pin");
-    join(Purpose::Ground, name, [LinkId::GROUND, link], at)
-}
-
-/// The links that hang on one joint, and of which nothing else is drawn, each with the place of that joint.
-fn bare_leaves(model: &Model, sketch: &Sketch) -> Vec<(LinkId, [f64; 2])> {
-    let leaves = leaves(model).into_iter();
-    let bare = leaves.filter(|(link, _)| {
-        let ends = sketch.ends.iter().any(|end| end.link == *link);
-        model.link(*link).shapes.is_empty() && !ends
-    });
-    bare.filter_map(|(link, joint)| Some((link, drawn_joint(model, joint)?.1)))
-        .collect()
-}
-
 /// The joints between ends of links, or what slides, and links that could reach there.
 fn reaching_joints(
     model: &Model,
@@ -167,105 +146,10 @@ fn reaching_joints(
     joints.take(FEW).collect()
 }
 
-fn join(purpose: Purpose, name: String, links: [LinkId; 2], at: [f64; 2]) -> Repair {
-    let joint = NewJoint {
-        name,
-        kind: NewKind::Revolute,
-        ends: Ends::Drawn { links, at },
-    };
-    Declaration::joint(purpose, joint).into()
-}
-
-/// If nothing says how long the last link of a chain is: it ends at the height of the first pivot on the ground. If it hangs on a joint
-/// at that height, or above or below that pivot, it is a block on a line through both.
-fn below(
-    model: &Model,
-    sketch: &Sketch,
-    joined: &Joined,
-    bare: &[(LinkId, [f64; 2])],
-) -> Vec<Repair> {
-    let mut pivots = sketch.pins.iter();
-    let Some(pivot) = pivots.find(|pin| pin.links.contains(&LinkId::GROUND)) else {
-        return Vec::new();
-    };
-    let moving = bare.iter().filter(|(link, place)| {
-        !joined.are_joined([LinkId::GROUND, *link]) && !sketch.is_same(*place, pivot.at)
-    });
-    let lone = moving.map(|&(link, place)| {
-        let [x, y] = [0, 1].map(|part| (place[part] - pivot.at[part]).abs());
-        let near = NEAR * sketch.size;
-        if y <= near || x <= near {
-            let along = if y <= x { [1.0, 0.0] } else { [0.0, 1.0] };
-            let joint = NewJoint {
-                name: NewNames::new(model).like(None, "guide"),
-                kind: NewKind::Prismatic(along),
-                ends: Ends::Drawn {
-                    links: [LinkId::GROUND, link],
-                    at: place,
-                },
-            };
-            Declaration::joint(Purpose::Slide, joint).into()
-        } else {
-            on_ground(model, link, None, [place[0], pivot.at[1]])
-        }
-    });
-    lone.take(FEW).collect()
-}
-
-/// If nothing says where two links meet: over the middle of the joints on which they hang.
-fn apexes(model: &Model, joined: &Joined, bare: &[(LinkId, [f64; 2])]) -> Vec<Repair> {
-    let mut found = Vec::new();
-    for (number, &(b, q)) in bare.iter().enumerate() {
-        for &(a, p) in &bare[..number] {
-            let width = distance(p, q);
-            if width == 0.0 || joined.are_held([a, b]) {
-                continue;
-            }
-            if found.len() == FEW {
-                return found;
-            }
-            let over = if q[0] < p[0] { -0.5 } else { 0.5 };
-            let at = [
-                0.5 * (p[0] + q[0]) - over * (q[1] - p[1]),
-                0.5 * (p[1] + q[1]) + over * (q[0] - p[0]),
-            ];
-            let name = NewNames::new(model).like(None, "pin");
-            found.push(join(
-                Purpose::Meet,
-                name,
-                [a, b],
-                at.map(|part| handy(part, width)),
-            ));
-        }
-    }
-    found
-}
-
-/// A coordinate with as many digits as somebody would write where things are so far apart.
-fn handy(coordinate: f64, width: f64) -> f64 {
-    const MOST: u8 = 12;
-    let fine = |places: &u8| 10.0_f64.powi(-i32::from(*places)) <= 0.1 * width;
-    let places = usize::from((0..MOST).find(fine).unwrap_or(MOST));
-    round_to(coordinate, places)
-}
-
-/// The links that hang on one joint, with that.
-pub(super) fn leaves(model: &Model) -> Vec<(LinkId, JointId)> {
-    let lone = model.declared_links().filter_map(|link| {
-        let mut joints = model.joint_ids().filter(|&joint| {
-            let (a, b) = model.ends(joint);
-            a == link || b == link
-        });
-        Some((link, joints.next()?)).filter(|_| joints.next().is_none())
-    });
-    lone.collect()
-}
-
 /// A link between two ends that no joint holds, or from a single one to the nearest pin that moves.
 pub(super) fn connecting_links(model: &Model, sketch: &Sketch) -> Vec<Repair> {
-    let Sketch {
-        ends, size, pins, ..
-    } = sketch;
+    let Sketch { size, pins, .. } = sketch;
+    let ends = [&sketch.ends[..], &idle_blocks(model, sketch)].concat();
     if ends.len() > FEW {
         return Vec::new();
     }
@@ -291,7 +175,33 @@ pub(super) fn connecting_links(model: &Model, sketch: &Sketch) -> Vec<Repair> {
             Some([pin, end.clone()])
         }));
     }
+    found.extend(ends.iter().filter_map(|end| {
+        let first = pins.iter().find(|pin| pin.links.contains(&LinkId::GROUND));
+        let height = first?.at[1];
+        let moves = !Joined::of(model).are_joined([LinkId::GROUND, end.link]);
+        let foot = LooseEnd {
+            link: LinkId::GROUND,
+            name: None,
+            at: [end.at[0], height],
+        };
+        (moves && end.at[1] != height).then(|| [end.clone(), foot])
+    }));
     found.iter().map(|ends| connect(model, ends)).collect()
+}
+
+/// The blocks on the ground that are joined to nothing else: somebody may have forgotten the link that moves them.
+fn idle_blocks(model: &Model, sketch: &Sketch) -> Vec<LooseEnd> {
+    let idle = leaves(model).into_iter().filter_map(|(link, joint)| {
+        let (a, b) = model.ends(joint);
+        let block = sketch.blocks.iter().find(|block| block.links == [link])?;
+        let end = LooseEnd {
+            link,
+            name: None,
+            at: block.at,
+        };
+        (a == LinkId::GROUND || b == LinkId::GROUND).then_some(end)
+    });
+    idle.collect()
 }
 
 fn connect(model: &Model, ends: &[LooseEnd; 2]) -> Repair {
@@ -312,161 +222,6 @@ fn connect(model: &Model, ends: &[LooseEnd; 2]) -> Repair {
         joints: joints.into(),
         replaced: Vec::new(),
     })
-}
-
-/// The links that these joints join could be one bent link. Those at the end of a chain are tried first, then those that bend least.
-pub(super) fn welds(model: &Model, joints: &[JointId]) -> Vec<Repair> {
-    let leaves = leaves(model);
-    let mut inner: Vec<JointId> = joints
-        .iter()
-        .copied()
-        .filter(|&joint| {
-            let (a, b) = model.ends(joint);
-            a != LinkId::GROUND && b != LinkId::GROUND && turns_freely(model, joint)
-        })
-        .collect();
-    inner.sort_by(|a, b| {
-        let is_inside = |joint: &JointId| leaves.iter().all(|(_, held)| held != joint);
-        let first = is_inside(a).cmp(&is_inside(b));
-        first.then(bend(model, *a).total_cmp(&bend(model, *b)))
-    });
-    let weld = |joint: JointId| {
-        let (links, at) = drawn_joint(model, joint)?;
-        Some(rewrite(
-            model,
-            Purpose::Stiffen,
-            joint,
-            NewKind::Weld,
-            links,
-            at,
-        ))
-    };
-    inner.into_iter().filter_map(weld).take(WELDS).collect()
-}
-
-/// Returns the bend of two links where a joint joins them: from 0, if they are drawn in one line, to 2.
-fn bend(model: &Model, joint: JointId) -> f64 {
-    const MOST: f64 = 2.0;
-    let Some((links, at)) = drawn_joint(model, joint) else {
-        return MOST;
-    };
-    // A link leads to the middle of its other joints.
-    let arms = links.map(|link| {
-        let others = model.joint_ids().filter(|&other| other != joint);
-        let drawn = others.filter_map(|other| drawn_joint(model, other));
-        let own = drawn.filter(|(links, _)| links.contains(&link));
-        own.fold([0.0, 0.0], |[x, y], (_, [u, v])| {
-            [x + (u - at[0]), y + (v - at[1])]
-        })
-    });
-    let [[a, b], [c, d]] = arms;
-    let cosine = (a * c + b * d) / (a.hypot(b) * c.hypot(d));
-    if cosine.is_nan() { MOST } else { 1.0 + cosine }
-}
-
-/// The slots among these joints whose pins could keep their direction.
-pub(super) fn guides(model: &Model, joints: &[JointId]) -> Vec<Repair> {
-    let guide = |&pivot: &JointId| {
-        let JointKind::Revolute(point, die) = model.joint(pivot).kind else {
-            return None;
-        };
-        let (_, line) = model.link(model.axis(die).link).die?;
-        let slide = model.joint_ids().find(|&joint| {
-            let kind = model.joint(joint).kind;
-            matches!(kind, JointKind::Prismatic(guide, other) if guide == line && model.axis(other).link == model.axis(die).link)
-        })?;
-        let (point, line) = (model.axis(point), model.axis(line));
-        let is_drawn = [point, line]
-            .iter()
-            .all(|axis| axis.name.is_none() && !axis.varies());
-        is_drawn.then(|| {
-            let links = [line.link, point.link];
-            let kind = NewKind::Prismatic(line.direction);
-            rewrite(model, Purpose::Guide, slide, kind, links, point.at)
-        })
-    };
-    joints.iter().filter_map(guide).collect()
-}
-
-/// The slides among these joints that could turn as well.
-pub(super) fn slots(model: &Model, joints: &[JointId]) -> Vec<Repair> {
-    let slot = |&joint: &JointId| {
-        let JointKind::Prismatic(line, _) = model.joint(joint).kind else {
-            return None;
-        };
-        let ([a, b], at) = drawn_joint(model, joint)?;
-        let kind = NewKind::Slot(model.axis(line).direction);
-        let moving = |link: &LinkId| *link != LinkId::GROUND;
-        let repairs = [[b, a], [a, b]]
-            .into_iter()
-            .filter(move |ends| moving(&ends[0]));
-        let repairs: Vec<Repair> = repairs
-            .map(|links| rewrite(model, Purpose::Turn, joint, kind, links, at))
-            .collect();
-        Some(repairs)
-    };
-    joints.iter().filter_map(slot).flatten().take(FEW).collect()
-}
-
-fn rewrite(
-    model: &Model,
-    purpose: Purpose,
-    joint: JointId,
-    kind: NewKind,
-    links: [LinkId; 2],
-    at: [f64; 2],
-) -> Repair {
-    let new = NewJoint {
-        name: model.joint(joint).name.clone(),
-        kind,
-        ends: Ends::Drawn { links, at },
-    };
-    Declaration::instead(purpose, new, joint).into()
-}
-
-/// Where several of these joints pin links to the ground at one place: the links joined to each other.
-pub(super) fn free_from_ground(model: &Model, joints: &[JointId]) -> Vec<Repair> {
-    let pinned = |&joint: &JointId| {
-        let (links, at) = drawn_joint(model, joint).filter(|_| turns_freely(model, joint))?;
-        let [a, b] = links;
-        match (a, b) {
-            (LinkId::GROUND, link) | (link, LinkId::GROUND) => Some((joint, link, at)),
-            _ => None,
-        }
-    };
-    let all: Vec<(JointId, LinkId, [f64; 2])> = model
-        .joint_ids()
-        .collect::<Vec<_>>()
-        .iter()
-        .filter_map(pinned)
-        .collect();
-    let sketch = Sketch::of(model);
-    let mut found = Vec::new();
-    for (number, &(first, base, at)) in all.iter().enumerate() {
-        let here = |other: &&(JointId, LinkId, [f64; 2])| sketch.is_same(other.2, at);
-        let others: Vec<_> = all[number + 1..].iter().filter(here).collect();
-        let is_first = !all[..number].iter().any(|other| here(&other));
-        let touched = joints.contains(&first) || others.iter().any(|one| joints.contains(&one.0));
-        if others.is_empty() || !is_first || !touched {
-            continue;
-        }
-        let joint = |&&(joint, link, _): &&(JointId, LinkId, [f64; 2])| NewJoint {
-            name: model.joint(joint).name.clone(),
-            kind: NewKind::Revolute,
-            ends: Ends::Drawn {
-                links: [base, link],
-                at,
-            },
-        };
-        let replaced = std::iter::once(first).chain(others.iter().map(|one| one.0));
-        found.push(Repair::Declare(Declaration {
-            purpose: Purpose::Free,
-            link: None,
-            joints: others.iter().map(joint).collect(),
-            replaced: replaced.collect(),
-        }));
-    }
-    found
 }
 
 /// One of these links, which float, could be a part of the ground: the one with the most joints first.
@@ -493,10 +248,4 @@ pub(super) fn fix_to_ground(model: &Model, links: &[LinkId]) -> Vec<Repair> {
         Some(Declaration::joint(Purpose::Fix, joint).into())
     };
     links.into_iter().filter_map(weld).take(FEW).collect()
-}
-
-impl From<Declaration> for Repair {
-    fn from(declaration: Declaration) -> Self {
-        Self::Declare(declaration)
-    }
 }

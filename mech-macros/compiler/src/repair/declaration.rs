@@ -1,6 +1,6 @@
 //! Links and joints that are to be declared.
 
-use super::is_in_cam;
+use super::{Repair, is_in_cam};
 use crate::api::is_reserved;
 use crate::bug::bug;
 use crate::model::{Axis, AxisId, JointId, JointKind, LinkId, Model};
@@ -46,6 +46,8 @@ pub enum Purpose {
     Free,
     /// To make a link a part of the ground.
     Fix,
+    /// To make two links of one.
+    Split,
 }
 
 /// A joint as it is to be written.
@@ -119,6 +121,20 @@ impl Declaration {
         }
     }
 
+    /// The two links that it joins, if it declares a single joint that turns and nothing else.
+    pub(super) fn only_pin(&self) -> Option<[LinkId; 2]> {
+        match &self.joints[..] {
+            [
+                NewJoint {
+                    kind: NewKind::Revolute,
+                    ends: Ends::Drawn { links: [a, b], .. },
+                    ..
+                },
+            ] if self.link.is_none() && self.replaced.is_empty() => Some([*a.min(b), *a.max(b)]),
+            _ => None,
+        }
+    }
+
     /// Whether the joints that it stands for can give way: they lie between axes, and neither a motor nor a cam needs them.
     pub(super) fn can_replace(&self, model: &Model) -> bool {
         let gives_way = |joint: &JointId| {
@@ -177,6 +193,28 @@ impl Declaration {
         names
             .filter(|name| self.joints.iter().all(|joint| joint.name != *name))
             .collect()
+    }
+}
+
+/// A pin on the ground.
+pub(super) fn on_ground(model: &Model, link: LinkId, name: Option<&str>, at: [f64; 2]) -> Repair {
+    let name = NewNames::new(model).like(name, "pin");
+    join(Purpose::Ground, name, [LinkId::GROUND, link], at)
+}
+
+/// A joint that turns, at a place.
+pub(super) fn join(purpose: Purpose, name: String, links: [LinkId; 2], at: [f64; 2]) -> Repair {
+    let joint = NewJoint {
+        name,
+        kind: NewKind::Revolute,
+        ends: Ends::Drawn { links, at },
+    };
+    Declaration::joint(purpose, joint).into()
+}
+
+impl From<Declaration> for Repair {
+    fn from(declaration: Declaration) -> Self {
+        Self::Declare(declaration)
     }
 }
 

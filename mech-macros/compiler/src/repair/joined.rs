@@ -1,6 +1,6 @@
 //! Which links joints join directly.
 
-use crate::model::{LinkId, Model};
+use crate::model::{JointId, JointKind, LinkId, Model};
 use std::collections::BTreeSet;
 
 /// For each link those that a joint joins to it.
@@ -27,4 +27,30 @@ impl Joined {
         let [first, second] = [a, b].map(|link| &self.0[link.index()]);
         first.contains(&b) || !first.is_disjoint(second)
     }
+}
+
+/// The two links of a joint, as declared.
+pub(super) fn both(model: &Model, joint: JointId) -> [LinkId; 2] {
+    let (a, b) = model.ends(joint);
+    [a.min(b), a.max(b)]
+}
+
+/// The pairs of links that would make a chain of two joints that are declared one after the other, and share no link.
+pub(super) fn gaps(model: &Model) -> BTreeSet<[LinkId; 2]> {
+    let chained = |joint: &JointId| {
+        let kind = model.joint(*joint).kind;
+        matches!(kind, JointKind::Revolute(..) | JointKind::Prismatic(..))
+    };
+    let joints: Vec<JointId> = model.declared_joints().filter(chained).collect();
+    let mut gaps = BTreeSet::new();
+    for pair in joints.windows(2) {
+        let [before, after] = [pair[0], pair[1]].map(|joint| both(model, joint));
+        if before.iter().all(|link| !after.contains(link)) {
+            let pairs = before
+                .iter()
+                .flat_map(|&a| after.map(|b| [a.min(b), a.max(b)]));
+            gaps.extend(pairs);
+        }
+    }
+    gaps
 }

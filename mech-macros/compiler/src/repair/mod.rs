@@ -3,16 +3,21 @@
 mod candidates;
 mod completions;
 mod declaration;
+mod guess;
 mod joined;
+mod motor;
 mod offers;
 mod rank;
+mod replacement;
 mod sizes;
 mod sketch;
 mod translation;
 mod trial;
+mod union;
 mod writing;
 
 pub use declaration::{Declaration, Ends, NewJoint, NewKind, Purpose};
+pub use motor::NewMotor;
 pub use offers::{Offers, Search, offers};
 pub use writing::edits;
 
@@ -41,11 +46,11 @@ pub enum Repair {
     MoveMotor {
         /// The motor.
         motor: MotorId,
-        /// The joint it should drive.
-        to: JointId,
+        /// The joint it should drive, with the range it has there.
+        to: NewMotor,
     },
-    /// Put a motor on each of these joints.
-    AddMotors(Vec<JointId>),
+    /// Declare these motors.
+    AddMotors(Vec<NewMotor>),
     /// Let joints hold a part more than once.
     AllowRedundant,
     /// Solve loops that wait for each other together.

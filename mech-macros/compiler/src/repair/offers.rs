@@ -76,7 +76,7 @@ fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {
             | Diagnosis::NoMotor { freedom: 2.., .. }
     );
     let mut offers = Offers::default();
-    let mut failed = Vec::new();
+    let (mut failed, mut unproved) = (Vec::new(), Vec::new());
     for repair in candidates(trials.model, all, diagnosis) {
         let is_known = |known: &Repair| {
             let kind = std::mem::discriminant(&repair);
@@ -87,7 +87,10 @@ fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {
             continue;
         }
         match trials.of(std::slice::from_ref(&repair)) {
-            Trial::Closes => offers.single.push(repair),
+            Trial::Closes => match trials.proved(std::slice::from_ref(&repair)) {
+                Some(mut proved) => offers.single.append(&mut proved),
+                None => unproved.push(repair),
+            },
             Trial::OpensAtStart => offers.elsewhere.push(repair),
             Trial::Coupled => {
                 if let Repair::AddMotors(_) | Repair::AllowRedundant = repair {
@@ -112,9 +115,14 @@ fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {
                 .retain(|repair| number.next() == motor || !is_motor(repair));
         }
     }
+    // What is left then is a range.
+    offers.partial.extend(unproved);
     offers.coupled.retain(|repair| {
-        let trial = trials.of(&[repair.clone(), Repair::AllowCoupled]);
-        matches!(trial, Trial::Closes | Trial::OpensAtStart)
+        let both = [repair.clone(), Repair::AllowCoupled];
+        match trials.of(&both) {
+            Trial::Closes => trials.proved(&both).is_some_and(|proved| proved == both),
+            trial => trial == Trial::OpensAtStart,
+        }
     });
     if one_is_enough && !(offers.single.is_empty() && offers.elsewhere.is_empty()) {
         offers.coupled.clear();
@@ -128,7 +136,7 @@ fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {
         &mut offers.elsewhere,
         &mut offers.partial,
     ] {
-        list.sort_by_key(|repair| ranking.of(repair));
+        ranking.sort(list);
     }
     // The same in another direction.
     let single = &offers.single;
@@ -182,10 +190,13 @@ fn has_enough(found: &[Repair], repair: &Repair) -> bool {
     purpose(repair).is_some() && found.iter().filter(same).count() >= ENOUGH
 }
 
-/// Whether two changes differ only in the direction of a slot.
+/// Whether two changes differ only in the direction of a slot, or in a place that nothing tells.
 fn same_place(a: &Repair, b: &Repair) -> bool {
     match (a, b) {
         (Repair::Replace { joint: a, .. }, Repair::Replace { joint: b, .. }) => a == b,
+        (Repair::Declare(a), Repair::Declare(b)) => {
+            b.purpose == Purpose::Meet && a.only_pin().is_some() && a.only_pin() == b.only_pin()
+        }
         _ => false,
     }
 }
@@ -290,7 +301,8 @@ fn attempt(trials: &mut Trials<'_>, offers: &mut Offers, pair: [Repair; 2]) {
         (same(a, first) && same(b, second)) || (same(a, second) && same(b, first))
     };
     if !offers.pairs.iter().any(is_known) && trials.of(&pair) == Trial::Closes {
-        offers.pairs.push(pair);
+        let proved = trials.proved(&pair).and_then(|pair| pair.try_into().ok());
+        offers.pairs.extend(proved);
     }
 }
 

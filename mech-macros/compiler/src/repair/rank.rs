@@ -1,15 +1,26 @@
 //! The order in which changes are offered.
 
+use super::joined::gaps;
+use super::sketch::leaves;
 use super::{Declaration, NewKind, Purpose, Repair};
-use crate::model::{JointId, LinkId, Model};
-use crate::structure::{self, Diagnosis, Pin};
+use crate::model::{JointId, JointKind, LinkId, Model};
+use crate::structure::{self, Diagnosis, KinematicGraph, Pin};
+use std::collections::BTreeSet;
+
+/// What was declared last is the likelier slip.
+fn last_first(index: usize) -> usize {
+    usize::MAX - index
+}
 
 /// Ranks the changes that mend the same: the least comes first.
 pub(super) struct Ranking<'m> {
     model: &'m Model,
     pins: Vec<Pin>,
+    gaps: BTreeSet<[LinkId; 2]>,
     /// Whether links may be there that nobody has joined yet.
     incomplete: bool,
+    /// Whether no joint belongs to a loop.
+    is_open: bool,
 }
 
 impl<'m> Ranking<'m> {
@@ -17,32 +28,84 @@ impl<'m> Ranking<'m> {
         Self {
             model,
             pins: structure::pins(model),
+            gaps: gaps(model),
             incomplete: matches!(of, Diagnosis::Loose { .. }),
+            is_open: KinematicGraph::new(model).arms().len() == model.joints.len(),
         }
     }
 
     /// Returns the rank of a repair: those that the drawing suggests come first, then one kind after the other, each as declared.
     pub(super) fn of(&self, repair: &Repair) -> (usize, usize) {
         match repair {
-            Repair::Declare(Declaration { purpose, .. }) => match purpose {
-                Purpose::Ground | Purpose::Slide | Purpose::Join { .. } => (0, 0),
-                Purpose::Fix | Purpose::Meet => (0, 1),
-                Purpose::Turn | Purpose::Guide | Purpose::Free => (3, 0),
+            Repair::Declare(declared) => match declared.purpose {
+                Purpose::Ground | Purpose::Join { .. } if self.is_in_gap(declared) => (0, 0),
+                Purpose::Meet if self.is_in_gap(declared) => (0, 1),
+                Purpose::Ground | Purpose::Slide | Purpose::Join { .. } => (0, 2),
+                Purpose::Fix | Purpose::Meet => (0, 3),
+                Purpose::Turn | Purpose::Guide | Purpose::Free => (3, 1),
+                Purpose::Split => (8, 0),
                 Purpose::Connect => (9, 0),
                 Purpose::Stiffen => (10, 0),
             },
-            Repair::RemoveJoint(joint) if self.is_copy(*joint) => (0, 2),
+            Repair::RemoveJoint(joint) if self.is_copy(*joint) => (0, 4),
             Repair::RemoveLink(link) if self.incomplete => (1, link.index()),
-            Repair::RemoveLink(link) if self.is_brace(*link) => (2, link.index()),
-            Repair::RemoveJoint(joint) if self.pins_again(*joint) => (4, joint.index()),
-            Repair::RemoveLink(link) => (5, link.index()),
-            Repair::RemoveJoint(joint) => (6, joint.index()),
             Repair::Replace {
+                by: NewKind::Revolute,
                 joint,
-                by: NewKind::Slot(_),
-            } => (7, joint.index()),
-            Repair::Replace { joint, .. } => (8, joint.index()),
+            } => (2, last_first(joint.index())),
+            // Where it is enough that a joint goes, no link has to.
+            Repair::RemoveJoint(joint) if self.pins_again(*joint) => (4, last_first(joint.index())),
+            Repair::RemoveJoint(joint) => (5, last_first(joint.index())),
+            Repair::RemoveLink(link) if self.is_brace(*link) => (6, last_first(link.index())),
+            Repair::RemoveLink(link) => (7, last_first(link.index())),
+            Repair::Replace { joint, .. } => (8, last_first(joint.index())),
             _ => (1, 0),
+        }
+    }
+
+    /// Puts them in this order. Second comes what a drawing often means: behind a motor that may be missing a knee of a bent link, or a link
+    /// that moves what hangs loose; behind a link that may be too many the halves of another.
+    pub(super) fn sort(&self, repairs: &mut [Repair]) {
+        repairs.sort_by_key(|repair| self.of(repair));
+        let likely = match repairs.first() {
+            Some(Repair::AddMotors(_)) => repairs.iter().position(|one| self.is_often_meant(one)),
+            Some(Repair::RemoveLink(_)) => repairs.iter().position(|one| {
+                matches!(
+                    one,
+                    Repair::Declare(Declaration {
+                        purpose: Purpose::Split,
+                        ..
+                    })
+                )
+            }),
+            _ => None,
+        };
+        if let Some(likely) = likely {
+            repairs[1..=likely].rotate_right(1);
+        }
+    }
+
+    fn is_often_meant(&self, repair: &Repair) -> bool {
+        let Repair::Declare(declared) = repair else {
+            return false;
+        };
+        let leaves = leaves(self.model);
+        let slides =
+            |joint: JointId| matches!(self.model.joint(joint).kind, JointKind::Prismatic(..));
+        match declared.purpose {
+            Purpose::Stiffen => {
+                let mut joints = leaves.iter().map(|leaf| leaf.1);
+                joints.all(|joint| !declared.replaced.contains(&joint))
+            }
+            Purpose::Connect => {
+                let mut ends = declared
+                    .joints
+                    .iter()
+                    .flat_map(|joint| joint.ends.links(self.model));
+                self.is_open
+                    || ends.any(|end| leaves.iter().any(|leaf| leaf.0 == end && slides(leaf.1)))
+            }
+            _ => false,
         }
     }
 
@@ -50,6 +113,15 @@ impl<'m> Ranking<'m> {
     pub(super) fn of_pair(&self, pair: &[Repair; 2]) -> usize {
         let suggested = |repair: &&Repair| self.of(repair).0 == 0;
         2 - pair.iter().filter(suggested).count()
+    }
+
+    /// Whether a new joint is where the list of joints reads as a chain that comes apart.
+    fn is_in_gap(&self, declared: &Declaration) -> bool {
+        let mut joints = declared.joints.iter();
+        joints.any(|joint| {
+            let [a, b] = joint.ends.links(self.model);
+            self.gaps.contains(&[a.min(b), a.max(b)])
+        })
     }
 
     /// Whether all joints of a link, two at least, are on pins that others share: without it nothing hangs loose.

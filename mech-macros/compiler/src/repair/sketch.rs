@@ -1,10 +1,15 @@
 //! The drawn parts of a mechanism: its pins, and the ends of links that no joint holds.
 
-use crate::model::{Axis, AxisId, AxisKind, JointKind, LinkId, Model, ShapeKind};
+use crate::model::{Axis, AxisId, AxisKind, JointId, JointKind, LinkId, Model, ShapeKind};
 use std::collections::HashSet;
 
 /// Two places are one if they are no farther apart than this part of the size.
 const SAME: f64 = 1e-9;
+
+/// Ends that are no farther apart than this part of the size may be meant to be one.
+pub(super) const NEAR: f64 = 0.15;
+/// So many joints of a kind are tried, and links between no more ends than these.
+pub(super) const FEW: usize = 4;
 
 /// A pin as it is drawn.
 pub(super) struct DrawnPin {
@@ -30,6 +35,8 @@ pub(super) struct Sketch {
     /// The middles of what slides: each with what slides there.
     pub(super) blocks: Vec<DrawnPin>,
     pub(super) ends: Vec<LooseEnd>,
+    /// The places between the ends of bars.
+    pub(super) bends: Vec<(LinkId, [f64; 2])>,
 }
 
 pub(super) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
@@ -44,6 +51,7 @@ impl Sketch {
             pins: Vec::new(),
             blocks: Vec::new(),
             ends: Vec::new(),
+            bends: Vec::new(),
         };
         for joint in &model.joints {
             match joint.kind {
@@ -66,6 +74,8 @@ impl Sketch {
                     for at in [pins.first(), pins.last()].into_iter().flatten() {
                         sketch.note_end(model, link, None, *at);
                     }
+                    let inner = pins.get(1..pins.len() - 1).unwrap_or_default();
+                    sketch.bends.extend(inner.iter().map(|&at| (link, at)));
                 }
             }
         }
@@ -148,12 +158,13 @@ pub(super) fn unjoined(model: &Model, kind: AxisKind) -> Vec<AxisId> {
     ids.filter(is_free).collect()
 }
 
-/// The links whose frame is that of the scene: the ground, those that are drawn, and, if there are any, those that no joint places.
+/// The links whose frame is that of the scene: the ground, those that are drawn, and those that no joint places, if any is drawn or
+/// there is no joint.
 pub(super) struct Scene(Vec<bool>);
 
 impl Scene {
     pub(super) fn of(model: &Model) -> Self {
-        let others = model.links.iter().any(|link| link.drawn);
+        let others = model.joints.is_empty() || model.links.iter().any(|link| link.drawn);
         let links = model.links.iter();
         let mut is_there: Vec<bool> = links.map(|link| link.die.is_none() && others).collect();
         for axis in joined_axes(model) {
@@ -175,6 +186,18 @@ impl Scene {
     pub(super) fn draws(&self, axis: &Axis) -> bool {
         self.has(axis.link) && !axis.varies()
     }
+}
+
+/// The links that hang on one joint, with that.
+pub(super) fn leaves(model: &Model) -> Vec<(LinkId, JointId)> {
+    let lone = model.declared_links().filter_map(|link| {
+        let mut joints = model.joint_ids().filter(|&joint| {
+            let (a, b) = model.ends(joint);
+            a == link || b == link
+        });
+        Some((link, joints.next()?)).filter(|_| joints.next().is_none())
+    });
+    lone.collect()
 }
 
 /// The diagonal of the box around everything that is in the scene.

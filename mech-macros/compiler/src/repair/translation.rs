@@ -1,6 +1,6 @@
 //! Changes to a changed mechanism.
 
-use super::{Declaration, Ends, NewJoint, Repair};
+use super::{Declaration, Ends, NewJoint, NewMotor, Repair};
 use crate::model::{AxisId, JointId, LinkId, Model};
 
 /// A change to a changed mechanism, as one to the original: what has the same name is the same.
@@ -67,8 +67,14 @@ pub(super) fn translate(repair: &Repair, changed: &Model, original: &Model) -> O
         Repair::RemoveMotor(id) => {
             Repair::RemoveMotor(original.motor_of(joint(changed.motor(*id).joint)?)?)
         }
-        Repair::AddMotors(ids) => {
-            Repair::AddMotors(ids.iter().map(|&id| joint(id)).collect::<Option<_>>()?)
+        Repair::AddMotors(motors) => {
+            let motors = motors.iter().map(|motor| {
+                Some(NewMotor {
+                    joint: joint(motor.joint)?,
+                    ..*motor
+                })
+            });
+            Repair::AddMotors(motors.collect::<Option<_>>()?)
         }
         _ => return None,
     })

@@ -1,8 +1,9 @@
 //! Changes that are tried out.
 
+use super::motor::variants;
 use super::{Repair, edits};
 use crate::cancel;
-use crate::compile::check;
+use crate::compile::{check, compile};
 use crate::model::{Model, MotorId, StartValue};
 use crate::structure::{self, Diagnosis};
 use crate::syntax::Source;
@@ -44,6 +45,8 @@ const COUNTING: usize = 20;
 const EXPLAINING: usize = 60;
 /// The work of assembling a link or a joint.
 const COMPILING: usize = 130;
+/// The work of moving a link or a joint through its ranges.
+const PROVING: usize = 600;
 /// Larger mechanisms take so many times longer for each link or joint as they have times this many.
 const LARGE: usize = 500;
 /// The work of assembling loops that are solved together.
@@ -73,6 +76,26 @@ impl<'m> Trials<'m> {
         let trial = changed.map_or(Trial::Untried, |model| self.run(&model));
         self.known.push((repairs.to_vec(), trial));
         trial
+    }
+
+    /// The same changes so that motors which are new, or at other joints, move as far as the text says: with ranges that are proved, where
+    /// that takes some. None if they cannot. Nothing else is examined so far: that would take most of the time.
+    pub(super) fn proved(&mut self, repairs: &[Repair]) -> Option<Vec<Repair>> {
+        let model = self.model;
+        let is_ranged = model.motors.iter().any(|motor| motor.range.is_some());
+        let drives = |one: &Repair| matches!(one, Repair::AddMotors(_) | Repair::MoveMotor { .. });
+        let is_asked = is_ranged || model.accuracy.is_some() || model.effects.dynamics;
+        if !is_asked || !repairs.iter().any(drives) {
+            return Some(repairs.to_vec());
+        }
+        let mut variants = variants(model, repairs).into_iter();
+        variants.find(|variant| {
+            self.has_work() && {
+                self.spend(PROVING);
+                let changed = self.model_with(variant);
+                changed.is_some_and(|model| outcome(compile(&model).map(drop)) == Trial::Closes)
+            }
+        })
     }
 
     /// Returns the diagnoses of the structure after this change; none if there is no time left to find them.

@@ -1,6 +1,7 @@
 //! Repairs as changes of the text: what a user would do by hand.
 
 use super::declaration::{Declaration, NewKind, turns_freely};
+use super::motor::{NewMotor, slides, value_text};
 use super::{Repair, drivable};
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId, Ratio};
 use crate::syntax::{Edits, Rewriter, StatementText, Tokens};
@@ -43,8 +44,8 @@ impl<'m> Writing<'m> {
             Repair::RemoveLink(link) => rewriter.remove_link(model, *link),
             Repair::Replace { joint, by } => self.change_kind(*joint, *by),
             Repair::RemoveMotor(motor) => rewriter.remove_motor(name_of_motor(model, *motor)),
-            Repair::MoveMotor { motor, to } => self.move_motor(*motor, *to),
-            Repair::AddMotors(joints) => joints.iter().try_for_each(|&joint| self.add_motor(joint)),
+            Repair::MoveMotor { motor, to } => self.move_motor(*motor, to),
+            Repair::AddMotors(motors) => motors.iter().try_for_each(|motor| self.add_motor(motor)),
             Repair::AllowRedundant if model.allow.redundant => None,
             Repair::AllowRedundant => rewriter.add("allow redundant;", &["allow", "motor"]),
             Repair::AllowCoupled if model.allow.coupled => None,
@@ -63,23 +64,33 @@ impl<'m> Writing<'m> {
         self.rewriter.declared("joint", self.name(joint))
     }
 
-    fn add_motor(&mut self, joint: JointId) -> Option<()> {
+    fn add_motor(&mut self, motor: &NewMotor) -> Option<()> {
+        let joint = motor.joint;
         // A joint that becomes another is driven otherwise.
         let is_kept = |joint: &StatementText<'_>| !self.rewriter.edits.is_changed(&joint.range());
         let is_drivable =
             drivable(self.model, joint) && self.joint(joint).is_none_or(|one| is_kept(&one));
-        let statement = format!("motor {};", self.name(joint));
+        let statement = motor.statement(self.model);
         is_drivable.then(|| self.rewriter.add(&statement, &["motor"]))?
     }
 
-    fn move_motor(&mut self, motor: MotorId, to: JointId) -> Option<()> {
+    fn move_motor(&mut self, motor: MotorId, to: &NewMotor) -> Option<()> {
         let name = name_of_motor(self.model, motor);
         let statement = self.rewriter.declared("motor", name)?;
         let (_, after) = statement.path(1);
         let path = statement.token(1)..statement.token(after);
-        self.rewriter.edits.replace(path, self.name(to));
+        self.rewriter.edits.replace(path, self.name(to.joint));
+        if let Some(range) = to.range_text(self.model) {
+            let end = statement.len() - 1;
+            // A step in other units goes.
+            let from = self.model.motor(motor).joint;
+            let is_alike = slides(self.model, from) == slides(self.model, to.joint);
+            let end = statement.find("by").filter(|_| is_alike).unwrap_or(end);
+            let old = statement.token(statement.find("in")? + 1)..statement.token(end);
+            self.rewriter.edits.replace(old, range);
+        }
         self.rewriter.forget_start(name);
-        drivable(self.model, to).then_some(())
+        drivable(self.model, to.joint).then_some(())
     }
 
     /// Makes a weld a revolute joint, or a revolute joint a slot.
@@ -151,14 +162,7 @@ impl<'m> Writing<'m> {
             return None;
         }
         let joint = self.model.motor(motor).joint;
-        let turns = matches!(self.model.joint(joint).kind, JointKind::Revolute(..));
-        let degrees = (value.to_degrees() * 1e9).round() / 1e9;
-        let is_exact = (degrees.to_radians() - value).abs() < 1e-12;
-        let value = if turns && is_exact {
-            format!("{degrees} deg")
-        } else {
-            format!("{value}")
-        };
+        let value = value_text(self.model, joint, value);
         let name = self.name(joint);
         let clause = format!("{name} = {value};");
         let clauses = self.rewriter.clauses("start");

@@ -6,7 +6,7 @@ use crate::model::{JointId, JointKind, LinkId};
 use crate::repair::Offers;
 
 impl Words<'_> {
-    pub(super) fn no_carrier(&self, id: JointId) -> String {
+    pub(super) fn no_carrier(&self, id: JointId, offers: &Offers) -> String {
         let (a, b) = self.model.ends(id);
         let (first, second) = (self.link(a), self.link(b));
         let (holds, help) = match self.model.joint(id).kind {
@@ -19,8 +19,13 @@ impl Words<'_> {
                 "let both wheels turn on the ground or on one common link",
             ),
         };
+        let help = if offers.is_empty() {
+            format!("\nhelp: {help}")
+        } else {
+            self.help(offers)
+        };
         format!(
-            "nothing carries {} {}: {holds}\nhelp: {help}",
+            "nothing carries {} {}: {holds}{help}",
             self.rolling(id),
             self.joint(id)
         )

@@ -57,6 +57,7 @@ impl Words<'_> {
             Purpose::Guide => format!("keep {} from turning", name(1)),
             Purpose::Slide => format!("let {moving} slide on the ground"),
             Purpose::Free => "join these links to each other, not to the ground".to_owned(),
+            Purpose::Split => format!("make two links of {}", name(0)),
             Purpose::Fix => format!("make {moving} a part of the ground"),
         }
     }

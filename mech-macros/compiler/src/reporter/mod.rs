@@ -102,7 +102,9 @@ impl Words<'_> {
                 self.at_joint(Some(joint)),
                 self.not_carrier(*joint, *link, offers),
             ),
-            Diagnosis::NoCarrier { joint } => (self.at_joint(Some(joint)), self.no_carrier(*joint)),
+            Diagnosis::NoCarrier { joint } => {
+                (self.at_joint(Some(joint)), self.no_carrier(*joint, offers))
+            }
             Diagnosis::SeveralCarriers { joint, carriers } => (
                 self.at_joint(Some(joint)),
                 self.several_carriers(*joint, carriers),

@@ -4,7 +4,7 @@ use super::Words;
 use super::wording::{brief, one_of};
 use crate::bug::bug;
 use crate::model::{JointId, JointKind, MotorId};
-use crate::repair::{NewKind, Offers, Repair, Search};
+use crate::repair::{NewKind, NewMotor, Offers, Repair, Search};
 
 /// A line is not made longer than this by putting several phrases on it.
 const WIDTH: usize = 100;
@@ -211,7 +211,11 @@ impl Words<'_> {
         motors.dedup();
         let phrase = |motor| {
             let to = collect_names(repairs, |repair| match repair {
-                Repair::MoveMotor { motor: other, to } if *other == motor => Some(self.joint(*to)),
+                Repair::MoveMotor { motor: other, to } if *other == motor => {
+                    let range = to.range_text(self.model);
+                    let range = range.map(|range| format!(" with the range `{range}`"));
+                    Some(self.joint(to.joint) + &range.unwrap_or_default())
+                }
                 _ => None,
             });
             let from = self.joint(self.model.motor(motor).joint);
@@ -227,35 +231,38 @@ impl Words<'_> {
 
     /// Motors on one joint each, or on several at once; each with its place in the list.
     fn added_motors(&self, repairs: &[Repair]) -> Vec<(usize, String)> {
-        let line = |joint: JointId| format!("`motor {};`", self.model.joint(joint).name);
-        let (mut alone, mut place) = (Vec::new(), 0);
+        let line = |motor: &NewMotor| format!("`{}`", motor.statement(self.model));
+        let mut alone: Vec<(usize, &NewMotor)> = Vec::new();
         let mut phrases = Vec::new();
         for (number, repair) in repairs.iter().enumerate() {
             match repair {
-                Repair::AddMotors(joints) if joints.len() == 1 => {
-                    place = if alone.is_empty() { number } else { place };
-                    alone.extend(joints);
+                Repair::AddMotors(motors) if motors.len() == 1 => {
+                    alone.extend(motors.iter().map(|motor| (number, motor)));
                 }
-                Repair::AddMotors(joints) => {
-                    let lines: Vec<String> = joints.iter().map(|&joint| line(joint)).collect();
+                Repair::AddMotors(motors) => {
+                    let lines: Vec<String> = motors.iter().map(line).collect();
                     phrases.push((number, format!("add {}", lines.join(" and "))));
                 }
                 _ => {}
             }
         }
-        let sits: Vec<String> = alone.iter().map(|&&joint| self.joint(joint)).collect();
-        match (&alone[..], &sits[..]) {
-            ([only], _) => phrases.push((place, format!("add {}", line(**only)))),
-            ([first, ..], [_, others @ ..]) => {
-                let phrase = format!(
-                    "add {}, or a motor on {} instead",
-                    line(**first),
-                    one_of(others)
-                );
-                phrases.push((place, phrase));
+        let Some((&(place, first), others)) = alone.split_first() else {
+            return phrases;
+        };
+        let mut phrase = format!("add {}", line(first));
+        if let [(next, _), ..] = others {
+            let sits = others.iter().map(|(_, motor)| self.joint(motor.joint));
+            let is_ranged = others.iter().any(|(_, motor)| motor.range.is_some());
+            let ranges = if is_ranged { " with a range" } else { "" };
+            let elsewhere = one_of(&sits.collect::<Vec<_>>());
+            let elsewhere = format!("a motor{ranges} on {elsewhere}");
+            if *next == place + 1 {
+                phrase += &format!(", or {elsewhere} instead");
+            } else {
+                phrases.push((*next, format!("add {elsewhere}")));
             }
-            _ => {}
         }
+        phrases.push((place, phrase));
         phrases
     }
 
