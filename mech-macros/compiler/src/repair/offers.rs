@@ -273,7 +273,7 @@ fn pairs(trials: &mut Trials<'_>, tried: &[Repair], ranking: &Ranking<'_>, offer
             break;
         }
         for second in seconds(trials, first, found) {
-            attempt(trials, offers, [(*first).clone(), second]);
+            attempt(trials, offers, &[(*first).clone(), second]);
         }
     }
     offers.pairs.truncate(PAIRS);
@@ -291,17 +291,17 @@ fn is_half(repair: &Repair) -> bool {
     }
 }
 
-fn attempt(trials: &mut Trials<'_>, offers: &mut Offers, pair: [Repair; 2]) {
+fn attempt(trials: &mut Trials<'_>, offers: &mut Offers, pair: &[Repair; 2]) {
     let same = |a: &Repair, b: &Repair| {
         let motors = matches!((a, b), (Repair::AddMotors(_), Repair::AddMotors(_)));
         a == b || motors || same_place(a, b)
     };
     let is_known = |[a, b]: &[Repair; 2]| {
-        let [first, second] = &pair;
+        let [first, second] = pair;
         (same(a, first) && same(b, second)) || (same(a, second) && same(b, first))
     };
-    if !offers.pairs.iter().any(is_known) && trials.of(&pair) == Trial::Closes {
-        let proved = trials.proved(&pair).and_then(|pair| pair.try_into().ok());
+    if !offers.pairs.iter().any(is_known) && trials.of(pair) == Trial::Closes {
+        let proved = trials.proved(pair).and_then(|pair| pair.try_into().ok());
         offers.pairs.extend(proved);
     }
 }

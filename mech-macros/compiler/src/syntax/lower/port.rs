@@ -114,7 +114,7 @@ fn check_ports(used: &Use, part: &Part, ports: &[String], report: &mut Report) {
     let lent = used.ports.iter().map(|binding| &binding.port);
     let unknown: Vec<&Ident> = lent.clone().filter(|port| is_unknown(port)).collect();
     // A link under an unknown name is meant for the port that looks like it, or else for any.
-    let looks = unknown.iter().map(|port| port.to_string());
+    let looks = unknown.iter().map(ToString::to_string);
     let meant = looks.filter_map(|port| spelling::nearest(&port, &ports));
     let meant: Vec<&str> = meant.collect();
     let is_lent = |port: &str| lent.clone().any(|lent| lent == port) || meant.contains(&port);
