@@ -136,8 +136,12 @@ impl<'t> Near<'t> {
 
     /// The change that a message offers in its words.
     fn offered(&self, place: &Range<usize>, words: &str) -> Option<Slip> {
-        let offer = syntax::Message::offer(words)?;
         let written = self.text.get(place.clone())?;
+        let Some(offer) = syntax::Message::offer(words) else {
+            let left_out = syntax::Message::left_out(words)?;
+            let is_here = written == left_out;
+            return is_here.then(|| Slip::new(format!("remove `{written}`"), place.clone(), ""));
+        };
         let words = format!("write `{offer}` for `{written}`");
         Some(Slip::new(words, place.clone(), offer))
     }

@@ -105,6 +105,14 @@ impl Message {
         Some(offer)
     }
 
+    /// The text that should be left out by these words, which stands in the place of the message.
+    #[must_use]
+    pub fn left_out(words: &str) -> Option<&str> {
+        let first = words.split("\n\n").next()?;
+        let (_, rest) = first.split_once("leave `")?;
+        rest.split_once("` out").map(|(left_out, _)| left_out)
+    }
+
     /// The first of these messages. If there are many, one more tells the number of those left out, and of `others` that are not made.
     #[must_use]
     pub fn first(mut messages: Vec<Self>, others: usize) -> Vec<Self> {

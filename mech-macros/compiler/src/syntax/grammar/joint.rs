@@ -3,7 +3,7 @@
 use super::beginning::{STATEMENTS, at_beginning};
 use super::expression::{direction, expression, one_of, pair, read_labelled};
 use super::path::{end, path};
-use super::recover::{read_declared, skip, to_semicolon};
+use super::recover::{broken_statement, read_declared, skip, to_semicolon};
 use super::tokens::{comes_word, expected_message, in_parens, symbol, take, take_word};
 use crate::syntax::ast::{
     Broken, Clause, End, Expr, ExprKind, Joint, JointBody, JointWord, Name, Read, Rolling, Size,
@@ -12,6 +12,7 @@ use crate::syntax::ast::{
 use crate::syntax::{Message, Place};
 use proc_macro2::{Delimiter, Ident};
 use syn::parse::ParseStream;
+use syn::token::Paren;
 
 const WORDS: [(&str, JointWord); 8] = [
     ("revolute", JointWord::Revolute),
@@ -27,6 +28,11 @@ const WORDS: [(&str, JointWord); 8] = [
 /// Reads a joint after its keyword.
 pub(super) fn joint(input: ParseStream) -> Statement {
     read_declared(input, "the name of a joint", |input, name| {
+        if input.peek(Paren) && WORDS.iter().any(|(word, _)| name == word) {
+            skip(input, &STATEMENTS);
+            let text = format!("a joint has a name before its kind: `joint NAME = {name}(...)`");
+            return broken_statement(Message::new(Place::at(name.span()), text));
+        }
         let body = to_semicolon(input, &STATEMENTS, body);
         Statement::Joint(Box::new(Joint { name, body }))
     })
@@ -58,6 +64,14 @@ fn body(input: ParseStream) -> Read<JointBody> {
     symbol(input, "=")?;
     let (word, kind) = one_of(input, "a kind of joint", &WORDS)?;
     let ((ends, (rolling, law)), _) = in_parens(input, "`(`", |input| parts(input, kind))?;
+    if input.peek(Paren) {
+        let place = pair(input)?;
+        let text = format!(
+            "a place follows `at`; write `at ({}, {})`",
+            place.x, place.y
+        );
+        return Err(Message::new(place.place, text));
+    }
     let at = clause(input, "at", pair)?;
     let along = clause(input, "along", direction)?;
     if rolling.is_some() {

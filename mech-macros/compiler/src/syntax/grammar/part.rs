@@ -9,8 +9,8 @@ use super::tokens::{
     any_word, comes, end, expected_message, in_braces, in_brackets, in_parens, name, open_braces,
     symbol, take, take_word,
 };
-use crate::syntax::Message;
 use crate::syntax::ast::{Broken, Constant, Part, Port, PortBinding, Read, Statement, Use};
+use crate::syntax::{Message, Place};
 use proc_macro2::{Ident, Spacing};
 use syn::parse::ParseStream;
 use syn::token;
@@ -124,8 +124,13 @@ fn numbers(input: ParseStream) -> Read<Vec<Constant>> {
     let (numbers, _) = in_parens(input, "`(`", |input| {
         list(input, |input| {
             let name = name(input, "the name of a number")?;
-            symbol(input, "=")?;
-            let value = Ok(expression(input)?);
+            let value = if input.is_empty() || comes(input, ",") {
+                let text = format!("each number of a part has a value; write `{name} = 1`");
+                Err(Message::new(Place::at(name.span()), text))
+            } else {
+                symbol(input, "=")?;
+                Ok(expression(input)?)
+            };
             Ok(Constant { name, value })
         })
     })?;

@@ -1,6 +1,6 @@
 //! Motors, the start and what is wanted: everything that refers to links and joints declared elsewhere.
 
-use super::beginning::STATEMENTS;
+use super::beginning::{STATEMENTS, at_beginning};
 use super::ending::after_last;
 use super::expression::expression;
 use super::path::{end, path};
@@ -12,6 +12,7 @@ use super::trace::trace;
 use crate::syntax::ast::{
     Broken, EFFECTS, Effect, Expr, Motor, Name, Read, Start, StartClause, Statement,
 };
+use crate::syntax::written::in_product;
 use crate::syntax::{Message, Place, spelling};
 use proc_macro2::{Ident, Span};
 use syn::parse::ParseStream;
@@ -29,6 +30,7 @@ pub(super) fn motor(input: ParseStream) -> Statement {
     read_setting(input, |input| {
         let joint = path(input, "the name of a joint")?;
         one_motor(input, &joint)?;
+        worded_speed(input)?;
         let law = take(input, "=").map(|_| expression(input)).transpose()?;
         worded_range(input)?;
         let range = take_word(input, "in").map(|_| range(input)).transpose()?;
@@ -62,6 +64,35 @@ fn one_motor(input: ParseStream, first: &Name) -> Read<()> {
         statements.join(" ")
     );
     Err(Message::new(place, text))
+}
+
+/// Complains about a speed in words: `speed 3`, `at 60 rpm`.
+fn worded_speed(input: ParseStream) -> Read<()> {
+    if at_beginning(input, &STATEMENTS) {
+        return Ok(());
+    }
+    let mut words = ["speed", "at", "with"].into_iter();
+    let Some(word) = words.find_map(|word| take_word(input, word)) else {
+        return Ok(());
+    };
+    take_word(input, "speed");
+    let error = match expression(input) {
+        Ok(speed) => Message::new(
+            speed.place,
+            format!(
+                "a motor's law follows `=`; write `= {} * t`",
+                in_product(&speed)
+            ),
+        ),
+        Err(error) => Message {
+            text: error.text.replacen("write `", "write `= ", 1),
+            ..error
+        },
+    };
+    Err(Message {
+        place: Place::at(word).to(error.place),
+        ..error
+    })
 }
 
 /// Complains about a range in words: `from low to high`.

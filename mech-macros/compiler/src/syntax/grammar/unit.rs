@@ -12,9 +12,11 @@ const DEGREES: [&str; 3] = ["degree", "degrees", "degs"];
 const RADIANS: [&str; 4] = ["rad", "rads", "radian", "radians"];
 const TURNS: [&str; 5] = ["turn", "turns", "rev", "revs", "revolutions"];
 const LENGTHS: [&str; 9] = ["um", "mm", "cm", "dm", "m", "km", "inch", "inches", "ft"];
-const OTHERS: [&str; 12] = [
-    "kg", "g", "mg", "lb", "ms", "s", "sec", "N", "kN", "Nm", "Hz", "rpm",
+const OTHERS: [&str; 11] = [
+    "kg", "g", "mg", "lb", "ms", "s", "sec", "N", "kN", "Nm", "Hz",
 ];
+/// Turns in a minute.
+pub(super) const SPEED: &str = "rpm";
 const TYPES: [&str; 6] = ["f64", "f32", "i32", "i64", "u32", "u64"];
 
 /// Takes the name of a unit.
@@ -23,7 +25,7 @@ pub(super) fn take_foreign(input: ParseStream) -> Option<Ident> {
         let (unit, rest) = cursor.ident()?;
         let text = unit.to_string();
         let lists: [&[&str]; 5] = [&DEGREES, &RADIANS, &TURNS, &LENGTHS, &OTHERS];
-        let known = lists.iter().any(|list| list.contains(&text.as_str()));
+        let known = text == SPEED || lists.iter().any(|list| list.contains(&text.as_str()));
         (known && !is_declared(rest)).then_some((unit, rest))
     })
 }
@@ -32,6 +34,11 @@ pub(super) fn take_foreign(input: ParseStream) -> Option<Ident> {
 pub(super) fn is_declared(rest: Cursor) -> bool {
     let assigned = rest.punct().is_some_and(|(sign, _)| sign.as_char() == '=');
     assigned || rest.ident().is_some_and(|(word, _)| word == "near")
+}
+
+/// The law of a motor that makes so many turns in a minute.
+pub(super) fn at_speed(turns: &Expr) -> String {
+    format!("{} * 6 deg * t", in_product(turns))
 }
 
 /// Returns the message about a number with such a unit.
@@ -52,6 +59,16 @@ pub(super) fn trouble(number: &Expr, unit: &str, place: Place) -> Message {
     } else if OTHERS.contains(&unit) {
         format!(
             "there is no unit `{unit}`; write `{number}`, in units that fit the others, such as m, kg and s"
+        )
+    } else if unit == SPEED {
+        format!(
+            "there is no unit `{SPEED}`; write `{}`, a motor's law with `t` in s",
+            at_speed(number)
+        )
+    } else if unit == "t" {
+        format!(
+            "a product is written with `*`; write `{} * t`",
+            in_product(number)
         )
     } else if TYPES.contains(&unit) {
         format!("a number has no type; write `{number}`")

@@ -33,7 +33,10 @@ fn given_axes(
 ) -> Option<[AxisId; 2]> {
     let body = joining.body;
     let found = body.ends.each_ref().map(|end| kind_of(reader, draft, end));
-    let axes = if body.kind == JointWord::Slot && found == [LINE, POINT] {
+    let axes = if is_of_links(reader, body) {
+        refuse_links(reader, body);
+        return None;
+    } else if body.kind == JointWord::Slot && found == [LINE, POINT] {
         refuse_swapped(reader, body);
         [None; 2]
     } else if let ([Some(is), Some(other)], [wanted, second]) = (found, kinds)
@@ -70,6 +73,32 @@ fn kind_of(reader: &mut Reader, draft: &Draft, end: &End) -> Option<AxisKind> {
     let name = end.axis.as_ref()?.to_string();
     let axis = reader.names.axis_of(&draft.model, link, &name)?;
     Some(draft.model.axis(axis).kind)
+}
+
+/// Whether a joint of axes has two links for its ends.
+fn is_of_links(reader: &mut Reader, body: &JointBody) -> bool {
+    let mut is_link = |end: &End| {
+        let referent = find::look_up(reader, &end.link);
+        end.axis.is_none() && matches!(referent, Some(Referent::Link(_)))
+    };
+    body.kind != JointWord::Weld && body.ends.iter().all(&mut is_link)
+}
+
+/// Complains about a joint of links without a place.
+fn refuse_links(reader: &mut Reader, body: &JointBody) {
+    let ([first, second], word) = (&body.ends, &body.word);
+    let (clauses, axes) = match body.kind {
+        JointWord::Revolute => ("at (x, y)", "a point of each"),
+        JointWord::Slot => (
+            "at (x, y) along (dx, dy)",
+            "a point of the first and a line of the second",
+        ),
+        _ => ("at (x, y) along (dx, dy)", "a line of each"),
+    };
+    let text = format!(
+        "`{first}` and `{second}` are links, so this `{word}` needs a place: `{clauses}` after the brackets; or name {axes}"
+    );
+    reader.report.error(first.place().to(second.place()), text);
 }
 
 /// Complains about a slot whose line comes before its point.

@@ -132,18 +132,20 @@ pub(super) fn check_start(
     draft: &Draft,
     report: &mut Report,
 ) {
-    let Some((_, written)) = left(joint, value, draft) else {
+    let Some((range, written)) = left(joint, value, draft) else {
         return;
     };
-    let text = if is_drawn(&draft.model, joint) {
-        outside_as_drawn(&draft.model, joint, written)
+    let (place, text) = if is_drawn(&draft.model, joint) {
+        let text = outside_as_drawn(&draft.model, joint, range, written);
+        (draft.places.get(range.origin), text)
     } else {
-        format!(
+        let text = format!(
             "motor `{}` starts at `{}`, outside its range; choose a start within `{written}`, or widen the range",
             clause.name, clause.value
-        )
+        );
+        (clause.value.place, text)
     };
-    report.error(clause.value.place, text);
+    report.error(place, text);
 }
 
 /// Complains about a law that starts where its motor does not go.
@@ -180,7 +182,7 @@ pub(super) fn check_unlisted(draft: &Draft, report: &mut Report) {
         }
         let name = &model.joint(joint).name;
         let text = if is_drawn(model, joint) {
-            outside_as_drawn(model, joint, written)
+            outside_as_drawn(model, joint, range, written)
         } else {
             format!(
                 "motor `{name}` starts at 0, outside its range, as `start` says nothing else; \
@@ -192,10 +194,20 @@ pub(super) fn check_unlisted(draft: &Draft, report: &mut Report) {
     }
 }
 
-fn outside_as_drawn(model: &Model, joint: JointId, written: &str) -> String {
+fn outside_as_drawn(model: &Model, joint: JointId, range: Range, written: &str) -> String {
     let name = &model.joint(joint).name;
+    let ends = written.split_once(" ..= ").map(|(low, high)| {
+        let end = if range.low > 0.0 { low } else { high };
+        let zero = if end.ends_with("deg") { "0 deg" } else { "0" };
+        if range.low > 0.0 {
+            format!("{zero} ..= {high}")
+        } else {
+            format!("{low} ..= {zero}")
+        }
+    });
+    let wider = ends.unwrap_or_default();
     format!(
-        "motor `{name}` starts at 0, where it is drawn, outside its range; widen `{written}` so that it holds 0"
+        "motor `{name}` starts at 0, where it is drawn, outside its range; write `{wider}`, which holds 0"
     )
 }
 

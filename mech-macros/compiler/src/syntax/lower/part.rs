@@ -212,6 +212,9 @@ fn check_parts(text: &Text, report: &mut Report) {
             let text = format!("there is a part `{name}` already; choose another name");
             report.error(Place::at(name.span()), text);
         }
+        for parameter in &part.parameters {
+            report.read(&parameter.value);
+        }
         report.read(&part.body);
     }
 }
@@ -353,10 +356,10 @@ fn arguments(reader: &mut Reader, used: &Use, part: &Part) -> Vec<Option<Value>>
     let mut values: Vec<Option<_>> = part.parameters.iter().map(|_| None).collect();
     for argument in &used.arguments {
         let name = &argument.name;
-        let Ok(expr) = &argument.value else {
-            continue;
+        let value = match reader.report.read(&argument.value) {
+            Some(expr) => reader.both(expr),
+            None => Value::default(),
         };
-        let value = reader.both(expr);
         let found = part.parameters.iter().position(|known| known.name == *name);
         let trouble = match found {
             Some(index) if values[index].is_some() => {

@@ -165,6 +165,8 @@ impl Report {
                 let statement = StatementPlace::of_mechanism(before.count() + 1);
                 entry.position = (statement, 0);
                 entry.message = Message::new(listing.names[index].place, text);
+            } else if let Some(text) = unknown.undeclared(listing) {
+                entry.message.text = text;
             }
         }
     }

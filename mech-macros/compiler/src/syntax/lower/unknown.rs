@@ -42,6 +42,25 @@ impl Unknown {
         ))
     }
 
+    /// What is said instead of a link that is used by several joints, and is no misspelt one: its declaration was forgotten.
+    pub(super) fn undeclared(&self, listing: &Listing) -> Option<String> {
+        let is_link = self.noun == Noun::Body && self.owner.is_empty() && !self.word.is_empty();
+        let uses = listing.uses(self.noun, self.part.as_deref(), &self.word);
+        let uses = uses.filter(|one| one.path == self.word);
+        let links = listing.names.iter().filter(|one| {
+            let is_like_it = (one.noun, &one.part) == (self.noun, &self.part);
+            one.is_declared && is_like_it
+        });
+        let alike = spelling::alike(&self.word, links.map(|one| &*one.path));
+        let is_misspelt = alike.iter().any(|(distance, _)| *distance == 1);
+        (is_link && uses.count() > 1 && !is_misspelt).then(|| {
+            format!(
+                "there is no link `{0}`; declare it with `link {0};`",
+                self.word
+            )
+        })
+    }
+
     /// The number of the declaration that is misspelt, if one is, and what is said there: it looks like this name, and is not used.
     pub(super) fn misspelt(&self, listing: &Listing) -> Option<(usize, String)> {
         let (owner, word) = (&self.owner, &self.word);
