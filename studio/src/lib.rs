@@ -34,6 +34,7 @@ mod output;
 mod painting;
 pub mod play;
 mod quantity;
+mod report;
 mod text;
 
 #[cfg(not(target_arch = "wasm32"))]

@@ -21,6 +21,8 @@ struct Mechanism<'a> {
     name: Option<&'a str>,
     moves: bool,
     place: Place,
+    /// How far each motor goes, if it moves.
+    motors: &'a [String],
     messages: Vec<Message<'a>>,
     /// The repairs that compile, the likeliest first.
     repairs: Vec<Repair<'a>>,
@@ -77,11 +79,16 @@ pub(crate) fn to_json(source: &Source, verdicts: &[Verdict]) -> String {
         .iter()
         .map(|verdict| match verdict {
             Verdict::Moves {
-                name, place, notes, ..
+                name,
+                place,
+                motors,
+                notes,
+                ..
             } => Mechanism {
                 name: Some(name),
                 moves: true,
                 place: in_file(source, place),
+                motors,
                 messages: notes.iter().map(|text| note(source, text, place)).collect(),
                 repairs: Vec::new(),
             },
@@ -94,6 +101,7 @@ pub(crate) fn to_json(source: &Source, verdicts: &[Verdict]) -> String {
                 name: name.as_deref(),
                 moves: false,
                 place: in_file(source, place),
+                motors: &[],
                 messages: messages.iter().map(|one| message(source, one)).collect(),
                 repairs: repairs.iter().map(|one| repair(source, one)).collect(),
             },

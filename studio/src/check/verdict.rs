@@ -3,6 +3,7 @@
 use crate::document::{Declaration, Document, Message, Reading};
 use crate::failure::Failure;
 use crate::mend::{Mending, mendings};
+use crate::report::ranges;
 use mech_compiler::Compiled;
 use mech_compiler::limits::Limit;
 use mech_compiler::model::Model;
@@ -18,6 +19,8 @@ pub(crate) enum Verdict {
         place: Range<usize>,
         /// This in one line.
         line: String,
+        /// How far each motor goes: `` `a` turns right round``.
+        motors: Vec<String>,
         /// Notes on its motion that are worth knowing.
         notes: Vec<String>,
     },
@@ -105,6 +108,7 @@ fn verdict(
     Ok(match result {
         Ok(compiled) => Verdict::Moves {
             line: verdict_line(&model, &compiled),
+            motors: ranges(&model, &compiled)?,
             name: model.name,
             place,
             notes: compiled.notes,

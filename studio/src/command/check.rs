@@ -36,9 +36,16 @@ impl Check {
         } else {
             for verdict in &verdicts {
                 match verdict {
-                    Verdict::Moves { line, notes, .. } => {
-                        let notes: String = notes.iter().map(|n| format!("note: {n}\n")).collect();
-                        console.answer(format!("{line}\n{notes}"))?;
+                    Verdict::Moves {
+                        line,
+                        motors,
+                        notes,
+                        ..
+                    } => {
+                        let motors = motors.iter().map(|range| format!("motor {range}\n"));
+                        let notes = notes.iter().map(|note| format!("note: {note}\n"));
+                        let more: String = motors.chain(notes).collect();
+                        console.answer(format!("{line}\n{more}"))?;
                     }
                     Verdict::Faulty { messages, .. } => {
                         console.complain_in_colors(&render(source, messages, console.has_colors()));

@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::job::Job;
 use clap::Args;
 
-/// Tells how a mechanism moves: mobility, loops in the order in which they are solved, methods, errors and operations.
+/// Tells what a mechanism does, and how: ranges of motors, strokes, loops in the order in which they are solved, methods, operations.
 #[derive(Args, Clone, Debug)]
 #[command(after_help = EXAMPLES, after_long_help = [EXAMPLES, "\n\n", CODES].concat())]
 pub(super) struct Report {

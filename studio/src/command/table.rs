@@ -19,6 +19,9 @@ pub(super) struct Table {
     pub(super) target: Target,
     #[command(flatten)]
     measure: Measure,
+    /// Tells the extremes and means of each quantity, and where, in place of the table. Extremes are looked for between the steps, too.
+    #[arg(long, conflicts_with = "over")]
+    summary: bool,
     /// The file to write; without, the table is the answer.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -30,12 +33,19 @@ const EXAMPLES: &str = "\
 Examples:
   mech table four_bar.mech
   mech table four_bar.mech coupler.tip velocity:coupler.tip.norm --steps 72 -o tip.csv
+  mech table shaper.mech x velocity:x --summary
   mech table press.mech torque:crank transmission --from 0 --to 180 --rate 10.5 --length m --force N";
 
 impl Table {
     pub(super) fn run(&self, writer: &mut Writer, console: &mut Console) -> Result<(), Failure> {
         let analysed = self.target.coherent_with(&self.measure.set, console)?;
-        let text = Job::Table(self.measure.job()).run(analysed, console)?;
+        let measure = self.measure.job();
+        let job = if self.summary {
+            Job::Summary(measure)
+        } else {
+            Job::Table(measure)
+        };
+        let text = job.run(analysed, console)?;
         match &self.output {
             Some(path) => {
                 let replacing = self.replacing;

@@ -28,6 +28,8 @@ pub(super) struct Analysis {
     /// The snapshot of the present text; of an earlier text while the compiler works.
     pub(super) snapshot: Arc<Snapshot>,
     pub(super) repairs: Repairs,
+    /// What the mechanism does, as the lines of a report; none until it is measured.
+    pub(super) motion: Option<String>,
     ghost: Option<Ghost>,
     /// The work that is done beside the window.
     pub(super) works: Vec<Work>,
@@ -52,6 +54,7 @@ impl Analysis {
             pending,
             snapshot: Arc::new(Snapshot::of(empty, workspace.index())),
             repairs: Repairs::Found(Vec::new()),
+            motion: None,
             ghost: None,
             works: Vec::new(),
             is_stopped: false,
@@ -103,6 +106,7 @@ impl Analysis {
             Some(_) => Repairs::Sought,
             None => Repairs::Found(Vec::new()),
         };
+        self.motion = None;
         self.ghost = None;
         self.is_stopped = false;
         self.snapshot = snapshot;

@@ -1,10 +1,9 @@
 //! The ranges of motors.
 
 use crate::failure::Failure;
-use crate::motion::{range_of, reach, turns};
+use crate::motion::{Basis, Reach, turns};
 use mech_compiler::Compiled;
 use mech_compiler::model::Model;
-use std::f64::consts::TAU;
 
 /// The range of a motor that moves alone from the start.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,48 +38,18 @@ impl MotorRange {
     }
 }
 
-/// The basis on which a range is known.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
-pub(crate) enum Basis {
-    /// It was declared, and the compiler has proved it.
-    Proved,
-    /// The motor was moved until something stopped it.
-    Walked,
-    /// The motor was moved once round, and nothing stopped it.
-    Round,
-}
-
 /// Finds the range of each motor, in the order of declaration. A motor that slides without a declared range goes half as far as the
 /// mechanism is large.
 pub(crate) fn ranges(model: &Model, compiled: &Compiled) -> Result<Vec<MotorRange>, Failure> {
     let base = &compiled.program.start.motors[..model.motors.len()];
-    let size = model.size();
     let motors = model.motor_ids().map(|motor| {
         let joint = model.motor(motor).joint;
-        let turns = turns(model, joint);
-        let (ends, basis) = if let Some(ends) = range_of(model, motor) {
-            (ends, Basis::Proved)
-        } else {
-            let found = reach(
-                model,
-                compiled,
-                motor,
-                base,
-                if turns { TAU } else { size / 2.0 },
-            )?;
-            let start = base[motor.index()];
-            if turns && found.is_free[1] {
-                ([start, start + TAU], Basis::Round)
-            } else {
-                (found.ends, Basis::Walked)
-            }
-        };
+        let Reach { ends, basis, .. } = Reach::of(model, compiled, motor, base)?;
         Ok(MotorRange {
             name: model.joint(joint).name.clone(),
             ends,
             basis,
-            turns,
+            turns: turns(model, joint),
         })
     });
     motors.collect()

@@ -3,7 +3,7 @@
 use super::Analysed;
 use crate::failure::Failure;
 use crate::motion::{Drive, Setting, Span};
-use crate::quantity::{self, Load, Measurement, Table, Units};
+use crate::quantity::{self, Load, Measurement, Quantity, Summary, Table, Units};
 
 /// The quantities to measure, and the motion.
 #[derive(Clone, Debug)]
@@ -31,7 +31,20 @@ impl Measure {
     pub(crate) const STEPS: u32 = 360;
 
     /// Moves the mechanism, and measures.
-    pub(super) fn table(&self, Analysed { model, compiled }: &Analysed) -> Result<Table, Failure> {
+    pub(super) fn table(&self, analysed: &Analysed) -> Result<Table, Failure> {
+        self.measured(analysed, quantity::measure)
+    }
+
+    /// The same, in summary.
+    pub(super) fn summaries(&self, analysed: &Analysed) -> Result<Vec<Summary>, Failure> {
+        self.measured(analysed, quantity::summarize)
+    }
+
+    fn measured<R>(
+        &self,
+        Analysed { model, compiled }: &Analysed,
+        measured: impl FnOnce(&Measurement<'_>, &[Quantity]) -> Result<R, Failure>,
+    ) -> Result<R, Failure> {
         let dyads = quantity::dyads(model, &compiled.plan);
         let mut wanted = Vec::new();
         for name in &self.quantities {
@@ -52,7 +65,7 @@ impl Measure {
             loads: &self.loads,
             units: &self.units,
         };
-        quantity::measure(&measurement, &wanted)
+        measured(&measurement, &wanted)
     }
 }
 

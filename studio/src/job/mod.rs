@@ -32,6 +32,8 @@ pub(crate) enum Job {
     Film(Film),
     /// A table of measurements in its motion, as CSV.
     Table(Measure),
+    /// The extremes and means of the same, as CSV.
+    Summary(Measure),
     /// The same as charts.
     Plot(Plot),
     /// The report of the analysis.
@@ -92,10 +94,14 @@ impl Job {
             Self::Draw(draw) => draw.run(analysed),
             Self::Film(film) => film.run(analysed, listener),
             Self::Table(measure) => Ok(table::csv(&measure.table(&analysed)?).into_bytes()),
+            Self::Summary(measure) => Ok(table::summaries(
+                &measure.summaries(&analysed)?,
+                analysed.model.precision,
+            )
+            .into_bytes()),
             Self::Plot(plot) => plot.run(&analysed),
             Self::Report => {
-                let report = analysed.compiled.report.trim_end();
-                Ok(format!("{report}\n").into_bytes())
+                Ok(crate::report::report(&analysed.model, &analysed.compiled)?.into_bytes())
             }
             Self::Graph(kind) => Ok(kind.dot(&analysed).into_bytes()),
         }

@@ -1,6 +1,6 @@
 //! Tables as text.
 
-use crate::quantity::Table;
+use crate::quantity::{Summary, Table, tick};
 use mech_compiler::model::Precision;
 
 /// The table as CSV: `motor a [deg],b [deg]`. Where it is over another quantity, that takes the place of the motor.
@@ -16,6 +16,29 @@ pub(super) fn csv(table: &Table) -> String {
             value.map_or(String::new(), |value| number(value, *size, table.precision))
         });
         text += &(cells.collect::<Vec<_>>().join(",") + "\n");
+    }
+    text
+}
+
+/// Summaries as CSV: a row for each quantity.
+pub(super) fn summaries(summaries: &[Summary], precision: Precision) -> String {
+    let mut text = "quantity,unit,least,at,greatest,at,extent,mean,rms,time ratio\n".to_owned();
+    for one in summaries {
+        let size = one.least.value.abs().max(one.greatest.value.abs());
+        let value = |value: f64| number(value, size, precision);
+        let cells = [
+            cell(&one.name),
+            cell(&one.unit),
+            value(one.least.value),
+            tick(one.least.by),
+            value(one.greatest.value),
+            tick(one.greatest.by),
+            value(one.extent()),
+            value(one.mean),
+            value(one.rms),
+            one.time_ratio.map(tick).unwrap_or_default(),
+        ];
+        text += &(cells.join(",") + "\n");
     }
     text
 }

@@ -2,7 +2,7 @@
 
 use super::obstacle::{motor_name, obstacle};
 use super::period::period;
-use super::reach::{limits, reachable};
+use super::reach::{Reach, limits};
 use super::setting::{motor_of, show_value, turns};
 use super::{Mover, Setting, Span};
 use crate::failure::{Failure, FailureKind};
@@ -73,9 +73,8 @@ impl Drive {
         let (ends, found) = match (from?, to?) {
             (Some(from), Some(to)) => ([from, to], [false; 2]),
             (from, to) => {
-                let stretch = reachable(model, compiled, motor, &base)?;
-                let [low, high] = stretch.ends;
-                let [is_low, is_high] = stretch.found;
+                let reach = Reach::of(model, compiled, motor, &base)?;
+                let ([low, high], [is_low, is_high]) = (reach.ends, reach.found());
                 (
                     [from.unwrap_or(low), to.unwrap_or(high)],
                     [from.is_none() && is_low, to.is_none() && is_high],

@@ -5,78 +5,89 @@ use super::obstacle::obstacle;
 use super::setting::{from_shown, range_of, shown, turns, unit_of};
 use crate::failure::Failure;
 use mech_compiler::Compiled;
-use mech_compiler::evaluate::Machine;
+use mech_compiler::evaluate::{Machine, Stop};
 use mech_compiler::model::{Model, MotorId};
 use std::f64::consts::TAU;
 
 /// A part of a way that is more than rounding.
 const HAIR: f64 = 1e-8;
 
-/// The reach of a motor that moves alone from where it is, both ways.
+/// How far a motor goes that moves alone from where it is, both ways.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Reach {
     /// Its lowest and highest value, in radians or scene units.
     pub(crate) ends: [f64; 2],
-    /// Whether nothing stops it there, on its way down and up.
-    pub(crate) is_free: [bool; 2],
+    pub(crate) basis: Basis,
+    /// What stops it at each of them, if it was moved there and something does.
+    pub(crate) stops: [Option<Stop>; 2],
 }
 
-/// The values through which a motor moves if nobody says which.
-pub(super) struct Stretch {
-    /// Its ends, in radians or scene units.
-    pub(super) ends: [f64; 2],
-    /// Which of them are those of what is possible, as far as numbers tell.
-    pub(super) found: [bool; 2],
+/// The basis on which a reach is known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) enum Basis {
+    /// It was declared, and the compiler has proved it.
+    Declared,
+    /// The motor was moved once round, and nothing stopped it.
+    Round,
+    /// The motor was moved until something stopped it, or far enough.
+    Walked,
 }
 
-/// The values through which a motor moves if nobody says which: its declared range; or once round; or as far as it can go. A slide that
-/// nothing stops goes half as far as the mechanism is large.
-pub(super) fn reachable(
-    model: &Model,
-    compiled: &Compiled,
-    motor: MotorId,
-    base: &[f64],
-) -> Result<Stretch, Failure> {
-    /// The farthest that a slide is tried, in sizes of the mechanism: nothing in a closed loop goes farther.
-    const FAR: f64 = 16.0;
-    if let Some(ends) = range_of(model, motor) {
-        let found = [false; 2];
-        return Ok(Stretch { ends, found });
-    }
-    let start = base[motor.index()];
-    if turns(model, model.motor(motor).joint) {
-        let found = reach(model, compiled, motor, base, TAU)?;
-        return Ok(if found.is_free[1] {
-            Stretch {
-                ends: [start, found.ends[1]],
-                found: [false; 2],
-            }
-        } else {
-            Stretch::of(found)
-        });
-    }
-    let size = match model.size() {
-        0.0 => 1.0,
-        size => size,
-    };
-    let mut found = reach(model, compiled, motor, base, FAR * size)?;
-    for (side, way) in [(0, -0.5), (1, 0.5)] {
-        if found.is_free[side] {
-            found.ends[side] = start + way * size;
+impl Reach {
+    /// The reach of a motor from these values of all motors: its declared range; or once round; or as far as it can go. A slide that nothing
+    /// stops goes half as far as the mechanism is large.
+    ///
+    /// # Errors
+    /// If the motors cannot come to these values.
+    pub(crate) fn of(
+        model: &Model,
+        compiled: &Compiled,
+        motor: MotorId,
+        base: &[f64],
+    ) -> Result<Self, Failure> {
+        /// The farthest that a slide is tried, in sizes of the mechanism: nothing in a closed loop goes farther.
+        const FAR: f64 = 16.0;
+        if let Some(ends) = range_of(model, motor) {
+            return Ok(Self {
+                ends,
+                basis: Basis::Declared,
+                stops: [None; 2],
+            });
         }
+        let start = base[motor.index()];
+        if turns(model, model.motor(motor).joint) {
+            let mut found = walked(model, compiled, motor, base, TAU)?;
+            if found.stops[1].is_none() {
+                found = Self {
+                    ends: [start, found.ends[1]],
+                    basis: Basis::Round,
+                    stops: [None; 2],
+                };
+            }
+            return Ok(found);
+        }
+        let size = match model.size() {
+            0.0 => 1.0,
+            size => size,
+        };
+        let mut found = walked(model, compiled, motor, base, FAR * size)?;
+        for (side, way) in [(0, -0.5), (1, 0.5)] {
+            if found.stops[side].is_none() {
+                found.ends[side] = start + way * size;
+            }
+        }
+        Ok(found)
     }
-    Ok(Stretch::of(found))
+
+    /// Which of its ends are those of what is possible, as far as numbers tell.
+    pub(crate) fn found(&self) -> [bool; 2] {
+        self.stops.map(|stop| stop.is_some())
+    }
 }
 
-impl Stretch {
-    fn of(Reach { ends, is_free }: Reach) -> Self {
-        let found = is_free.map(|is_free| !is_free);
-        Self { ends, found }
-    }
-}
-
-/// Finds the reach of a motor that moves alone from these values of all motors, both ways, no farther than this distance.
-pub(crate) fn reach(
+/// The reach of a motor both ways, no farther than this distance, whatever was declared.
+fn walked(
     model: &Model,
     compiled: &Compiled,
     motor: MotorId,
@@ -93,27 +104,28 @@ pub(crate) fn reach(
     machine.move_to(base).map_err(blocked)?;
     let start = machine.position().clone();
     let index = motor.index();
-    let mut end = |displacement: f64| -> Result<(f64, bool), Failure> {
+    let mut end = |displacement: f64| -> Result<(f64, Option<Stop>), Failure> {
         machine.put_back(start.clone());
         let mut goal = base.to_vec();
         goal[index] += displacement;
         let stop = machine.move_toward(&goal).map_err(blocked)?;
         let end = machine.position().motors[index];
         if stop.is_none() {
-            return Ok((end, true));
+            return Ok((end, None));
         }
         let farthest = farthest(|part| {
             machine.put_back(start.clone());
             goal[index] = base[index] + (end - base[index]) * part;
             machine.move_to(&goal).is_ok()
         });
-        Ok((base[index] + (end - base[index]) * farthest, false))
+        Ok((base[index] + (end - base[index]) * farthest, stop))
     };
-    let (low, is_free_down) = end(-distance)?;
-    let (high, is_free_up) = end(distance)?;
+    let (low, below) = end(-distance)?;
+    let (high, above) = end(distance)?;
     Ok(Reach {
         ends: [low, high],
-        is_free: [is_free_down, is_free_up],
+        basis: Basis::Walked,
+        stops: [below, above],
     })
 }
 
@@ -140,9 +152,10 @@ fn farthest(mut can: impl FnMut(f64) -> bool) -> f64 {
 /// number to rounding and the motor comes there.
 pub(super) fn limits(model: &Model, compiled: &Compiled, motor: MotorId, base: &[f64]) -> String {
     let joint = model.motor(motor).joint;
-    let Ok(Stretch { ends, found }) = reachable(model, compiled, motor, base) else {
+    let Ok(reach) = Reach::of(model, compiled, motor, base) else {
         return String::new();
     };
+    let (ends, found) = (reach.ends, reach.found());
     let comes_to = |value: f64| {
         let mut mover = Mover::new(model, compiled);
         let is_there = mover.move_to(base).is_ok();

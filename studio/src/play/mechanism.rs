@@ -59,12 +59,10 @@ impl Prepared {
     fn of(model: &Model, compiled: &Compiled) -> Result<Self, Failure> {
         let looks = looks(model, compiled);
         let extent = looks.extent(model, compiled);
-        let [low, high] = extent;
-        let size = (high[0] - low[0]).max(high[1] - low[1]);
         Ok(Self {
             looks,
             extent,
-            motion: Motion::new(model, compiled, size)?,
+            motion: Motion::new(model, compiled)?,
             derived: Vec::new(),
         })
     }

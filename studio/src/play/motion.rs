@@ -1,13 +1,13 @@
 //! The motion that a mechanism makes by itself.
 
 use crate::failure::Failure;
-use crate::motion::{Drive, Moment, Span, range_of, reach, turns};
+use crate::motion::{Basis, Drive, Moment, Reach, Span};
 use mech_compiler::Compiled;
 use mech_compiler::model::{Model, MotorId};
 use std::f64::consts::{PI, TAU};
 
-/// The duration of a stroke, in seconds: as long as a film.
-const STROKE: f64 = 4.0;
+/// The duration of a pass, in seconds: as long as a film.
+const SECONDS: f64 = 4.0;
 /// The part of its reach that a motor uses, so that rounding does not carry it beyond the ends.
 const USED: f64 = 0.98;
 
@@ -17,19 +17,19 @@ const USED: f64 = 0.98;
 pub(super) enum Motion {
     /// By the laws of its motors; the phase is the time in seconds.
     Laws(Drive),
-    /// One motor after the other makes its stroke, while the others rest; a stroke is 1 of the phase.
-    Strokes(Vec<Stroke>),
+    /// One motor after the other makes its pass, while the others rest; a pass is 1 of the phase.
+    Passes(Vec<Pass>),
 }
 
-/// A stroke of a motor alone, from where it is at the start and back.
+/// A pass of a motor alone, from where it is at the start and back.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
-pub(super) struct Stroke {
+pub(super) struct Pass {
     motor: MotorId,
     way: Way,
 }
 
-/// The way of a stroke.
+/// The way of a pass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 enum Way {
@@ -40,9 +40,8 @@ enum Way {
 }
 
 impl Motion {
-    /// The motion of a mechanism that is as large as this. A motor goes through its declared range, or once round, or as far as the
-    /// mechanism lets it; one that slides no farther than the mechanism is large.
-    pub(super) fn new(model: &Model, compiled: &Compiled, size: f64) -> Result<Self, Failure> {
+    /// The motion of a mechanism. A motor goes through its declared range, or once round, or as far as the mechanism lets it.
+    pub(super) fn new(model: &Model, compiled: &Compiled) -> Result<Self, Failure> {
         if model.lawful_motors().next().is_some() {
             // A part of it is a time.
             let span = Span {
@@ -52,19 +51,19 @@ impl Motion {
             let drive = Drive::new(model, compiled, None, span, &[])?;
             return Ok(Self::Laws(drive));
         }
-        let mut strokes = Vec::new();
+        let mut passes = Vec::new();
         for motor in model.motor_ids() {
-            let way = Way::new(model, compiled, motor, size)?;
-            strokes.extend(way.map(|way| Stroke { motor, way }));
+            let way = Way::new(model, compiled, motor)?;
+            passes.extend(way.map(|way| Pass { motor, way }));
         }
-        Ok(Self::Strokes(strokes))
+        Ok(Self::Passes(passes))
     }
 
     /// The duration of 1 of the phase, in seconds.
     pub(super) const fn seconds(&self) -> f64 {
         match self {
             Self::Laws(_) => 1.0,
-            Self::Strokes(_) => STROKE,
+            Self::Passes(_) => SECONDS,
         }
     }
 
@@ -72,7 +71,7 @@ impl Motion {
     pub(super) fn length(&self) -> f64 {
         match self {
             Self::Laws(_) => 1.0,
-            Self::Strokes(strokes) => u32::try_from(strokes.len()).map_or(1.0, f64::from).max(1.0),
+            Self::Passes(passes) => u32::try_from(passes.len()).map_or(1.0, f64::from).max(1.0),
         }
     }
 
@@ -80,14 +79,14 @@ impl Motion {
     pub(super) fn at(&self, model: &Model, compiled: &Compiled, phase: f64) -> Moment {
         match self {
             Self::Laws(drive) => drive.moment(model, compiled, phase, 0.0),
-            Self::Strokes(strokes) => {
+            Self::Passes(passes) => {
                 let count = model.motors.len();
                 let mut values = compiled.program.start.motors[..count].to_vec();
                 let mut rates = [vec![0.0; count], vec![0.0; count]];
                 let number = phase.floor();
                 let length = self.length();
                 let (round, turn) = ((number / length).floor(), number.rem_euclid(length));
-                for (stroke, place) in strokes.iter().zip(0_u32..) {
+                for (pass, place) in passes.iter().zip(0_u32..) {
                     let place = f64::from(place);
                     let part = if place < turn {
                         1.0
@@ -96,17 +95,17 @@ impl Motion {
                     } else {
                         phase - number
                     };
-                    let motor = stroke.motor.index();
-                    let [value, first, second] = stroke.way.at(round, part);
+                    let motor = pass.motor.index();
+                    let [value, first, second] = pass.way.at(round, part);
                     values[motor] += value;
                     if place == turn {
-                        rates[0][motor] = first / STROKE;
-                        rates[1][motor] = second / (STROKE * STROKE);
+                        rates[0][motor] = first / SECONDS;
+                        rates[1][motor] = second / (SECONDS * SECONDS);
                     }
                 }
                 Moment {
                     by: phase,
-                    time: STROKE * phase,
+                    time: SECONDS * phase,
                     values,
                     rates,
                 }
@@ -117,24 +116,12 @@ impl Motion {
 
 impl Way {
     /// The way of a motor from the start; none if it cannot move.
-    fn new(
-        model: &Model,
-        compiled: &Compiled,
-        motor: MotorId,
-        size: f64,
-    ) -> Result<Option<Self>, Failure> {
+    fn new(model: &Model, compiled: &Compiled, motor: MotorId) -> Result<Option<Self>, Failure> {
         let base = &compiled.program.start.motors[..model.motors.len()];
-        let turns = turns(model, model.motor(motor).joint);
-        let ends = if let Some(ends) = range_of(model, motor) {
-            ends
-        } else {
-            let distance = if turns { TAU } else { size / 2.0 };
-            let found = reach(model, compiled, motor, base, distance)?;
-            if turns && found.is_free[1] {
-                return Ok(Some(Self::Round));
-            }
-            found.ends
-        };
+        let Reach { ends, basis, .. } = Reach::of(model, compiled, motor, base)?;
+        if basis == Basis::Round {
+            return Ok(Some(Self::Round));
+        }
         let [low, high] = ends;
         let half = USED * (high - low) / 2.0;
         let offset = base[motor.index()] - f64::midpoint(low, high);
@@ -145,7 +132,7 @@ impl Way {
         }))
     }
 
-    /// Computes the distance of the motor from its start after so many strokes and a part of one, with its first and second derivative.
+    /// Computes the distance of the motor from its start after so many passes and a part of one, with its first and second derivative.
     fn at(self, round: f64, part: f64) -> [f64; 3] {
         match self {
             Self::Round => [TAU * (round + part), TAU, 0.0],

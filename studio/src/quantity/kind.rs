@@ -10,6 +10,16 @@ pub(crate) struct Quantity {
     pub(crate) subject: Subject,
 }
 
+impl Quantity {
+    /// The joint whose coordinate it is, if it is one.
+    pub(crate) fn joint(&self) -> Option<JointId> {
+        match self.subject {
+            Subject::Coordinate(joint, Order::Place) => Some(joint),
+            _ => None,
+        }
+    }
+}
+
 /// The subject of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Subject {

@@ -58,43 +58,75 @@ pub(crate) struct Measurement<'a> {
 /// Measures quantities through a motion, in the precision of the mechanism.
 pub(crate) fn measure(of: &Measurement<'_>, quantities: &[Quantity]) -> Result<Table, Failure> {
     let quantities: Vec<Quantity> = of.over.iter().chain(quantities).cloned().collect();
-    let model = &with_needs(of.model, &quantities);
-    let compiled = &compiled_for(model)?;
-    let rows = of
-        .drive
-        .attempt(|drive| rows(of, drive, model, compiled, &quantities))?;
+    let prepared = Prepared::new(of, &quantities)?;
+    let parts = of.parts();
+    let rows = of.drive.attempt(|drive| prepared.rows(drive, &parts))?;
     Ok(Table {
         columns: columns(of, &quantities),
         rows,
         across: usize::from(of.over.is_some()),
-        precision: model.precision,
+        precision: of.model.precision,
     })
 }
 
-fn rows(
-    of: &Measurement<'_>,
-    drive: &Drive,
-    model: &Model,
-    compiled: &Compiled,
-    quantities: &[Quantity],
-) -> Result<Vec<Vec<Option<f64>>>, Failure> {
-    let mut meter = Meter::new(of, model, compiled, quantities)?;
-    let parts = (0..=of.steps).map(|step| f64::from(step) / f64::from(of.steps.max(1)));
-    let parts: Vec<f64> = parts.collect();
-    let mut rows = vec![Vec::new(); parts.len()];
-    drive.visit(model, compiled, &parts, |number, at| {
-        let moment = drive.moment(model, compiled, parts[number], of.rate.unwrap_or(1.0));
-        let pushed = drive.moment(model, compiled, parts[number], of.rate.unwrap_or(0.0));
-        let values = meter.read(at, [&moment, &pushed], quantities)?;
-        let shown = quantities.iter().zip(values).map(|(quantity, value)| {
-            value.map(|value| of.units.shown(model, quantity.subject, value))
-        });
-        rows[number] = std::iter::once(Some(driver(of, moment.by)))
-            .chain(shown)
-            .collect();
-        Ok(())
-    })?;
-    Ok(rows)
+impl Measurement<'_> {
+    /// The parts of the motion at which it is measured, 0 to 1.
+    pub(super) fn parts(&self) -> Vec<f64> {
+        let parts = (0..=self.steps).map(|step| f64::from(step) / f64::from(self.steps.max(1)));
+        parts.collect()
+    }
+}
+
+/// A mechanism that is compiled for what is measured.
+pub(super) struct Prepared<'a> {
+    of: &'a Measurement<'a>,
+    quantities: &'a [Quantity],
+    model: Model,
+    compiled: Compiled,
+}
+
+impl<'a> Prepared<'a> {
+    pub(super) fn new(
+        of: &'a Measurement<'a>,
+        quantities: &'a [Quantity],
+    ) -> Result<Self, Failure> {
+        let model = with_needs(of.model, quantities);
+        Ok(Self {
+            compiled: compiled_for(&model)?,
+            of,
+            quantities,
+            model,
+        })
+    }
+
+    /// What drives it and all quantities in these parts of a motion, a row for each.
+    pub(super) fn rows(
+        &self,
+        drive: &Drive,
+        parts: &[f64],
+    ) -> Result<Vec<Vec<Option<f64>>>, Failure> {
+        let Self {
+            of,
+            quantities,
+            model,
+            compiled,
+        } = self;
+        let mut meter = Meter::new(of, model, compiled, quantities)?;
+        let mut rows = vec![Vec::new(); parts.len()];
+        drive.visit(model, compiled, parts, |number, at| {
+            let moment = drive.moment(model, compiled, parts[number], of.rate.unwrap_or(1.0));
+            let pushed = drive.moment(model, compiled, parts[number], of.rate.unwrap_or(0.0));
+            let values = meter.read(at, [&moment, &pushed], quantities)?;
+            let shown = quantities.iter().zip(values).map(|(quantity, value)| {
+                value.map(|value| of.units.shown(model, quantity.subject, value))
+            });
+            rows[number] = std::iter::once(Some(driver(of, moment.by)))
+                .chain(shown)
+                .collect();
+            Ok(())
+        })?;
+        Ok(rows)
+    }
 }
 
 /// Converts the value that drives the mechanism to the unit in which it is shown.
@@ -109,7 +141,7 @@ fn driver(of: &Measurement<'_>, value: f64) -> f64 {
     }
 }
 
-fn columns(of: &Measurement<'_>, quantities: &[Quantity]) -> Vec<(String, String)> {
+pub(super) fn columns(of: &Measurement<'_>, quantities: &[Quantity]) -> Vec<(String, String)> {
     let unit = |subject| of.units.of(of.model, subject);
     let first = match of.drive.motor() {
         Some(motor) => {

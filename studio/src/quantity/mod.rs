@@ -8,9 +8,11 @@ mod naming;
 mod offer;
 mod position;
 mod round;
+mod summary;
 mod turning;
 mod unit;
 
+pub(crate) use kind::Quantity;
 pub(crate) use load::Load;
 #[cfg(feature = "editor")]
 pub(crate) use load::numbers as load_numbers;
@@ -19,4 +21,5 @@ pub(crate) use naming::{dyads, only_quantity, quantities, usual};
 #[cfg(feature = "editor")]
 pub(crate) use offer::{Offer, offers};
 pub(crate) use round::{round_step, tick};
+pub(crate) use summary::{Extreme, Summary, summarize};
 pub(crate) use unit::Units;

@@ -17,5 +17,6 @@ mod properties;
 mod run;
 mod script;
 mod slips;
+mod summaries;
 mod terminal;
 mod transcripts;

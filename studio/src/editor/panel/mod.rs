@@ -49,7 +49,7 @@ impl Panels {
             Some(Panel::Properties) => properties(editor, ui),
             Some(Panel::Diagnoses) => diagnoses(editor, ui),
             Some(Panel::Plots) => self.plots.show(editor, ui),
-            Some(Panel::Report) => report(&editor.analysis.snapshot, ui),
+            Some(Panel::Report) => report(&editor.analysis, ui),
             Some(Panel::Steps) => steps(editor, ui),
             Some(Panel::Help) => help(ui),
             None => {}

@@ -3,8 +3,8 @@
 use super::field::field;
 use crate::document::Listing;
 use crate::edit::Command;
-use crate::editor::range::Basis;
 use crate::editor::sight::Sight;
+use crate::motion::Basis;
 use eframe::egui;
 
 /// The motor of a joint: how far it goes, by how much at once, and its law.

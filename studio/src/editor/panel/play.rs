@@ -1,8 +1,9 @@
 //! The bar with which a mechanism is played.
 
-use crate::editor::range::{Basis, MotorRange};
+use crate::editor::range::MotorRange;
 use crate::editor::sight::Sight;
 use crate::editor::snapshot::Snapshot;
+use crate::motion::Basis;
 use crate::play::{Control, Layer, Selection};
 use eframe::egui;
 
@@ -100,7 +101,7 @@ fn motors(sight: &mut Sight, ui: &mut egui::Ui) {
 
 fn told(range: &MotorRange) -> &'static str {
     match range.basis {
-        Basis::Proved => "the declared range, proved to be free",
+        Basis::Declared => "the declared range, proved to be free",
         Basis::Walked => "as far as the mechanism goes from the start",
         Basis::Round => "it goes round and round",
     }

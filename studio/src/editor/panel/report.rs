@@ -1,12 +1,13 @@
 //! The compiler's report on the mechanism.
 
 use super::graph::graph;
-use crate::editor::snapshot::Snapshot;
+use crate::editor::analysis::Analysis;
 use eframe::egui;
 use mech_compiler::graphs;
 
-/// The report: how each loop is solved, what is proved, what it costs; with the graphs of links and of loops.
-pub(in crate::editor) fn report(snapshot: &Snapshot, ui: &mut egui::Ui) {
+/// The report: what the mechanism does; how each loop is solved, what is proved, what it costs; with the graphs of links and of loops.
+pub(in crate::editor) fn report(analysis: &Analysis, ui: &mut egui::Ui) {
+    let snapshot = &analysis.snapshot;
     let (Some(compiled), Some(reading)) = (snapshot.compiled(), &snapshot.reading) else {
         ui.weak("The mechanism does not move yet; see Diagnoses.");
         return;
@@ -19,6 +20,12 @@ pub(in crate::editor) fn report(snapshot: &Snapshot, ui: &mut egui::Ui) {
                     .default_open(true)
                     .show(ui, |ui| show(ui));
             };
+            part(ui, "What it does", &mut |ui| match &analysis.motion {
+                Some(lines) => lines.lines().for_each(|line| motion_line(line, ui)),
+                None => {
+                    ui.weak("It is measured.");
+                }
+            });
             part(
                 ui,
                 "Links and joints, which turn where nothing else is said",
@@ -47,4 +54,15 @@ pub(in crate::editor) fn report(snapshot: &Snapshot, ui: &mut egui::Ui) {
                     });
             });
         });
+}
+
+/// A line of what it does. What a motor drives stands under the motor.
+fn motion_line(line: &str, ui: &mut egui::Ui) {
+    let words: Vec<&str> = line.split_whitespace().collect();
+    let text = words.join(" ");
+    if line.starts_with("    ") {
+        ui.indent(line, |ui| ui.label(text));
+    } else {
+        ui.label(text);
+    }
 }

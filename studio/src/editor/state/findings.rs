@@ -205,6 +205,14 @@ impl Editor {
                 let done = self.analysis.take_mended(&snapshot, found);
                 self.talk.refuse_failed(done);
             }
+            Finding::Reported(snapshot, found) => {
+                if Arc::ptr_eq(&snapshot, &self.analysis.snapshot) {
+                    match found {
+                        Ok(motion) => self.analysis.motion = Some(motion),
+                        Err(failure) => self.talk.refuse(failure),
+                    }
+                }
+            }
         }
     }
 

@@ -5,6 +5,7 @@ use crate::dialogue::{Session, hear};
 use crate::edit::{Drag, Workspace, apply_all};
 use crate::editor::curves::Curves;
 use crate::editor::snapshot::Snapshot;
+use crate::report::motion;
 use mech_compiler::catch;
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -175,12 +176,17 @@ impl Agenda {
                 let mendings = snapshot.mendings();
                 Some(Finding::Mended(snapshot, mendings))
             }
+            Task::Report(snapshot) => {
+                let (model, compiled) = snapshot.moving()?;
+                let found = motion(model, compiled);
+                Some(Finding::Reported(snapshot, found))
+            }
         }
     }
 
     /// Takes up the tasks that follow from a new text, in place of those of an earlier one.
     fn go_on_with(&mut self, snapshot: &Arc<Snapshot>) {
-        let (moved, mended) = (Task::Move(snapshot.clone()), Task::Mend(snapshot.clone()));
-        self.follows = [moved, mended].into();
+        let follows: [fn(Arc<Snapshot>) -> Task; 3] = [Task::Move, Task::Mend, Task::Report];
+        self.follows = follows.map(|task| task(snapshot.clone())).into();
     }
 }

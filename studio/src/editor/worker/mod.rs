@@ -94,6 +94,8 @@ pub(super) enum Task {
     Move(Arc<Snapshot>),
     /// The repairs of a snapshot are looked for.
     Mend(Arc<Snapshot>),
+    /// What the mechanism of a snapshot does is measured for the report.
+    Report(Arc<Snapshot>),
 }
 
 pub(super) enum Finding {
@@ -113,6 +115,8 @@ pub(super) enum Finding {
     Moves(Arc<Snapshot>, Box<Result<Played, Failure>>),
     /// The repairs of a snapshot.
     Mended(Arc<Snapshot>, Result<Vec<Mending>, Failure>),
+    /// What the mechanism of a snapshot does, as the lines of a report.
+    Reported(Arc<Snapshot>, Result<String, Failure>),
     Measured(Box<Curves>),
     /// A mechanism that was compiled once more, by the number of the task; none if that is not possible.
     Derived {
@@ -166,7 +170,7 @@ impl Task {
             Self::Hold(hold, _) => Undone::Drag(hold.number),
             Self::Lead { number, .. } => Undone::Drag(*number),
             Self::Preview { number, .. } => Undone::Preview(*number),
-            Self::Read { .. } | Self::Move(_) | Self::Mend(_) => Undone::Follow,
+            Self::Read { .. } | Self::Move(_) | Self::Mend(_) | Self::Report(_) => Undone::Follow,
             Self::Measure { .. } => Undone::Measure,
             Self::Ghost { .. } | Self::Export(_) | Self::Ask { .. } | Self::Derive { .. } => {
                 Undone::Else

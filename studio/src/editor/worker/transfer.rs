@@ -78,6 +78,7 @@ pub(super) enum Reply {
     Previewed(u64, Option<String>, Option<Box<SentMechanism>>, Vec<Path>),
     Moves(u64, Result<Box<SentPlayed>, Failure>),
     Mended(u64, Result<Vec<Mending>, Failure>),
+    Reported(u64, Result<String, Failure>),
     Measured(u64, Wanted, Result<Table, Failure>, Vec<Failure>),
     Made(String, Result<Made, Failure>),
     Answered(String, String, Result<(), Failure>),
@@ -182,7 +183,7 @@ impl Call {
                 Self::Derive(number, known, Text::of(&snapshot), what)
             }
             // The worker gives these to itself.
-            Task::Move(_) | Task::Mend(_) => return None,
+            Task::Move(_) | Task::Mend(_) | Task::Report(_) => return None,
         })
     }
 
@@ -315,6 +316,9 @@ impl Reply {
                 }),
             ),
             Finding::Mended(snapshot, found) => Self::Mended(known.number_of(&snapshot)?, found),
+            Finding::Reported(snapshot, found) => {
+                Self::Reported(known.number_of(&snapshot)?, found)
+            }
             Finding::Measured(curves) => {
                 let Curves {
                     snapshot,
@@ -393,6 +397,9 @@ impl Reply {
                 Finding::Moves(snapshot, Box::new(played))
             }
             Self::Mended(number, found) => Finding::Mended(known.of_number(number)?.clone(), found),
+            Self::Reported(number, found) => {
+                Finding::Reported(known.of_number(number)?.clone(), found)
+            }
             Self::Measured(number, wanted, table, missing) => {
                 let Some(snapshot) = known.of_number(number).cloned() else {
                     return Some(Finding::Undone(Undone::Measure, outdated()));

@@ -34,7 +34,7 @@ impl Work {
             Task::Try { gesture, .. } => Self::Trying(gesture.title.clone()),
             Task::Read { .. } | Task::Ghost { .. } => Self::Analysing,
             Task::Preview { .. } | Task::Hold(..) | Task::Lead { .. } => Self::Dragging,
-            Task::Measure { .. } => Self::Measuring,
+            Task::Measure { .. } | Task::Report(_) => Self::Measuring,
             Task::Export(order) => Self::Writing(order.path.clone()),
             Task::Ask { line, .. } => Self::Answering(line.clone()),
             Task::Derive { .. } => Self::Deriving,

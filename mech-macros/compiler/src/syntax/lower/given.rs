@@ -10,6 +10,8 @@ use crate::syntax::Place;
 use crate::syntax::ast::{End, JointBody, JointWord};
 
 const POINT: Option<AxisKind> = Some(AxisKind::Point);
+const WITHOUT_PLACE: &str =
+    "`along` without `at`; write `at (x, y) along (dx, dy)` after two links";
 const LINE: Option<AxisKind> = Some(AxisKind::Line);
 
 /// Two axes of these kinds: given ones, or ones made where the drawing has them.
@@ -56,7 +58,7 @@ fn given_axes(
     if let Some(along) = &body.along {
         let text = match body.kind {
             JointWord::Weld => "a `weld` has no direction; leave `along` out",
-            _ => "`along` without `at`; write `at (x, y) along (dx, dy)` after two links",
+            _ => WITHOUT_PLACE,
         };
         reader.report.error(Place::at(along.keyword), text);
     }
@@ -86,6 +88,9 @@ fn is_of_links(reader: &mut Reader, body: &JointBody) -> bool {
 
 /// Complains about a joint of links without a place.
 fn refuse_links(reader: &mut Reader, body: &JointBody) {
+    if let Some(along) = &body.along {
+        return reader.report.error(Place::at(along.keyword), WITHOUT_PLACE);
+    }
     let ([first, second], word) = (&body.ends, &body.word);
     let (clauses, axes) = match body.kind {
         JointWord::Revolute => ("at (x, y)", "a point of each"),
@@ -96,7 +101,7 @@ fn refuse_links(reader: &mut Reader, body: &JointBody) {
         _ => ("at (x, y) along (dx, dy)", "a line of each"),
     };
     let text = format!(
-        "`{first}` and `{second}` are links, so this `{word}` needs a place: `{clauses}` after the brackets; or name {axes}"
+        "`{first}` and `{second}` are links, so this `{word}` needs a place; write `{clauses}` after the brackets, or name {axes}"
     );
     reader.report.error(first.place().to(second.place()), text);
 }

@@ -5,7 +5,7 @@ use super::handle::PIN;
 use crate::editor::Item;
 use crate::editor::colors::distinct;
 use crate::editor::drawing::Drawing;
-use crate::editor::range::Basis;
+use crate::motion::Basis;
 use eframe::egui;
 use eframe::egui::{Color32, Painter, Pos2, Stroke, Vec2};
 use mech_compiler::model::{LinkId, ShapeKind};
@@ -146,7 +146,7 @@ impl Paint<'_> {
                 center + 20.0 * Vec2::new(cos, -sin)
             };
             let green = Color32::from_rgb(30, 150, 60);
-            let width = if range.basis == Basis::Proved {
+            let width = if range.basis == Basis::Declared {
                 3.5
             } else {
                 2.0

@@ -1,0 +1,47 @@
+//! What a mechanism does, in an engineer's words, before how it is solved.
+
+mod four_bar;
+mod motion;
+mod words;
+
+use crate::failure::Failure;
+use four_bar::four_bars;
+use mech_compiler::Compiled;
+use mech_compiler::model::Model;
+
+/// A mechanism with more joints is not measured for its report.
+const MOST_JOINTS: usize = 300;
+
+/// The report: ranges of motors, what they drive, four-bars; then the compiler's own, with a legend.
+pub(crate) fn report(model: &Model, compiled: &Compiled) -> Result<String, Failure> {
+    let text = compiled.report.trim_end();
+    let (name, solution) = text.split_once('\n').unwrap_or((text, ""));
+    Ok(format!(
+        "{name}\n{}{solution}\n  legend    + additions, × multiplications, ÷ divisions, √ square roots, ≷ comparisons\n",
+        motion(model, compiled)?
+    ))
+}
+
+/// How far each motor goes, and what ends it; nothing of a mechanism that is too large to be moved for that.
+pub(crate) fn ranges(model: &Model, compiled: &Compiled) -> Result<Vec<String>, Failure> {
+    if model.joints.len() > MOST_JOINTS {
+        return Ok(Vec::new());
+    }
+    motion::ranges(model, compiled)
+}
+
+/// What it does, as the lines of a report.
+pub(crate) fn motion(model: &Model, compiled: &Compiled) -> Result<String, Failure> {
+    if model.joints.len() > MOST_JOINTS {
+        return Ok(format!(
+            "  motion    not measured, as there are more than {MOST_JOINTS} joints; ask `mech table --summary`\n"
+        ));
+    }
+    let mut lines = motion::lines(model, compiled)?;
+    let four_bars = four_bars(model);
+    lines.extend(four_bars.map(|found| ("four-bar".to_owned(), found)));
+    let lines = lines
+        .into_iter()
+        .map(|(label, text)| format!("  {label:<9} {text}\n"));
+    Ok(lines.collect())
+}

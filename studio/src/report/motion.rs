@@ -1,0 +1,187 @@
+//! The ranges of motors, and what each drives.
+
+use super::words::{Driver, with_unit};
+use crate::failure::{Failure, FailureKind};
+use crate::motion::{Basis, Drive, Reach, Setting, Span, motor_name, obstacle, turns};
+use crate::quantity::{self, Measurement, Summary, Units, summarize};
+use crate::text::quoted;
+use mech_compiler::Compiled;
+use mech_compiler::model::{JointId, LinkId, Model, MotorId};
+
+/// So many motors are moved, one after the other.
+const MOST_MOTORS: usize = 8;
+/// The ends of a range are told with so many digits.
+const DIGITS: usize = 5;
+/// So many joints are told that a motor drives.
+const MOST_JOINTS: usize = 12;
+/// A motion has so many steps, between which extremes are looked for.
+const STEPS: u32 = 180;
+
+/// What each motor does and drives, as the lines of a report: a label and a text.
+pub(super) fn lines(model: &Model, compiled: &Compiled) -> Result<Vec<(String, String)>, Failure> {
+    let mut lines = Vec::new();
+    let mut drives = Vec::new();
+    if model.lawful_motors().next().is_some() {
+        drives.push((
+            None,
+            Drive::new(model, compiled, None, Span::default(), &[])?,
+        ));
+    }
+    let ranges = self::ranges(model, compiled)?;
+    for (motor, range) in model.motor_ids().zip(ranges) {
+        let is_lawful = model.lawful_motors().any(|(lawful, _)| lawful == motor);
+        if is_lawful {
+            lines.push(("motor".to_owned(), range));
+            continue;
+        }
+        let name = Some(motor_name(model, motor));
+        drives.push((
+            Some((motor, range)),
+            Drive::new(model, compiled, name, Span::default(), &[] as &[Setting])?,
+        ));
+    }
+    for (motor, drive) in drives {
+        let driver = match &motor {
+            Some((motor, range)) => {
+                lines.push(("motor".to_owned(), range.clone()));
+                let joint = model.motor(*motor).joint;
+                Driver {
+                    name: motor_name(model, *motor).to_owned(),
+                    unit: if turns(model, joint) { "deg" } else { "" },
+                }
+            }
+            None => Driver {
+                name: "t".to_owned(),
+                unit: "s",
+            },
+        };
+        let driven = driven(model, compiled, &drive, &driver)?;
+        lines.extend(driven.into_iter().map(|text| (String::new(), text)));
+    }
+    let left = model.motors.len().saturating_sub(MOST_MOTORS);
+    if left > 0 {
+        lines.push((String::new(), format!("and {left} motors more")));
+    }
+    Ok(lines)
+}
+
+/// How far each motor goes, and what ends it.
+pub(super) fn ranges(model: &Model, compiled: &Compiled) -> Result<Vec<String>, Failure> {
+    let base = &compiled.program.start.motors[..model.motors.len()];
+    let motors = model.motor_ids().take(MOST_MOTORS);
+    let lines = motors.map(|motor| {
+        let reach = Reach::of(model, compiled, motor, base)?;
+        Ok(format!(
+            "`{}` {}",
+            motor_name(model, motor),
+            range(model, compiled, motor, &reach)
+        ))
+    });
+    lines.collect()
+}
+
+fn range(model: &Model, compiled: &Compiled, motor: MotorId, reach: &Reach) -> String {
+    let is_angle = turns(model, model.motor(motor).joint);
+    let shown = |value: f64| {
+        if is_angle {
+            with_unit(value.to_degrees(), "deg", DIGITS)
+        } else {
+            with_unit(value, "", DIGITS)
+        }
+    };
+    let [low, high] = reach.ends.map(shown);
+    match reach.basis {
+        Basis::Round => "turns right round".to_owned(),
+        Basis::Declared => format!("goes from {low} to {high}, as declared"),
+        Basis::Walked => {
+            let why = |stop| {
+                let why = obstacle(model, compiled, stop);
+                let why = why.strip_suffix(" there").unwrap_or(&why);
+                why.to_owned()
+            };
+            match reach.stops {
+                [None, None] => "slides, and nothing stops it".to_owned(),
+                [Some(stop), None] => {
+                    format!(
+                        "goes down to {low}, where {}; above nothing stops it",
+                        why(stop)
+                    )
+                }
+                [None, Some(stop)] => {
+                    format!(
+                        "goes up to {high}, where {}; below nothing stops it",
+                        why(stop)
+                    )
+                }
+                [Some(one), Some(other)] if one == other => {
+                    format!("goes from {low} to {high}; at both ends {}", why(one))
+                }
+                [Some(below), Some(above)] => format!(
+                    "goes from {low}, where {}, to {high}, where {}",
+                    why(below),
+                    why(above)
+                ),
+            }
+        }
+    }
+}
+
+/// What the ground carries and this motion drives, and the least transmission angle.
+fn driven(
+    model: &Model,
+    compiled: &Compiled,
+    drive: &Drive,
+    driver: &Driver,
+) -> Result<Vec<String>, Failure> {
+    let units = &Units::default();
+    let measurement = Measurement {
+        model,
+        drive,
+        over: None,
+        rate: None,
+        steps: STEPS,
+        loads: &[],
+        units,
+    };
+    let mut joints = quantity::usual(model);
+    joints.retain(|one| one.joint().is_some_and(|joint| is_carried(model, joint)));
+    let left = joints.len().saturating_sub(MOST_JOINTS);
+    joints.truncate(MOST_JOINTS);
+    let mut lines = Vec::new();
+    if !joints.is_empty() {
+        let summaries = summarize(&measurement, &joints)?;
+        lines.extend(summaries.iter().map(|summary| driver.driven(summary)));
+    }
+    if left > 0 {
+        lines.push(format!("and {left} joints more"));
+    }
+    let dyads = quantity::dyads(model, &compiled.plan);
+    if !dyads.is_empty() {
+        let angles = quantity::quantities(model, &dyads, "transmission")?;
+        match summarize(&measurement, &angles) {
+            Ok(summaries) => lines.extend(transmission(&summaries, driver)),
+            // Not determined: joints are redundant, or loops are solved together.
+            Err(failure) if failure.kind() == FailureKind::Mechanism => {}
+            Err(failure) => return Err(failure),
+        }
+    }
+    Ok(lines)
+}
+
+/// Whether the ground carries a joint, which no motor moves.
+fn is_carried(model: &Model, joint: JointId) -> bool {
+    let (a, b) = model.ends(joint);
+    (a == LinkId::GROUND || b == LinkId::GROUND) && model.motor_of(joint).is_none()
+}
+
+fn transmission(summaries: &[Summary], driver: &Driver) -> Option<String> {
+    let worst = summaries
+        .iter()
+        .min_by(|a, b| a.least.value.total_cmp(&b.least.value))?;
+    let joints = worst.name.strip_prefix("transmission of")?;
+    Some(format!(
+        "the least transmission angle is {}, in the loop of {}",
+        driver.at(worst.least, "deg"),
+        quoted(joints.split_whitespace())
+    ))
+}
