@@ -86,6 +86,7 @@ impl Measure {
                 length: self.length.clone(),
                 force: self.force.clone(),
             },
+            dwell: None,
         }
     }
 }

@@ -6,7 +6,8 @@ use super::replacing::Replacing;
 use super::target::Target;
 use crate::console::Console;
 use crate::failure::Failure;
-use crate::job::Job;
+use crate::job::{self, Job};
+use crate::motion::read_value;
 use crate::output::{OutputKind, Writer};
 use clap::Args;
 use std::path::PathBuf;
@@ -22,6 +23,9 @@ pub(super) struct Table {
     /// Tells the extremes and means of each quantity, and where, in place of the table. Extremes are looked for between the steps, too.
     #[arg(long, conflicts_with = "over")]
     summary: bool,
+    /// In a summary, tells the longest dwell of each quantity: the way of the motor on which it stays within this width, in its own unit.
+    #[arg(long, value_name = "WIDTH", requires = "summary", value_parser = read_value)]
+    dwell: Option<f64>,
     /// The file to write; without, the table is the answer.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -33,13 +37,19 @@ const EXAMPLES: &str = "\
 Examples:
   mech table four_bar.mech
   mech table four_bar.mech coupler.tip velocity:coupler.tip.norm --steps 72 -o tip.csv
-  mech table shaper.mech x velocity:x --summary
+  mech table shaper.mech x velocity:x --summary --dwell 0.01
   mech table press.mech torque:crank transmission --from 0 --to 180 --rate 10.5 --length m --force N";
 
 impl Table {
     pub(super) fn run(&self, writer: &mut Writer, console: &mut Console) -> Result<(), Failure> {
         let analysed = self.target.coherent_with(&self.measure.set, console)?;
-        let measure = self.measure.job();
+        if self.dwell.is_some_and(|width| width < 0.0) {
+            return Err(Failure::usage("the width of a dwell is not negative"));
+        }
+        let measure = job::Measure {
+            dwell: self.dwell,
+            ..self.measure.job()
+        };
         let job = if self.summary {
             Job::Summary(measure)
         } else {

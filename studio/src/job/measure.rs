@@ -24,6 +24,8 @@ pub(crate) struct Measure {
     pub(crate) at: Vec<Setting>,
     pub(crate) loads: Vec<Load>,
     pub(crate) units: Units,
+    /// In a summary, the width within which dwells are looked for.
+    pub(crate) dwell: Option<f64>,
 }
 
 impl Measure {
@@ -37,7 +39,9 @@ impl Measure {
 
     /// The same, in summary.
     pub(super) fn summaries(&self, analysed: &Analysed) -> Result<Vec<Summary>, Failure> {
-        self.measured(analysed, quantity::summarize)
+        self.measured(analysed, |of, wanted| {
+            quantity::summarize(of, wanted, self.dwell)
+        })
     }
 
     fn measured<R>(
@@ -81,6 +85,7 @@ impl Default for Measure {
             at: Vec::new(),
             loads: Vec::new(),
             units: Units::default(),
+            dwell: None,
         }
     }
 }

@@ -22,7 +22,8 @@ pub(super) fn csv(table: &Table) -> String {
 
 /// Summaries as CSV: a row for each quantity.
 pub(super) fn summaries(summaries: &[Summary], precision: Precision) -> String {
-    let mut text = "quantity,unit,least,at,greatest,at,extent,mean,rms,time ratio\n".to_owned();
+    let mut text =
+        "quantity,unit,least,at,greatest,at,extent,mean,rms,time ratio,dwell\n".to_owned();
     for one in summaries {
         let size = one.least.value.abs().max(one.greatest.value.abs());
         let value = |value: f64| number(value, size, precision);
@@ -37,6 +38,7 @@ pub(super) fn summaries(summaries: &[Summary], precision: Precision) -> String {
             value(one.mean),
             value(one.rms),
             one.time_ratio.map(tick).unwrap_or_default(),
+            one.dwell.map(tick).unwrap_or_default(),
         ];
         text += &(cells.join(",") + "\n");
     }

@@ -11,6 +11,11 @@ pub(crate) struct Quantity {
 }
 
 impl Quantity {
+    /// Whether it is the transmission angle of a dyad.
+    pub(crate) fn is_transmission(&self) -> bool {
+        matches!(self.subject, Subject::Transmission(_))
+    }
+
     /// The joint whose coordinate it is, if it is one.
     pub(crate) fn joint(&self) -> Option<JointId> {
         match self.subject {

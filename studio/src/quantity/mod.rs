@@ -21,5 +21,5 @@ pub(crate) use naming::{dyads, only_quantity, quantities, usual};
 #[cfg(feature = "editor")]
 pub(crate) use offer::{Offer, offers};
 pub(crate) use round::{round_step, tick};
-pub(crate) use summary::{Extreme, Summary, summarize};
+pub(crate) use summary::{Extreme, FLAT, Summary, summarize};
 pub(crate) use unit::Units;

@@ -5,11 +5,14 @@ use super::kind::Quantity;
 use super::meter::{Prepared, columns};
 use crate::failure::Failure;
 use crate::motion::Drive;
+use std::collections::VecDeque;
 
 /// An extreme is looked for so often between its neighbours.
 const ROUNDS: u32 = 10;
 /// Each time at so many places on either side.
 const PLACES: u32 = 4;
+/// A transmission angle below this, in degrees, is that of a dead point or a change point.
+pub(crate) const FLAT: f64 = 0.01;
 /// What differs by less, in sizes of the quantity, differs by rounding alone.
 const ROUNDING: f64 = 1e-13;
 
@@ -26,8 +29,10 @@ pub(crate) struct Summary {
     /// The root of the mean square, over the same.
     pub(crate) rms: f64,
     /// How much longer the slower way between the extremes takes than the quicker one, in a motion that is cyclic and has no other turning
-    /// points.
+    /// points and no rests.
     pub(crate) time_ratio: Option<f64>,
+    /// The longest way of what drives the motion on which the quantity stays within the width that was asked for.
+    pub(crate) dwell: Option<f64>,
 }
 
 /// An extreme of a quantity.
@@ -48,9 +53,12 @@ impl Summary {
 }
 
 /// Summarizes quantities through a motion. What is determined nowhere is left out.
+///
+/// With a width, in the unit of each quantity, the longest dwell within it is looked for, too: between the steps along straight lines.
 pub(crate) fn summarize(
     of: &Measurement<'_>,
     quantities: &[Quantity],
+    width_of_dwell: Option<f64>,
 ) -> Result<Vec<Summary>, Failure> {
     let prepared = Prepared::new(of, quantities)?;
     let parts = of.parts();
@@ -63,10 +71,13 @@ pub(crate) fn summarize(
             .collect();
         let mut width = 1.0 / f64::from(of.steps.max(1));
         for _ in 0..ROUNDS {
-            let near = found
-                .iter()
-                .flat_map(|(_, one)| around(one.least, width).chain(around(one.greatest, width)));
-            let mut near: Vec<f64> = near.collect();
+            let extremes = found.iter().flat_map(|(column, one)| {
+                // Nearer to a dead point or a change point, nothing is learnt, and every move takes long.
+                let is_over = quantities[column - 1].is_transmission() && one.least.value < FLAT;
+                let least = (!is_over).then_some(one.least);
+                least.into_iter().chain([one.greatest])
+            });
+            let mut near: Vec<f64> = extremes.flat_map(|one| around(one, width)).collect();
             near.sort_by(f64::total_cmp);
             near.dedup();
             let rows = Rows::of(&prepared, drive, near)?;
@@ -76,7 +87,8 @@ pub(crate) fn summarize(
             width /= f64::from(PLACES);
         }
         for (column, summary) in &mut found {
-            if is_cyclic && rows.turning_points(*column) == 2 {
+            summary.dwell = width_of_dwell.map(|width| rows.dwell(*column, width, is_cyclic));
+            if is_cyclic && rows.is_to_and_fro(*column) {
                 let way = (summary.greatest.part - summary.least.part).abs();
                 summary.time_ratio = Some(way.max(1.0 - way) / way.min(1.0 - way));
             }
@@ -126,6 +138,7 @@ impl Rows {
             mean: 0.0,
             rms: 0.0,
             time_ratio: None,
+            dwell: None,
         };
         self.refine(column, &mut summary);
         // By trapezoids: the first and the last count half.
@@ -159,21 +172,87 @@ impl Rows {
         }
     }
 
-    /// How often a quantity turns round in a cyclic motion.
-    fn turning_points(&self, column: usize) -> usize {
+    /// Whether a quantity turns round twice in a cyclic motion, without a rest.
+    fn is_to_and_fro(&self, column: usize) -> bool {
         let values: Vec<f64> = self.values(column).map(|one| one.value).collect();
         let size = values
             .iter()
             .fold(0.0, |size: f64, value| size.max(value.abs()));
         let ways = values.windows(2).map(|pair| pair[1] - pair[0]);
-        let ways: Vec<bool> = ways
-            .filter(|way| way.abs() > ROUNDING * size)
-            .map(|way| way > 0.0)
-            .collect();
-        let next = ways.iter().cycle().skip(1);
-        ways.iter()
+        let (moves, rests): (Vec<f64>, Vec<f64>) =
+            ways.partition(|way| way.abs() > ROUNDING * size);
+        let next = moves.iter().cycle().skip(1);
+        let turning_points = moves
+            .iter()
             .zip(next)
-            .filter(|(one, next)| one != next)
-            .count()
+            .filter(|(one, next)| (**one > 0.0) != (**next > 0.0));
+        // A step from one side of an extreme to the other is no rest.
+        turning_points.count() == 2 && rests.len() <= 2
     }
+
+    /// The longest way of what drives the motion on which a quantity stays within a width. A cyclic motion goes on from its end.
+    fn dwell(&self, column: usize, width: f64, is_cyclic: bool) -> f64 {
+        let all: Vec<Extreme> = self.values(column).collect();
+        let (first, last) = (all[0], all[all.len() - 1]);
+        let whole = last.by - first.by;
+        let mut way: Vec<[f64; 2]> = all.iter().map(|one| [one.by, one.value]).collect();
+        if is_cyclic {
+            // Once more, without the end that is the beginning; what has turned round by then has not come back to its value.
+            let gain = last.value - first.value;
+            let again = all.iter().skip(1);
+            way.extend(again.map(|one| [one.by + whole, one.value + gain]));
+        }
+        let longest = longest_within(&way, width);
+        longest.min(whole.abs())
+    }
+}
+
+/// The longest stretch of the first numbers on which the second ones, on straight lines between these, stay within a width.
+fn longest_within(way: &[[f64; 2]], width: f64) -> f64 {
+    let mut longest: f64 = 0.0;
+    let mut start = 0;
+    // The greatest and the least so far, each with what may follow it when it is left behind.
+    let (mut greatest, mut least) = (VecDeque::new(), VecDeque::new());
+    for end in 0..way.len() {
+        let value = |index: usize| way[index][1];
+        while greatest
+            .back()
+            .is_some_and(|&last| value(last) <= value(end))
+        {
+            greatest.pop_back();
+        }
+        while least.back().is_some_and(|&last| value(last) >= value(end)) {
+            least.pop_back();
+        }
+        greatest.push_back(end);
+        least.push_back(end);
+        while value(greatest[0]) - value(least[0]) > width {
+            start += 1;
+            for ends in [&mut greatest, &mut least] {
+                if ends[0] < start {
+                    ends.pop_front();
+                }
+            }
+        }
+        let mut band = [value(least[0]), value(greatest[0])];
+        let mut stretch = (way[end][0] - way[start][0]).abs();
+        let beyond = [(start, start.checked_sub(1)), (end, Some(end + 1))];
+        for (inside, outside) in beyond {
+            let Some(next) = outside.and_then(|outside| way.get(outside)) else {
+                continue;
+            };
+            let [by, from] = way[inside];
+            // How far the line may go before the band is wider.
+            let limit = next[1].clamp(band[1] - width, band[0] + width);
+            let part = if next[1] == from {
+                1.0
+            } else {
+                (limit - from) / (next[1] - from)
+            };
+            stretch += (next[0] - by).abs() * part;
+            band = [band[0].min(limit), band[1].max(limit)];
+        }
+        longest = longest.max(stretch);
+    }
+    longest
 }

@@ -3,7 +3,7 @@
 use super::words::{Driver, with_unit};
 use crate::failure::{Failure, FailureKind};
 use crate::motion::{Basis, Drive, Reach, Setting, Span, motor_name, obstacle, turns};
-use crate::quantity::{self, Measurement, Summary, Units, summarize};
+use crate::quantity::{self, FLAT, Measurement, Summary, Units, summarize};
 use crate::text::quoted;
 use mech_compiler::Compiled;
 use mech_compiler::model::{JointId, LinkId, Model, MotorId};
@@ -149,7 +149,7 @@ fn driven(
     joints.truncate(MOST_JOINTS);
     let mut lines = Vec::new();
     if !joints.is_empty() {
-        let summaries = summarize(&measurement, &joints)?;
+        let summaries = summarize(&measurement, &joints, None)?;
         lines.extend(summaries.iter().map(|summary| driver.driven(summary)));
     }
     if left > 0 {
@@ -158,7 +158,7 @@ fn driven(
     let dyads = quantity::dyads(model, &compiled.plan);
     if !dyads.is_empty() {
         let angles = quantity::quantities(model, &dyads, "transmission")?;
-        match summarize(&measurement, &angles) {
+        match summarize(&measurement, &angles, None) {
             Ok(summaries) => lines.extend(transmission(&summaries, driver)),
             // Not determined: joints are redundant, or loops are solved together.
             Err(failure) if failure.kind() == FailureKind::Mechanism => {}
@@ -179,9 +179,18 @@ fn transmission(summaries: &[Summary], driver: &Driver) -> Option<String> {
         .iter()
         .min_by(|a, b| a.least.value.total_cmp(&b.least.value))?;
     let joints = worst.name.strip_prefix("transmission of")?;
-    Some(format!(
-        "the least transmission angle is {}, in the loop of {}",
-        driver.at(worst.least, "deg"),
-        quoted(joints.split_whitespace())
-    ))
+    let joints = quoted(joints.split_whitespace());
+    Some(if worst.least.value < FLAT {
+        let mut flat = worst.least;
+        flat.value = 0.0;
+        format!(
+            "the transmission angle falls to {}, in the loop of {joints}",
+            driver.at(flat, "deg")
+        )
+    } else {
+        format!(
+            "the least transmission angle is {}, in the loop of {joints}",
+            driver.at(worst.least, "deg")
+        )
+    })
 }

@@ -194,6 +194,41 @@ proptest! {
     }
 }
 
+/// A yoke moves as a cosine: within a width of its end it stays for twice the angle whose cosine is that much less.
+#[test]
+fn a_yoke_dwells_at_its_ends() {
+    for (radius, start, width) in [
+        (1.0, 0.4, 0.01),
+        (2.5, -2.0, 0.2),
+        (0.04, 3.0, 0.0),
+        (3.0, 1.0, 7.0),
+    ] {
+        let (sin, cos) = f64::sin_cos(start);
+        let at = format!("({:?}, {:?})", radius * cos, radius * sin);
+        let text = format!(
+            "struct Yoke; link crank; link yoke; motor a;
+            joint x = prismatic(yoke, ground) at {at} along (1, 0);
+            joint b = slot(crank, yoke) at {at} along (0, 1);
+            joint a = revolute(crank, ground) at (0, 0);"
+        );
+        let folder = Folder::new().with("a.mech", text);
+        let words = format!("table a.mech x --summary --steps 3600 --dwell {width}");
+        let row = &folder.rows(&words)[0];
+        let expected = (2.0 * (1.0 - width / radius).max(-1.0).acos().to_degrees()).min(360.0);
+        assert!(
+            (row[10] - expected).abs() < 1e-3 * expected + 1e-9,
+            "{row:?} {expected}"
+        );
+        assert!((row[6] - 2.0 * radius).abs() < 1e-9 * radius, "{row:?}");
+        assert!((row[7] - row[2] - radius).abs() < 1e-9 * radius, "{row:?}");
+    }
+    let folder = Folder::new().with("a.mech", crate::run::FOUR_BAR);
+    let told = folder.mech("table a.mech --summary --dwell=-1").refused(2);
+    assert!(told.contains("not negative"), "{told}");
+    folder.mech("table a.mech --dwell 1").refused(2);
+    folder.mech("table a.mech --summary --over t").refused(2);
+}
+
 /// A shaper's quick return, a toggle that stops at both ends, and a slide that nothing stops.
 #[test]
 fn a_report_says_what_ends_a_range() {
