@@ -56,9 +56,12 @@ Quantities:
   b                         the coordinate of joint b
   coupler                   the angle of link coupler in the scene
   coupler.tip               both coordinates of a point; coupler.tip.x is one of them
+  distance(p.a, q.b)        the distance of two points, also of a place, as (1, 2)
+  angle(crank, coupler)     the angle from one link to another
   velocity:coupler.tip      its velocity; also of a joint or a link; .x, .y and .norm are parts of it
   acceleration:coupler.tip  its acceleration
   torque:a                  what motor a exerts so that the mechanism moves so: a torque, or a force
+  power:a                   its torque times its rate, which `--rate` gives; laws have their own
   reaction:b                the force that the first link of joint b exerts on the second; also .norm, .torque
   transmission              the transmission angles of all dyads
   t                         the time since the motion began

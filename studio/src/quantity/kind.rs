@@ -11,6 +11,15 @@ pub(crate) struct Quantity {
 }
 
 impl Quantity {
+    /// The links whose angles over whole turns it takes.
+    pub(super) fn turning_links(&self) -> Vec<LinkId> {
+        match self.subject {
+            Subject::Angle(link, Order::Place) => vec![link],
+            Subject::Between(links) => links.to_vec(),
+            _ => Vec::new(),
+        }
+    }
+
     /// Whether it is the transmission angle of a dyad.
     pub(crate) fn is_transmission(&self) -> bool {
         matches!(self.subject, Subject::Transmission(_))
@@ -34,6 +43,12 @@ pub(crate) enum Subject {
     Angle(LinkId, Order),
     /// The coordinate of a joint, or its rates.
     Coordinate(JointId, Order),
+    /// The distance of two places.
+    Distance([Spot; 2]),
+    /// The angle from one link to another.
+    Between([LinkId; 2]),
+    /// The power of a motor that moves so.
+    Power(MotorId),
     /// The torque of a motor that makes the mechanism move so, or its force if it slides.
     Torque(MotorId),
     /// The force, or the torque about the joint, that the first link of a joint exerts on the second.
@@ -42,6 +57,15 @@ pub(crate) enum Subject {
     Transmission(usize),
     /// The time since the motion began.
     Time,
+}
+
+/// A place from which a distance is measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Spot {
+    /// A point of a link.
+    Point(AxisId),
+    /// A place of the scene.
+    At([f64; 2]),
 }
 
 /// The number of differentiations by time.
@@ -95,10 +119,13 @@ impl Needs {
                     needs.velocity |= order >= Order::Velocity;
                     needs.acceleration |= order >= Order::Acceleration;
                 }
-                Subject::Torque(_) | Subject::Reaction(..) | Subject::Transmission(_) => {
+                Subject::Torque(_)
+                | Subject::Power(_)
+                | Subject::Reaction(..)
+                | Subject::Transmission(_) => {
                     needs.force = true;
                 }
-                Subject::Time => {}
+                Subject::Distance(_) | Subject::Between(_) | Subject::Time => {}
             }
         }
         needs

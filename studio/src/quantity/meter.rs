@@ -1,7 +1,7 @@
 //! Measures quantities while a mechanism moves.
 
 use super::Units;
-use super::kind::{Needs, Order, Part, Quantity, Reaction, Subject};
+use super::kind::{Needs, Order, Part, Quantity, Reaction, Spot, Subject};
 use super::load::{self, Load};
 use super::position::{Position, torques};
 use super::turning::{Chain, whole_angle};
@@ -12,6 +12,7 @@ use mech_compiler::model::{AxisId, JointId, JointKind, LinkId, Model, Precision}
 use mech_compiler::program::{self, Forces, Program};
 use mech_compiler::{Compiled, compile};
 use mech_runtime::{Acceleration, Velocity};
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// A table of measurements: a row for each position.
@@ -163,7 +164,9 @@ pub(super) fn columns(of: &Measurement<'_>, quantities: &[Quantity]) -> Vec<(Str
 fn assumed(of: &Measurement<'_>, subject: Subject) -> String {
     match (subject, of.drive.motor(), of.rate.unwrap_or(0.0)) {
         (Subject::Torque(_) | Subject::Reaction(..), Some(_), 0.0) => " at rest".to_owned(),
-        (Subject::Torque(_) | Subject::Reaction(..), Some(_), rate) => format!(" at rate {rate}"),
+        (Subject::Torque(_) | Subject::Power(_) | Subject::Reaction(..), Some(_), rate) => {
+            format!(" at rate {rate}")
+        }
         _ => String::new(),
     }
 }
@@ -177,13 +180,9 @@ fn with_needs(model: &Model, quantities: &[Quantity]) -> Model {
     };
     Needs::of(quantities).add_to(&mut whole.effects);
     for quantity in quantities {
-        match quantity.subject {
-            Subject::Coordinate(joint, Order::Place) => whole.continuous.push(joint),
-            Subject::Angle(link, Order::Place) => {
-                let chain = Chain::to(model, link);
-                whole.continuous.extend(chain.joints());
-            }
-            _ => {}
+        whole.continuous.extend(quantity.joint());
+        for link in quantity.turning_links() {
+            whole.continuous.extend(Chain::to(model, link).joints());
         }
     }
     whole.continuous.retain(|&joint| turns(model, joint));
@@ -220,8 +219,8 @@ struct Meter<'a> {
     inertia: Option<Mover<'a>>,
     /// The numbers of all loads.
     loads: Vec<f64>,
-    /// For each quantity that is the angle of a link the joints up to it.
-    chains: Vec<Option<Chain>>,
+    /// The joints up to each link whose angle is measured.
+    chains: BTreeMap<LinkId, Chain>,
 }
 
 impl<'a> Meter<'a> {
@@ -232,6 +231,12 @@ impl<'a> Meter<'a> {
         quantities: &[Quantity],
     ) -> Result<Self, Failure> {
         let needs = Needs::of(quantities);
+        let is_power = |one: &Quantity| matches!(one.subject, Subject::Power(_));
+        if of.rate.is_none() && of.drive.motor().is_some() && quantities.iter().any(is_power) {
+            return Err(Failure::usage(
+                "a power needs the rate at which the motor moves: `--rate 1`",
+            ));
+        }
         let forced = compiled.forced.inverse_dynamics.as_ref();
         let is_within = |one: &Quantity| {
             matches!(
@@ -254,12 +259,11 @@ impl<'a> Meter<'a> {
         }
         let inertia = compiled.forced.inertia.as_ref();
         let start = Position::of(&Mover::new(model, compiled).position());
-        let chains = quantities.iter().map(|quantity| match quantity.subject {
-            Subject::Angle(link, Order::Place) => {
-                let heading = start.heading(compiled, link)?;
-                Some(Chain::to(model, link).from(model, compiled, &start, heading))
-            }
-            _ => None,
+        let links = quantities.iter().flat_map(Quantity::turning_links);
+        let chains = links.filter_map(|link| {
+            let heading = start.heading(compiled, link)?;
+            let chain = Chain::to(model, link).from(model, compiled, &start, heading);
+            Some((link, chain))
         });
         let mover = |program| Mover::of(model, program);
         Ok(Self {
@@ -312,31 +316,32 @@ impl<'a> Meter<'a> {
                 }
             }
         }
-        let values = quantities
-            .iter()
-            .zip(&self.chains)
-            .map(|(quantity, chain)| {
-                let value = self.value(&position, moment, quantity.subject, chain.as_ref());
-                value.filter(|value| value.is_finite())
-            });
+        let values = quantities.iter().map(|quantity| {
+            let value = self.value(&position, moment, quantity.subject);
+            value.filter(|value| value.is_finite())
+        });
         Ok(values.collect())
     }
 
-    fn value(
-        &self,
-        at: &Position,
-        moment: &Moment,
-        subject: Subject,
-        chain: Option<&Chain>,
-    ) -> Option<f64> {
+    fn value(&self, at: &Position, moment: &Moment, subject: Subject) -> Option<f64> {
         match subject {
             Subject::Point(point, order, part) => {
                 let vector = self.point(at, point, order)?;
                 Some(part_of(vector, part))
             }
-            Subject::Angle(link, Order::Place) => {
-                let heading = at.heading(self.compiled, link)?;
-                Some(chain?.whole(self.model, self.compiled, at, heading))
+            Subject::Distance(ends) => {
+                let [from, to] = ends.map(|end| match end {
+                    Spot::Point(point) => self.point(at, point, Order::Place),
+                    Spot::At(place) => Some(place),
+                });
+                let ([x, y], [to_x, to_y]) = (from?, to?);
+                Some((to_x - x).hypot(to_y - y))
+            }
+            Subject::Angle(link, Order::Place) => self.angle(at, link),
+            Subject::Between([from, to]) => Some(self.angle(at, to)? - self.angle(at, from)?),
+            Subject::Power(motor) => {
+                let torque = at.torques.as_ref()?.get(motor.index())?;
+                Some(torque * moment.rates[0][motor.index()])
             }
             Subject::Angle(link, order) => Some(self.rate(at, link, order)?[0]),
             Subject::Coordinate(joint, Order::Place) => match self.model.motor_of(joint) {
@@ -356,6 +361,13 @@ impl<'a> Meter<'a> {
             Subject::Transmission(dyad) => at.forces.as_ref()?.transmission.get(dyad).copied(),
             Subject::Time => Some(moment.time),
         }
+    }
+
+    /// The angle of a link over whole turns.
+    fn angle(&self, at: &Position, link: LinkId) -> Option<f64> {
+        let heading = at.heading(self.compiled, link)?;
+        let chain = self.chains.get(&link)?;
+        Some(chain.whole(self.model, self.compiled, at, heading))
     }
 
     /// The angular rate of a link, and those of x and y.

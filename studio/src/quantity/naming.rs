@@ -1,14 +1,14 @@
 //! The names of quantities: `coupler.tip.x`, `velocity:b`, `reaction:d`, `transmission`.
 
-use super::kind::{Order, Part, Quantity, Reaction, Subject};
+use super::kind::{Order, Part, Quantity, Reaction, Spot, Subject};
 use crate::failure::Failure;
-use crate::motion::motor_of;
+use crate::motion::{motor_of, read_value};
 use crate::text::quoted;
 use mech_compiler::model::{AxisId, AxisKind, JointId, JointKind, LinkId, Model};
 use mech_compiler::plan::Plan;
 
 /// The words before a colon.
-const KINDS: [&str; 4] = ["velocity", "acceleration", "torque", "reaction"];
+const KINDS: [&str; 5] = ["velocity", "acceleration", "torque", "power", "reaction"];
 const TRANSMISSION: &str = "transmission";
 const TIME: &str = "t";
 
@@ -25,6 +25,12 @@ pub(crate) fn quantities(
     if name == TRANSMISSION {
         return transmission(model, dyads);
     }
+    if let Some((kind, ends)) = two_ends(name) {
+        return one(match kind {
+            "distance" => Subject::Distance([spot(model, ends[0])?, spot(model, ends[1])?]),
+            _ => Subject::Between([body_of(model, ends[0])?, body_of(model, ends[1])?]),
+        });
+    }
     match name.split_once(':') {
         None => match moving(model, name, name, Order::Place) {
             // Only where nothing else is called so.
@@ -34,12 +40,63 @@ pub(crate) fn quantities(
         Some(("velocity", of)) => moving(model, name, of, Order::Velocity),
         Some(("acceleration", of)) => moving(model, name, of, Order::Acceleration),
         Some(("torque", of)) => one(Subject::Torque(motor_of(model, of)?)),
+        Some(("power", of)) => one(Subject::Power(motor_of(model, of)?)),
         Some(("reaction", of)) => reaction(model, name, of),
         Some((other, _)) => Err(Failure::usage(format!(
             "`{other}` cannot be measured; before a colon stands one of `{}`",
             KINDS.join("`, `")
         ))),
     }
+}
+
+/// The word and both ends of `distance(p, q)` or `angle(l, m)`.
+fn two_ends(name: &str) -> Option<(&str, [&str; 2])> {
+    let (kind, rest) = name.split_once('(')?;
+    let inside = rest.strip_suffix(')')?;
+    let mut depth = 0;
+    let comma = inside.char_indices().find(|(_, letter)| {
+        match letter {
+            '(' => depth += 1,
+            ')' => depth -= 1,
+            _ => {}
+        }
+        *letter == ',' && depth == 0
+    });
+    let (first, second) = inside.split_at(comma?.0);
+    let is_known = ["distance", "angle"].contains(&kind.trim());
+    is_known.then(|| (kind.trim(), [first.trim(), second[1..].trim()]))
+}
+
+/// A point of a link or of the ground, or a place in the scene: `(1, 2)`.
+fn spot(model: &Model, name: &str) -> Result<Spot, Failure> {
+    let place = name
+        .strip_prefix('(')
+        .and_then(|name| name.strip_suffix(')'));
+    if let Some((x, y)) = place.and_then(|place| place.split_once(',')) {
+        let [x, y] = [x, y].map(|number| read_value(number).map_err(Failure::usage));
+        return Ok(Spot::At([x?, y?]));
+    }
+    let mut all = (0..model.axes.len()).map(AxisId::new);
+    let found = all.find(|&id| {
+        model.axis(id).kind == AxisKind::Point && point_name(model, id).as_deref() == Some(name)
+    });
+    found.map(Spot::Point).ok_or_else(|| unknown(model, name))
+}
+
+/// A link, or the ground.
+fn body_of(model: &Model, name: &str) -> Result<LinkId, Failure> {
+    let is_ground = name == "ground";
+    let found = is_ground
+        .then_some(LinkId::GROUND)
+        .or_else(|| link_of(model, name));
+    found.ok_or_else(|| {
+        let links = model.declared_links().map(|link| &model.link(link).name);
+        Failure::usage(format!(
+            "`{}` has no link `{name}`; it has `ground`, {}",
+            model.name,
+            quoted(links)
+        ))
+    })
 }
 
 /// The quantity of this name, if it is one number.

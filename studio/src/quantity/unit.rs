@@ -27,6 +27,9 @@ impl Units {
         let Self { length, force } = self;
         let torque = || format!("{force}·{length}");
         match subject {
+            Subject::Distance(_) => length.clone(),
+            Subject::Between(_) => "deg".to_owned(),
+            Subject::Power(_) => format!("{}/s", torque()),
             Subject::Angle(_, order) => rate("deg", "rad", order),
             Subject::Coordinate(joint, order) if turns(model, joint) => rate("deg", "rad", order),
             Subject::Point(_, order, _) | Subject::Coordinate(_, order) => {
