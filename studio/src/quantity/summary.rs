@@ -50,6 +50,12 @@ impl Summary {
     pub(crate) fn extent(&self) -> f64 {
         self.greatest.value - self.least.value
     }
+
+    /// Whether the extremes are at both ends of the motion.
+    pub(crate) fn is_one_way(&self) -> bool {
+        let [first, second] = [self.least.part, self.greatest.part];
+        first.min(second) == 0.0 && first.max(second) == 1.0
+    }
 }
 
 /// Summarizes quantities through a motion. What is determined nowhere is left out.

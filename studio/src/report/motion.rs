@@ -2,7 +2,7 @@
 
 use super::words::{Driver, with_unit};
 use crate::failure::{Failure, FailureKind};
-use crate::motion::{Basis, Drive, Reach, Setting, Span, motor_name, obstacle, turns};
+use crate::motion::{Basis, Drive, Reach, Span, motor_name, obstacle, turns};
 use crate::quantity::{self, FLAT, Measurement, Summary, Units, summarize};
 use crate::text::quoted;
 use mech_compiler::Compiled;
@@ -14,8 +14,10 @@ const MOST_MOTORS: usize = 8;
 const DIGITS: usize = 5;
 /// So many joints are told that a motor drives.
 const MOST_JOINTS: usize = 12;
-/// A motion has so many steps, between which extremes are looked for.
+/// A turn has so many steps, between which extremes are looked for.
 const STEPS: u32 = 180;
+/// Of more turns, each has fewer.
+const MOST_TURNS: u32 = 12;
 
 /// What each motor does and drives, as the lines of a report: a label and a text.
 pub(super) fn lines(model: &Model, compiled: &Compiled) -> Result<Vec<(String, String)>, Failure> {
@@ -35,26 +37,28 @@ pub(super) fn lines(model: &Model, compiled: &Compiled) -> Result<Vec<(String, S
             continue;
         }
         let name = Some(motor_name(model, motor));
-        drives.push((
-            Some((motor, range)),
-            Drive::new(model, compiled, name, Span::default(), &[] as &[Setting])?,
-        ));
+        let drive = Drive::new(model, compiled, name, Span::default(), &[])?;
+        let drive = drive.completed(model, compiled);
+        let range = match drive.turns(model) {
+            1 => range,
+            turns => format!("{range}; all is back after {turns} turns"),
+        };
+        drives.push((Some((motor, range)), drive));
     }
     for (motor, drive) in drives {
-        let driver = match &motor {
-            Some((motor, range)) => {
-                lines.push(("motor".to_owned(), range.clone()));
-                let joint = model.motor(*motor).joint;
-                Driver {
-                    name: motor_name(model, *motor).to_owned(),
-                    unit: if turns(model, joint) { "deg" } else { "" },
-                }
-            }
-            None => Driver {
-                name: "t".to_owned(),
-                unit: "s",
-            },
+        let mut driver = Driver {
+            name: "t".to_owned(),
+            unit: "s",
+            size: model.size(),
+            precision: model.precision,
+            is_cyclic: drive.is_cyclic(model),
         };
+        if let Some((motor, range)) = motor {
+            lines.push(("motor".to_owned(), range));
+            motor_name(model, motor).clone_into(&mut driver.name);
+            let is_angle = turns(model, model.motor(motor).joint);
+            driver.unit = if is_angle { "deg" } else { "" };
+        }
         let driven = driven(model, compiled, &drive, &driver)?;
         lines.extend(driven.into_iter().map(|text| (String::new(), text)));
     }
@@ -139,7 +143,7 @@ fn driven(
         drive,
         over: None,
         rate: None,
-        steps: STEPS,
+        steps: STEPS * drive.turns(model).min(MOST_TURNS),
         loads: &[],
         units,
     };
@@ -147,9 +151,12 @@ fn driven(
     joints.retain(|one| one.joint().is_some_and(|joint| is_carried(model, joint)));
     let left = joints.len().saturating_sub(MOST_JOINTS);
     joints.truncate(MOST_JOINTS);
+    // What another motor moves is told there.
+    let is_told = |one: &Summary| model.motors.len() == 1 || !driver.is_still(one);
     let mut lines = Vec::new();
     if !joints.is_empty() {
-        let summaries = summarize(&measurement, &joints, None)?;
+        let mut summaries = summarize(&measurement, &joints, None)?;
+        summaries.retain(is_told);
         lines.extend(summaries.iter().map(|summary| driver.driven(summary)));
     }
     if left > 0 {
@@ -159,7 +166,10 @@ fn driven(
     if !dyads.is_empty() {
         let angles = quantity::quantities(model, &dyads, "transmission")?;
         match summarize(&measurement, &angles, None) {
-            Ok(summaries) => lines.extend(transmission(&summaries, driver)),
+            Ok(mut summaries) => {
+                summaries.retain(is_told);
+                lines.extend(transmission(&summaries, driver));
+            }
             // Not determined: joints are redundant, or loops are solved together.
             Err(failure) if failure.kind() == FailureKind::Mechanism => {}
             Err(failure) => return Err(failure),

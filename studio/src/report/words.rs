@@ -1,6 +1,7 @@
 //! Numbers and their units as a report says them.
 
 use crate::quantity::{Extreme, Summary, tick};
+use mech_compiler::model::Precision;
 
 /// What is measured is told with so many digits: at a dead point more are not known, as the mechanism stops a hair before it.
 const DIGITS: usize = 4;
@@ -23,10 +24,15 @@ fn short(value: f64, digits: usize) -> String {
     tick(rounded.unwrap_or(value))
 }
 
-/// What drives a motion: its name and its unit.
+/// What drives a motion.
 pub(super) struct Driver {
     pub(super) name: String,
     pub(super) unit: &'static str,
+    /// How large the mechanism is that it drives.
+    pub(super) size: f64,
+    pub(super) precision: Precision,
+    /// Whether the motion ends where it began.
+    pub(super) is_cyclic: bool,
 }
 
 impl Driver {
@@ -40,10 +46,23 @@ impl Driver {
         )
     }
 
+    /// What differs by less, in turns or sizes of the mechanism, differs by rounding alone.
+    fn near(&self) -> f64 {
+        1e-7_f64.max(1e3 * self.precision.epsilon())
+    }
+
+    /// Whether a quantity stays as it is in this motion.
+    pub(super) fn is_still(&self, summary: &Summary) -> bool {
+        let whole = if summary.unit == "deg" {
+            360.0
+        } else {
+            self.size
+        };
+        summary.extent() <= self.near() * whole
+    }
+
     /// What a joint does that is driven.
     pub(super) fn driven(&self, summary: &Summary) -> String {
-        /// Angles that differ by less are one.
-        const NEAR: f64 = 1e-6;
         let Summary {
             name,
             unit,
@@ -53,26 +72,30 @@ impl Driver {
             ..
         } = summary;
         let extent = summary.extent();
-        let size = least.value.abs().max(greatest.value.abs()).max(1.0);
-        let turns = extent / 360.0;
-        if extent <= NEAR * size {
+        let (is_angle, turns) = (unit == "deg", extent / 360.0);
+        if self.is_still(summary) {
             return format!(
                 "joint `{name}` stays at {}",
                 with_unit(least.value, unit, DIGITS)
             );
         }
-        if unit == "deg" && turns >= 1.0 - NEAR {
-            return match turns.round() {
-                1.0 => format!("joint `{name}` turns right round"),
-                whole if (turns - whole).abs() < NEAR => {
-                    format!("joint `{name}` turns right round, {whole} times")
-                }
-                _ => format!("joint `{name}` turns {} times", short(turns, DIGITS)),
+        if is_angle && turns >= 1.0 - self.near() {
+            return if (turns - 1.0).abs() <= self.near() {
+                format!("joint `{name}` turns right round")
+            } else {
+                format!("joint `{name}` turns {} times", short(turns, DIGITS))
             };
         }
-        let does = match unit.as_str() {
-            "deg" => "swings by",
-            _ => "has a stroke of",
+        if is_angle && self.is_cyclic && summary.is_one_way() {
+            return format!(
+                "joint `{name}` turns by {}",
+                with_unit(extent, unit, DIGITS)
+            );
+        }
+        let does = if is_angle {
+            "swings by"
+        } else {
+            "has a stroke of"
         };
         let ratio = time_ratio.filter(|ratio| *ratio > 1.0 + 1e-4);
         let ratio = ratio.map(|ratio| format!("; time ratio {}", short(ratio, DIGITS)));
