@@ -7,6 +7,7 @@ use super::declaration::{
 use super::guess::{apexes, bare_leaves, below, floors, yoke_guides};
 use super::joined::Joined;
 use super::sketch::{DrawnPin, FEW, LooseEnd, NEAR, Scene, Sketch, distance, leaves, unjoined};
+use super::twins::twins;
 use crate::model::{AxisId, AxisKind, LinkId, Model};
 
 /// The joints that the drawing suggests, the likeliest first: ends that nearly meet, then ends that stand alone. Of each kind a few.
@@ -14,6 +15,7 @@ pub(super) fn joints(model: &Model, sketch: &Sketch) -> Vec<Repair> {
     let bare = bare_leaves(model, sketch);
     let joined = Joined::of(model);
     let kinds = [
+        twins(model, sketch),
         meeting_joints(model, sketch, &joined),
         between_axes(model, &joined),
         reaching_joints(model, sketch, &joined, &bare),

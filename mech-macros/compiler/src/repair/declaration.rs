@@ -32,6 +32,8 @@ pub enum Purpose {
     },
     /// To join two links somewhere: nothing says where.
     Meet,
+    /// To join two links as others are that are drawn like them.
+    Twin,
     /// To connect two links by a third.
     Connect,
     /// To make one bent link of two.

@@ -11,8 +11,10 @@ mod rank;
 mod replacement;
 mod sizes;
 mod sketch;
+mod tie;
 mod translation;
 mod trial;
+mod twins;
 mod union;
 mod writing;
 

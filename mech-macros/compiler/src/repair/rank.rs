@@ -39,6 +39,7 @@ impl<'m> Ranking<'m> {
         match repair {
             Repair::Declare(declared) => match declared.purpose {
                 Purpose::Ground | Purpose::Join { .. } if self.is_in_gap(declared) => (0, 0),
+                Purpose::Twin => (0, 0),
                 Purpose::Meet if self.is_in_gap(declared) => (0, 1),
                 Purpose::Ground | Purpose::Slide | Purpose::Join { .. } => (0, 2),
                 Purpose::Fix | Purpose::Meet => (0, 3),

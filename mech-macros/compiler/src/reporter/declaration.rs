@@ -51,6 +51,11 @@ impl Words<'_> {
             ),
             Purpose::Join { .. } => format!("join {} and {}", name(0), name(1)),
             Purpose::Meet => format!("join {} and {}, for example here", name(0), name(1)),
+            Purpose::Twin => format!(
+                "join {} and {} like their twins, for example here",
+                name(0),
+                name(1)
+            ),
             Purpose::Connect => format!("connect {} and {}", name(0), name(1)),
             Purpose::Stiffen => format!("make one bent link of {} and {}", name(0), name(1)),
             Purpose::Turn => format!("let {} turn", name(0)),
