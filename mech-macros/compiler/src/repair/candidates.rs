@@ -1,6 +1,7 @@
 //! The changes that might cure a diagnosis.
 
 use super::sketch::{Sketch, leaves};
+use super::twins::twins;
 use super::union::unions;
 use super::{NewKind, Repair, completions, drivable, guess, replacement, sizes};
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
@@ -94,8 +95,8 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
         Diagnosis::NoMesh { .. } => on_wheels(model, of),
         Diagnosis::DeadStart { .. } => {
             let motors = model.motor_ids();
-            let mut repairs: Vec<Repair> =
-                motors.flat_map(|motor| elsewhere(model, motor)).collect();
+            let mut repairs = twins(model, &Sketch::of(model));
+            repairs.extend(motors.flat_map(|motor| elsewhere(model, motor)));
             for motor in model.motor_ids() {
                 let joints = ground_first(model, model.joint_ids());
                 repairs.extend(joints.map(|to| moved(motor, to)));

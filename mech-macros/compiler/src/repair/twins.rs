@@ -10,12 +10,14 @@ use std::collections::BTreeMap;
 
 /// Twins are drawn by hand: so far they are off, as a part of the size.
 const OFF: f64 = 0.03;
+/// The same of what is moved without being turned.
+const COPIED: f64 = 0.001;
 /// Directions that differ by less are the same.
 const ASKEW: f64 = 0.05;
 /// In larger drawings it takes too long to look for twins.
 const LARGEST: usize = 30;
 /// So many are offered.
-const FEW: usize = 3;
+const FEW: usize = 4;
 
 /// How one part of a drawing becomes another.
 #[derive(Clone, Copy)]
@@ -55,7 +57,7 @@ pub(super) fn twins(model: &Model, sketch: &Sketch) -> Vec<Repair> {
         return Vec::new();
     }
     let near = OFF * sketch.size;
-    let mut found: Vec<((usize, usize), [LinkId; 2], Repair)> = Vec::new();
+    let mut found: Vec<((usize, usize), Repair)> = Vec::new();
     let mut seen: Vec<Image> = Vec::new();
     for (number, first) in ties.iter().enumerate() {
         for second in &ties[..number] {
@@ -74,14 +76,10 @@ pub(super) fn twins(model: &Model, sketch: &Sketch) -> Vec<Repair> {
         }
     }
     found.sort_by_key(|one| one.0);
-    let mut all: Vec<([LinkId; 2], Repair)> = Vec::new();
-    for (_, links, repair) in found {
-        if all.iter().all(|known| known.0 != links) {
-            all.push((links, repair));
-        }
-    }
-    let repairs = all.into_iter().map(|(_, repair)| repair);
-    repairs.take(FEW).collect()
+    let mut repairs: Vec<Repair> = found.into_iter().map(|(_, repair)| repair).collect();
+    repairs.dedup();
+    repairs.truncate(FEW);
+    repairs
 }
 
 /// The one joint that lacks its image, with the number of differences and of likenesses; none if the parts are not alike.
@@ -90,8 +88,10 @@ fn completed(
     sketch: &Sketch,
     ties: &[Tie],
     image: Image,
-) -> Option<((usize, usize), [LinkId; 2], Repair)> {
-    let near = OFF * sketch.size;
+) -> Option<((usize, usize), Repair)> {
+    // What is moved along is copied by number.
+    let is_moved = image.turn == [1.0, 1.0];
+    let near = if is_moved { COPIED } else { OFF } * sketch.size;
     let is_there = |tie: &Tie, other: &Tie| {
         is_alike(image.kind(tie.kind), other.kind)
             && distance(image.place(tie.at), other.at) <= near
@@ -109,7 +109,12 @@ fn completed(
         Some([a?, b?])
     };
     let joins = |tie: &Tie, links: [LinkId; 2]| links.iter().all(|link| tie.has(*link));
-    let (mut alike, mut different) = (0, Vec::new());
+    // A guide does its work wherever it is.
+    let is_parallel = |tie: &Tie, other: &Tie, links| {
+        let is_guide = matches!(other.kind, NewKind::Prismatic(_));
+        is_guide && is_alike(image.kind(tie.kind), other.kind) && joins(other, links)
+    };
+    let (mut alike, mut same, mut different) = (0, 0, Vec::new());
     for tie in ties {
         let Some(links) = both(tie) else { continue };
         if pairs
@@ -117,7 +122,8 @@ fn completed(
             .any(|(one, other)| std::ptr::eq(*one, tie) && joins(other, links))
         {
             alike += usize::from(links != tie.links);
-        } else {
+            same += usize::from(links == tie.links);
+        } else if !ties.iter().any(|other| is_parallel(tie, other, links)) {
             different.push((tie, links));
         }
     }
@@ -128,8 +134,9 @@ fn completed(
         .any(|other| is_alike(image.kind(tie.kind), other.kind) && joins(other, links))
         && tie.along().is_none();
     // One way back and forth is two likenesses.
-    let enough = if image.turn == [1.0, 1.0] { 2 } else { 3 };
-    if alike < enough || 2 * different.len() > alike || is_joined {
+    let enough = if is_moved { 2 } else { 3 };
+    let is_part = alike < 2 || alike + same < enough || 4 * alike < ties.len();
+    if is_part || 2 * different.len() > alike || is_joined {
         return None;
     }
     let at = image.place(tie.at);
@@ -149,20 +156,21 @@ fn completed(
     let fine = 0.01 * sketch.size;
     let at = drawn.first().copied();
     let at = at.unwrap_or_else(|| image.place(tie.at).map(|part| handy(part, fine)));
-    let word = match tie.kind {
+    // Of two directions of a line the one that is written already.
+    let kind = image.kind(tie.kind);
+    let kind = if is_alike(kind, tie.kind) { tie.kind } else { kind };
+    let word = match kind {
         NewKind::Revolute | NewKind::Weld => "pin",
         NewKind::Prismatic(_) => "guide",
         NewKind::Slot(_) => "slot",
     };
     let joint = NewJoint {
         name: NewNames::new(model).like(None, word),
-        kind: image.kind(tie.kind),
+        kind,
         ends: Ends::Drawn { links, at },
     };
-    let rank = (different.len(), usize::MAX - alike);
-    let [a, b] = links;
-    let pair = [a.min(b), a.max(b)];
-    Some((rank, pair, Declaration::joint(Purpose::Twin, joint).into()))
+    let rank = (different.len(), usize::MAX - alike - same);
+    Some((rank, Declaration::joint(Purpose::Twin, joint).into()))
 }
 
 /// The image of each link: where most of its joints say so.
@@ -181,6 +189,7 @@ fn images(pairs: &[(&Tie, &Tie)]) -> BTreeMap<LinkId, LinkId> {
         (
             usize::MAX - count,
             (*link == LinkId::GROUND) != (*image == LinkId::GROUND),
+            link == image,
         )
     });
     let mut images: BTreeMap<LinkId, LinkId> = BTreeMap::new();
