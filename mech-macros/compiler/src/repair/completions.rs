@@ -4,7 +4,7 @@ use super::Repair;
 use super::declaration::{
     Declaration, Ends, NewJoint, NewKind, NewNames, Purpose, drawn_joint, join, on_ground,
 };
-use super::guess::{apexes, bare_leaves, below, floors, yoke_guides};
+use super::guess::{apexes, bare_leaves, below, floors};
 use super::joined::Joined;
 use super::sketch::{DrawnPin, FEW, LooseEnd, NEAR, Scene, Sketch, distance, leaves, unjoined};
 use super::twins::twins;
@@ -20,7 +20,6 @@ pub(super) fn joints(model: &Model, sketch: &Sketch) -> Vec<Repair> {
         between_axes(model, &joined),
         reaching_joints(model, sketch, &joined, &bare),
         alone(model, sketch, &joined),
-        yoke_guides(model),
         below(model, sketch, &joined, &bare),
         floors(model, sketch, &bare),
         apexes(model, &joined, &bare),

@@ -44,6 +44,8 @@ pub enum Purpose {
     Guide,
     /// To let a link slide on the ground.
     Slide,
+    /// To let a link, or its pin, slide somewhere on another: nothing says where.
+    Guess,
     /// To join links to each other that are pinned to the ground at one place.
     Free,
     /// To make a link a part of the ground.

@@ -7,8 +7,7 @@ use super::declaration::{
 use super::joined::Joined;
 use super::sketch::{FEW, NEAR, Sketch, distance, leaves};
 use crate::digits::round_to;
-use crate::model::{JointId, JointKind, LinkId, Model, Ratio};
-use crate::structure;
+use crate::model::{LinkId, Model};
 
 /// The links that hang on one joint, and of which nothing else is drawn, each with the place of that joint.
 pub(super) fn bare_leaves(model: &Model, sketch: &Sketch) -> Vec<(LinkId, [f64; 2])> {
@@ -86,31 +85,6 @@ pub(super) fn handy(coordinate: f64, width: f64) -> f64 {
     round_to(coordinate, places)
 }
 
-/// The guides of yokes: what has a slot and nothing else slides across it on the ground.
-pub(super) fn yoke_guides(model: &Model) -> Vec<Repair> {
-    let guide = |(link, joint): (LinkId, JointId)| {
-        let JointKind::Prismatic(line, die) = model.joint(joint).kind else {
-            return None;
-        };
-        model.link(model.axis(die).link).die?;
-        let line = model.axis(line);
-        let is_drawn = line.name.is_none() && !line.varies() && line.link == link;
-        let [x, y] = line.direction;
-        // To the right, or upwards.
-        let across = if y > 0.0 || y == 0.0 && x < 0.0 {
-            [y, -x]
-        } else {
-            [-y, x]
-        };
-        is_drawn.then(|| slide_on_ground(model, link, line.at, across))
-    };
-    leaves(model)
-        .into_iter()
-        .filter_map(guide)
-        .take(FEW)
-        .collect()
-}
-
 fn slide_on_ground(model: &Model, link: LinkId, at: [f64; 2], along: [f64; 2]) -> Repair {
     let joint = NewJoint {
         name: NewNames::new(model).like(None, "guide"),
@@ -138,42 +112,4 @@ pub(super) fn floors(model: &Model, sketch: &Sketch, bare: &[(LinkId, [f64; 2])]
     let floor = handy(heights.fold(f64::INFINITY, f64::min) - 0.5 * size, size);
     let stands = |&(link, [x, _]): &(LinkId, [f64; 2])| on_ground(model, link, None, [x, floor]);
     bare.iter().map(stands).take(FEW).collect()
-}
-
-/// The pins on which a wheel could turn beside the other wheel: on a link that already carries that, the ground last; or on
-/// the one that is named.
-pub(super) fn axles(model: &Model, rolling: JointId, on: Option<LinkId>) -> Vec<Repair> {
-    let (a, b) = model.ends(rolling);
-    let JointKind::Gear { ratio, .. } = model.joint(rolling).kind else {
-        return Vec::new();
-    };
-    let pins = structure::pins(model);
-    let mut found = Vec::new();
-    for [wheel, other] in [[b, a], [a, b]] {
-        let Some(pin) = pins.iter().find(|pin| pin.axis_of(other).is_some()) else {
-            continue;
-        };
-        let turns = pins.iter().any(|pin| pin.axis_of(wheel).is_some());
-        if turns || wheel == LinkId::GROUND || pin.joints.is_empty() {
-            continue;
-        }
-        let drawn = pin
-            .joints
-            .iter()
-            .find_map(|&joint| drawn_joint(model, joint));
-        let Some((_, [x, y])) = drawn else { continue };
-        let apart = match ratio {
-            Ratio::Radii(first, second) => (first + second).abs(),
-            Ratio::Teeth(..) => 1.0,
-        };
-        let mut carriers: Vec<LinkId> = pin.members.iter().map(|member| member.0).collect();
-        carriers.retain(|&link| link != wheel && link != other && on.is_none_or(|on| link == on));
-        carriers.sort_by_key(|&link| (link == LinkId::GROUND, link));
-        let axle = |carrier: LinkId| {
-            let name = NewNames::new(model).like(None, "pin");
-            join(Purpose::Meet, name, [carrier, wheel], [x + apart, y])
-        };
-        found.extend(carriers.into_iter().map(axle));
-    }
-    found
 }

@@ -4,6 +4,7 @@ mod candidates;
 mod completions;
 mod declaration;
 mod guess;
+mod guides;
 mod joined;
 mod motor;
 mod offers;
@@ -16,6 +17,7 @@ mod translation;
 mod trial;
 mod twins;
 mod union;
+mod wheels;
 mod writing;
 
 pub use declaration::{Declaration, Ends, NewJoint, NewKind, Purpose};

@@ -181,13 +181,19 @@ fn is_motor(repair: &Repair) -> bool {
 
 /// Whether there are new joints enough that serve the same purpose.
 fn has_enough(found: &[Repair], repair: &Repair) -> bool {
-    const ENOUGH: usize = 2;
+    let enough = match repair {
+        Repair::Declare(Declaration {
+            purpose: Purpose::Guess,
+            ..
+        }) => 1,
+        _ => 2,
+    };
     let purpose = |repair: &Repair| match repair {
         Repair::Declare(Declaration { purpose, .. }) => Some(std::mem::discriminant(purpose)),
         _ => None,
     };
     let same = |known: &&Repair| purpose(known) == purpose(repair);
-    purpose(repair).is_some() && found.iter().filter(same).count() >= ENOUGH
+    purpose(repair).is_some() && found.iter().filter(same).count() >= enough
 }
 
 /// Whether two changes differ only in the direction of a slot, or in a place that nothing tells.

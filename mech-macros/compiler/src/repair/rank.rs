@@ -42,7 +42,7 @@ impl<'m> Ranking<'m> {
                 Purpose::Twin => (0, 0),
                 Purpose::Meet if self.is_in_gap(declared) => (0, 1),
                 Purpose::Ground | Purpose::Slide | Purpose::Join { .. } => (0, 2),
-                Purpose::Fix | Purpose::Meet => (0, 3),
+                Purpose::Fix | Purpose::Meet | Purpose::Guess => (0, 3),
                 Purpose::Turn | Purpose::Guide | Purpose::Free => (3, 1),
                 Purpose::Split => (8, 0),
                 Purpose::Connect => (9, 0),

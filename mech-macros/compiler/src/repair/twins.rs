@@ -64,9 +64,8 @@ pub(super) fn twins(model: &Model, sketch: &Sketch) -> Vec<Repair> {
             for turn in TURNS {
                 let shift = [0, 1].map(|part| first.at[part] - turn[part] * second.at[part]);
                 let image = Image { turn, shift };
-                let is_known = |other: &Image| {
-                    other.turn == turn && distance(other.shift, shift) < 0.1 * near
-                };
+                let is_known =
+                    |other: &Image| other.turn == turn && distance(other.shift, shift) < 0.1 * near;
                 if !is_alike(image.kind(second.kind), first.kind) || seen.iter().any(is_known) {
                     continue;
                 }
@@ -158,7 +157,11 @@ fn completed(
     let at = at.unwrap_or_else(|| image.place(tie.at).map(|part| handy(part, fine)));
     // Of two directions of a line the one that is written already.
     let kind = image.kind(tie.kind);
-    let kind = if is_alike(kind, tie.kind) { tie.kind } else { kind };
+    let kind = if is_alike(kind, tie.kind) {
+        tie.kind
+    } else {
+        kind
+    };
     let word = match kind {
         NewKind::Revolute | NewKind::Weld => "pin",
         NewKind::Prismatic(_) => "guide",

@@ -68,7 +68,7 @@ fn nearest(some: &[[f64; 2]], others: &[[f64; 2]]) -> f64 {
 }
 
 /// A place amid the joints of two links, aside of each of them.
-fn between(places: [&[[f64; 2]]; 2], sketch: &Sketch) -> Option<[f64; 2]> {
+pub(super) fn between(places: [&[[f64; 2]]; 2], sketch: &Sketch) -> Option<[f64; 2]> {
     if let [[p], [q]] = places {
         return Some(apex(*p, *q)).filter(|_| p != q);
     }
