@@ -122,7 +122,11 @@ fn free_to_move(
         of,
         Diagnosis::NoMotor { freedom: 1, .. } | Diagnosis::Undetermined { freedom: 1, .. }
     );
-    let mut repairs = if is_one { guides.slots() } else { guides.slides() };
+    let mut repairs = if is_one {
+        guides.slots()
+    } else {
+        guides.slides()
+    };
     repairs.extend(completions::joints(model, &sketch));
     repairs.extend(unions(model, &sketch, free));
     repairs.extend(motors(model, all, of, candidates));

@@ -82,6 +82,8 @@ fn between_axes(model: &Model, joined: &Joined) -> Vec<Repair> {
     for (number, &b) in points.iter().enumerate() {
         let before = points[..number].iter();
         pairs.extend(before.map(|&a| (NewKind::Revolute, [a, b])));
+        let shafts = shafts(model, model.axis(b).name.as_deref());
+        pairs.extend(shafts.into_iter().map(|a| (NewKind::Revolute, [a, b])));
     }
     for (number, &b) in lines.iter().enumerate() {
         let before = lines[..number].iter();
@@ -92,7 +94,12 @@ fn between_axes(model: &Model, joined: &Joined) -> Vec<Repair> {
         let links = [link(*a), link(*b)];
         links[0] != links[1] && (own(*a) || own(*b)) && !joined.are_joined(links)
     });
-    let differ = |[a, b]: &[AxisId; 2]| model.axis(*a).name != model.axis(*b).name;
+    // What the ground has is there to be joined.
+    let differ = |ends: &[AxisId; 2]| {
+        let [a, b] = ends.map(|id| &model.axis(id).name);
+        let moves = ends.iter().all(|end| link(*end) != LinkId::GROUND);
+        (a != b, moves)
+    };
     // Of each kind the likeliest.
     let mut all = Vec::new();
     for word in ["pin", "guide", "slot"] {
@@ -118,6 +125,16 @@ fn between_axes(model: &Model, joined: &Joined) -> Vec<Repair> {
         all.extend(some.iter().take(FEW).map(joint));
     }
     all
+}
+
+/// The points of this name on which several links turn.
+fn shafts(model: &Model, name: Option<&str>) -> Vec<AxisId> {
+    let joints = model.joints.iter().filter_map(|joint| joint.kind.axes());
+    let mut shafts: Vec<AxisId> = joints.flatten().collect();
+    shafts.retain(|id| name.is_some() && model.axis(*id).name.as_deref() == name);
+    shafts.sort();
+    shafts.dedup();
+    shafts
 }
 
 /// The joints between ends of links, or what slides, and links that could reach there.

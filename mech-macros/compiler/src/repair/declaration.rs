@@ -125,16 +125,18 @@ impl Declaration {
         }
     }
 
-    /// The two links that it joins, if it declares a single joint that turns and nothing else.
-    pub(super) fn only_pin(&self) -> Option<[LinkId; 2]> {
+    /// What it joins by what motion, wherever, if it declares a single joint and nothing else.
+    pub(super) fn only_joint(&self) -> Option<(std::mem::Discriminant<NewKind>, [LinkId; 2])> {
         match &self.joints[..] {
             [
                 NewJoint {
-                    kind: NewKind::Revolute,
+                    kind,
                     ends: Ends::Drawn { links: [a, b], .. },
                     ..
                 },
-            ] if self.link.is_none() && self.replaced.is_empty() => Some([*a.min(b), *a.max(b)]),
+            ] if self.link.is_none() && self.replaced.is_empty() => {
+                Some((std::mem::discriminant(kind), [*a.min(b), *a.max(b)]))
+            }
             _ => None,
         }
     }

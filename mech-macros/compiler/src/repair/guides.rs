@@ -118,7 +118,10 @@ impl<'m> Guides<'m> {
                     add(0.5, along);
                 }
                 if named {
-                    add(0.0, X);
+                    let off = |pivot: [f64; 2]| (pivot[0] - tie.at[0]).abs();
+                    let above = |pivot| off(pivot) <= NEAR * self.sketch.size;
+                    let is_above = self.pivots().next().is_some_and(above);
+                    add(0.0, if is_above { Y } else { X });
                 }
             }
         }

@@ -201,8 +201,8 @@ fn same_place(a: &Repair, b: &Repair) -> bool {
     match (a, b) {
         (Repair::Replace { joint: a, .. }, Repair::Replace { joint: b, .. }) => a == b,
         (Repair::Declare(a), Repair::Declare(b)) => {
-            let is_anywhere = matches!(b.purpose, Purpose::Meet | Purpose::Twin);
-            is_anywhere && a.only_pin().is_some() && a.only_pin() == b.only_pin()
+            let pairs = [a, b].map(Declaration::only_joint);
+            pairs[0].is_some() && pairs[0] == pairs[1]
         }
         _ => false,
     }

@@ -17,6 +17,7 @@ pub(super) struct Ranking<'m> {
     model: &'m Model,
     pins: Vec<Pin>,
     gaps: BTreeSet<[LinkId; 2]>,
+    leaves: Vec<(LinkId, JointId)>,
     /// Whether links may be there that nobody has joined yet.
     incomplete: bool,
     /// Whether no joint belongs to a loop.
@@ -29,6 +30,7 @@ impl<'m> Ranking<'m> {
             model,
             pins: structure::pins(model),
             gaps: gaps(model),
+            leaves: leaves(model),
             incomplete: matches!(of, Diagnosis::Loose { .. }),
             is_open: KinematicGraph::new(model).arms().len() == model.joints.len(),
         }
@@ -38,10 +40,12 @@ impl<'m> Ranking<'m> {
     pub(super) fn of(&self, repair: &Repair) -> (usize, usize) {
         match repair {
             Repair::Declare(declared) => match declared.purpose {
-                Purpose::Ground | Purpose::Join { .. } if self.is_in_gap(declared) => (0, 0),
                 Purpose::Twin => (0, 0),
-                Purpose::Meet if self.is_in_gap(declared) => (0, 1),
-                Purpose::Ground | Purpose::Slide | Purpose::Join { .. } => (0, 2),
+                Purpose::Meet if self.joins_leaves(declared) => (0, 0),
+                Purpose::Join { .. } | Purpose::Slide => (0, 1),
+                Purpose::Ground if self.is_in_gap(declared) => (0, 1),
+                Purpose::Meet if self.is_in_gap(declared) => (0, 2),
+                Purpose::Ground => (0, 2),
                 Purpose::Fix | Purpose::Meet | Purpose::Guess => (0, 3),
                 Purpose::Turn | Purpose::Guide | Purpose::Free => (3, 1),
                 Purpose::Split => (8, 0),
@@ -90,7 +94,7 @@ impl<'m> Ranking<'m> {
         let Repair::Declare(declared) = repair else {
             return false;
         };
-        let leaves = leaves(self.model);
+        let leaves = &self.leaves;
         let slides =
             |joint: JointId| matches!(self.model.joint(joint).kind, JointKind::Prismatic(..));
         match declared.purpose {
@@ -114,6 +118,15 @@ impl<'m> Ranking<'m> {
     pub(super) fn of_pair(&self, pair: &[Repair; 2]) -> usize {
         let suggested = |repair: &&Repair| self.of(repair).0 == 0;
         2 - pair.iter().filter(suggested).count()
+    }
+
+    /// Whether a new joint is between two links each of which hangs on another.
+    fn joins_leaves(&self, declared: &Declaration) -> bool {
+        let mut joints = declared.joints.iter();
+        joints.all(|joint| {
+            let mut ends = joint.ends.links(self.model).into_iter();
+            ends.all(|end| self.leaves.iter().any(|leaf| leaf.0 == end))
+        })
     }
 
     /// Whether a new joint is where the list of joints reads as a chain that comes apart.

@@ -134,7 +134,7 @@ fn completed(
         && tie.along().is_none();
     // One way back and forth is two likenesses.
     let enough = if is_moved { 2 } else { 3 };
-    let is_part = alike < 2 || alike + same < enough || 4 * alike < ties.len();
+    let is_part = alike < 2 || alike + same < enough || 3 * (alike + same) < ties.len();
     if is_part || 2 * different.len() > alike || is_joined {
         return None;
     }
