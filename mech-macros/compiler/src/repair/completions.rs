@@ -153,7 +153,12 @@ fn reaching_joints(
         .filter(|(link, ..)| *link != LinkId::GROUND);
     let joints = moving.flat_map(|(end, name, at)| {
         let others = bare.iter().map(|(link, _)| *link);
-        let others = others.filter(move |&link| link != end && !joined.are_held([link, end]));
+        let others = others.filter(move |&link| {
+            let here = sketch
+                .pin_at(at)
+                .is_some_and(|pin| pin.links.contains(&link));
+            link != end && !here && !joined.are_held([link, end])
+        });
         others.map(move |link| {
             let mut links = [link, end];
             links.sort();

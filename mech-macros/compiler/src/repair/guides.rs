@@ -27,6 +27,12 @@ const SLIDERS: [&str; 12] = [
     "table",
 ];
 
+/// Whether the name of a link says that it slides.
+pub(super) fn is_slider(model: &Model, link: LinkId) -> bool {
+    let name = &model.link(link).name;
+    SLIDERS.iter().any(|word| name.contains(word))
+}
+
 /// A drawing, as far as it tells where guides are.
 pub(super) struct Guides<'m> {
     model: &'m Model,
@@ -91,8 +97,7 @@ impl<'m> Guides<'m> {
                 if !moves || !is_leaf && others || self.joined.are_joined([LinkId::GROUND, link]) {
                     continue;
                 }
-                let name = &self.model.link(link).name;
-                let named = SLIDERS.iter().any(|word| name.contains(word));
+                let named = is_slider(self.model, link);
                 let known = f64::from(u8::from(is_leaf)) + 2.0 * f64::from(u8::from(named));
                 let mut add = |more: f64, along: [f64; 2]| {
                     guesses.push((
@@ -296,12 +301,8 @@ impl<'m> Guides<'m> {
         let gaps = gaps(self.model).into_iter();
         let pairs = gaps.filter(|&[a, b]| {
             let moves = a != LinkId::GROUND && b.index() == a.index() + 1;
-            let loose = self.loose.contains(&a) && self.loose.contains(&b);
-            moves
-                && loose
-                && !self.is_leaf(a)
-                && !self.is_leaf(b)
-                && !self.joined.are_joined([a, b])
+            let loose = self.loose.contains(&a) || self.loose.contains(&b);
+            moves && loose && !self.is_leaf(a) && !self.is_leaf(b) && !self.joined.are_held([a, b])
         });
         pairs
             .flat_map(|[a, b]| self.slot(1.0 + self.nearness(a, b), b, a))

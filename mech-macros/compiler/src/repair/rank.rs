@@ -1,5 +1,6 @@
 //! The order in which changes are offered.
 
+use super::guides::is_slider;
 use super::joined::gaps;
 use super::sketch::leaves;
 use super::{Declaration, NewKind, Purpose, Repair};
@@ -42,10 +43,11 @@ impl<'m> Ranking<'m> {
             Repair::Declare(declared) => match declared.purpose {
                 Purpose::Twin => (0, 0),
                 Purpose::Meet if self.joins_leaves(declared) => (0, 0),
-                Purpose::Join { .. } | Purpose::Slide => (0, 1),
+                Purpose::Slide if self.is_slider(declared) => (0, 1),
+                Purpose::Join { .. } => (0, 1),
                 Purpose::Ground if self.is_in_gap(declared) => (0, 1),
                 Purpose::Meet if self.is_in_gap(declared) => (0, 2),
-                Purpose::Ground => (0, 2),
+                Purpose::Ground | Purpose::Slide => (0, 2),
                 Purpose::Fix | Purpose::Meet | Purpose::Guess => (0, 3),
                 Purpose::Turn | Purpose::Guide | Purpose::Free => (3, 1),
                 Purpose::Split => (8, 0),
@@ -126,6 +128,15 @@ impl<'m> Ranking<'m> {
         joints.all(|joint| {
             let mut ends = joint.ends.links(self.model).into_iter();
             ends.all(|end| self.leaves.iter().any(|leaf| leaf.0 == end))
+        })
+    }
+
+    /// Whether the name of what would slide says so.
+    fn is_slider(&self, declared: &Declaration) -> bool {
+        let mut joints = declared.joints.iter();
+        joints.any(|joint| {
+            let mut ends = joint.ends.links(self.model).into_iter();
+            ends.any(|end| is_slider(self.model, end))
         })
     }
 

@@ -98,7 +98,11 @@ fn completed(
     let pairs: Vec<(&Tie, &Tie)> = ties
         .iter()
         .flat_map(|tie| {
-            let others = ties.iter().filter(move |other| is_there(tie, other));
+            let there: Vec<&Tie> = ties.iter().filter(|other| is_there(tie, other)).collect();
+            // What is on the axis of a mirror is its own image, unless it has another.
+            let is_alone = there.len() == 1;
+            let others = there.into_iter();
+            let others = others.filter(move |other| is_alone || !std::ptr::eq(*other, tie));
             others.map(move |other| (tie, other))
         })
         .collect();
@@ -192,7 +196,7 @@ fn images(pairs: &[(&Tie, &Tie)]) -> BTreeMap<LinkId, LinkId> {
         (
             usize::MAX - count,
             (*link == LinkId::GROUND) != (*image == LinkId::GROUND),
-            link == image,
+            link != image,
         )
     });
     let mut images: BTreeMap<LinkId, LinkId> = BTreeMap::new();
@@ -200,6 +204,9 @@ fn images(pairs: &[(&Tie, &Tie)]) -> BTreeMap<LinkId, LinkId> {
         if !images.contains_key(&link) && images.values().all(|known| *known != image) {
             images.insert(link, image);
         }
+    }
+    if images.values().all(|image| *image != LinkId::GROUND) {
+        images.entry(LinkId::GROUND).or_insert(LinkId::GROUND);
     }
     images
 }
