@@ -99,16 +99,15 @@ impl<'m> Guides<'m> {
                 }
                 let named = is_slider(self.model, link);
                 let known = f64::from(u8::from(is_leaf)) + 2.0 * f64::from(u8::from(named));
-                let mut add = |more: f64, along: [f64; 2]| {
+                let mut add = |purpose: Purpose, more: f64, along: [f64; 2]| {
+                    let kind = NewKind::Prismatic(along);
                     guesses.push((
-                        known + more,
-                        NewKind::Prismatic(along),
-                        [LinkId::GROUND, link],
-                        tie.at,
+                        purpose,
+                        (known + more, kind, [LinkId::GROUND, link], tie.at),
                     ));
                 };
                 if let NewKind::Slot(along) = tie.kind {
-                    add(1.0, across(along));
+                    add(Purpose::Slide, 1.0, across(along));
                     continue;
                 }
                 for along in [X, Y] {
@@ -116,22 +115,29 @@ impl<'m> Guides<'m> {
                         .pivots()
                         .any(|pivot| self.is_in_line(tie.at, pivot, along))
                     {
-                        add(1.0, along);
+                        add(Purpose::Slide, 1.0, along);
                     }
                 }
                 for along in self.ground_guides() {
-                    add(0.5, along);
+                    add(Purpose::Guess, 0.5, along);
                 }
                 if named {
                     let off = |pivot: [f64; 2]| (pivot[0] - tie.at[0]).abs();
                     let above = |pivot| off(pivot) <= NEAR * self.sketch.size;
                     let is_above = self.pivots().next().is_some_and(above);
-                    add(0.0, if is_above { Y } else { X });
+                    add(Purpose::Guess, 0.0, if is_above { Y } else { X });
                 }
             }
         }
-        guesses.retain(|guess| guess.0 >= 1.5);
-        self.declared(Purpose::Slide, guesses)
+        guesses.retain(|(_, guess)| guess.0 >= 1.5);
+        let of = |wanted: Purpose| {
+            let some = guesses
+                .iter()
+                .filter(move |(purpose, _)| *purpose == wanted);
+            some.map(|(_, guess)| *guess).collect()
+        };
+        let slides = self.declared(Purpose::Slide, of(Purpose::Slide));
+        [slides, self.declared(Purpose::Guess, of(Purpose::Guess))].concat()
     }
 
     fn declared(&self, purpose: Purpose, mut guesses: Vec<Guess>) -> Vec<Repair> {

@@ -1,5 +1,6 @@
 //! Which changes cure what is wrong.
 
+use super::attachment::attachments;
 use super::candidates::candidates;
 use super::rank::Ranking;
 use super::translation::translate;
@@ -64,6 +65,14 @@ pub fn offers(model: &Model, source: &Source, diagnoses: &[Diagnosis]) -> Vec<Of
         (0..diagnoses.len().min(SEARCHED)).map(|index| for_one(&mut trials, diagnoses, index));
     let mut offers: Vec<Offers> = searched.collect();
     offers.resize_with(diagnoses.len(), Offers::default);
+    if !diagnoses.is_empty()
+        && offers
+            .iter()
+            .all(|one| one.single.is_empty() && one.pairs.is_empty() && one.coupled.is_empty())
+    {
+        trials.refill();
+        offers[0].single = attachments(&mut trials, diagnoses);
+    }
     offers
 }
 

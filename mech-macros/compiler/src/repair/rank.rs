@@ -43,7 +43,7 @@ impl<'m> Ranking<'m> {
             Repair::Declare(declared) => match declared.purpose {
                 Purpose::Twin => (0, 0),
                 Purpose::Meet if self.joins_leaves(declared) => (0, 0),
-                Purpose::Slide if self.is_slider(declared) => (0, 1),
+                Purpose::Slide | Purpose::Guess if self.is_slider(declared) => (0, 1),
                 Purpose::Join { .. } => (0, 1),
                 Purpose::Ground if self.is_in_gap(declared) => (0, 1),
                 Purpose::Meet if self.is_in_gap(declared) => (0, 2),
