@@ -9,6 +9,7 @@ use super::joined::Joined;
 use super::sketch::{DrawnPin, FEW, LooseEnd, NEAR, Scene, Sketch, distance, leaves, unjoined};
 use super::twins::twins;
 use crate::model::{AxisId, AxisKind, LinkId, Model};
+use std::collections::BTreeSet;
 
 /// The joints that the drawing suggests, the likeliest first: ends that nearly meet, then ends that stand alone. Of each kind a few.
 pub(super) fn joints(model: &Model, sketch: &Sketch) -> Vec<Repair> {
@@ -127,14 +128,15 @@ fn between_axes(model: &Model, joined: &Joined) -> Vec<Repair> {
     all
 }
 
-/// The points of this name on which several links turn.
+/// The points of this name on which several links turn, or on the ground one.
 fn shafts(model: &Model, name: Option<&str>) -> Vec<AxisId> {
     let joints = model.joints.iter().filter_map(|joint| joint.kind.axes());
     let mut shafts: Vec<AxisId> = joints.flatten().collect();
     shafts.retain(|id| name.is_some() && model.axis(*id).name.as_deref() == name);
-    shafts.sort();
-    shafts.dedup();
-    shafts
+    let uses = |id: AxisId| shafts.iter().filter(|other| **other == id).count();
+    let is_shaft = |id: &AxisId| model.axis(*id).link == LinkId::GROUND || uses(*id) > 1;
+    let found: BTreeSet<AxisId> = shafts.iter().copied().filter(is_shaft).collect();
+    found.into_iter().collect()
 }
 
 /// The joints between ends of links, or what slides, and links that could reach there.
@@ -147,7 +149,12 @@ fn reaching_joints(
     let ends = sketch.ends.iter();
     let ends = ends.map(|end| (end.link, end.name.as_deref(), end.at));
     let blocks = sketch.blocks.iter();
-    let blocks = blocks.flat_map(|block| block.links.iter().map(|&link| (link, None, block.at)));
+    let leaves = leaves(model);
+    let is_idle = |link: &LinkId| leaves.iter().any(|leaf| leaf.0 == *link);
+    let blocks = blocks.flat_map(|block| {
+        let idle = block.links.iter().copied().filter(is_idle);
+        idle.map(|link| (link, None, block.at))
+    });
     let moving = ends
         .chain(blocks)
         .filter(|(link, ..)| *link != LinkId::GROUND);

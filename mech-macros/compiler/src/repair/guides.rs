@@ -93,6 +93,8 @@ impl<'m> Guides<'m> {
             for link in tie.links {
                 let moves = link != LinkId::GROUND && self.loose.contains(&link);
                 let is_leaf = self.is_leaf(link);
+                let mut held = self.leaves.iter().filter(|leaf| leaf.0 == link);
+                let is_driven = held.any(|leaf| self.model.motor_of(leaf.1).is_some());
                 let others = self.leaves.iter().any(|leaf| self.is_idle(leaf));
                 if !moves || !is_leaf && others || self.joined.are_joined([LinkId::GROUND, link]) {
                     continue;
@@ -106,8 +108,11 @@ impl<'m> Guides<'m> {
                         (known + more, kind, [LinkId::GROUND, link], tie.at),
                     ));
                 };
-                if let NewKind::Slot(along) = tie.kind {
-                    add(Purpose::Slide, 1.0, across(along));
+                if let Some(along) = tie.along() {
+                    // A cylinder is held by pins.
+                    if !is_driven {
+                        add(Purpose::Slide, 1.0, across(along));
+                    }
                     continue;
                 }
                 for along in [X, Y] {

@@ -13,6 +13,17 @@ fn last_first(index: usize) -> usize {
     usize::MAX - index
 }
 
+/// Whether two links would be joined where one of them ends.
+fn is_at_end(repair: &Repair) -> bool {
+    matches!(
+        repair,
+        Repair::Declare(Declaration {
+            purpose: Purpose::Join { .. },
+            ..
+        })
+    )
+}
+
 /// Ranks the changes that mend the same: the least comes first.
 pub(super) struct Ranking<'m> {
     model: &'m Model,
@@ -85,6 +96,10 @@ impl<'m> Ranking<'m> {
                     })
                 )
             }),
+            // Two ends may be tips.
+            Some(first) if is_at_end(first) && repairs.get(1).is_some_and(is_at_end) => repairs
+                .iter()
+                .position(|one| !is_at_end(one) && self.of(one) <= (0, 2)),
             _ => None,
         };
         if let Some(likely) = likely {
