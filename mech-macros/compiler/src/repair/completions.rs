@@ -4,7 +4,7 @@ use super::Repair;
 use super::declaration::{
     Declaration, Ends, NewJoint, NewKind, NewNames, Purpose, drawn_joint, join, on_ground,
 };
-use super::guess::{apexes, bare_leaves, below, floors};
+use super::guess::{apexes, bare_leaves, below, cylinders, floors};
 use super::joined::Joined;
 use super::sketch::{DrawnPin, FEW, LooseEnd, NEAR, Scene, Sketch, distance, leaves, unjoined};
 use super::twins::twins;
@@ -21,6 +21,7 @@ pub(super) fn joints(model: &Model, sketch: &Sketch) -> Vec<Repair> {
         between_axes(model, &joined),
         reaching_joints(model, sketch, &joined, &bare),
         alone(model, sketch, &joined),
+        cylinders(model, &joined),
         below(model, sketch, &joined, &bare),
         floors(model, sketch, &bare),
         apexes(model, &joined, &bare),

@@ -4,10 +4,11 @@ use super::Repair;
 use super::declaration::{
     Declaration, Ends, NewJoint, NewKind, NewNames, Purpose, drawn_joint, join, on_ground,
 };
-use super::joined::Joined;
+use super::joined::{Joined, both};
 use super::sketch::{FEW, NEAR, Sketch, distance, leaves};
+use super::tie::ties;
 use crate::digits::round_to;
-use crate::model::{LinkId, Model};
+use crate::model::{JointId, JointKind, LinkId, Model};
 
 /// The links that hang on one joint, and of which nothing else is drawn, each with the place of that joint.
 pub(super) fn bare_leaves(model: &Model, sketch: &Sketch) -> Vec<(LinkId, [f64; 2])> {
@@ -32,7 +33,19 @@ pub(super) fn below(
     let Some(pivot) = pivots.find(|pin| pin.links.contains(&LinkId::GROUND)) else {
         return Vec::new();
     };
+    let is_half = |link: LinkId| {
+        let mut joints = model
+            .joint_ids()
+            .filter(|&joint| model.motor_of(joint).is_some());
+        joints.any(|joint| {
+            let slides = matches!(model.joint(joint).kind, JointKind::Prismatic(..));
+            slides && both(model, joint).contains(&link)
+        })
+    };
     let moving = bare.iter().filter(|(link, place)| {
+        if is_half(*link) {
+            return false;
+        }
         !joined.are_joined([LinkId::GROUND, *link]) && !sketch.is_same(*place, pivot.at)
     });
     let lone = moving.map(|&(link, place)| {
@@ -83,6 +96,24 @@ pub(super) fn handy(coordinate: f64, width: f64) -> f64 {
     let fine = |places: &u8| 10.0_f64.powi(-i32::from(*places)) <= 0.1 * width;
     let places = usize::from((0..MOST).find(fine).unwrap_or(MOST));
     round_to(coordinate, places)
+}
+
+/// The pivots of driven cylinders of which one half hangs on the other: as far from the stroke as the other end is.
+pub(super) fn cylinders(model: &Model, joined: &Joined) -> Vec<Repair> {
+    let ties = ties(model);
+    let pivot = |(half, joint): (LinkId, JointId)| {
+        let ([a, b], at) = drawn_joint(model, joint)?;
+        let other = if a == half { b } else { a };
+        let slides = matches!(model.joint(joint).kind, JointKind::Prismatic(..));
+        if !slides || model.motor_of(joint).is_none() || joined.are_joined([LinkId::GROUND, half]) {
+            return None;
+        }
+        let mut ends = ties.iter().filter(|tie| tie.has(other) && !tie.has(half));
+        let end = ends.next()?.at;
+        let at = [0, 1].map(|part| handy(2.0 * at[part] - end[part], distance(at, end)));
+        Some(on_ground(model, half, None, at))
+    };
+    leaves(model).into_iter().filter_map(pivot).collect()
 }
 
 fn slide_on_ground(model: &Model, link: LinkId, at: [f64; 2], along: [f64; 2]) -> Repair {
