@@ -95,7 +95,7 @@ impl<'m> Guides<'m> {
                 let is_leaf = self.is_leaf(link);
                 let mut held = self.leaves.iter().filter(|leaf| leaf.0 == link);
                 let is_driven = held.any(|leaf| self.model.motor_of(leaf.1).is_some());
-                let others = self.leaves.iter().any(|leaf| self.is_idle(leaf));
+                let others = self.leaves.iter().any(|&leaf| self.is_idle(leaf));
                 if !moves || !is_leaf && others || self.joined.are_joined([LinkId::GROUND, link]) {
                     continue;
                 }
@@ -167,7 +167,7 @@ impl<'m> Guides<'m> {
     }
 
     /// Whether no motor drives what hangs on one joint.
-    fn is_idle(&self, leaf: &(LinkId, JointId)) -> bool {
+    fn is_idle(&self, leaf: (LinkId, JointId)) -> bool {
         self.loose.contains(&leaf.0) && self.model.motor_of(leaf.1).is_none()
     }
 

@@ -11,7 +11,7 @@ type Joint = (bool, [String; 2]);
 /// Long texts take too much time.
 const LONGEST: usize = 4000;
 /// The kinds of joints, and the floors: so many of a hundred are offered.
-const FLOORS: [(&str, usize); 3] = [("between points", 0), ("drawn", 0), ("guides", 0)];
+const FLOORS: [(&str, usize); 3] = [("between points", 97), ("drawn", 83), ("guides", 75)];
 
 /// The joint of a statement `joint NAME = KIND(END, END) ...;`, if it can be declared by a repair.
 fn joint(statement: &str) -> Option<Joint> {
@@ -55,13 +55,9 @@ fn a_joint_that_is_left_out_is_offered() {
             };
             let left = text.instead(statement.clone(), "").text;
             let (document, reading) = analyse(&left);
-            // What names the joint is told before anything else.
-            if reading.result.as_ref().is_ok_and(|_| true)
-                || reading
-                    .result
-                    .as_ref()
-                    .is_err_and(|faults| faults.diagnoses.is_empty())
-            {
+            // What names the joint is told before anything else; some move without it.
+            let is_told = reading.result.as_ref().err();
+            if is_told.is_none_or(|faults| faults.diagnoses.is_empty()) {
                 continue;
             }
             let found = mendings(&document, &document.declarations()[0], &reading);
