@@ -14,6 +14,7 @@ const ENOUGH: usize = 2;
 pub(super) fn attachments(trials: &mut Trials<'_>, diagnoses: &[Diagnosis]) -> Vec<Repair> {
     let model = trials.model;
     let mut joints: Vec<JointId> = model.declared_joints().collect();
+    joints.retain(|joint| model.joint(*joint).kind.axes().is_some());
     joints.sort_by_key(|joint| {
         let is_told = diagnoses.iter().any(|one| is_told(one, *joint));
         (!is_told, std::cmp::Reverse(*joint))

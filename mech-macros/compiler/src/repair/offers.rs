@@ -65,11 +65,10 @@ pub fn offers(model: &Model, source: &Source, diagnoses: &[Diagnosis]) -> Vec<Of
         (0..diagnoses.len().min(SEARCHED)).map(|index| for_one(&mut trials, diagnoses, index));
     let mut offers: Vec<Offers> = searched.collect();
     offers.resize_with(diagnoses.len(), Offers::default);
-    if !diagnoses.is_empty()
-        && offers
-            .iter()
-            .all(|one| one.single.is_empty() && one.pairs.is_empty() && one.coupled.is_empty())
-    {
+    let is_enough =
+        |one: &Offers| !(one.single.is_empty() && one.pairs.is_empty() && one.coupled.is_empty());
+    let joins = |one: &Diagnosis| is_held(one) || is_free(one) || is_apart(one);
+    if diagnoses.iter().any(joins) && !offers.iter().any(is_enough) {
         trials.refill();
         offers[0].single = attachments(&mut trials, diagnoses);
     }
