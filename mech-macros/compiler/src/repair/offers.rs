@@ -67,7 +67,17 @@ pub fn offers(model: &Model, source: &Source, diagnoses: &[Diagnosis]) -> Vec<Of
     offers.resize_with(diagnoses.len(), Offers::default);
     let is_enough =
         |one: &Offers| !(one.single.is_empty() && one.pairs.is_empty() && one.coupled.is_empty());
-    let joins = |one: &Diagnosis| is_held(one) || is_free(one) || is_apart(one);
+    let joins = |one: &Diagnosis| {
+        let on_wheels = matches!(
+            one,
+            Diagnosis::NoCarrier { .. } | Diagnosis::NotCarrier { .. } | Diagnosis::NoMesh { .. }
+        );
+        let waits = matches!(
+            one,
+            Diagnosis::NotSequential { .. } | Diagnosis::DeadStart { .. }
+        );
+        is_held(one) || is_free(one) || is_apart(one) || on_wheels || waits
+    };
     if diagnoses.iter().any(joins) && !offers.iter().any(is_enough) {
         trials.refill();
         offers[0].single = attachments(&mut trials, diagnoses);
