@@ -91,13 +91,6 @@ pub fn mendings(
             add(words, Remainder::Nothing, edits)?;
         }
     }
-    if found
-        .iter()
-        .all(|mending| mending.remainder != Remainder::Nothing)
-    {
-        let attached = slip::attachments(document, declaration, messages, model)?;
-        found.splice(0..0, attached);
-    }
     Ok(found)
 }
 

@@ -219,45 +219,6 @@ impl<'t> Near<'t> {
             .collect()
     }
 
-    /// Other links, or other points of these, at the ends of joints: of those first that messages are about.
-    pub(super) fn attachments<'a>(
-        &'a self,
-        places: impl Iterator<Item = &'a Range<usize>>,
-        links: &'a [&str],
-    ) -> impl Iterator<Item = Slip> {
-        let told = places.map(|place| {
-            let token = self
-                .tokens
-                .partition_point(|token| token.end <= place.start);
-            self.statement(token.min(self.tokens.len().saturating_sub(1)))
-                .start
-        });
-        let joints = (0..self.tokens.len()).rev();
-        let joints = joints.filter(|token| self.word(*token) == "joint");
-        let mut told: Vec<usize> = told.collect();
-        // What was declared last is the likelier slip.
-        told.sort_unstable_by_key(|start| std::cmp::Reverse(*start));
-        let mut seen = BTreeSet::new();
-        let joints = told.into_iter().chain(joints);
-        let joints = joints.filter(move |start| seen.insert(*start));
-        let ends = joints.flat_map(move |start| {
-            let statement = self.statement(start);
-            let opening = statement.clone().find(|token| self.word(*token) == "(");
-            let opening = opening.unwrap_or(statement.end);
-            let closing = (opening..statement.end).find(|token| self.word(*token) == ")");
-            opening..closing.unwrap_or(opening)
-        });
-        let ends = ends.filter(move |token| links.contains(&self.word(*token)));
-        ends.flat_map(move |end| {
-            let others = links.iter().filter(move |link| **link != self.word(end));
-            others.map(move |link| {
-                let mut slip = self.replaced(end..end + 1, link);
-                slip.words += &format!(" in `joint {}`", self.word(self.statement(end).start + 1));
-                slip
-            })
-        })
-    }
-
     /// The tokens of the statement in which a token stands.
     fn statement(&self, token: usize) -> Range<usize> {
         let ends = |token: &usize| matches!(self.word(*token), ";" | "{" | "}");

@@ -17,8 +17,6 @@ const BYTES: usize = 1 << 20;
 const EACH: usize = 200;
 /// Changes of so many letters are not written out in words.
 const LONG: usize = 40;
-/// So many other ends of joints are tried, each of which takes an analysis.
-const ATTACHMENTS: usize = 60;
 /// So many that make it move are enough.
 const ENOUGH: usize = 3;
 /// Of those that leave something else wrong, so many.
@@ -49,32 +47,6 @@ pub(super) fn mendings_of_slips(
         trials.attempt(slip)?;
     }
     Ok(trials.mendings())
-}
-
-/// The joints that hold another link than is written: after each of these changes the mechanism moves.
-pub(super) fn attachments(
-    document: &Document,
-    declaration: &Declaration,
-    messages: &[Message],
-    model: &Model,
-) -> Result<Vec<Mending>, Failure> {
-    let links = model
-        .declared_links()
-        .map(|link| model.link(link).name.as_str());
-    let links: Vec<&str> = ["ground"].into_iter().chain(links).collect();
-    let Some(near) = Near::new(document, declaration) else {
-        return Ok(Vec::new());
-    };
-    let mut trials = Trials::new(document, declaration)?;
-    let most = ATTACHMENTS.min(BYTES / cost(document, model) / 4);
-    let places = messages.iter().map(|message| &message.place);
-    for slip in near.attachments(places, &links).take(most) {
-        if trials.whole.len() == PARTIAL {
-            break;
-        }
-        trials.attempt(slip)?;
-    }
-    Ok(trials.whole)
 }
 
 /// How much there is to read in a text, in bytes.

@@ -1,8 +1,10 @@
 //! The changes that might cure a diagnosis.
 
+use super::guides::Guides;
 use super::sketch::{Sketch, leaves};
+use super::twins::twins;
 use super::union::unions;
-use super::{NewKind, Repair, completions, drivable, guess, replacement, sizes};
+use super::{NewKind, Repair, completions, drivable, replacement, sizes, wheels};
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
 use crate::structure::{self, Diagnosis, MeshTrouble};
 
@@ -94,8 +96,8 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
         Diagnosis::NoMesh { .. } => on_wheels(model, of),
         Diagnosis::DeadStart { .. } => {
             let motors = model.motor_ids();
-            let mut repairs: Vec<Repair> =
-                motors.flat_map(|motor| elsewhere(model, motor)).collect();
+            let mut repairs = twins(model, &Sketch::of(model));
+            repairs.extend(motors.flat_map(|motor| elsewhere(model, motor)));
             for motor in model.motor_ids() {
                 let joints = ground_first(model, model.joint_ids());
                 repairs.extend(joints.map(|to| moved(motor, to)));
@@ -115,7 +117,17 @@ fn free_to_move(
     candidates: &[JointId],
 ) -> Vec<Repair> {
     let sketch = Sketch::of(model);
-    let mut repairs = completions::joints(model, &sketch);
+    let guides = Guides::new(model, &sketch, free);
+    let is_one = matches!(
+        of,
+        Diagnosis::NoMotor { freedom: 1, .. } | Diagnosis::Undetermined { freedom: 1, .. }
+    );
+    let mut repairs = if is_one {
+        guides.slots()
+    } else {
+        guides.slides()
+    };
+    repairs.extend(completions::joints(model, &sketch));
     repairs.extend(unions(model, &sketch, free));
     repairs.extend(motors(model, all, of, candidates));
     let on_ground = |joint: JointId| {
@@ -173,7 +185,7 @@ fn same_joints(some: &[JointId], others: &[JointId]) -> bool {
 fn carriers(model: &Model, rolling: JointId, on: Option<LinkId>) -> Vec<Repair> {
     let sketch = Sketch::of(model);
     let joints = completions::joints(model, &sketch);
-    [joints, guess::axles(model, rolling, on)].concat()
+    [joints, wheels::axles(model, rolling, on)].concat()
 }
 
 /// Other carriers, or other sizes, of wheels.

@@ -4,21 +4,24 @@ use super::Repair;
 use super::declaration::{
     Declaration, Ends, NewJoint, NewKind, NewNames, Purpose, drawn_joint, join, on_ground,
 };
-use super::guess::{apexes, bare_leaves, below, floors, yoke_guides};
+use super::guess::{apexes, bare_leaves, below, cylinders, floors};
 use super::joined::Joined;
 use super::sketch::{DrawnPin, FEW, LooseEnd, NEAR, Scene, Sketch, distance, leaves, unjoined};
+use super::twins::twins;
 use crate::model::{AxisId, AxisKind, LinkId, Model};
+use std::collections::BTreeSet;
 
 /// The joints that the drawing suggests, the likeliest first: ends that nearly meet, then ends that stand alone. Of each kind a few.
 pub(super) fn joints(model: &Model, sketch: &Sketch) -> Vec<Repair> {
     let bare = bare_leaves(model, sketch);
     let joined = Joined::of(model);
     let kinds = [
+        twins(model, sketch),
         meeting_joints(model, sketch, &joined),
         between_axes(model, &joined),
         reaching_joints(model, sketch, &joined, &bare),
         alone(model, sketch, &joined),
-        yoke_guides(model),
+        cylinders(model, &joined),
         below(model, sketch, &joined, &bare),
         floors(model, sketch, &bare),
         apexes(model, &joined, &bare),
@@ -81,6 +84,8 @@ fn between_axes(model: &Model, joined: &Joined) -> Vec<Repair> {
     for (number, &b) in points.iter().enumerate() {
         let before = points[..number].iter();
         pairs.extend(before.map(|&a| (NewKind::Revolute, [a, b])));
+        let shafts = shafts(model, model.axis(b).name.as_deref());
+        pairs.extend(shafts.into_iter().map(|a| (NewKind::Revolute, [a, b])));
     }
     for (number, &b) in lines.iter().enumerate() {
         let before = lines[..number].iter();
@@ -91,7 +96,12 @@ fn between_axes(model: &Model, joined: &Joined) -> Vec<Repair> {
         let links = [link(*a), link(*b)];
         links[0] != links[1] && (own(*a) || own(*b)) && !joined.are_joined(links)
     });
-    let differ = |[a, b]: &[AxisId; 2]| model.axis(*a).name != model.axis(*b).name;
+    // What the ground has is there to be joined.
+    let differ = |ends: &[AxisId; 2]| {
+        let [a, b] = ends.map(|id| &model.axis(id).name);
+        let moves = ends.iter().all(|end| link(*end) != LinkId::GROUND);
+        (a != b, moves)
+    };
     // Of each kind the likeliest.
     let mut all = Vec::new();
     for word in ["pin", "guide", "slot"] {
@@ -119,6 +129,17 @@ fn between_axes(model: &Model, joined: &Joined) -> Vec<Repair> {
     all
 }
 
+/// The points of this name on which several links turn, or on the ground one.
+fn shafts(model: &Model, name: Option<&str>) -> Vec<AxisId> {
+    let joints = model.joints.iter().filter_map(|joint| joint.kind.axes());
+    let mut shafts: Vec<AxisId> = joints.flatten().collect();
+    shafts.retain(|id| name.is_some() && model.axis(*id).name.as_deref() == name);
+    let uses = |id: AxisId| shafts.iter().filter(|other| **other == id).count();
+    let is_shaft = |id: &AxisId| model.axis(*id).link == LinkId::GROUND || uses(*id) > 1;
+    let found: BTreeSet<AxisId> = shafts.iter().copied().filter(is_shaft).collect();
+    found.into_iter().collect()
+}
+
 /// The joints between ends of links, or what slides, and links that could reach there.
 fn reaching_joints(
     model: &Model,
@@ -129,13 +150,23 @@ fn reaching_joints(
     let ends = sketch.ends.iter();
     let ends = ends.map(|end| (end.link, end.name.as_deref(), end.at));
     let blocks = sketch.blocks.iter();
-    let blocks = blocks.flat_map(|block| block.links.iter().map(|&link| (link, None, block.at)));
+    let leaves = leaves(model);
+    let is_idle = |link: &LinkId| leaves.iter().any(|leaf| leaf.0 == *link);
+    let blocks = blocks.flat_map(|block| {
+        let idle = block.links.iter().copied().filter(is_idle);
+        idle.map(|link| (link, None, block.at))
+    });
     let moving = ends
         .chain(blocks)
         .filter(|(link, ..)| *link != LinkId::GROUND);
     let joints = moving.flat_map(|(end, name, at)| {
         let others = bare.iter().map(|(link, _)| *link);
-        let others = others.filter(move |&link| link != end && !joined.are_held([link, end]));
+        let others = others.filter(move |&link| {
+            let here = sketch
+                .pin_at(at)
+                .is_some_and(|pin| pin.links.contains(&link));
+            link != end && !here && !joined.are_held([link, end])
+        });
         others.map(move |link| {
             let mut links = [link, end];
             links.sort();

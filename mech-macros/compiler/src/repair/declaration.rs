@@ -32,6 +32,8 @@ pub enum Purpose {
     },
     /// To join two links somewhere: nothing says where.
     Meet,
+    /// To join two links as others are that are drawn like them.
+    Twin,
     /// To connect two links by a third.
     Connect,
     /// To make one bent link of two.
@@ -42,6 +44,8 @@ pub enum Purpose {
     Guide,
     /// To let a link slide on the ground.
     Slide,
+    /// To let a link, or its pin, slide somewhere on another: nothing says where.
+    Guess,
     /// To join links to each other that are pinned to the ground at one place.
     Free,
     /// To make a link a part of the ground.
@@ -121,16 +125,18 @@ impl Declaration {
         }
     }
 
-    /// The two links that it joins, if it declares a single joint that turns and nothing else.
-    pub(super) fn only_pin(&self) -> Option<[LinkId; 2]> {
+    /// What it joins by what motion, wherever, if it declares a single joint and nothing else.
+    pub(super) fn only_joint(&self) -> Option<(std::mem::Discriminant<NewKind>, [LinkId; 2])> {
         match &self.joints[..] {
             [
                 NewJoint {
-                    kind: NewKind::Revolute,
+                    kind,
                     ends: Ends::Drawn { links: [a, b], .. },
                     ..
                 },
-            ] if self.link.is_none() && self.replaced.is_empty() => Some([*a.min(b), *a.max(b)]),
+            ] if self.link.is_none() && self.replaced.is_empty() => {
+                Some((std::mem::discriminant(kind), [*a.min(b), *a.max(b)]))
+            }
             _ => None,
         }
     }

@@ -4,11 +4,11 @@ use super::Repair;
 use super::declaration::{
     Declaration, Ends, NewJoint, NewKind, NewNames, Purpose, drawn_joint, join, on_ground,
 };
-use super::joined::Joined;
+use super::joined::{Joined, both};
 use super::sketch::{FEW, NEAR, Sketch, distance, leaves};
+use super::tie::ties;
 use crate::digits::round_to;
-use crate::model::{JointId, JointKind, LinkId, Model, Ratio};
-use crate::structure;
+use crate::model::{JointId, JointKind, LinkId, Model};
 
 /// The links that hang on one joint, and of which nothing else is drawn, each with the place of that joint.
 pub(super) fn bare_leaves(model: &Model, sketch: &Sketch) -> Vec<(LinkId, [f64; 2])> {
@@ -33,7 +33,19 @@ pub(super) fn below(
     let Some(pivot) = pivots.find(|pin| pin.links.contains(&LinkId::GROUND)) else {
         return Vec::new();
     };
+    let is_half = |link: LinkId| {
+        let mut joints = model
+            .joint_ids()
+            .filter(|&joint| model.motor_of(joint).is_some());
+        joints.any(|joint| {
+            let slides = matches!(model.joint(joint).kind, JointKind::Prismatic(..));
+            slides && both(model, joint).contains(&link)
+        })
+    };
     let moving = bare.iter().filter(|(link, place)| {
+        if is_half(*link) {
+            return false;
+        }
         !joined.are_joined([LinkId::GROUND, *link]) && !sketch.is_same(*place, pivot.at)
     });
     let lone = moving.map(|&(link, place)| {
@@ -86,29 +98,22 @@ pub(super) fn handy(coordinate: f64, width: f64) -> f64 {
     round_to(coordinate, places)
 }
 
-/// The guides of yokes: what has a slot and nothing else slides across it on the ground.
-pub(super) fn yoke_guides(model: &Model) -> Vec<Repair> {
-    let guide = |(link, joint): (LinkId, JointId)| {
-        let JointKind::Prismatic(line, die) = model.joint(joint).kind else {
+/// The pivots of driven cylinders of which one half hangs on the other: as far from the stroke as the other end is.
+pub(super) fn cylinders(model: &Model, joined: &Joined) -> Vec<Repair> {
+    let ties = ties(model);
+    let pivot = |(half, joint): (LinkId, JointId)| {
+        let ([a, b], at) = drawn_joint(model, joint)?;
+        let other = if a == half { b } else { a };
+        let slides = matches!(model.joint(joint).kind, JointKind::Prismatic(..));
+        if !slides || model.motor_of(joint).is_none() || joined.are_joined([LinkId::GROUND, half]) {
             return None;
-        };
-        model.link(model.axis(die).link).die?;
-        let line = model.axis(line);
-        let is_drawn = line.name.is_none() && !line.varies() && line.link == link;
-        let [x, y] = line.direction;
-        // To the right, or upwards.
-        let across = if y > 0.0 || y == 0.0 && x < 0.0 {
-            [y, -x]
-        } else {
-            [-y, x]
-        };
-        is_drawn.then(|| slide_on_ground(model, link, line.at, across))
+        }
+        let mut ends = ties.iter().filter(|tie| tie.has(other) && !tie.has(half));
+        let end = ends.next()?.at;
+        let at = [0, 1].map(|part| handy(2.0 * at[part] - end[part], distance(at, end)));
+        Some(on_ground(model, half, None, at))
     };
-    leaves(model)
-        .into_iter()
-        .filter_map(guide)
-        .take(FEW)
-        .collect()
+    leaves(model).into_iter().filter_map(pivot).collect()
 }
 
 fn slide_on_ground(model: &Model, link: LinkId, at: [f64; 2], along: [f64; 2]) -> Repair {
@@ -138,42 +143,4 @@ pub(super) fn floors(model: &Model, sketch: &Sketch, bare: &[(LinkId, [f64; 2])]
     let floor = handy(heights.fold(f64::INFINITY, f64::min) - 0.5 * size, size);
     let stands = |&(link, [x, _]): &(LinkId, [f64; 2])| on_ground(model, link, None, [x, floor]);
     bare.iter().map(stands).take(FEW).collect()
-}
-
-/// The pins on which a wheel could turn beside the other wheel: on a link that already carries that, the ground last; or on
-/// the one that is named.
-pub(super) fn axles(model: &Model, rolling: JointId, on: Option<LinkId>) -> Vec<Repair> {
-    let (a, b) = model.ends(rolling);
-    let JointKind::Gear { ratio, .. } = model.joint(rolling).kind else {
-        return Vec::new();
-    };
-    let pins = structure::pins(model);
-    let mut found = Vec::new();
-    for [wheel, other] in [[b, a], [a, b]] {
-        let Some(pin) = pins.iter().find(|pin| pin.axis_of(other).is_some()) else {
-            continue;
-        };
-        let turns = pins.iter().any(|pin| pin.axis_of(wheel).is_some());
-        if turns || wheel == LinkId::GROUND || pin.joints.is_empty() {
-            continue;
-        }
-        let drawn = pin
-            .joints
-            .iter()
-            .find_map(|&joint| drawn_joint(model, joint));
-        let Some((_, [x, y])) = drawn else { continue };
-        let apart = match ratio {
-            Ratio::Radii(first, second) => (first + second).abs(),
-            Ratio::Teeth(..) => 1.0,
-        };
-        let mut carriers: Vec<LinkId> = pin.members.iter().map(|member| member.0).collect();
-        carriers.retain(|&link| link != wheel && link != other && on.is_none_or(|on| link == on));
-        carriers.sort_by_key(|&link| (link == LinkId::GROUND, link));
-        let axle = |carrier: LinkId| {
-            let name = NewNames::new(model).like(None, "pin");
-            join(Purpose::Meet, name, [carrier, wheel], [x + apart, y])
-        };
-        found.extend(carriers.into_iter().map(axle));
-    }
-    found
 }

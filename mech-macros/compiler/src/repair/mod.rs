@@ -1,9 +1,11 @@
 //! Repairs of a mechanism: each is written as a change of the text, and the changed text compiled, before it is offered.
 
+mod attachment;
 mod candidates;
 mod completions;
 mod declaration;
 mod guess;
+mod guides;
 mod joined;
 mod motor;
 mod offers;
@@ -11,9 +13,12 @@ mod rank;
 mod replacement;
 mod sizes;
 mod sketch;
+mod tie;
 mod translation;
 mod trial;
+mod twins;
 mod union;
+mod wheels;
 mod writing;
 
 pub use declaration::{Declaration, Ends, NewJoint, NewKind, Purpose};
@@ -68,6 +73,15 @@ pub enum Repair {
         joint: JointId,
         /// Its carrier; none to leave it to be found.
         on: Option<LinkId>,
+    },
+    /// Let this joint hold another link than is written.
+    Attach {
+        /// The joint.
+        joint: JointId,
+        /// The link that is written.
+        from: LinkId,
+        /// The link that it should hold.
+        to: LinkId,
     },
     /// Give these wheels other sizes.
     Resize {

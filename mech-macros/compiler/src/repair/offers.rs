@@ -1,5 +1,6 @@
 //! Which changes cure what is wrong.
 
+use super::attachment::attachments;
 use super::candidates::candidates;
 use super::rank::Ranking;
 use super::translation::translate;
@@ -64,6 +65,23 @@ pub fn offers(model: &Model, source: &Source, diagnoses: &[Diagnosis]) -> Vec<Of
         (0..diagnoses.len().min(SEARCHED)).map(|index| for_one(&mut trials, diagnoses, index));
     let mut offers: Vec<Offers> = searched.collect();
     offers.resize_with(diagnoses.len(), Offers::default);
+    let is_enough =
+        |one: &Offers| !(one.single.is_empty() && one.pairs.is_empty() && one.coupled.is_empty());
+    let joins = |one: &Diagnosis| {
+        let on_wheels = matches!(
+            one,
+            Diagnosis::NoCarrier { .. } | Diagnosis::NotCarrier { .. } | Diagnosis::NoMesh { .. }
+        );
+        let waits = matches!(
+            one,
+            Diagnosis::NotSequential { .. } | Diagnosis::DeadStart { .. }
+        );
+        is_held(one) || is_free(one) || is_apart(one) || on_wheels || waits
+    };
+    if diagnoses.iter().any(joins) && !offers.iter().any(is_enough) {
+        trials.refill();
+        offers[0].single = attachments(&mut trials, diagnoses);
+    }
     offers
 }
 
@@ -181,13 +199,19 @@ fn is_motor(repair: &Repair) -> bool {
 
 /// Whether there are new joints enough that serve the same purpose.
 fn has_enough(found: &[Repair], repair: &Repair) -> bool {
-    const ENOUGH: usize = 2;
+    let enough = match repair {
+        Repair::Declare(Declaration {
+            purpose: Purpose::Guess,
+            ..
+        }) => 1,
+        _ => 2,
+    };
     let purpose = |repair: &Repair| match repair {
         Repair::Declare(Declaration { purpose, .. }) => Some(std::mem::discriminant(purpose)),
         _ => None,
     };
     let same = |known: &&Repair| purpose(known) == purpose(repair);
-    purpose(repair).is_some() && found.iter().filter(same).count() >= ENOUGH
+    purpose(repair).is_some() && found.iter().filter(same).count() >= enough
 }
 
 /// Whether two changes differ only in the direction of a slot, or in a place that nothing tells.
@@ -195,7 +219,8 @@ fn same_place(a: &Repair, b: &Repair) -> bool {
     match (a, b) {
         (Repair::Replace { joint: a, .. }, Repair::Replace { joint: b, .. }) => a == b,
         (Repair::Declare(a), Repair::Declare(b)) => {
-            b.purpose == Purpose::Meet && a.only_pin().is_some() && a.only_pin() == b.only_pin()
+            let pairs = [a, b].map(Declaration::only_joint);
+            pairs[0].is_some() && pairs[0] == pairs[1]
         }
         _ => false,
     }

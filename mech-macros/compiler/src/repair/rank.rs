@@ -1,5 +1,6 @@
 //! The order in which changes are offered.
 
+use super::guides::is_slider;
 use super::joined::gaps;
 use super::sketch::leaves;
 use super::{Declaration, NewKind, Purpose, Repair};
@@ -12,11 +13,23 @@ fn last_first(index: usize) -> usize {
     usize::MAX - index
 }
 
+/// Whether two links would be joined where one of them ends.
+fn is_at_end(repair: &Repair) -> bool {
+    matches!(
+        repair,
+        Repair::Declare(Declaration {
+            purpose: Purpose::Join { .. },
+            ..
+        })
+    )
+}
+
 /// Ranks the changes that mend the same: the least comes first.
 pub(super) struct Ranking<'m> {
     model: &'m Model,
     pins: Vec<Pin>,
     gaps: BTreeSet<[LinkId; 2]>,
+    leaves: Vec<(LinkId, JointId)>,
     /// Whether links may be there that nobody has joined yet.
     incomplete: bool,
     /// Whether no joint belongs to a loop.
@@ -29,6 +42,7 @@ impl<'m> Ranking<'m> {
             model,
             pins: structure::pins(model),
             gaps: gaps(model),
+            leaves: leaves(model),
             incomplete: matches!(of, Diagnosis::Loose { .. }),
             is_open: KinematicGraph::new(model).arms().len() == model.joints.len(),
         }
@@ -38,10 +52,14 @@ impl<'m> Ranking<'m> {
     pub(super) fn of(&self, repair: &Repair) -> (usize, usize) {
         match repair {
             Repair::Declare(declared) => match declared.purpose {
-                Purpose::Ground | Purpose::Join { .. } if self.is_in_gap(declared) => (0, 0),
-                Purpose::Meet if self.is_in_gap(declared) => (0, 1),
-                Purpose::Ground | Purpose::Slide | Purpose::Join { .. } => (0, 2),
-                Purpose::Fix | Purpose::Meet => (0, 3),
+                Purpose::Twin => (0, 0),
+                Purpose::Meet if self.joins_leaves(declared) => (0, 0),
+                Purpose::Slide | Purpose::Guess if self.is_slider(declared) => (0, 1),
+                Purpose::Join { .. } => (0, 1),
+                Purpose::Ground if self.is_in_gap(declared) => (0, 1),
+                Purpose::Meet if self.is_in_gap(declared) => (0, 2),
+                Purpose::Ground | Purpose::Slide => (0, 2),
+                Purpose::Fix | Purpose::Meet | Purpose::Guess => (0, 3),
                 Purpose::Turn | Purpose::Guide | Purpose::Free => (3, 1),
                 Purpose::Split => (8, 0),
                 Purpose::Connect => (9, 0),
@@ -78,6 +96,10 @@ impl<'m> Ranking<'m> {
                     })
                 )
             }),
+            // Two ends may be tips.
+            Some(first) if is_at_end(first) && repairs.get(1).is_some_and(is_at_end) => repairs
+                .iter()
+                .position(|one| !is_at_end(one) && self.of(one) <= (0, 2)),
             _ => None,
         };
         if let Some(likely) = likely {
@@ -89,7 +111,7 @@ impl<'m> Ranking<'m> {
         let Repair::Declare(declared) = repair else {
             return false;
         };
-        let leaves = leaves(self.model);
+        let leaves = &self.leaves;
         let slides =
             |joint: JointId| matches!(self.model.joint(joint).kind, JointKind::Prismatic(..));
         match declared.purpose {
@@ -113,6 +135,24 @@ impl<'m> Ranking<'m> {
     pub(super) fn of_pair(&self, pair: &[Repair; 2]) -> usize {
         let suggested = |repair: &&Repair| self.of(repair).0 == 0;
         2 - pair.iter().filter(suggested).count()
+    }
+
+    /// Whether a new joint is between two links each of which hangs on another.
+    fn joins_leaves(&self, declared: &Declaration) -> bool {
+        let mut joints = declared.joints.iter();
+        joints.all(|joint| {
+            let mut ends = joint.ends.links(self.model).into_iter();
+            ends.all(|end| self.leaves.iter().any(|leaf| leaf.0 == end))
+        })
+    }
+
+    /// Whether the name of what would slide says so.
+    fn is_slider(&self, declared: &Declaration) -> bool {
+        let mut joints = declared.joints.iter();
+        joints.any(|joint| {
+            let mut ends = joint.ends.links(self.model).into_iter();
+            ends.any(|end| is_slider(self.model, end))
+        })
     }
 
     /// Whether a new joint is where the list of joints reads as a chain that comes apart.

@@ -151,7 +151,7 @@ pub(super) fn unjoined(model: &Model, kind: AxisKind) -> Vec<AxisId> {
     let traced: HashSet<AxisId> = model.traces.iter().map(|trace| trace.point).collect();
     let is_free = |id: &AxisId| {
         let axis = model.axis(*id);
-        let named = axis.name.is_some() && !axis.varies();
+        let named = axis.name.is_some();
         let own = axis.kind == kind && model.link(axis.link).die.is_none();
         named && own && !traced.contains(id) && !joined.contains(id)
     };

@@ -123,6 +123,11 @@ impl<'m> Trials<'m> {
         self.source.model_with(&edits)
     }
 
+    /// Leaves some work for a last attempt.
+    pub(super) fn refill(&mut self) {
+        self.left = self.left.max(WORK / 4);
+    }
+
     fn has_work(&mut self) -> bool {
         cancel::check();
         self.exhausted |= self.left == 0;

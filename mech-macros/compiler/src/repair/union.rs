@@ -1,10 +1,11 @@
 //! Pairs of links that a forgotten pin may have joined, where nothing says so but what is free.
 
 use super::Repair;
-use super::declaration::{NewNames, Purpose, drawn_joint, join};
+use super::declaration::{NewKind, NewNames, Purpose, join};
 use super::guess::{apex, handy};
 use super::joined::{Joined, both, gaps};
 use super::sketch::{Sketch, distance};
+use super::tie::{Tie, ties};
 use crate::model::{JointId, LinkId, Model};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -19,7 +20,13 @@ pub(super) fn unions(model: &Model, sketch: &Sketch, free: &[JointId]) -> Vec<Re
     if model.links.len() > LINKS {
         return Vec::new();
     }
-    let places = places(model);
+    let ties = ties(model);
+    let places = places(&ties);
+    // The halves of a cylinder have what they need.
+    let is_half = |link: LinkId| {
+        let slides = |tie: &Tie| matches!(tie.kind, NewKind::Prismatic(_)) && tie.has(link);
+        link != LinkId::GROUND && places[&link].len() > 1 && ties.iter().any(slides)
+    };
     let joined = Joined::of(model);
     let gaps = gaps(model);
     let loose: BTreeSet<LinkId> = free.iter().flat_map(|&joint| both(model, joint)).collect();
@@ -36,11 +43,12 @@ pub(super) fn unions(model: &Model, sketch: &Sketch, free: &[JointId]) -> Vec<Re
             let both_free = is_free(a) && is_free(b);
             let near = nearest(&places[&a], &places[&b]);
             let is_whole = !gaps.contains(&[a, b]);
-            found.push(((firm, is_whole, !both_free), near, [a, b]));
+            let halves = is_half(a) || is_half(b);
+            found.push(((firm, halves, is_whole, !both_free), near, [a, b]));
         }
     }
     found.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
-    let pin = |(.., links): ((usize, bool, bool), f64, [LinkId; 2])| {
+    let pin = |(.., links): ((usize, bool, bool, bool), f64, [LinkId; 2])| {
         let at = between(links.map(|link| &places[&link][..]), sketch)?;
         let name = NewNames::new(model).like(None, "pin");
         Some(join(Purpose::Meet, name, links, at))
@@ -49,12 +57,11 @@ pub(super) fn unions(model: &Model, sketch: &Sketch, free: &[JointId]) -> Vec<Re
 }
 
 /// Where the joints of each link are drawn.
-fn places(model: &Model) -> BTreeMap<LinkId, Vec<[f64; 2]>> {
+fn places(ties: &[Tie]) -> BTreeMap<LinkId, Vec<[f64; 2]>> {
     let mut places: BTreeMap<LinkId, Vec<[f64; 2]>> = BTreeMap::new();
-    let joints = model.joint_ids();
-    for (links, at) in joints.filter_map(|joint| drawn_joint(model, joint)) {
-        for link in links {
-            places.entry(link).or_default().push(at);
+    for tie in ties {
+        for link in tie.links {
+            places.entry(link).or_default().push(tie.at);
         }
     }
     places
@@ -68,7 +75,7 @@ fn nearest(some: &[[f64; 2]], others: &[[f64; 2]]) -> f64 {
 }
 
 /// A place amid the joints of two links, aside of each of them.
-fn between(places: [&[[f64; 2]]; 2], sketch: &Sketch) -> Option<[f64; 2]> {
+pub(super) fn between(places: [&[[f64; 2]]; 2], sketch: &Sketch) -> Option<[f64; 2]> {
     if let [[p], [q]] = places {
         return Some(apex(*p, *q)).filter(|_| p != q);
     }

@@ -52,6 +52,7 @@ impl<'m> Writing<'m> {
             Repair::AllowCoupled => rewriter.add("allow coupled;", &["allow", "motor"]),
             Repair::StartAt { motor, value } => self.start_at(*motor, *value),
             Repair::Carry { joint, on } => self.carry(*joint, *on),
+            Repair::Attach { joint, from, to } => self.attach(*joint, *from, *to),
             Repair::Resize { joint, sizes } => self.resize(*joint, *sizes),
         }
     }
@@ -190,6 +191,18 @@ impl<'m> Writing<'m> {
             (None, None) => return None,
         }
         self.model.joint(joint).kind.rolls().then_some(())
+    }
+
+    /// Writes another link at one end of a joint.
+    fn attach(&mut self, joint: JointId, from: LinkId, to: LinkId) -> Option<()> {
+        let statement = self.joint(joint)?;
+        let first = statement.find("(")? + 1;
+        let (_, comma) = statement.path(first);
+        let [from, to] = [from, to].map(|link| &*self.model.link(link).name);
+        let mut ends = [first, comma + 1].into_iter();
+        let end = statement.token(ends.find(|&end| statement.word(end) == from)?);
+        self.rewriter.edits.replace(end..end + 1, to);
+        Some(())
     }
 
     /// Gives two wheels other sizes.

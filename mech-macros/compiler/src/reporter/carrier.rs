@@ -3,7 +3,7 @@
 use super::Words;
 use super::wording::one_of;
 use crate::model::{JointId, JointKind, LinkId};
-use crate::repair::Offers;
+use crate::repair::{Offers, Repair};
 
 impl Words<'_> {
     pub(super) fn no_carrier(&self, id: JointId, offers: &Offers) -> String {
@@ -19,8 +19,10 @@ impl Words<'_> {
                 "let both wheels turn on the ground or on one common link",
             ),
         };
-        let help = if offers.is_empty() {
-            format!("\nhelp: {help}")
+        let attaches = |repair: &Repair| matches!(repair, Repair::Attach { .. });
+        let help = if offers.single.iter().all(attaches) && offers.pairs.is_empty() {
+            // What these have in common is told before them.
+            format!("\nhelp: {help}") + &self.help(offers).replacen("help: ", "help: or ", 1)
         } else {
             self.help(offers)
         };

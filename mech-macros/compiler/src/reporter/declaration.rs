@@ -4,7 +4,7 @@ use super::Words;
 use super::wording::{and, brief};
 use crate::bug::bug;
 use crate::model::LinkId;
-use crate::repair::{Declaration, Purpose};
+use crate::repair::{Declaration, NewKind, Purpose};
 
 impl Words<'_> {
     /// Returns the purpose of a declaration, and its text.
@@ -51,11 +51,26 @@ impl Words<'_> {
             ),
             Purpose::Join { .. } => format!("join {} and {}", name(0), name(1)),
             Purpose::Meet => format!("join {} and {}, for example here", name(0), name(1)),
+            Purpose::Twin => format!(
+                "join {} and {} like their twins, for example here",
+                name(0),
+                name(1)
+            ),
             Purpose::Connect => format!("connect {} and {}", name(0), name(1)),
             Purpose::Stiffen => format!("make one bent link of {} and {}", name(0), name(1)),
             Purpose::Turn => format!("let {} turn", name(0)),
             Purpose::Guide => format!("keep {} from turning", name(1)),
             Purpose::Slide => format!("let {moving} slide on the ground"),
+            Purpose::Guess => {
+                let is_slot = matches!(declared.joints[0].kind, NewKind::Slot(_));
+                let (what, on) = if is_slot {
+                    ("a pin of ", (0, 1))
+                } else {
+                    ("", (1, 0))
+                };
+                let (moving, rail) = (name(on.0), name(on.1));
+                format!("let {what}{moving} slide on {rail}, for example here")
+            }
             Purpose::Free => "join these links to each other, not to the ground".to_owned(),
             Purpose::Split => format!("make two links of {}", name(0)),
             Purpose::Fix => format!("make {moving} a part of the ground"),

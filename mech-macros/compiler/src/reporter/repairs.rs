@@ -121,6 +121,10 @@ impl Words<'_> {
                     "add `allow coupled;` to solve these loops together".to_owned()
                 }
                 Repair::StartAt { motor, value } => self.start_at(*motor, *value),
+                Repair::Attach { joint, from, to } => {
+                    let [from, to] = [*from, *to].map(|link| self.link(link));
+                    format!("write {to} for {from} in {}", self.joint_line(*joint))
+                }
                 _ => return None,
             };
             Some((place, phrase))

@@ -7,6 +7,7 @@ mod corpus;
 #[expect(dead_code, unreachable_pub, reason = "what all tests share")]
 mod dice;
 mod judge;
+mod left_out;
 mod marks;
 mod pair;
 mod statements;
