@@ -122,12 +122,12 @@ fn free_to_move(
         of,
         Diagnosis::NoMotor { freedom: 1, .. } | Diagnosis::Undetermined { freedom: 1, .. }
     );
+    let joints = completions::joints(model, &sketch);
     let mut repairs = if is_one {
-        guides.slots()
+        [joints, guides.slots()].concat()
     } else {
-        guides.slides()
+        [guides.slides(), joints].concat()
     };
-    repairs.extend(completions::joints(model, &sketch));
     repairs.extend(unions(model, &sketch, free));
     repairs.extend(motors(model, all, of, candidates));
     let on_ground = |joint: JointId| {
