@@ -28,7 +28,6 @@ impl Units {
         let torque = || format!("{force}·{length}");
         match subject {
             Subject::Distance(_) => length.clone(),
-            Subject::Between(_) => "deg".to_owned(),
             Subject::Power(_) => format!("{}/s", torque()),
             Subject::Angle(_, order) => rate("deg", "rad", order),
             Subject::Coordinate(joint, order) if turns(model, joint) => rate("deg", "rad", order),
@@ -38,7 +37,7 @@ impl Units {
             Subject::Torque(motor) if turns(model, model.motor(motor).joint) => torque(),
             Subject::Torque(_) | Subject::Reaction(_, Reaction::Force(_)) => force.clone(),
             Subject::Reaction(_, Reaction::Torque) => torque(),
-            Subject::Transmission(_) => "deg".to_owned(),
+            Subject::Between(_) | Subject::Transmission(_) => "deg".to_owned(),
             Subject::Time => "s".to_owned(),
         }
     }
