@@ -22,9 +22,10 @@ pub(crate) fn report(model: &Model, compiled: &Compiled) -> Result<String, Failu
     ))
 }
 
-/// How far each motor goes, and what ends it; nothing of a mechanism that is too large to be moved for that.
+/// How far each motor goes, and what ends it, if that is soon known: not of a large mechanism, nor where loops are solved together.
 pub(crate) fn ranges(model: &Model, compiled: &Compiled) -> Result<Vec<String>, Failure> {
-    if model.joints.len() > MOST_JOINTS {
+    let is_coupled = compiled.plan.loops().any(|ring| ring.unknowns().len() > 3);
+    if model.joints.len() > MOST_JOINTS || is_coupled {
         return Ok(Vec::new());
     }
     motion::ranges(model, compiled)
