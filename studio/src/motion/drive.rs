@@ -74,7 +74,7 @@ impl Drive {
             (Some(from), Some(to)) => ([from, to], [false; 2]),
             (from, to) => {
                 let reach = Reach::of(model, compiled, motor, &base)?;
-                let ([low, high], [is_low, is_high]) = (reach.ends, reach.found());
+                let ([low, high], [is_low, is_high]) = (reach.ends, reach.is_stopped());
                 (
                     [from.unwrap_or(low), to.unwrap_or(high)],
                     [from.is_none() && is_low, to.is_none() && is_high],
@@ -87,6 +87,16 @@ impl Drive {
             ends,
             found,
         })
+    }
+
+    /// The motion of one motor through a reach that is known, the others as they are.
+    pub(crate) fn through(motor: MotorId, base: &[f64], reach: &Reach) -> Self {
+        Self {
+            base: base.to_vec(),
+            kind: Kind::Motor(motor),
+            ends: reach.ends,
+            found: reach.is_stopped(),
+        }
     }
 
     fn by_laws(model: &Model, compiled: &Compiled, base: &[f64], span: Span) -> Self {

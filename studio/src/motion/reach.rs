@@ -80,8 +80,8 @@ impl Reach {
         Ok(found)
     }
 
-    /// Which of its ends are those of what is possible, as far as numbers tell.
-    pub(crate) fn found(&self) -> [bool; 2] {
+    /// At which of its ends something stops it.
+    pub(crate) fn is_stopped(&self) -> [bool; 2] {
         self.stops.map(|stop| stop.is_some())
     }
 }
@@ -155,7 +155,7 @@ pub(super) fn limits(model: &Model, compiled: &Compiled, motor: MotorId, base: &
     let Ok(reach) = Reach::of(model, compiled, motor, base) else {
         return String::new();
     };
-    let (ends, found) = (reach.ends, reach.found());
+    let (ends, found) = (reach.ends, reach.is_stopped());
     let comes_to = |value: f64| {
         let mut mover = Mover::new(model, compiled);
         let is_there = mover.move_to(base).is_ok();

@@ -29,15 +29,13 @@ pub(super) fn lines(model: &Model, compiled: &Compiled) -> Result<Vec<(String, S
             Drive::new(model, compiled, None, Span::default(), &[])?,
         ));
     }
-    let ranges = self::ranges(model, compiled)?;
-    for (motor, range) in model.motor_ids().zip(ranges) {
-        let is_lawful = model.lawful_motors().any(|(lawful, _)| lawful == motor);
-        if is_lawful {
+    for (motor, reach) in reaches(model, compiled)? {
+        let range = range(model, compiled, motor, &reach);
+        if model.lawful_motors().any(|(lawful, _)| lawful == motor) {
             lines.push(("motor".to_owned(), range));
             continue;
         }
-        let name = Some(motor_name(model, motor));
-        let drive = Drive::new(model, compiled, name, Span::default(), &[])?;
+        let drive = Drive::through(motor, start(model, compiled), &reach);
         let drive = drive.completed(model, compiled);
         let range = match drive.turns(model) {
             1 => range,
@@ -59,7 +57,7 @@ pub(super) fn lines(model: &Model, compiled: &Compiled) -> Result<Vec<(String, S
             let is_angle = turns(model, model.motor(motor).joint);
             driver.unit = if is_angle { "deg" } else { "" };
         }
-        let driven = driven(model, compiled, &drive, &driver)?;
+        let driven = driven_lines(model, compiled, &drive, &driver)?;
         lines.extend(driven.into_iter().map(|text| (String::new(), text)));
     }
     let left = model.motors.len().saturating_sub(MOST_MOTORS);
@@ -71,19 +69,27 @@ pub(super) fn lines(model: &Model, compiled: &Compiled) -> Result<Vec<(String, S
 
 /// How far each motor goes, and what ends it.
 pub(super) fn ranges(model: &Model, compiled: &Compiled) -> Result<Vec<String>, Failure> {
-    let base = &compiled.program.start.motors[..model.motors.len()];
-    let motors = model.motor_ids().take(MOST_MOTORS);
-    let lines = motors.map(|motor| {
-        let reach = Reach::of(model, compiled, motor, base)?;
-        Ok(format!(
-            "`{}` {}",
-            motor_name(model, motor),
-            range(model, compiled, motor, &reach)
-        ))
-    });
-    lines.collect()
+    let reaches = reaches(model, compiled)?.into_iter();
+    let lines = reaches.map(|(motor, reach)| range(model, compiled, motor, &reach));
+    Ok(lines.collect())
 }
 
+/// The reach of each motor from the start.
+fn reaches(model: &Model, compiled: &Compiled) -> Result<Vec<(MotorId, Reach)>, Failure> {
+    let motors = model.motor_ids().take(MOST_MOTORS);
+    let found = motors.map(|motor| {
+        let reach = Reach::of(model, compiled, motor, start(model, compiled))?;
+        Ok((motor, reach))
+    });
+    found.collect()
+}
+
+/// The values of all motors at the start.
+fn start<'c>(model: &Model, compiled: &'c Compiled) -> &'c [f64] {
+    &compiled.program.start.motors[..model.motors.len()]
+}
+
+/// A motor with its range in words.
 fn range(model: &Model, compiled: &Compiled, motor: MotorId, reach: &Reach) -> String {
     let is_angle = turns(model, model.motor(motor).joint);
     let shown = |value: f64| {
@@ -94,7 +100,7 @@ fn range(model: &Model, compiled: &Compiled, motor: MotorId, reach: &Reach) -> S
         }
     };
     let [low, high] = reach.ends.map(shown);
-    match reach.basis {
+    let goes = match reach.basis {
         Basis::Round => "turns right round".to_owned(),
         Basis::Declared => format!("goes from {low} to {high}, as declared"),
         Basis::Walked => {
@@ -127,11 +133,12 @@ fn range(model: &Model, compiled: &Compiled, motor: MotorId, reach: &Reach) -> S
                 ),
             }
         }
-    }
+    };
+    format!("`{}` {goes}", motor_name(model, motor))
 }
 
 /// What the ground carries and this motion drives, and the least transmission angle.
-fn driven(
+fn driven_lines(
     model: &Model,
     compiled: &Compiled,
     drive: &Drive,
@@ -157,7 +164,7 @@ fn driven(
     if !joints.is_empty() {
         let mut summaries = summarize(&measurement, &joints, None)?;
         summaries.retain(is_told);
-        lines.extend(summaries.iter().map(|summary| driver.driven(summary)));
+        lines.extend(summaries.iter().map(|summary| driver.joint_line(summary)));
     }
     if left > 0 {
         lines.push(format!("and {left} joints more"));

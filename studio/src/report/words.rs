@@ -62,7 +62,7 @@ impl Driver {
     }
 
     /// What a joint does that is driven.
-    pub(super) fn driven(&self, summary: &Summary) -> String {
+    pub(super) fn joint_line(&self, summary: &Summary) -> String {
         let Summary {
             name,
             unit,

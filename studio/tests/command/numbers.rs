@@ -3,7 +3,7 @@
 use crate::pictures::pixels;
 use crate::run::{FOUR_BAR, Folder, numbers};
 
-fn close(a: f64, b: f64) -> bool {
+pub(crate) fn close(a: f64, b: f64) -> bool {
     (a - b).abs() < 1e-6
 }
 
@@ -29,54 +29,12 @@ fn without_a_quantity_all_coordinates() {
 }
 
 /// A crank of length 2, whose pin and coordinate are known.
-const CRANK: &str = "struct Crank;
+pub(crate) const CRANK: &str = "struct Crank;
 link crank { point pin = (2, 0); mass 3 at (2, 0); }
 joint a = revolute(ground, crank) at (0, 0);
 motor a;
 gravity (0, -10);
 ";
-
-/// The pin of the crank from a place, and from a point of the ground; the angles of both links; and what holds the weight at a rate.
-#[test]
-fn distances_angles_and_power() {
-    let text = CRANK.replace(
-        "struct Crank;",
-        "struct Crank; ground { point o = (3, -1); }",
-    ) + "link arm { point tip = (5, 0); } joint b = revolute(arm, crank) at (2, 0); motor b;";
-    let folder = Folder::new().with("a.mech", &text);
-    let words = "table a.mech distance(crank.pin,(3,-1)) distance(ground.o,crank.pin) angle(ground,crank) \
-        angle(crank,arm) angle(arm,crank) power:a --motor a --from -400 --to 400 --steps 16 --rate 0.5 --at b=30";
-    for row in folder.rows(words) {
-        let (sin, cos) = row[0].to_radians().sin_cos();
-        let apart = (2.0 * cos - 3.0).hypot(2.0 * sin + 1.0);
-        let power = 3.0 * 10.0 * 2.0 * cos * 0.5;
-        let expected = [apart, apart, row[0], -30.0, 30.0, power];
-        for (found, expected) in row[1..].iter().zip(expected) {
-            assert!(close(*found, expected), "{row:?} {expected}");
-        }
-    }
-    let head =
-        folder.mech("table a.mech distance(ground.o,crank.pin) angle(crank,arm) power:a --rate 1");
-    let expected = "motor a [deg],\"distance(ground.o,crank.pin) [unit]\",\"angle(crank,arm) [deg]\",\
-        power:a at rate 1 [force·unit/s]";
-    assert_eq!(head.done().lines().next(), Some(expected));
-    for (quantity, told) in [
-        (
-            "distance(crank.pin,crank.pim)",
-            "no joint, link or point `crank.pim`",
-        ),
-        ("distance(crank.pin,(1,x))", "`x` is not a number"),
-        (
-            "distance(crank.pin)",
-            "no joint, link or point `distance(crank.pin)`",
-        ),
-        ("angle(crank,b)", "no link `b`"),
-        ("power:a", "`--rate 1`"),
-    ] {
-        let refused = folder.mech(&format!("table a.mech {quantity}")).refused(2);
-        assert!(refused.contains(told), "{quantity}: {refused}");
-    }
-}
 
 #[test]
 fn rates_and_forces_of_a_crank() {

@@ -1,5 +1,6 @@
-//! What a mechanism does, as `mech report` and `mech table --summary` tell it, beside closed forms of textbooks.
+//! What a mechanism does, as `mech report` and `mech table` tell it, beside closed forms of textbooks.
 
+use crate::numbers::{CRANK, close};
 use crate::run::Folder;
 use proptest::prelude::*;
 
@@ -267,4 +268,46 @@ fn a_report_says_what_ends_a_range() {
         check.contains("motor `slide` slides, and nothing stops it"),
         "{check}"
     );
+}
+
+/// The pin of the crank from a place, and from a point of the ground; the angles of both links; and what holds the weight at a rate.
+#[test]
+fn distances_angles_and_power() {
+    let text = CRANK.replace(
+        "struct Crank;",
+        "struct Crank; ground { point o = (3, -1); }",
+    ) + "link arm { point tip = (5, 0); } joint b = revolute(arm, crank) at (2, 0); motor b;";
+    let folder = Folder::new().with("a.mech", &text);
+    let words = "table a.mech distance(crank.pin,(3,-1)) distance(ground.o,crank.pin) angle(ground,crank) \
+        angle(crank,arm) angle(arm,crank) power:a --motor a --from -400 --to 400 --steps 16 --rate 0.5 --at b=30";
+    for row in folder.rows(words) {
+        let (sin, cos) = row[0].to_radians().sin_cos();
+        let apart = (2.0 * cos - 3.0).hypot(2.0 * sin + 1.0);
+        let power = 3.0 * 10.0 * 2.0 * cos * 0.5;
+        let expected = [apart, apart, row[0], -30.0, 30.0, power];
+        for (found, expected) in row[1..].iter().zip(expected) {
+            assert!(close(*found, expected), "{row:?} {expected}");
+        }
+    }
+    let head =
+        folder.mech("table a.mech distance(ground.o,crank.pin) angle(crank,arm) power:a --rate 1");
+    let expected = "motor a [deg],\"distance(ground.o,crank.pin) [unit]\",\"angle(crank,arm) [deg]\",\
+        power:a at rate 1 [force·unit/s]";
+    assert_eq!(head.done().lines().next(), Some(expected));
+    for (quantity, told) in [
+        (
+            "distance(crank.pin,crank.pim)",
+            "no joint, link or point `crank.pim`",
+        ),
+        ("distance(crank.pin,(1,x))", "`x` is not a number"),
+        (
+            "distance(crank.pin)",
+            "no joint, link or point `distance(crank.pin)`",
+        ),
+        ("angle(crank,b)", "no link `b`"),
+        ("power:a", "`--rate 1`"),
+    ] {
+        let refused = folder.mech(&format!("table a.mech {quantity}")).refused(2);
+        assert!(refused.contains(told), "{quantity}: {refused}");
+    }
 }

@@ -125,7 +125,7 @@ impl Declaration {
         }
     }
 
-    /// What it joins by what motion, wherever, if it declares a single joint and nothing else.
+    /// The kind and the links of the joint, wherever it is, if a declaration has that alone.
     pub(super) fn only_joint(&self) -> Option<(std::mem::Discriminant<NewKind>, [LinkId; 2])> {
         match &self.joints[..] {
             [

@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 
 /// A line is through a place that is no farther away than this part of the size.
 const IN_LINE: f64 = 0.01;
-/// What is called so slides.
+/// Names of links that slide.
 const SLIDERS: [&str; 12] = [
     "block",
     "slider",

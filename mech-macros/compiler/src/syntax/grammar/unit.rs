@@ -16,7 +16,7 @@ const OTHERS: [&str; 11] = [
     "kg", "g", "mg", "lb", "ms", "s", "sec", "N", "kN", "Nm", "Hz",
 ];
 /// Turns in a minute.
-pub(super) const SPEED: &str = "rpm";
+const SPEED: &str = "rpm";
 const TYPES: [&str; 6] = ["f64", "f32", "i32", "i64", "u32", "u64"];
 
 /// Takes the name of a unit.
@@ -34,11 +34,6 @@ pub(super) fn take_foreign(input: ParseStream) -> Option<Ident> {
 pub(super) fn is_declared(rest: Cursor) -> bool {
     let assigned = rest.punct().is_some_and(|(sign, _)| sign.as_char() == '=');
     assigned || rest.ident().is_some_and(|(word, _)| word == "near")
-}
-
-/// The law of a motor that makes so many turns in a minute.
-pub(super) fn at_speed(turns: &Expr) -> String {
-    format!("{} * 6 deg * t", in_product(turns))
 }
 
 /// Returns the message about a number with such a unit.
@@ -61,9 +56,9 @@ pub(super) fn trouble(number: &Expr, unit: &str, place: Place) -> Message {
             "there is no unit `{unit}`; write `{number}`, in units that fit the others, such as m, kg and s"
         )
     } else if unit == SPEED {
+        let turns = in_product(number);
         format!(
-            "there is no unit `{SPEED}`; write `{}`, a motor's law with `t` in s",
-            at_speed(number)
+            "there is no unit `{SPEED}`; write `{turns} * 6 deg * t`, a motor's law with `t` in s"
         )
     } else if unit == "t" {
         format!(
