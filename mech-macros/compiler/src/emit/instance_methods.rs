@@ -1,19 +1,20 @@
 //! The methods of instances of parts: hidden methods of the mechanism, which those of the views call.
 
 use super::merge::{merged, names};
+use super::method::{Item, Method};
 use super::tokens::hidden_method;
 use crate::model::Model;
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 use std::collections::{BTreeMap, HashSet};
-use syn::{ImplItem, ImplItemFn};
+use syn::ImplItemFn;
 
 /// A method of what belongs to an instance.
 pub(super) struct Owned {
     pub(super) instance: usize,
     /// Its name in the view.
     pub(super) local: String,
-    pub(super) method: ImplItemFn,
+    pub(super) method: Method,
 }
 
 /// The instances, by what the names of their hidden methods begin with.
@@ -49,21 +50,25 @@ pub(super) struct Shared<'o> {
     pub(super) local: &'o str,
     /// The method of the first instance that has it.
     pub(super) first: &'o Owned,
+    /// The same, as it reads.
+    pub(super) read: ImplItemFn,
     pub(super) all: Vec<Option<&'o Owned>>,
     /// The body of all, where they differ in numbers only.
     pub(super) body: Option<TokenStream>,
 }
 
 impl Shared<'_> {
+    /// Whether it changes the mechanism.
+    pub(super) fn takes_mutable(&self) -> bool {
+        let receiver = self.read.sig.receiver().map(|receiver| &receiver.kind);
+        matches!(receiver, Some(syn::ReceiverKind::Reference(_, _, Some(_))))
+    }
+
     fn merged_body(&self) -> Option<TokenStream> {
-        let signature = &self.first.method.sig;
-        if signature.inputs.len() != 1 || takes_mutable(&self.first.method) {
+        if self.read.sig.inputs.len() != 1 || self.takes_mutable() {
             return None;
         }
-        let bodies = self.all.iter().map(|one| {
-            let statements = &one.as_ref()?.method.block.stmts;
-            Some(quote!(#(#statements)*))
-        });
+        let bodies = self.all.iter().map(|one| Some(one.as_ref()?.method.body()));
         let bodies: Vec<TokenStream> = bodies.collect::<Option<_>>()?;
         merged(&bodies, &quote!(self.mechanism), &quote!(self.instance))
     }
@@ -83,6 +88,7 @@ pub(super) fn shared<'o>(instances: &[usize], owned: &'o [Owned]) -> Vec<Shared<
             methods.push(Shared {
                 local: &one.local,
                 first: one,
+                read: one.method.read(),
                 all,
                 body: None,
             });
@@ -94,14 +100,9 @@ pub(super) fn shared<'o>(instances: &[usize], owned: &'o [Owned]) -> Vec<Shared<
     methods
 }
 
-pub(super) fn takes_mutable(method: &ImplItemFn) -> bool {
-    let receiver = method.sig.receiver().map(|receiver| &receiver.kind);
-    matches!(receiver, Some(syn::ReceiverKind::Reference(_, _, Some(_))))
-}
-
 /// Drops the hidden methods that views have merged, unless others call them.
 pub(super) fn drop_uncalled<'s>(
-    methods: &mut Vec<ImplItem>,
+    methods: &mut Vec<Item>,
     shared: impl Iterator<Item = &'s Shared<'s>>,
 ) {
     let (mut merged, mut called) = (HashSet::new(), HashSet::new());
@@ -109,13 +110,13 @@ pub(super) fn drop_uncalled<'s>(
         let Some(body) = &shared.body else { continue };
         names(body, &mut called);
         let all = shared.all.iter().flatten();
-        merged.extend(all.map(|one| one.method.sig.ident.to_string()));
+        merged.extend(all.map(|one| one.method.name.to_string()));
     }
-    let name = |method: &ImplItem| match method {
-        ImplItem::Fn(method) => Some(method.sig.ident.to_string()),
-        _ => None,
+    let name = |method: &Item| match method {
+        Item::Method(method) => Some(method.name.to_string()),
+        Item::Other(_) => None,
     };
-    let is_merged = |method: &ImplItem| name(method).is_some_and(|name| merged.contains(&name));
+    let is_merged = |method: &Item| name(method).is_some_and(|name| merged.contains(&name));
     for method in methods.iter().filter(|method| !is_merged(method)) {
         names(&method.to_token_stream(), &mut called);
     }

@@ -64,19 +64,31 @@ fn merged_piece(pieces: &[Piece], this: &TokenStream, index: &TokenStream) -> Op
             Some(group.into())
         }
         Piece::Other(first) => {
-            let text = first.to_string();
             let is_same =
-                |piece: &Piece| matches!(piece, Piece::Other(other) if other.to_string() == text);
-            if text == "Self" || !pieces.iter().all(is_same) {
+                |piece: &Piece| matches!(piece, Piece::Other(other) if is_alike(first, other));
+            if is_word(first, "Self") || !pieces.iter().all(is_same) {
                 return None;
             }
-            Some(if text == "self" {
+            Some(if is_word(first, "self") {
                 this.clone()
             } else {
                 first.clone().into()
             })
         }
     }
+}
+
+/// Whether two words or marks are the same.
+fn is_alike(one: &TokenTree, other: &TokenTree) -> bool {
+    match (one, other) {
+        (TokenTree::Ident(one), TokenTree::Ident(other)) => one == other,
+        (TokenTree::Punct(one), TokenTree::Punct(other)) => one.as_char() == other.as_char(),
+        _ => false,
+    }
+}
+
+fn is_word(tree: &TokenTree, word: &str) -> bool {
+    matches!(tree, TokenTree::Ident(ident) if ident == word)
 }
 
 /// The pieces of a body. A minus is the sign of a literal behind it, unless it stands between two values.

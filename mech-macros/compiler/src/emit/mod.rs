@@ -18,6 +18,7 @@ mod known;
 mod limits;
 mod many;
 mod merge;
+mod method;
 mod module;
 mod moves;
 mod overlay;

@@ -4,16 +4,14 @@
 //! calls them. Where those of all instances differ in numbers only, the view has a table of these, and nothing is hidden: a mechanism with
 //! many alike parts would have as many methods to be compiled.
 
-use super::instance_methods::{Owned, Owners, Shared, drop_uncalled, shared, takes_mutable};
+use super::instance_methods::{Owned, Owners, Shared, drop_uncalled, shared};
+use super::method::{Item, items};
 use super::tokens::integer;
 use crate::bug::bug;
 use crate::model::Model;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
-use syn::{
-    Attribute, Expr, ExprLit, FnArg, ImplItem, ItemImpl, Lit, Meta, Pat, ReturnType, Type,
-    Visibility,
-};
+use syn::{Attribute, Expr, ExprLit, FnArg, Lit, Meta, Pat, ReturnType, Type, Visibility};
 
 /// The methods of a mechanism, and the views that they return.
 pub(super) struct Views {
@@ -36,18 +34,15 @@ pub(super) fn views(site: &Site<'_>, model: &Model, methods: TokenStream) -> Vie
         let items = TokenStream::new();
         return Views { methods, items };
     }
-    let mut methods = match syn::parse2::<ItemImpl>(quote!(impl Mechanism { #methods })) {
-        Ok(methods) => methods.items,
-        Err(error) => bug!("methods cannot be read: {error}"),
-    };
+    let mut methods = items(methods);
     let owners = Owners::of(model);
     let mut owned: Vec<Owned> = Vec::new();
-    for method in &mut methods {
-        let ImplItem::Fn(method) = method else {
+    for item in &mut methods {
+        let Item::Method(method) = item else {
             continue;
         };
-        if let Some((instance, local)) = owners.owner(&method.sig.ident) {
-            method.vis = Visibility::Inherited;
+        if let Some((instance, local)) = owners.owner(&method.name) {
+            method.hide();
             let method = method.clone();
             owned.push(Owned {
                 instance,
@@ -158,7 +153,7 @@ fn view(site: &Site<'_>, model: &Model, kinds: &[Kind<'_>], kind: &Kind<'_>) -> 
         let all = kind
             .methods
             .iter()
-            .filter(|all| takes_mutable(&all.first.method) == changes);
+            .filter(|all| all.takes_mutable() == changes);
         all.map(|all| method(site, model, all)).collect()
     });
     let inner = kind.inner(kinds);
@@ -212,8 +207,8 @@ fn mutable(kind: &Kind<'_>) -> Ident {
 fn method(site: &Site<'_>, model: &Model, shared: &Shared<'_>) -> TokenStream {
     let krate = site.krate;
     let first = shared.first;
-    let mut signature = first.method.sig.clone();
-    signature.ident = Ident::new(shared.local, first.method.sig.ident.span());
+    let mut signature = shared.read.sig.clone();
+    signature.ident = Ident::new(shared.local, first.method.name.span());
     signature.constness = None;
     let is_optional = shared.all.iter().any(Option::is_none);
     if let (true, ReturnType::Type(_, kind)) = (is_optional, &mut signature.output) {
@@ -228,12 +223,12 @@ fn method(site: &Site<'_>, model: &Model, shared: &Shared<'_>) -> TokenStream {
     });
     let arguments: Vec<Ident> = arguments.collect();
     let path = &model.instances[first.instance].path;
-    let attributes = first.method.attrs.iter();
+    let attributes = shared.read.attrs.iter();
     let attributes = attributes.map(|attribute| in_view(attribute, path));
     let calls = shared.all.iter().map(|one| match one {
         None => quote!(#krate::generated::Option::None),
         Some(one) => {
-            let method = &one.method.sig.ident;
+            let method = &one.method.name;
             let call = quote!(self.mechanism.#method(#(#arguments),*));
             if is_optional {
                 quote!(#krate::generated::Option::Some(#call))
@@ -279,8 +274,7 @@ fn in_view(attribute: &Attribute, path: &str) -> TokenStream {
 /// Whether anything of an instance can be changed, or of one in it.
 fn has_changes(kind: &Kind<'_>, kinds: &[Kind<'_>]) -> bool {
     let mut methods = kind.methods.iter();
-    methods.any(|all| takes_mutable(&all.first.method))
-        || kind.inner(kinds).any(|inner| has_changes(inner, kinds))
+    methods.any(Shared::takes_mutable) || kind.inner(kinds).any(|inner| has_changes(inner, kinds))
 }
 
 /// The documentation of what returns a view.

@@ -43,9 +43,9 @@ pub(super) fn attachments(trials: &mut Trials<'_>, diagnoses: &[Diagnosis]) -> V
 /// Whether a diagnosis is about a joint.
 fn is_told(diagnosis: &Diagnosis, joint: JointId) -> bool {
     match diagnosis {
-        Diagnosis::Blocked { joints, .. } | Diagnosis::Overdetermined { joints, .. } => {
-            joints.contains(&joint)
-        }
+        Diagnosis::Blocked { joints, .. }
+        | Diagnosis::Overdetermined { joints, .. }
+        | Diagnosis::OnOnePin { joints, .. } => joints.contains(&joint),
         Diagnosis::Undetermined { free, .. } => free.contains(&joint),
         _ => false,
     }

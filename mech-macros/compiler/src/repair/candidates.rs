@@ -81,6 +81,7 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
         Diagnosis::Undetermined {
             free, candidates, ..
         } => free_to_move(model, all, of, free, candidates),
+        Diagnosis::OnOnePin { joints, .. } => free_to_move(model, all, of, joints, &[]),
         Diagnosis::NotSequential { .. } => {
             let mut repairs = vec![Repair::AllowCoupled];
             for motor in model.motor_ids() {

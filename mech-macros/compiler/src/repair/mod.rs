@@ -8,6 +8,7 @@ mod guess;
 mod guides;
 mod joined;
 mod motor;
+mod numbers;
 mod offers;
 mod rank;
 mod replacement;
@@ -23,6 +24,7 @@ mod writing;
 
 pub use declaration::{Declaration, Ends, NewJoint, NewKind, Purpose};
 pub use motor::NewMotor;
+pub use numbers::NewNumbers;
 pub use offers::{Offers, Search, offers};
 pub use writing::edits;
 
@@ -83,6 +85,8 @@ pub enum Repair {
         /// The link that it should hold.
         to: LinkId,
     },
+    /// Write other numbers where these stand.
+    Numbers(NewNumbers),
     /// Give these wheels other sizes.
     Resize {
         /// The gear.

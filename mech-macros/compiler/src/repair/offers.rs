@@ -2,6 +2,7 @@
 
 use super::attachment::attachments;
 use super::candidates::candidates;
+use super::numbers::numbers;
 use super::rank::Ranking;
 use super::translation::translate;
 use super::trial::{Trial, Trials};
@@ -156,6 +157,10 @@ fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {
     ] {
         ranking.sort(list);
     }
+    // The sizes of wheels are as likely wrong as their places.
+    let first = usize::from(!offers.single.is_empty() && is_misplaced(diagnosis));
+    let numbers = numbers(trials, diagnosis);
+    offers.single.splice(first..first, numbers);
     // The same in another direction.
     let single = &offers.single;
     offers
@@ -239,7 +244,7 @@ fn is_held(diagnosis: &Diagnosis) -> bool {
 fn is_free(diagnosis: &Diagnosis) -> bool {
     matches!(
         diagnosis,
-        Diagnosis::Undetermined { .. } | Diagnosis::NoMotor { .. }
+        Diagnosis::Undetermined { .. } | Diagnosis::NoMotor { .. } | Diagnosis::OnOnePin { .. }
     )
 }
 
@@ -247,6 +252,16 @@ fn is_apart(diagnosis: &Diagnosis) -> bool {
     matches!(
         diagnosis,
         Diagnosis::Loose { .. } | Diagnosis::Disconnected { .. }
+    )
+}
+
+fn is_misplaced(diagnosis: &Diagnosis) -> bool {
+    matches!(
+        diagnosis,
+        Diagnosis::NoMesh {
+            trouble: MeshTrouble::Distance { .. },
+            ..
+        }
     )
 }
 

@@ -6,7 +6,7 @@ use crate::cancel;
 use crate::compile::{check, compile};
 use crate::model::{Model, MotorId, StartValue};
 use crate::structure::{self, Diagnosis};
-use crate::syntax::Source;
+use crate::syntax::{Source, Tokens};
 
 /// The outcome of a change that was tried on a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,6 +64,11 @@ impl<'m> Trials<'m> {
         }
     }
 
+    /// The tokens of the text.
+    pub(super) fn tokens(&self) -> &'m Tokens {
+        self.source.tokens()
+    }
+
     /// Tries these changes and returns the outcome.
     pub(super) fn of(&mut self, repairs: &[Repair]) -> Trial {
         if let Some((_, trial)) = self.known.iter().find(|(known, _)| known == repairs) {
@@ -82,20 +87,32 @@ impl<'m> Trials<'m> {
     /// that takes some. None if they cannot. Nothing else is examined so far: that would take most of the time.
     pub(super) fn proved(&mut self, repairs: &[Repair]) -> Option<Vec<Repair>> {
         let model = self.model;
-        let is_ranged = model.motors.iter().any(|motor| motor.range.is_some());
         let drives = |one: &Repair| matches!(one, Repair::AddMotors(_) | Repair::MoveMotor { .. });
-        let is_asked = is_ranged || model.accuracy.is_some() || model.effects.dynamics;
-        if !is_asked || !repairs.iter().any(drives) {
+        if !self.is_proved() || !repairs.iter().any(drives) {
             return Some(repairs.to_vec());
         }
         let mut variants = variants(model, repairs).into_iter();
-        variants.find(|variant| {
-            self.has_work() && {
-                self.spend(PROVING);
-                let changed = self.model_with(variant);
-                changed.is_some_and(|model| outcome(compile(&model).map(drop)) == Trial::Closes)
-            }
-        })
+        variants.find(|variant| self.compiles(variant))
+    }
+
+    /// Whether the motors move as far as the text says after a change that leaves them where they are.
+    pub(super) fn holds(&mut self, repair: &Repair) -> bool {
+        !self.is_proved() || self.compiles(std::slice::from_ref(repair))
+    }
+
+    /// Whether the text asks for what takes a proof.
+    fn is_proved(&self) -> bool {
+        let model = self.model;
+        let is_ranged = model.motors.iter().any(|motor| motor.range.is_some());
+        is_ranged || model.accuracy.is_some() || model.effects.dynamics
+    }
+
+    fn compiles(&mut self, repairs: &[Repair]) -> bool {
+        self.has_work() && {
+            self.spend(PROVING);
+            let changed = self.model_with(repairs);
+            changed.is_some_and(|model| outcome(compile(&model).map(drop)) == Trial::Closes)
+        }
     }
 
     /// Returns the diagnoses of the structure after this change; none if there is no time left to find them.
@@ -119,7 +136,7 @@ impl<'m> Trials<'m> {
         {
             return Some(redrawn(self.model, motor, value));
         }
-        let edits = edits(repairs, self.model, self.source.tokens())?;
+        let edits = edits(repairs, self.model, self.tokens())?;
         self.source.model_with(&edits)
     }
 

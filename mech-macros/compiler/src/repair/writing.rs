@@ -53,6 +53,10 @@ impl<'m> Writing<'m> {
             Repair::StartAt { motor, value } => self.start_at(*motor, *value),
             Repair::Carry { joint, on } => self.carry(*joint, *on),
             Repair::Attach { joint, from, to } => self.attach(*joint, *from, *to),
+            Repair::Numbers(numbers) => {
+                rewriter.edits.replace(numbers.tokens.clone(), &numbers.new);
+                Some(())
+            }
             Repair::Resize { joint, sizes } => self.resize(*joint, *sizes),
         }
     }

@@ -22,11 +22,16 @@ impl Words<'_> {
                 self.middle(unknowns),
                 format!(
                     "the mechanism cannot close at its start: {} and {} stay {} apart\nnote: {} freely, but bring \
-                     them no nearer\nhelp: change a length, or start the motors elsewhere",
+                     them no nearer{}",
                     self.axis(axes.0),
                     self.axis(axes.1),
                     brief(*gap),
-                    self.the_joints(unknowns, ["turns or slides", "turn or slide"])
+                    self.the_joints(unknowns, ["turns or slides", "turn or slide"]),
+                    match self.help(offers) {
+                        none if none.is_empty() =>
+                            "\nhelp: change a length, or start the motors elsewhere".to_owned(),
+                        help => help + "\nhelp: or start the motors elsewhere",
+                    }
                 ),
             ),
             Diagnosis::DeadStart { unknowns } => (

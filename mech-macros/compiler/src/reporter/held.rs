@@ -132,6 +132,18 @@ impl Words<'_> {
         )
     }
 
+    pub(super) fn on_one_pin(&self, link: LinkId, joints: &[JointId], offers: &Offers) -> String {
+        let help = match self.help_or_pairs(offers) {
+            none if none.is_empty() => "\nhelp: place one of them elsewhere".to_owned(),
+            help => help,
+        };
+        format!(
+            "link {} turns freely: {} at one place{help}",
+            self.link(link),
+            self.the_joints(joints, ["is", "are"]),
+        )
+    }
+
     /// Slots whose pins stay free to turn, though a motor drives their displacement: both joints of a slot have its name.
     fn pins_that_turn(&self, free: &[JointId]) -> String {
         let driven = |&pin: &JointId| {

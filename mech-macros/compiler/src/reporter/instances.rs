@@ -40,7 +40,9 @@ pub(super) fn reported<'d>(diagnoses: &[Diagnosis], model: &'d Model) -> Vec<Rep
 /// The name of the one joint or link that a diagnosis is about.
 fn subject<'m>(diagnosis: &Diagnosis, model: &'m Model) -> Option<&'m str> {
     match diagnosis {
-        Diagnosis::Loose { link } => Some(&model.link(*link).name),
+        Diagnosis::Loose { link } | Diagnosis::OnOnePin { link, .. } => {
+            Some(&model.link(*link).name)
+        }
         Diagnosis::NotCarrier { joint, .. }
         | Diagnosis::NoCarrier { joint }
         | Diagnosis::SeveralCarriers { joint, .. }

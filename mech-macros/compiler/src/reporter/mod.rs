@@ -171,6 +171,10 @@ impl Words<'_> {
                 self.at_joint(free.first()),
                 self.undetermined(*freedom, free, offers),
             ),
+            Diagnosis::OnOnePin { link, joints } => (
+                self.at_joint(joints.last()),
+                self.on_one_pin(*link, joints, offers),
+            ),
             Diagnosis::NotSequential { waiting, rings } => {
                 return self.cycle(waiting, rings, offers);
             }

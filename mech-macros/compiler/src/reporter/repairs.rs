@@ -4,7 +4,7 @@ use super::Words;
 use super::wording::{brief, one_of};
 use crate::bug::bug;
 use crate::model::{JointId, JointKind, MotorId};
-use crate::repair::{NewKind, NewMotor, Offers, Repair, Search};
+use crate::repair::{NewKind, NewMotor, NewNumbers, Offers, Repair, Search};
 
 /// A line is not made longer than this by putting several phrases on it.
 const WIDTH: usize = 100;
@@ -125,6 +125,12 @@ impl Words<'_> {
                     let [from, to] = [*from, *to].map(|link| self.link(link));
                     format!("write {to} for {from} in {}", self.joint_line(*joint))
                 }
+                Repair::Numbers(NewNumbers {
+                    old,
+                    new,
+                    statement,
+                    ..
+                }) => format!("write `{new}` for `{old}` in `{statement}`"),
                 _ => return None,
             };
             Some((place, phrase))

@@ -109,6 +109,13 @@ pub enum Diagnosis {
         /// Joints on each of which a motor would do, or, where it takes several, joints that would do together.
         candidates: Vec<JointId>,
     },
+    /// All joints of this link are at one place, so that it turns freely there.
+    OnOnePin {
+        /// The link.
+        link: LinkId,
+        /// Its joints.
+        joints: Vec<JointId>,
+    },
     /// Nothing can move: there is no freedom for any motor.
     Rigid,
     /// No further loop of three unknowns exists, though joints remain to be solved: they wait for each other.

@@ -181,10 +181,36 @@ pub(super) fn verdict(model: &Model, structure: &Structure) -> Result<(), Vec<Di
         });
     }
     if diagnoses.is_empty() {
-        Ok(())
-    } else {
-        Err(diagnoses)
+        return Ok(());
     }
+    // What else is wrong may follow from it.
+    let pointless = on_one_pin(model, structure);
+    Err(if pointless.is_empty() {
+        diagnoses
+    } else {
+        pointless
+    })
+}
+
+/// The links that several joints hold, all on one pin, and no motor.
+fn on_one_pin(model: &Model, structure: &Structure) -> Vec<Diagnosis> {
+    let on_one_pin = |link: LinkId| {
+        let mut joints = model.joint_ids().filter(|&joint| {
+            let (a, b) = model.ends(joint);
+            a == link || b == link
+        });
+        let first = joints.next()?;
+        let pin = structure
+            .pins
+            .iter()
+            .find(|pin| pin.joints.contains(&first))?;
+        let joints: Vec<JointId> = [first].into_iter().chain(joints).collect();
+        let is_free = joints.len() > 1
+            && joints.iter().all(|joint| pin.joints.contains(joint))
+            && joints.iter().all(|joint| model.motor_of(*joint).is_none());
+        is_free.then_some(Diagnosis::OnOnePin { link, joints })
+    };
+    model.declared_links().filter_map(on_one_pin).collect()
 }
 
 fn blocked_motors(model: &Model, rank: &mut Rank<'_>) -> Vec<Diagnosis> {

@@ -1,6 +1,7 @@
 //! One slip of a hand in a correct text: how well the compiler answers it.
 //!
-//! `SLIPS=all` makes many more, in long texts too, and shows the worst answers to each kind. `SLIPS_SEED` makes others.
+//! `SLIPS=all` makes many more, in long texts too, and shows the worst answers to each kind. `SLIPS_SEED` makes others,
+//! and `SLIPS_KIND` only those of the kinds in whose names this stands, with all answers.
 
 mod corpus;
 #[path = "../../../../tests/support/src/dice.rs"]
@@ -38,7 +39,12 @@ fn slips_of_a_hand_are_answered() {
     // Repairs of long texts take seconds.
     corpus.retain(|one| is_all || one.text.len() < 450);
     println!("{} correct texts", corpus.len());
-    let kinds = [words::KINDS, marks::KINDS, statements::KINDS].concat();
+    let mut kinds = [words::KINDS, marks::KINDS, statements::KINDS].concat();
+    let only = std::env::var("SLIPS_KIND").ok();
+    kinds.retain(|(name, _)| {
+        only.as_ref()
+            .is_none_or(|only| name.contains(only.as_str()))
+    });
     let mut rows = Vec::new();
     for (name, make) in kinds {
         let mut answers = Vec::new();
@@ -59,7 +65,10 @@ fn slips_of_a_hand_are_answered() {
     }
     let total = table::print(&rows);
     if is_all {
-        table::print_worst(&rows);
+        table::print_worst(&rows, if only.is_some() { 60 } else { 3 });
+    }
+    if only.is_some() {
+        return;
     }
     assert!(
         total.placed >= PLACED

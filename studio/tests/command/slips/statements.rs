@@ -89,8 +89,61 @@ pub(super) const KINDS: &[(&str, Make)] = &[
         let link = text.find(dice, is_other)?;
         Some(text.instead(end.start..end.start + 1, text.word(link)))
     }),
+    ("length ten times", |text, dice| {
+        let number = text.find(dice, |one| is_length(text, one))?;
+        let place = text.lexemes[number].start..text.end_of_number(number);
+        let value: f64 = text.text[place.clone()].parse().ok()?;
+        let factor = *dice.pick(&[10.0, 0.1]);
+        let exact = format!("{:.9}", value * factor);
+        let new = exact.trim_end_matches('0').trim_end_matches('.');
+        Some(text.with(place, new))
+    }),
+    ("sign of a length", |text, dice| {
+        let number = text.find(dice, |one| is_length(text, one))?;
+        let start = text.lexemes[number].start;
+        Some(if text.is(number - 1, "-") {
+            text.with(text.lexemes[number - 1].start..start, "")
+        } else {
+            text.with(start..start, "-")
+        })
+    }),
+    ("place copied from the line above", |text, dice| {
+        let at = |joint: &Range<usize>| {
+            let open = joint.clone().find(|&one| text.is(one, "at"))? + 1;
+            Some(open..text.partner(open)? + 1)
+        };
+        let statements = text.statements();
+        let mut joints = statements.iter().filter(|one| text.is(one.start, "joint"));
+        let first = text.statement(dice, &["joint"], |one| at(one).is_some())?;
+        let second = joints.find(|one| one.start >= first.end && at(one).is_some())?;
+        Some(text.instead(at(second)?, &text.text[text.bytes(at(&first)?)]))
+    }),
+    ("direction of no length", |text, dice| {
+        let along = text.find(dice, |one| text.is(one, "along") && text.is(one + 1, "("))?;
+        Some(text.instead(along + 1..text.partner(along + 1)? + 1, "(0, 0)"))
+    }),
     ("another kind of joint", |text, dice| text.exchange(dice, (&["revolute"], &["prismatic", "gear", "slot"]), |_| true)),
 ];
+
+/// Whether a number is a coordinate of a point, a line or a joint.
+fn is_length(text: &Text<'_>, index: usize) -> bool {
+    let statements = text.statements();
+    let mut places = statements
+        .iter()
+        .filter(|one| ["point", "line", "joint"].contains(&text.word(one.start)));
+    let follows = |one: usize| text.is(one, "(") || text.is(one, ",");
+    let before = index.checked_sub(if index > 0 && text.is(index - 1, "-") {
+        2
+    } else {
+        1
+    });
+    text.is_number(index)
+        && before.is_some_and(follows)
+        && !text.text[text.lexemes[index].start..text.end_of_number(index)]
+            .trim_matches(['0', '.'])
+            .is_empty()
+        && places.any(|one| one.contains(&index))
+}
 
 /// Leaves one of the statements with these first words out; one whose name is used.
 fn forget(text: &Text<'_>, dice: &mut Dice, heads: &[&str]) -> Option<Slip> {

@@ -57,19 +57,22 @@ fn print_row(name: &str, answers: &[&Answer]) -> Total {
 }
 
 /// Prints the three worst answers to each kind.
-pub(super) fn print_worst(rows: &[Row<'_>]) {
+pub(super) fn print_worst(rows: &[Row<'_>], most: usize) {
     for (name, answers) in rows {
         let mut worst: Vec<&Answer> = answers.iter().collect();
-        worst.sort_by_key(|one| one.said.as_ref().map_or(0, worth));
+        worst.sort_by_key(|one| one.said.as_ref().map_or(ACCEPTED, worth));
         println!("\n{name}:");
-        for answer in worst.into_iter().take(3) {
+        for answer in worst.into_iter().take(most) {
             let words = answer.said.as_ref().map_or("accepted", |said| &said.words);
             println!("  {}\n      {words}", answer.line);
         }
     }
 }
 
-/// How good an answer is: no promise is broken, then its place, its number, its repair. An accepted slip has 0.
+/// How good it is to accept a slip: many make another mechanism that moves.
+const ACCEPTED: i32 = 4;
+
+/// How good an answer is: no promise is broken, then its place, its number, its repair.
 fn worth(said: &Said) -> i32 {
     match said {
         Said { dishonest: 1.., .. } => -1,
@@ -82,6 +85,6 @@ fn worth(said: &Said) -> i32 {
         Said {
             is_mended: false, ..
         } => 3,
-        _ => 4,
+        _ => ACCEPTED + 1,
     }
 }

@@ -48,6 +48,8 @@ pub(super) struct Scope<'p> {
     /// The variables that hold the last poses of links, by the links' numbers.
     last_poses: BTreeMap<usize, Ident>,
     taken: BTreeSet<String>,
+    /// The last number behind each name that several variables would have.
+    numbers: BTreeMap<String, usize>,
     /// The number of uses of each value in this function.
     uses: BTreeMap<Value, usize>,
     /// The path of the function that computes sines and cosines.
@@ -67,6 +69,7 @@ impl<'p> Scope<'p> {
             elements: BTreeMap::new(),
             last_poses: BTreeMap::new(),
             taken: module::taken_names().collect(),
+            numbers: BTreeMap::new(),
             uses,
             sin_cos,
         }
@@ -74,7 +77,10 @@ impl<'p> Scope<'p> {
 
     /// A name that nothing else in this function has.
     pub(super) fn fresh(&mut self, wanted: &str) -> Ident {
-        let name = free_name(&without_path(wanted), |name| self.taken.contains(name));
+        let wanted = without_path(wanted);
+        let (taken, last) = (&self.taken, self.numbers.get(&wanted).copied());
+        let (name, number) = free_name(&wanted, last, |name| taken.contains(name));
+        self.numbers.insert(wanted, number);
         let ident = hidden_ident(&name);
         self.taken.insert(name);
         ident
@@ -87,7 +93,7 @@ impl<'p> Scope<'p> {
         wanted: &str,
     ) -> Ident {
         let is_taken = |name: &str| self.taken.contains(name) || functions.contains(name);
-        let name = free_name(&without_path(wanted), is_taken);
+        let (name, _) = free_name(&without_path(wanted), None, is_taken);
         let ident = hidden_ident(&name);
         self.taken.insert(name.clone());
         functions.insert(name);
@@ -168,6 +174,7 @@ impl<'p> Scope<'p> {
         values: impl IntoIterator<Item = &'v Value>,
     ) -> Vec<Variable> {
         let mut variables = Vec::new();
+        let mut known = BTreeSet::new();
         for &value in values {
             let variable = match self.elements.get(&value) {
                 Some(Element { array, rows, .. }) => Variable {
@@ -179,7 +186,7 @@ impl<'p> Scope<'p> {
                     rows: None,
                 },
             };
-            if !variables.contains(&variable) {
+            if known.insert((variable.name.clone(), variable.rows)) {
                 variables.push(variable);
             }
         }
@@ -361,12 +368,20 @@ impl<'p> Scope<'p> {
 }
 
 /// A name, numbered if need be so that it is not taken.
-fn free_name(wanted: &str, is_taken: impl Fn(&str) -> bool) -> String {
-    let mut name = wanted.to_owned();
-    let mut number = 1;
-    while is_taken(&name) {
+fn free_name(
+    wanted: &str,
+    last: Option<usize>,
+    is_taken: impl Fn(&str) -> bool,
+) -> (String, usize) {
+    let mut number = last.map_or(1, |last| last + 1);
+    loop {
+        let name = match number {
+            1 => wanted.to_owned(),
+            _ => format!("{wanted}_{number}"),
+        };
+        if !is_taken(&name) {
+            return (name, number);
+        }
         number += 1;
-        name = format!("{wanted}_{number}");
     }
-    name
 }

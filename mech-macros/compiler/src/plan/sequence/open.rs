@@ -27,6 +27,8 @@ pub(super) struct Open {
     connectors: Vec<Connector>,
     /// For each link the connectors that it is on.
     of_link: Vec<Vec<usize>>,
+    /// The cluster of each link, as far as it is known here.
+    base: Vec<Option<LinkId>>,
     /// For each connector the clusters on it, each with the first of its links there, which stands for all of them.
     on: Vec<BTreeMap<LinkId, LinkId>>,
     /// For each cluster the connectors that it is on.
@@ -69,6 +71,7 @@ impl Open {
             }
         }
         Self {
+            base: vec![None; model.links.len()],
             on: vec![BTreeMap::new(); connectors.len()],
             connectors,
             of_link,
@@ -87,38 +90,100 @@ impl Open {
     /// Brings connections and rings up to what the clusters are by now.
     pub(super) fn update(&mut self, known: Known<'_>) {
         let moved = std::mem::take(&mut self.moved);
-        let grown: BTreeSet<LinkId> = moved.iter().map(|&one| known.clusters.base(one)).collect();
-        let touched = moved.iter().flat_map(|link| &self.of_link[link.index()]);
-        let touched: BTreeSet<usize> = touched.copied().collect();
-        let mut changed: BTreeSet<Pair> = BTreeSet::new();
-        for number in touched {
-            cancel::check();
-            let mut now: BTreeMap<LinkId, LinkId> = BTreeMap::new();
-            for link in links(known.model, known.structure, &self.connectors[number]) {
-                now.entry(known.clusters.base(link)).or_insert(link);
-            }
-            let before = std::mem::replace(&mut self.on[number], now);
-            let now = &self.on[number];
-            for gone in before.keys().filter(|base| !now.contains_key(base)) {
-                if let Some(connectors) = self.of_cluster.get_mut(gone) {
-                    connectors.remove(&number);
-                }
-            }
-            for &base in now.keys() {
-                self.of_cluster.entry(base).or_default().insert(number);
-            }
-            // Of two clusters that are as they were, the connection is, too.
-            let all: BTreeSet<LinkId> = before.keys().chain(now.keys()).copied().collect();
-            let other = |base: &&LinkId| grown.contains(base) || !now.contains_key(base);
-            for &one in all.iter().filter(other) {
-                let others = all.iter().filter(|base| **base != one);
-                changed.extend(others.map(|&base| (one.min(base), one.max(base))));
+        let mut touched: BTreeMap<usize, Vec<LinkId>> = BTreeMap::new();
+        let mut involved: BTreeSet<LinkId> = BTreeSet::new();
+        for &link in &moved {
+            involved.extend(self.base[link.index()]);
+            involved.insert(known.clusters.base(link));
+            for &number in &self.of_link[link.index()] {
+                touched.entry(number).or_default().push(link);
             }
         }
+        let renewed: Vec<(usize, BTreeSet<LinkId>)> = touched
+            .into_iter()
+            .map(|(number, links)| (number, self.bring(known, number, &links)))
+            .collect();
+        for link in moved {
+            self.base[link.index()] = Some(known.clusters.base(link));
+        }
+        let old = self
+            .rings
+            .keys()
+            .filter(|ring| ring.iter().any(|base| involved.contains(base)));
+        let mut changed: BTreeSet<Pair> = old
+            .flat_map(|&[a, b, c]| [(a, b), (a, c), (b, c)])
+            .collect();
+        for (number, renewed) in renewed {
+            cancel::check();
+            changed.extend(self.new_pairs(number, &renewed));
+        }
+        // Of a ring of two the last stands there twice.
+        changed.retain(|(a, b)| a != b);
         for pair in changed {
             cancel::check();
             self.find_rings(known, pair);
         }
+    }
+
+    /// Brings links on a connector to the clusters that they are in by now; gives those for which another link stands there than before.
+    /// A cluster comes to another as a whole.
+    fn bring(&mut self, known: Known<'_>, number: usize, links: &[LinkId]) -> BTreeSet<LinkId> {
+        let connector = self.connectors[number];
+        let on = &mut self.on[number];
+        let mut renewed = BTreeSet::new();
+        for &link in links {
+            let base = known.clusters.base(link);
+            let former = self.base[link.index()].filter(|former| *former != base);
+            if let Some(former) = former.filter(|former| on.remove(former).is_some())
+                && let Some(connectors) = self.of_cluster.get_mut(&former)
+            {
+                connectors.remove(&number);
+            }
+            let is_first = |other: &LinkId| {
+                first_of(known.model, known.structure, connector, [link, *other]) == Some(link)
+            };
+            if on.get(&base).is_none_or(is_first) {
+                on.insert(base, link);
+                self.of_cluster.entry(base).or_default().insert(number);
+                renewed.insert(base);
+            }
+        }
+        renewed
+    }
+
+    /// The pairs of clusters on a connector that may be in a ring with a third, one of them among those that are new there.
+    fn new_pairs(&self, number: usize, renewed: &BTreeSet<LinkId>) -> BTreeSet<Pair> {
+        /// Of so many pairs each is looked at.
+        const FEW: usize = 100;
+        let on = &self.on[number];
+        let with = |one: LinkId, others: &BTreeSet<LinkId>| {
+            let others = others.iter().filter(|other| **other != one);
+            others
+                .map(|&other| (one.min(other), one.max(other)))
+                .collect::<Vec<Pair>>()
+        };
+        if renewed.len() * on.len() <= FEW {
+            let on = on.keys().copied().collect();
+            return renewed.iter().flat_map(|&one| with(one, &on)).collect();
+        }
+        // The clusters on it that are beside each cluster elsewhere.
+        let mut beside: BTreeMap<LinkId, BTreeSet<LinkId>> = BTreeMap::new();
+        for &base in on.keys() {
+            let elsewhere = self.connectors_of(base).filter(|other| *other != number);
+            for &near in elsewhere.flat_map(|other| self.on[other].keys()) {
+                beside.entry(near).or_default().insert(base);
+            }
+        }
+        let pairs = beside.iter().flat_map(|(near, bases)| {
+            let new = bases
+                .intersection(renewed)
+                .flat_map(|&one| with(one, bases));
+            // Beside each other by two connectors.
+            let is_own = on.contains_key(near);
+            let own = is_own.then(|| with(*near, bases)).into_iter().flatten();
+            new.chain(own.filter(|(a, b)| renewed.contains(a) || renewed.contains(b)))
+        });
+        pairs.collect()
     }
 
     /// All connections, ordered by the bases of their clusters.
@@ -235,19 +300,21 @@ impl Open {
     }
 
     /// The connection that a connector makes between two clusters that are on it.
-    fn between_on(&self, known: Known<'_>, (a, b): Pair, number: usize) -> Option<Between> {
-        let on = &self.on[number];
+    fn between_on(
+        &self,
+        known: Known<'_>,
+        (a, b): Pair,
+        number_of_connector: usize,
+    ) -> Option<Between> {
+        let on = &self.on[number_of_connector];
         let base = |axis| known.clusters.base(known.model.axis(axis).link);
-        let (connection, pin) = match self.connectors[number] {
+        let (connection, pin) = match self.connectors[number_of_connector] {
             Connector::Pin(number) => {
                 let pin = &known.structure.pins[number];
                 let [a, b] = [on.get(&a)?, on.get(&b)?];
                 // In the order in which they stand on the pin.
-                let first = pin
-                    .members
-                    .iter()
-                    .find(|(link, _)| link == a || link == b)?
-                    .0;
+                let connector = self.connectors[number_of_connector];
+                let first = first_of(known.model, known.structure, connector, [*a, *b])?;
                 let [from, to] = if first == *a { [*a, *b] } else { [*b, *a] };
                 let joint = named_on(known.model, known.clusters, pin, from, to);
                 let connection = pivot(pin, from, to)?;
@@ -298,6 +365,23 @@ fn links(model: &Model, structure: &Structure, connector: &Connector) -> Vec<Lin
             let axes = [connection.from, connection.to];
             axes.map(|axis| model.axis(axis).link).to_vec()
         }
+    }
+}
+
+/// That of two links which is first on a connector.
+fn first_of(
+    model: &Model,
+    structure: &Structure,
+    connector: Connector,
+    pair: [LinkId; 2],
+) -> Option<LinkId> {
+    let is_one = |link: &LinkId| pair.contains(link);
+    match connector {
+        Connector::Pin(number) => {
+            let members = structure.pins[number].members.iter();
+            members.map(|member| member.0).find(is_one)
+        }
+        Connector::Slide(_) => links(model, structure, &connector).into_iter().find(is_one),
     }
 }
 

@@ -7,6 +7,7 @@
 
 use petgraph::algo::tarjan_scc;
 use petgraph::graph::{DiGraph, NodeIndex};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 /// The unknowns that each equation contains.
 pub(super) type Pattern = Vec<Vec<usize>>;
@@ -28,39 +29,116 @@ pub(super) fn choose_balances(
     unknowns: usize,
 ) -> Option<(Vec<usize>, Vec<EquationSet>)> {
     let mut choices = vec![0; alternatives.len()];
-    let pattern = |choices: &[usize]| -> Pattern {
-        let chosen = alternatives.iter().zip(choices);
-        chosen
-            .flat_map(|(alternatives, &choice)| alternatives[choice].clone())
-            .collect()
-    };
-    let mut best = blocks(&pattern(&choices), unknowns)?;
+    let first = alternatives
+        .iter()
+        .flat_map(|alternatives| alternatives[0].clone());
+    let mut system = System::new(first.collect(), unknowns)?;
     for _ in 0..PASSES {
-        let before = work(&best);
-        for link in 0..alternatives.len() {
-            for other in 0..alternatives[link].len() {
-                let mut tried = choices.clone();
-                tried[link] = other;
-                if let Some(found) = blocks(&pattern(&tried), unknowns)
-                    && work(&found) < work(&best)
-                {
-                    (choices, best) = (tried, found);
+        let mut is_better = false;
+        for (link, alternatives) in alternatives.iter().enumerate() {
+            for (other, balance) in alternatives.iter().enumerate() {
+                if system.improve(3 * link, balance) {
+                    (choices[link], is_better) = (other, true);
                 }
             }
         }
-        if work(&best) == before {
+        if !is_better {
             break;
         }
     }
-    Some((choices, best))
+    let blocks = blocks(&system.pattern, unknowns)?;
+    Some((choices, blocks))
 }
 
-/// The work of solving these: the sum of the cubes of their sizes.
-fn work(blocks: &[EquationSet]) -> usize {
-    blocks
-        .iter()
-        .map(|block| block.equations.len().pow(3))
-        .sum()
+/// A square system with its equations matched to unknowns, and the sizes of its blocks. Where one link gets other equations, only what
+/// these depend on is matched and counted anew.
+struct System {
+    pattern: Pattern,
+    matching: Matching,
+    /// For each equation the number of those in its block.
+    sizes: Vec<usize>,
+}
+
+impl System {
+    fn new(pattern: Pattern, unknowns: usize) -> Option<Self> {
+        if pattern.len() != unknowns {
+            return None;
+        }
+        let mut sizes = vec![0; pattern.len()];
+        for block in blocks(&pattern, unknowns)? {
+            for &equation in &block.equations {
+                sizes[equation] = block.equations.len();
+            }
+        }
+        let matching = Matching::new(&pattern, unknowns)?;
+        Some(Self {
+            pattern,
+            matching,
+            sizes,
+        })
+    }
+
+    /// Gives a link other equations, if these take less work.
+    fn improve(&mut self, first: usize, balance: &[Vec<usize>; 3]) -> bool {
+        let own = first..first + balance.len();
+        let before: Pattern = self.pattern[own.clone()].to_vec();
+        self.pattern[own.clone()].clone_from_slice(balance);
+        let mut changes = Vec::new();
+        for equation in own.clone() {
+            self.matching.release(equation, &mut changes);
+        }
+        let mut equations = own.clone();
+        let is_matched = equations.all(|equation| {
+            let found = self.matching.augment(&self.pattern, equation);
+            found.map(|found| changes.extend(found)).is_some()
+        });
+        if is_matched {
+            let concerned = self.concerned(own.start, &before, &changes);
+            let blocks = components(&self.pattern, &self.matching, concerned.iter().copied());
+            // Each equation has its share in the cube of the size of its block.
+            let old: usize = concerned.iter().map(|&one| self.sizes[one].pow(2)).sum();
+            let new: usize = blocks.iter().map(|block| block.len().pow(3)).sum();
+            if new < old {
+                for block in blocks {
+                    for &equation in &block {
+                        self.sizes[equation] = block.len();
+                    }
+                }
+                return true;
+            }
+        }
+        self.matching.undo(&changes);
+        self.pattern[own].clone_from_slice(&before);
+        false
+    }
+
+    /// The equations that those of a link, or those that are matched anew, depend on, before a change or after it: no block has some of
+    /// these and others.
+    fn concerned(&self, first: usize, before: &Pattern, changes: &[Change]) -> BTreeSet<usize> {
+        let mut former: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        for &Change { equation, unknown } in changes {
+            former.entry(unknown).or_default().push(equation);
+        }
+        let own = first..first + before.len();
+        let mut found: BTreeSet<usize> = own.chain(former.values().flatten().copied()).collect();
+        let mut waiting: Vec<usize> = found.iter().copied().collect();
+        while let Some(equation) = waiting.pop() {
+            let old = equation.checked_sub(first).and_then(|own| before.get(own));
+            for unknown in self.pattern[equation]
+                .iter()
+                .chain(old.into_iter().flatten())
+            {
+                let owners = self.matching.equation_of[*unknown].iter();
+                let owners = owners.chain(former.get(unknown).into_iter().flatten());
+                for &owner in owners {
+                    if found.insert(owner) {
+                        waiting.push(owner);
+                    }
+                }
+            }
+        }
+        found
+    }
 }
 
 /// The blocks of a square system, in the order in which they are solved; none if it is not square or singular whatever its numbers.
@@ -68,27 +146,13 @@ fn blocks(pattern: &Pattern, unknowns: usize) -> Option<Vec<EquationSet>> {
     if pattern.len() != unknowns {
         return None;
     }
-    let of_equation = matching(pattern, unknowns)?;
-    let mut equation_of = vec![0; unknowns];
-    for (equation, &unknown) in of_equation.iter().enumerate() {
-        equation_of[unknown] = equation;
-    }
-    let mut graph = DiGraph::<(), ()>::new();
-    let nodes: Vec<NodeIndex> = pattern.iter().map(|_| graph.add_node(())).collect();
-    for (equation, contained) in pattern.iter().enumerate() {
-        for &unknown in contained {
-            let needed = equation_of[unknown];
-            if needed != equation {
-                graph.add_edge(nodes[equation], nodes[needed], ());
-            }
-        }
-    }
-    let components = tarjan_scc(&graph).into_iter().map(|component| {
-        let mut equations: Vec<usize> = component.into_iter().map(NodeIndex::index).collect();
+    let matching = Matching::new(pattern, unknowns)?;
+    let blocks = components(pattern, &matching, 0..pattern.len()).into_iter();
+    let blocks = blocks.map(|mut equations| {
         equations.sort_unstable();
         let mut unknowns: Vec<usize> = equations
             .iter()
-            .map(|&equation| of_equation[equation])
+            .filter_map(|&equation| matching.of_equation[equation])
             .collect();
         unknowns.sort_unstable();
         EquationSet {
@@ -96,44 +160,113 @@ fn blocks(pattern: &Pattern, unknowns: usize) -> Option<Vec<EquationSet>> {
             unknowns,
         }
     });
-    Some(components.collect())
+    Some(blocks.collect())
 }
 
-/// An unknown for each equation, each once, by augmenting paths.
-fn matching(pattern: &Pattern, unknowns: usize) -> Option<Vec<usize>> {
-    let mut equation_of: Vec<Option<usize>> = vec![None; unknowns];
-    for equation in 0..pattern.len() {
-        let mut seen = vec![false; unknowns];
-        if !augment(pattern, equation, &mut seen, &mut equation_of) {
-            return None;
-        }
-    }
-    let mut of_equation = vec![0; pattern.len()];
-    for (unknown, equation) in equation_of.into_iter().enumerate() {
-        of_equation[equation?] = unknown;
-    }
-    Some(of_equation)
-}
-
-/// Finds an unknown for an equation, perhaps by giving another equation another one.
-fn augment(
+/// Which of these equations have to be solved together, in the order in which they are solved.
+fn components(
     pattern: &Pattern,
-    equation: usize,
-    seen: &mut [bool],
-    equation_of: &mut [Option<usize>],
-) -> bool {
-    for &unknown in &pattern[equation] {
-        if std::mem::replace(&mut seen[unknown], true) {
-            continue;
-        }
-        let free = match equation_of[unknown] {
-            None => true,
-            Some(other) => augment(pattern, other, seen, equation_of),
-        };
-        if free {
-            equation_of[unknown] = Some(equation);
-            return true;
+    matching: &Matching,
+    equations: impl Iterator<Item = usize> + Clone,
+) -> Vec<Vec<usize>> {
+    let mut graph = DiGraph::<usize, ()>::new();
+    let nodes: BTreeMap<usize, NodeIndex> = equations
+        .clone()
+        .map(|equation| (equation, graph.add_node(equation)))
+        .collect();
+    for equation in equations {
+        for &unknown in &pattern[equation] {
+            let needed = matching.equation_of[unknown];
+            let needed = needed.filter(|needed| *needed != equation);
+            if let Some(needed) = needed.and_then(|needed| nodes.get(&needed)) {
+                graph.add_edge(nodes[&equation], *needed, ());
+            }
         }
     }
-    false
+    let components = tarjan_scc(&graph).into_iter();
+    let equations = |component: Vec<NodeIndex>| component.into_iter().map(|node| graph[node]);
+    components
+        .map(|component| equations(component).collect())
+        .collect()
+}
+
+/// An equation had this unknown before.
+struct Change {
+    equation: usize,
+    unknown: usize,
+}
+
+/// Equations and unknowns, each matched to one of the others, by augmenting paths.
+struct Matching {
+    of_equation: Vec<Option<usize>>,
+    equation_of: Vec<Option<usize>>,
+}
+
+impl Matching {
+    /// An unknown for each equation; none if there is none for one of them.
+    fn new(pattern: &Pattern, unknowns: usize) -> Option<Self> {
+        let mut matching = Self {
+            of_equation: vec![None; pattern.len()],
+            equation_of: vec![None; unknowns],
+        };
+        let mut equations = 0..pattern.len();
+        let is_whole = equations.all(|equation| matching.augment(pattern, equation).is_some());
+        is_whole.then_some(matching)
+    }
+
+    /// Takes an equation its unknown.
+    fn release(&mut self, equation: usize, changes: &mut Vec<Change>) {
+        if let Some(unknown) = self.of_equation[equation].take() {
+            self.equation_of[unknown] = None;
+            changes.push(Change { equation, unknown });
+        }
+    }
+
+    /// Finds an unknown for an equation, perhaps by giving others another one; gives what these had before.
+    fn augment(&mut self, pattern: &Pattern, equation: usize) -> Option<Vec<Change>> {
+        let mut seen = HashSet::new();
+        // The equations on the way, each with the number of its unknowns that were looked at.
+        let mut way = vec![(equation, 0)];
+        while let Some((equation, looked)) = way.last_mut() {
+            let Some(&unknown) = pattern[*equation].get(*looked) else {
+                way.pop();
+                continue;
+            };
+            *looked += 1;
+            if !seen.insert(unknown) {
+                continue;
+            }
+            if let Some(other) = self.equation_of[unknown] {
+                way.push((other, 0));
+                continue;
+            }
+            let mut changes = Vec::new();
+            for (equation, looked) in way {
+                let unknown = pattern[equation][looked - 1];
+                let former = self.of_equation[equation].replace(unknown);
+                changes.extend(former.map(|unknown| Change { equation, unknown }));
+                self.equation_of[unknown] = Some(equation);
+            }
+            return Some(changes);
+        }
+        None
+    }
+
+    /// Gives equations back what they had before all of these changes.
+    fn undo(&mut self, changes: &[Change]) {
+        for Change { equation, .. } in changes {
+            if let Some(unknown) = self.of_equation[*equation].take() {
+                self.equation_of[unknown] = None;
+            }
+        }
+        // The first that an equation had comes last.
+        for Change { equation, unknown } in changes.iter().rev() {
+            self.of_equation[*equation] = Some(*unknown);
+        }
+        for Change { equation, .. } in changes {
+            if let Some(unknown) = self.of_equation[*equation] {
+                self.equation_of[unknown] = Some(*equation);
+            }
+        }
+    }
 }

@@ -14,6 +14,34 @@ use crate::plan::{Algebra, Arithmetic};
 use crate::program::node::{Op, Value};
 use crate::program::{InverseDynamics, LinearEquations};
 use crate::structure::Structure;
+use std::collections::BTreeSet;
+
+/// Moments are taken about one of so many points of a link; a shaft may have a thousand.
+const POINTS: usize = 50;
+
+/// What acts on a link: the unknowns, by their numbers, and what is known.
+#[derive(Clone, Default)]
+struct Acting<'a> {
+    unknowns: Vec<(usize, &'a Unknown)>,
+    wrenches: Vec<&'a Wrench>,
+}
+
+impl<'a> Acting<'a> {
+    /// What acts on each link.
+    fn on_all(links: usize, unknowns: &'a [Unknown], wrenches: &'a [Wrench]) -> Vec<Self> {
+        let mut all = vec![Self::default(); links];
+        for (number, unknown) in unknowns.iter().enumerate() {
+            let links: BTreeSet<LinkId> = unknown.pushes.iter().map(|push| push.link()).collect();
+            for link in links {
+                all[link.index()].unknowns.push((number, unknown));
+            }
+        }
+        for wrench in wrenches {
+            all[wrench.link().index()].wrenches.push(wrench);
+        }
+        all
+    }
+}
 
 /// The form of a link's equations: about which point moments are taken, and along which directions forces are summed.
 #[derive(Clone, Copy, Debug)]
@@ -75,11 +103,12 @@ impl Lowering<'_> {
     ) -> Option<Vec<Value>> {
         let links: Vec<LinkId> = self.model.moving_links().collect();
         let mut alternatives: Vec<Vec<Rows>> = Vec::new();
+        let acting = Acting::on_all(self.model.links.len(), unknowns, wrenches);
         for &link in &links {
             let balances = self.balances(link);
             let rows = balances
                 .into_iter()
-                .map(|balance| self.rows(link, balance, unknowns, wrenches));
+                .map(|balance| self.rows(link, balance, &acting[link.index()]));
             alternatives.push(rows.collect());
         }
         let pattern: Vec<Vec<[Vec<usize>; 3]>> = alternatives
@@ -167,7 +196,8 @@ impl Lowering<'_> {
                 JointKind::Revolute(a, b) | JointKind::Weld(a, b) => {
                     let at = own(a).or(own(b));
                     let is_known = |at: AxisId| points.iter().any(|&one| place(one) == place(at));
-                    points.extend(at.filter(|&at| !is_known(at)));
+                    let is_new = |at: &AxisId| points.len() < POINTS && !is_known(*at);
+                    points.extend(at.filter(is_new));
                 }
                 JointKind::Prismatic(..) => slides.push(Some(joint)),
                 _ => {}
@@ -189,19 +219,13 @@ impl Lowering<'_> {
     }
 
     /// The equations of a link for one balance.
-    fn rows(
-        &mut self,
-        link: LinkId,
-        balance: Balance,
-        unknowns: &[Unknown],
-        wrenches: &[Wrench],
-    ) -> Rows {
+    fn rows(&mut self, link: LinkId, balance: Balance, acting: &Acting<'_>) -> Rows {
         let zero = self.ssa.constant(0.0);
         let mut rows = Rows {
             unknown: Default::default(),
             known: [zero; 3],
         };
-        for (number, unknown) in unknowns.iter().enumerate() {
+        for &(number, unknown) in &acting.unknowns {
             let mut sums = [zero; 3];
             for push in &unknown.pushes {
                 let parts = match *push {
@@ -225,7 +249,7 @@ impl Lowering<'_> {
                 }
             }
         }
-        for wrench in wrenches {
+        for &wrench in &acting.wrenches {
             let parts = match *wrench {
                 Wrench::Force {
                     link: pushed,

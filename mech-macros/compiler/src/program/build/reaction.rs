@@ -41,6 +41,15 @@ pub(super) enum Push {
     Torque { link: LinkId, size: Value },
 }
 
+impl Push {
+    /// The link on which it acts.
+    pub(super) fn link(&self) -> LinkId {
+        match *self {
+            Self::Force { link, .. } | Self::Torque { link, .. } => link,
+        }
+    }
+}
+
 /// An unknown: a part of the reaction in a joint, or the torque of a motor.
 #[derive(Clone, Debug)]
 pub(super) struct Unknown {

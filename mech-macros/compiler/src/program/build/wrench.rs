@@ -21,6 +21,15 @@ pub(super) enum Wrench {
     },
 }
 
+impl Wrench {
+    /// The link on which it acts.
+    pub(super) fn link(&self) -> LinkId {
+        match *self {
+            Self::Force { link, .. } | Self::Torque { link, .. } => link,
+        }
+    }
+}
+
 /// Two points in the scene, on links.
 #[derive(Clone, Copy)]
 struct Span {

@@ -36,11 +36,15 @@ pub enum Limit {
     Links,
     /// Motors of a mechanism.
     Motors,
+    /// Links of a mechanism of which rates are computed.
+    Rates,
+    /// Links of a mechanism of which forces are computed.
+    Forces,
 }
 
 impl Limit {
     /// All of them.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 12] = [
         Self::Length,
         Self::Depth,
         Self::Number,
@@ -51,6 +55,8 @@ impl Limit {
         Self::Copies,
         Self::Links,
         Self::Motors,
+        Self::Rates,
+        Self::Forces,
     ];
 
     /// The most that is read.
@@ -60,12 +66,13 @@ impl Limit {
             Self::Length => 1 << 20,
             Self::Depth => 100,
             Self::Number => 800,
-            Self::Word | Self::Instances => 1000,
+            Self::Word | Self::Instances | Self::Rates => 1000,
             Self::Tokens => 200_000,
             Self::Statements => 10_000,
             Self::Copies => 20_000,
             Self::Links => 2500,
             Self::Motors => 300,
+            Self::Forces => 500,
         }
     }
 
@@ -85,6 +92,8 @@ impl Limit {
             Self::Copies => [MECHANISM, "statements, with those of all instances"],
             Self::Links => [MECHANISM, "links"],
             Self::Motors => [MECHANISM, "motors"],
+            Self::Rates => [MECHANISM, "links of which rates are computed"],
+            Self::Forces => [MECHANISM, "links of which forces are computed"],
         }
     }
 }

@@ -91,6 +91,38 @@ fn brackets_that_no_stack_holds_are_an_error_of_the_macro() {
 }
 
 #[test]
+fn what_is_computed_of_links_has_limits_of_its_own() {
+    let text = |count: usize, effects: &str| {
+        format!(
+            "struct A; ground {{ point o = (0, 0); }} link axle {{ point o = (0, 0); }}
+            joint main = revolute(ground.o, axle.o); motor main;
+            part Flap {{ port frame {{ point o = (0, 0); }} link flap {{ point o = (0, 0); mass 1 at (1, 0); }}
+            joint o = revolute(frame.o, flap.o); }}
+            use flap[{count}]: Flap {{ frame = ground }}; effects {{ {effects} }}"
+        )
+    };
+    for (limit, effects, word) in [
+        (Limit::Rates, "velocity;", "velocity"),
+        (Limit::Rates, "velocity; acceleration;", "velocity"),
+        (Limit::Forces, "force;", "force"),
+        (Limit::Forces, "velocity; dynamics;", "dynamics"),
+    ] {
+        let said = |count: usize| {
+            proc_macro2::extra::invalidate_current_thread_spans();
+            let text = text(count, effects);
+            let parsed = syntax::parse(text.parse().expect("tokens"));
+            let errors = parsed.errors.into_iter().map(|error| {
+                let place = error.place.start.byte_range();
+                (text[place].to_owned(), error.text)
+            });
+            errors.collect::<Vec<_>>()
+        };
+        assert_eq!(said(limit.most() - 1), [], "{effects}");
+        assert_eq!(said(limit.most()), [(word.to_owned(), limit.to_string())]);
+    }
+}
+
+#[test]
 fn the_page_of_limits_tells_them_all() {
     let mut table = String::new();
     for limit in Limit::ALL {

@@ -5,6 +5,7 @@ use super::find;
 use super::reader::{Located, Reader};
 use super::report::Report;
 use crate::api::Owner;
+use crate::bug::bug;
 use crate::model::{
     AxisId, AxisKind, Between, Damper, JointId, JointKind, LinkId, Load, LoadKind, Model, Spring,
 };
@@ -12,6 +13,7 @@ use crate::syntax::Place;
 use crate::syntax::ast::{
     self, BetweenEnds, Effect, Elastic, ElasticBody, End, LoadOn, Name, Pair, Statement,
 };
+use crate::syntax::limits::Limit;
 
 pub(super) fn gravity(reader: &mut Reader, draft: &mut Draft, value: &Pair) {
     let gravity = &mut draft.model.actions.gravity;
@@ -238,6 +240,12 @@ pub(super) fn check(draft: &Draft, statements: &[Located], report: &mut Report) 
     }
     let model = &draft.model;
     let (actions, effects) = (&model.actions, model.effects);
+    if let Some((limit, effect)) = beyond(model) {
+        let place = asked(statements, effect);
+        let place = place.unwrap_or_else(|| bug!("effect `{effect}` is asked for nowhere"));
+        report.error(place, limit.to_string());
+        return;
+    }
     let masses = || model.links.iter().filter_map(|link| link.mass.as_ref());
     let has_mass = masses().any(|mass| mass.mass + mass.inertia > 0.0);
     let acts = has_mass
@@ -263,6 +271,22 @@ pub(super) fn check(draft: &Draft, statements: &[Located], report: &mut Report) 
     if let Some(place) = place {
         report.error(place, text);
     }
+}
+
+/// The limit that the links of a mechanism exceed for what is computed of them, and the effect that computes it.
+fn beyond(model: &Model) -> Option<(Limit, &'static str)> {
+    let effects = model.effects;
+    let asked = [
+        (effects.force, Limit::Forces, "force"),
+        (effects.dynamics, Limit::Forces, "dynamics"),
+        (effects.velocity, Limit::Rates, "velocity"),
+        (effects.sensitivity, Limit::Rates, "sensitivity"),
+    ];
+    let links = model.declared_links().count();
+    let mut beyond = asked.into_iter();
+    let (_, limit, effect) =
+        beyond.find(|(is_asked, limit, _)| *is_asked && links > limit.most())?;
+    Some((limit, effect))
 }
 
 /// Where gravity is given, if it is.

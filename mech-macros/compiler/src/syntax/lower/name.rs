@@ -165,7 +165,7 @@ impl Names {
     /// The axis of this name on a link, without a word.
     pub(super) fn axis_of(&self, model: &Model, link: Body, name: &str) -> Option<AxisId> {
         let is_it =
-            |axis: &Axis| axis.name.as_deref() == Some(name) && self.is_known_by(axis, link);
+            |axis: &Axis| self.is_known_by(axis, link) && axis.name.as_deref() == Some(name);
         model.axes.iter().position(is_it).map(AxisId::new)
     }
 

@@ -160,7 +160,7 @@ impl Report {
             let (listing, ends) = listing.get_or_insert_with(|| Listing::by_statements(text));
             if let Some(text) = unknown.without_ground(listing) {
                 entry.message.text = text;
-            } else if let Some((index, text)) = unknown.misspelt(listing) {
+            } else if let Some((index, text)) = unknown.misspelt(listing, &text.tokens) {
                 let before = ends.iter().take_while(|end| **end <= index);
                 let statement = StatementPlace::of_mechanism(before.count() + 1);
                 entry.position = (statement, 0);

@@ -1,6 +1,7 @@
 //! Names that nothing declares.
 
 use crate::syntax::{ListedName, Listing, Noun, spelling};
+use proc_macro2::{TokenStream, TokenTree};
 
 /// A name that nothing declares.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -62,14 +63,17 @@ impl Unknown {
     }
 
     /// The number of the declaration that is misspelt, if one is, and what is said there: it looks like this name, and is not used.
-    pub(super) fn misspelt(&self, listing: &Listing) -> Option<(usize, String)> {
+    pub(super) fn misspelt(
+        &self,
+        listing: &Listing,
+        tokens: &TokenStream,
+    ) -> Option<(usize, String)> {
         let (owner, word) = (&self.owner, &self.word);
         let path = format!("{owner}{word}");
         let is_other =
             |one: &ListedName| one.is_declared && one.part == self.part && one.path == path;
         // A name that stands nowhere else may as well be misspelt itself.
-        let same = listing.names.iter().filter(|one| one.word() == word);
-        if same.count() < 2 || listing.names.iter().any(is_other) {
+        if !stands_again(tokens, word) || listing.names.iter().any(is_other) {
             return None;
         }
         let is_beside = |one: &ListedName| {
@@ -104,4 +108,20 @@ impl Unknown {
         );
         Some((declared, text))
     }
+}
+
+/// Whether a word stands at two places, be it where nothing could be read.
+fn stands_again(tokens: &TokenStream, word: &str) -> bool {
+    let mut count = 0;
+    let mut waiting = vec![tokens.clone()];
+    while let Some(stream) = waiting.pop() {
+        for tree in stream {
+            match tree {
+                TokenTree::Ident(ident) => count += usize::from(ident == word),
+                TokenTree::Group(group) => waiting.push(group.stream()),
+                _ => {}
+            }
+        }
+    }
+    count > 1
 }

@@ -86,10 +86,11 @@ impl Pieces {
                 }
             }
         }
+        let has_functions = !is_short(program);
         let shapes = all.iter().enumerate().filter_map(|(number, piece)| {
             let is_candidate = match piece.part {
                 Part::Before | Part::Solution => true,
-                Part::Whole => is_long_straight(program, piece.block),
+                Part::Whole => has_functions && is_straight(program, piece.block),
             };
             let shape = is_candidate.then(|| shape(program, &piece.anew))?;
             Some((number, shape?))
@@ -233,11 +234,9 @@ impl Solution {
             .flat_map(|closed| closed.dyad.goal())
             .map(|part| Term::of(program, part).value)
             .collect();
-        let ends = goal.first().zip(values.last());
-        let range = ends.map_or(0..0, |(first, last)| first.index()..last.index() + 1);
         let (mut dependent, mut rooted) = (goal.clone(), BTreeSet::new());
         let (mut own, mut others) = (Vec::new(), BTreeSet::new());
-        for value in range.map(Value::at).filter(|value| program.is_live(*value)) {
+        for value in needed(program, values, goal.first().copied()) {
             let node = program.node(value);
             let is_goal = goal.contains(&Term::of(program, value).value);
             if is_goal
@@ -264,6 +263,25 @@ impl Solution {
             own,
         }
     }
+}
+
+/// These values and those that they are computed from, in order, without those before the first that is of interest.
+fn needed(program: &Program, values: &[Value], first: Option<Value>) -> BTreeSet<Value> {
+    let Some(first) = first else {
+        return BTreeSet::new();
+    };
+    let is_of_interest = |value: &Value| *value >= first && program.is_live(*value);
+    let mut waiting: Vec<Value> = values.iter().copied().filter(is_of_interest).collect();
+    let mut found: BTreeSet<Value> = waiting.iter().copied().collect();
+    while let Some(value) = waiting.pop() {
+        let operands = program.node(value).op.operands().into_iter();
+        for operand in operands.filter(is_of_interest) {
+            if found.insert(operand) {
+                waiting.push(operand);
+            }
+        }
+    }
+    found
 }
 
 /// These values and those among `others` that they are computed from, each after those that it needs.
@@ -303,7 +321,6 @@ fn shape(program: &Program, values: &[Value]) -> Option<Shape> {
     Shape::of(program, values)
 }
 
-/// Whether a block is straight and a function of its own.
-fn is_long_straight(program: &Program, block: BlockId) -> bool {
-    matches!(program.ssa.blocks[block.index()].kind, BlockKind::Straight) && !is_short(program)
+fn is_straight(program: &Program, block: BlockId) -> bool {
+    matches!(program.ssa.blocks[block.index()].kind, BlockKind::Straight)
 }
