@@ -1,6 +1,7 @@
 //! There is less freedom than there are motors.
 
 use super::Words;
+use super::wording::one_of;
 use crate::model::{JointId, JointKind, LinkId, MotorId};
 use crate::repair::{Offers, Repair};
 
@@ -173,14 +174,31 @@ impl Words<'_> {
         )
     }
 
-    pub(super) fn no_motor(&self, freedom: usize, offers: &Offers) -> String {
+    pub(super) fn no_motor(
+        &self,
+        freedom: usize,
+        candidates: &[JointId],
+        offers: &Offers,
+    ) -> String {
         let needs = if freedom == 1 {
             "one motor".to_owned()
         } else {
             format!("{freedom} motors")
         };
+        let nothing = offers.single.is_empty()
+            && offers.elsewhere.is_empty()
+            && offers.coupled.is_empty()
+            && offers.pairs.is_empty();
+        let alone = if nothing && !candidates.is_empty() {
+            // Counting finds no freedom: it moves because its lengths match.
+            let names = candidates.iter().map(|&joint| self.joint(joint));
+            let joints = one_of(&names.collect::<Vec<_>>());
+            format!("\nhelp: add a motor on {joints}, and `allow redundant;`")
+        } else {
+            String::new()
+        };
         format!(
-            "there is no motor: the mechanism needs {needs}{}",
+            "there is no motor: the mechanism needs {needs}{}{alone}",
             self.motor_help(offers)
         )
     }

@@ -153,20 +153,10 @@ impl Words<'_> {
             Diagnosis::NoMotor {
                 freedom,
                 candidates,
-            } => {
-                let mut text = self.no_motor(*freedom, offers);
-                let nothing = offers.single.is_empty()
-                    && offers.elsewhere.is_empty()
-                    && offers.coupled.is_empty();
-                if nothing && !candidates.is_empty() && offers.pairs.is_empty() {
-                    // Counting finds no freedom: it moves because its lengths match.
-                    let names: Vec<String> =
-                        candidates.iter().map(|&joint| self.joint(joint)).collect();
-                    let joints = wording::one_of(&names);
-                    text += &format!("\nhelp: add a motor on {joints}, and `allow redundant;`");
-                }
-                (self.model.origin, text)
-            }
+            } => (
+                self.model.origin,
+                self.no_motor(*freedom, candidates, offers),
+            ),
             Diagnosis::Undetermined { freedom, free, .. } => (
                 self.at_joint(free.first()),
                 self.undetermined(*freedom, free, offers),

@@ -270,3 +270,68 @@ impl Matching {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Pattern, System, blocks};
+
+    /// Numbers that look random.
+    struct Dice(u64);
+
+    impl Dice {
+        fn below(&mut self, most: usize) -> usize {
+            self.0 = self
+                .0
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (self.0 >> 33) as usize % most
+        }
+
+        fn equation(&mut self, unknowns: usize) -> Vec<usize> {
+            let many = 1 + self.below(3);
+            (0..many).map(|_| self.below(unknowns)).collect()
+        }
+    }
+
+    fn work(pattern: &Pattern) -> Option<usize> {
+        let blocks = blocks(pattern, pattern.len())?;
+        Some(
+            blocks
+                .iter()
+                .map(|block| block.equations.len().pow(3))
+                .sum(),
+        )
+    }
+
+    #[test]
+    fn other_equations_are_taken_where_the_whole_takes_less_work() {
+        let mut dice = Dice(1);
+        let (mut taken, mut kept) = (0, 0);
+        while taken < 500 || kept < 500 {
+            let unknowns = 3 * (2 + dice.below(5));
+            let pattern: Pattern = (0..unknowns)
+                .map(|own| [vec![own], dice.equation(unknowns)].concat())
+                .collect();
+            let mut system =
+                System::new(pattern, unknowns).expect("each equation has its own unknown");
+            for _ in 0..10 {
+                let first = 3 * dice.below(unknowns / 3);
+                let balance = [(); 3].map(|()| dice.equation(unknowns));
+                let mut tried = system.pattern.clone();
+                tried[first..first + 3].clone_from_slice(&balance);
+                let (old, new) = (work(&system.pattern), work(&tried));
+                let is_less = new.is_some_and(|new| Some(new) < old);
+                let before = system.pattern.clone();
+                assert_eq!(
+                    system.improve(first, &balance),
+                    is_less,
+                    "{before:?} {first} {balance:?}"
+                );
+                assert_eq!(system.pattern, if is_less { tried } else { before });
+                let sizes: usize = system.sizes.iter().map(|size| size.pow(2)).sum();
+                assert_eq!(Some(sizes), work(&system.pattern));
+                *if is_less { &mut taken } else { &mut kept } += 1;
+            }
+        }
+    }
+}

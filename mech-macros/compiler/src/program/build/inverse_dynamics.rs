@@ -31,7 +31,7 @@ impl<'a> Acting<'a> {
     fn on_all(links: usize, unknowns: &'a [Unknown], wrenches: &'a [Wrench]) -> Vec<Self> {
         let mut all = vec![Self::default(); links];
         for (number, unknown) in unknowns.iter().enumerate() {
-            let links: BTreeSet<LinkId> = unknown.pushes.iter().map(|push| push.link()).collect();
+            let links: BTreeSet<LinkId> = unknown.pushes.iter().map(Push::link).collect();
             for link in links {
                 all[link.index()].unknowns.push((number, unknown));
             }

@@ -274,7 +274,7 @@ fn needed(program: &Program, values: &[Value], first: Option<Value>) -> BTreeSet
     let mut waiting: Vec<Value> = values.iter().copied().filter(is_of_interest).collect();
     let mut found: BTreeSet<Value> = waiting.iter().copied().collect();
     while let Some(value) = waiting.pop() {
-        let operands = program.node(value).op.operands().into_iter();
+        let operands = program.node(value).op.operands();
         for operand in operands.filter(is_of_interest) {
             if found.insert(operand) {
                 waiting.push(operand);
