@@ -42,15 +42,16 @@ impl NewNumbers {
 /// A number of the text on which the size or the place of a link depends.
 struct Number {
     tokens: Range<usize>,
+    written: String,
     value: f64,
     statement: String,
 }
 
 impl Number {
-    fn written(&self, value: f64) -> Repair {
+    fn replaced(&self, value: f64) -> Repair {
         Repair::Numbers(NewNumbers {
             tokens: self.tokens.clone(),
-            old: self.value.to_string(),
+            old: self.written.clone(),
             new: value.to_string(),
             statement: self.statement.clone(),
         })
@@ -108,7 +109,7 @@ fn lengths(trials: &mut Trials<'_>, unknowns: &[JointId]) -> Vec<Repair> {
             let changes = [0.1, 10.0, -1.0].into_iter();
             let changes = changes.map(|factor| tidy(number.value * factor));
             let likely = changes.filter(move |value| unlike(*value) <= unlike(number.value));
-            likely.map(move |value| (unlike(value), number.written(value)))
+            likely.map(move |value| (unlike(value), number.replaced(value)))
         })
         .collect();
     slips.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -118,7 +119,7 @@ fn lengths(trials: &mut Trials<'_>, unknowns: &[JointId]) -> Vec<Repair> {
     }
     let scaled = SCALES.iter().flat_map(|scale| {
         let numbers = numbers.iter();
-        numbers.map(move |number| number.written(handy(number.value * scale, number.value.abs())))
+        numbers.map(move |number| number.replaced(handy(number.value * scale, number.value.abs())))
     });
     first_that_mend(trials, scaled)
 }
@@ -184,6 +185,7 @@ fn numbers_in(text: &StatementText<'_>, statement: &StatementText<'_>, name: &st
         let is_length = value.is_finite() && value != 0.0 && is_whole && is_ended;
         is_length.then(|| Number {
             tokens: text.token(index - usize::from(is_sign))..text.token(index + 1),
+            written: [if is_sign { "-" } else { "" }, text.word(index)].concat(),
             value: if is_sign { -value } else { value },
             statement: [statement.word(0), name].join(" ").trim().to_owned(),
         })

@@ -2,7 +2,7 @@
 
 use super::declaration::{Declaration, NewKind, turns_freely};
 use super::motor::{NewMotor, slides, value_text};
-use super::{Repair, drivable};
+use super::{NewNumbers, Repair, drivable};
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId, Ratio};
 use crate::syntax::{Edits, Rewriter, StatementText, Tokens};
 
@@ -53,10 +53,7 @@ impl<'m> Writing<'m> {
             Repair::StartAt { motor, value } => self.start_at(*motor, *value),
             Repair::Carry { joint, on } => self.carry(*joint, *on),
             Repair::Attach { joint, from, to } => self.attach(*joint, *from, *to),
-            Repair::Numbers(numbers) => {
-                rewriter.edits.replace(numbers.tokens.clone(), &numbers.new);
-                Some(())
-            }
+            Repair::Numbers(numbers) => self.renumber(numbers),
             Repair::Resize { joint, sizes } => self.resize(*joint, *sizes),
         }
     }
@@ -207,6 +204,19 @@ impl<'m> Writing<'m> {
         let end = statement.token(ends.find(|&end| statement.word(end) == from)?);
         self.rewriter.edits.replace(end..end + 1, to);
         Some(())
+    }
+
+    /// Writes other numbers, if the old ones still stand there.
+    fn renumber(&mut self, numbers: &NewNumbers) -> Option<()> {
+        let NewNumbers {
+            tokens, old, new, ..
+        } = numbers;
+        let mut statements = self.rewriter.statements.iter();
+        let statement = statements.find(|one| one.range().contains(&tokens.start))?;
+        let first = statement.token(0);
+        let words = tokens.clone().map(|token| statement.word(token - first));
+        let is_there = words.collect::<String>() == old.replace(' ', "");
+        is_there.then(|| self.rewriter.edits.replace(tokens.clone(), new))
     }
 
     /// Gives two wheels other sizes.
