@@ -58,7 +58,7 @@ pub(super) struct Shared<'o> {
 }
 
 impl Shared<'_> {
-    /// Whether it changes the mechanism.
+    /// Tells whether the methods take `&mut self`.
     pub(super) fn takes_mutable(&self) -> bool {
         let receiver = self.read.sig.receiver().map(|receiver| &receiver.kind);
         matches!(receiver, Some(syn::ReceiverKind::Reference(_, _, Some(_))))

@@ -78,7 +78,7 @@ fn merged_piece(pieces: &[Piece], this: &TokenStream, index: &TokenStream) -> Op
     }
 }
 
-/// Whether two words or marks are the same.
+/// Compares two words or marks.
 fn is_alike(one: &TokenTree, other: &TokenTree) -> bool {
     match (one, other) {
         (TokenTree::Ident(one), TokenTree::Ident(other)) => one == other,
@@ -87,7 +87,7 @@ fn is_alike(one: &TokenTree, other: &TokenTree) -> bool {
     }
 }
 
-fn is_word(tree: &TokenTree, word: &str) -> bool {
+pub(super) fn is_word(tree: &TokenTree, word: &str) -> bool {
     matches!(tree, TokenTree::Ident(ident) if ident == word)
 }
 

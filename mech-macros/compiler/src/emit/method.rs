@@ -1,11 +1,12 @@
 //! The methods of a mechanism as tokens. There may be thousands, and of most nothing but the name and the body is asked for.
 
+use super::merge::is_word;
 use crate::bug::bug;
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 use syn::ImplItemFn;
 
-/// What stands in an implementation.
+/// An item of an implementation.
 pub(super) enum Item {
     /// A method.
     Method(Method),
@@ -29,7 +30,7 @@ impl Method {
         self.visibility = TokenStream::new();
     }
 
-    /// What stands in its braces.
+    /// The tokens between its braces.
     pub(super) fn body(&self) -> TokenStream {
         self.body.stream()
     }
@@ -61,7 +62,7 @@ impl ToTokens for Item {
     }
 }
 
-/// What stands in an implementation, one after the other.
+/// Splits an implementation into its items.
 pub(super) fn items(all: TokenStream) -> Vec<Item> {
     let mut trees = all.into_iter().peekable();
     let mut items = Vec::new();
@@ -73,8 +74,6 @@ pub(super) fn items(all: TokenStream) -> Vec<Item> {
 
 fn item(trees: &mut std::iter::Peekable<impl Iterator<Item = TokenTree>>) -> Item {
     let is_mark = |tree: &TokenTree, mark: char| matches!(tree, TokenTree::Punct(one) if one.as_char() == mark);
-    let is_word =
-        |tree: &TokenTree, word: &str| matches!(tree, TokenTree::Ident(one) if one == word);
     let mut attributes = TokenStream::new();
     while let Some(sign) = trees.next_if(|tree| is_mark(tree, '#')) {
         attributes.extend([sign].into_iter().chain(trees.next()));

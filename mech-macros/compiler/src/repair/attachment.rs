@@ -1,13 +1,9 @@
 //! Joints that may hold another link than is written.
 
 use super::Repair;
-use super::trial::{Trial, Trials};
+use super::trial::Trials;
 use crate::model::{JointId, LinkId, Model};
 use crate::structure::Diagnosis;
-
-/// So many changes are tried, and so many that mend everything are enough.
-const TRIED: usize = 60;
-const ENOUGH: usize = 2;
 
 /// The changes of one end of a joint after which nothing is wrong: of those first that a diagnosis names. What was declared last is the
 /// likelier slip.
@@ -28,16 +24,7 @@ pub(super) fn attachments(trials: &mut Trials<'_>, diagnoses: &[Diagnosis]) -> V
         });
         changes.collect::<Vec<_>>()
     });
-    let mut found = Vec::new();
-    for change in changes.take(TRIED) {
-        if found.len() == ENOUGH {
-            break;
-        }
-        if trials.of(std::slice::from_ref(&change)) == Trial::Closes {
-            found.push(change);
-        }
-    }
-    found
+    trials.first_that_mend(changes)
 }
 
 /// Whether a diagnosis is about a joint.

@@ -4,15 +4,12 @@ use super::Repair;
 use super::guess::{apex, handy};
 use super::sketch::{Sketch, distance};
 use super::tie::ties;
-use super::trial::{Trial, Trials};
+use super::trial::Trials;
 use crate::model::{JointId, LinkId, Ratio};
 use crate::structure::{Diagnosis, MeshTrouble};
 use crate::syntax::StatementText;
 use std::ops::Range;
 
-/// So many changes are tried, and so many that mend everything are enough.
-const TRIED: usize = 60;
-const ENOUGH: usize = 2;
 /// If no slip of a hand explains it, lengths are made so many times as long, the least change first.
 const SCALES: [f64; 10] = [1.25, 0.8, 1.5, 0.65, 2.0, 0.5, 3.0, 0.3, 5.0, 0.2];
 
@@ -60,41 +57,20 @@ impl Number {
 
 /// Other numbers with which nothing is wrong.
 pub(super) fn numbers(trials: &mut Trials<'_>, of: &Diagnosis) -> Vec<Repair> {
-    match of {
-        Diagnosis::CannotClose { unknowns, .. } => lengths(trials, unknowns),
+    let changes = match of {
+        Diagnosis::CannotClose { unknowns, .. } => return lengths(trials, unknowns),
         // What was declared last is the likelier slip.
-        Diagnosis::OnOnePin { joints, .. } => {
-            let changes = places(trials, joints.iter().rev().copied());
-            first_that_mend(trials, changes.into_iter())
-        }
-        Diagnosis::DeadStart { .. } => {
-            let changes = places(trials, copies(trials).into_iter());
-            first_that_mend(trials, changes.into_iter())
-        }
+        Diagnosis::OnOnePin { joints, .. } => places(trials, joints.iter().rev().copied()),
+        Diagnosis::DeadStart { .. } => places(trials, copies(trials).into_iter()),
         Diagnosis::NoMesh {
             joint,
             carrier,
             ratio,
             trouble: MeshTrouble::OneShaft | MeshTrouble::Distance { .. },
-        } => {
-            let changes = in_mesh(trials, *joint, *carrier, *ratio);
-            first_that_mend(trials, changes.into_iter())
-        }
-        _ => Vec::new(),
-    }
-}
-
-fn first_that_mend(trials: &mut Trials<'_>, changes: impl Iterator<Item = Repair>) -> Vec<Repair> {
-    let mut found = Vec::new();
-    for change in changes.take(TRIED) {
-        if found.len() == ENOUGH {
-            break;
-        }
-        if trials.of(std::slice::from_ref(&change)) == Trial::Closes && trials.holds(&change) {
-            found.push(change);
-        }
-    }
-    found
+        } => in_mesh(trials, *joint, *carrier, *ratio),
+        _ => return Vec::new(),
+    };
+    trials.first_that_mend(changes.into_iter())
 }
 
 /// A point in the wrong decimal place or with the wrong sign is a slip, the likelier the more its number is like the others afterwards.
@@ -113,7 +89,7 @@ fn lengths(trials: &mut Trials<'_>, unknowns: &[JointId]) -> Vec<Repair> {
         })
         .collect();
     slips.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let found = first_that_mend(trials, slips.into_iter().map(|slip| slip.1));
+    let found = trials.first_that_mend(slips.into_iter().map(|slip| slip.1));
     if !found.is_empty() {
         return found;
     }
@@ -121,7 +97,7 @@ fn lengths(trials: &mut Trials<'_>, unknowns: &[JointId]) -> Vec<Repair> {
         let numbers = numbers.iter();
         numbers.map(move |number| number.replaced(handy(number.value * scale, number.value.abs())))
     });
-    first_that_mend(trials, scaled)
+    trials.first_that_mend(scaled)
 }
 
 /// The median of the sizes.
@@ -143,22 +119,15 @@ fn numbers_of(trials: &Trials<'_>, unknowns: &[JointId]) -> Vec<Number> {
     let links = unknowns
         .iter()
         .flat_map(|&joint| <[LinkId; 2]>::from(model.ends(joint)));
-    let mut names: Vec<&str> = links.map(|link| &*model.link(link).name).collect();
-    names.push("ground");
+    let names: Vec<&str> = links.map(|link| &*model.link(link).name).collect();
     let mut numbers = Vec::new();
     for statement in trials.tokens().statements() {
         let (name, _) = statement.path(1);
         match statement.word(0) {
-            "const" => numbers.extend(numbers_in(&statement, &statement, &name)),
-            "ground" => {
-                for clause in places_in(&statement) {
-                    numbers.extend(numbers_in(&clause, &statement, ""));
-                }
-            }
+            "const" => numbers.extend(numbers_in(&statement, &format!("const {name}"))),
+            "ground" => numbers.extend(numbers_of_places(&statement, "ground")),
             "link" if names.contains(&&*name) => {
-                for clause in places_in(&statement) {
-                    numbers.extend(numbers_in(&clause, &statement, &name));
-                }
+                numbers.extend(numbers_of_places(&statement, &format!("link {name}")));
             }
             _ => {}
         }
@@ -166,15 +135,15 @@ fn numbers_of(trials: &Trials<'_>, unknowns: &[JointId]) -> Vec<Number> {
     numbers
 }
 
-/// The points and lines that a link declares.
-fn places_in<'s>(statement: &StatementText<'s>) -> Vec<StatementText<'s>> {
-    let mut clauses = statement.clauses();
-    clauses.retain(|clause| clause.is("point") || clause.is("line"));
-    clauses
+/// The numbers in the points and lines that a link declares.
+fn numbers_of_places(link: &StatementText<'_>, name: &str) -> Vec<Number> {
+    let clauses = link.clauses().into_iter();
+    let places = clauses.filter(|clause| clause.is("point") || clause.is("line"));
+    places.flat_map(|place| numbers_in(&place, name)).collect()
 }
 
-/// The lengths that stand in a statement as numbers, with their signs.
-fn numbers_in(text: &StatementText<'_>, statement: &StatementText<'_>, name: &str) -> Vec<Number> {
+/// The lengths that stand in a text as numbers, with their signs.
+fn numbers_in(text: &StatementText<'_>, statement: &str) -> Vec<Number> {
     let number = |index: usize| {
         let value: f64 = text.word(index).parse().ok()?;
         let before = index.checked_sub(1).map_or("", |before| text.word(before));
@@ -187,7 +156,7 @@ fn numbers_in(text: &StatementText<'_>, statement: &StatementText<'_>, name: &st
             tokens: text.token(index - usize::from(is_sign))..text.token(index + 1),
             written: [if is_sign { "-" } else { "" }, text.word(index)].concat(),
             value: if is_sign { -value } else { value },
-            statement: [statement.word(0), name].join(" ").trim().to_owned(),
+            statement: statement.to_owned(),
         })
     };
     (0..text.len()).filter_map(number).collect()

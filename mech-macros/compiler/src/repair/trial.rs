@@ -47,6 +47,9 @@ const EXPLAINING: usize = 60;
 const COMPILING: usize = 130;
 /// The work of moving a link or a joint through its ranges.
 const PROVING: usize = 600;
+/// Of changes of one kind so many are tried, and so many that mend everything are enough.
+const TRIED: usize = 60;
+const ENOUGH: usize = 2;
 /// Larger mechanisms take so many times longer for each link or joint as they have times this many.
 const LARGE: usize = 500;
 /// The work of assembling loops that are solved together.
@@ -95,8 +98,16 @@ impl<'m> Trials<'m> {
         variants.find(|variant| self.compiles(variant))
     }
 
+    /// The first of these changes after which nothing is wrong.
+    pub(super) fn first_that_mend(&mut self, changes: impl Iterator<Item = Repair>) -> Vec<Repair> {
+        let mends = |change: &Repair| {
+            self.of(std::slice::from_ref(change)) == Trial::Closes && self.holds(change)
+        };
+        changes.take(TRIED).filter(mends).take(ENOUGH).collect()
+    }
+
     /// Whether the motors move as far as the text says after a change that leaves them where they are.
-    pub(super) fn holds(&mut self, repair: &Repair) -> bool {
+    fn holds(&mut self, repair: &Repair) -> bool {
         !self.is_proved() || self.compiles(std::slice::from_ref(repair))
     }
 

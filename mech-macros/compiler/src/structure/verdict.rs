@@ -194,21 +194,16 @@ pub(super) fn verdict(model: &Model, structure: &Structure) -> Result<(), Vec<Di
 
 /// The links that several joints hold, all on one pin, and no motor.
 fn on_one_pin(model: &Model, structure: &Structure) -> Vec<Diagnosis> {
+    let graph = KinematicGraph::new(model);
     let on_one_pin = |link: LinkId| {
-        let mut joints = model.joint_ids().filter(|&joint| {
-            let (a, b) = model.ends(joint);
-            a == link || b == link
-        });
-        let first = joints.next()?;
-        let pin = structure
-            .pins
-            .iter()
-            .find(|pin| pin.joints.contains(&first))?;
-        let joints: Vec<JointId> = [first].into_iter().chain(joints).collect();
-        let is_free = joints.len() > 1
-            && joints.iter().all(|joint| pin.joints.contains(joint))
-            && joints.iter().all(|joint| model.motor_of(*joint).is_none());
-        is_free.then_some(Diagnosis::OnOnePin { link, joints })
+        let mut joints: Vec<JointId> = graph.joints(link).map(|(joint, _)| joint).collect();
+        joints.sort_unstable();
+        let first = joints.first()?;
+        let mut pins = structure.pins.iter();
+        let pin = pins.find(|pin| pin.joints.contains(first))?;
+        let is_free = |joint| pin.joints.contains(joint) && model.motor_of(*joint).is_none();
+        let is_it = joints.len() > 1 && joints.iter().all(is_free);
+        is_it.then_some(Diagnosis::OnOnePin { link, joints })
     };
     model.declared_links().filter_map(on_one_pin).collect()
 }

@@ -5,7 +5,7 @@
 
 use super::{Header, Message, Place};
 use crate::model::{AtChangePoints, Precision};
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, Span};
 use std::fmt;
 
 pub(super) use super::expr::{Expr, ExprKind, Pair, Read};
@@ -27,8 +27,6 @@ pub(super) struct Text {
     pub has_laws: bool,
     /// Whether it is beyond a limit, so that only its `struct` line was read.
     pub is_beyond: bool,
-    /// All of its tokens: statements that could not be read have words, too.
-    pub tokens: TokenStream,
 }
 
 /// A statement.

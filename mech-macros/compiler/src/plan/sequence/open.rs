@@ -65,7 +65,7 @@ impl Open {
         });
         let connectors: Vec<Connector> = pins.chain(slides).collect();
         let mut of_link = vec![Vec::new(); model.links.len()];
-        for (number, connector) in connectors.iter().enumerate() {
+        for (number, &connector) in connectors.iter().enumerate() {
             for link in links(model, structure, connector) {
                 of_link[link.index()].push(number);
             }
@@ -139,9 +139,8 @@ impl Open {
             {
                 connectors.remove(&number);
             }
-            let is_first = |other: &LinkId| {
-                first_of(known.model, known.structure, connector, [link, *other]) == Some(link)
-            };
+            let is_first =
+                |other: &LinkId| first_of(known, connector, [link, *other]) == Some(link);
             if on.get(&base).is_none_or(is_first) {
                 on.insert(base, link);
                 self.of_cluster.entry(base).or_default().insert(number);
@@ -300,21 +299,16 @@ impl Open {
     }
 
     /// The connection that a connector makes between two clusters that are on it.
-    fn between_on(
-        &self,
-        known: Known<'_>,
-        (a, b): Pair,
-        number_of_connector: usize,
-    ) -> Option<Between> {
-        let on = &self.on[number_of_connector];
+    fn between_on(&self, known: Known<'_>, (a, b): Pair, number: usize) -> Option<Between> {
+        let on = &self.on[number];
         let base = |axis| known.clusters.base(known.model.axis(axis).link);
-        let (connection, pin) = match self.connectors[number_of_connector] {
-            Connector::Pin(number) => {
-                let pin = &known.structure.pins[number];
+        let (connection, pin) = match self.connectors[number] {
+            Connector::Pin(number_of_pin) => {
+                let pin = &known.structure.pins[number_of_pin];
                 let [a, b] = [on.get(&a)?, on.get(&b)?];
                 // In the order in which they stand on the pin.
-                let connector = self.connectors[number_of_connector];
-                let first = first_of(known.model, known.structure, connector, [*a, *b])?;
+                let connector = self.connectors[number];
+                let first = first_of(known, connector, [*a, *b])?;
                 let [from, to] = if first == *a { [*a, *b] } else { [*b, *a] };
                 let joint = named_on(known.model, known.clusters, pin, from, to);
                 let connection = pivot(pin, from, to)?;
@@ -323,7 +317,7 @@ impl Open {
                         joint,
                         ..connection
                     },
-                    Some(number),
+                    Some(number_of_pin),
                 )
             }
             Connector::Slide(connection) => (connection, None),
@@ -355,34 +349,23 @@ fn sorted(mut bases: [LinkId; 3]) -> [LinkId; 3] {
 }
 
 /// The links that a connector is on.
-fn links(model: &Model, structure: &Structure, connector: &Connector) -> Vec<LinkId> {
-    match *connector {
-        Connector::Pin(number) => {
-            let members = structure.pins[number].members.iter();
-            members.map(|(link, _)| *link).collect()
-        }
-        Connector::Slide(connection) => {
-            let axes = [connection.from, connection.to];
-            axes.map(|axis| model.axis(axis).link).to_vec()
-        }
-    }
+fn links<'k>(
+    model: &'k Model,
+    structure: &'k Structure,
+    connector: Connector,
+) -> impl Iterator<Item = LinkId> + 'k {
+    let (members, axes) = match connector {
+        Connector::Pin(number) => (&structure.pins[number].members[..], None),
+        Connector::Slide(connection) => (&[][..], Some([connection.from, connection.to])),
+    };
+    let slide = axes.into_iter().flatten();
+    let slide = slide.map(|axis| model.axis(axis).link);
+    members.iter().map(|member| member.0).chain(slide)
 }
 
 /// That of two links which is first on a connector.
-fn first_of(
-    model: &Model,
-    structure: &Structure,
-    connector: Connector,
-    pair: [LinkId; 2],
-) -> Option<LinkId> {
-    let is_one = |link: &LinkId| pair.contains(link);
-    match connector {
-        Connector::Pin(number) => {
-            let members = structure.pins[number].members.iter();
-            members.map(|member| member.0).find(is_one)
-        }
-        Connector::Slide(_) => links(model, structure, &connector).into_iter().find(is_one),
-    }
+fn first_of(known: Known<'_>, connector: Connector, pair: [LinkId; 2]) -> Option<LinkId> {
+    links(known.model, known.structure, connector).find(|link| pair.contains(link))
 }
 
 /// The declared joint of a pin by which the connection of two links is named: one that joins them, else their clusters, else one that

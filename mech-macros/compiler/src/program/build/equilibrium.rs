@@ -61,21 +61,15 @@ struct System {
 
 impl System {
     fn new(pattern: Pattern, unknowns: usize) -> Option<Self> {
-        if pattern.len() != unknowns {
-            return None;
-        }
-        let mut sizes = vec![0; pattern.len()];
-        for block in blocks(&pattern, unknowns)? {
-            for &equation in &block.equations {
-                sizes[equation] = block.equations.len();
-            }
-        }
         let matching = Matching::new(&pattern, unknowns)?;
-        Some(Self {
+        let blocks = components(&pattern, &matching, 0..pattern.len());
+        let mut system = Self {
+            sizes: vec![0; pattern.len()],
             pattern,
             matching,
-            sizes,
-        })
+        };
+        system.note_sizes(&blocks);
+        Some(system)
     }
 
     /// Gives a link other equations, if these take less work.
@@ -99,17 +93,21 @@ impl System {
             let old: usize = concerned.iter().map(|&one| self.sizes[one].pow(2)).sum();
             let new: usize = blocks.iter().map(|block| block.len().pow(3)).sum();
             if new < old {
-                for block in blocks {
-                    for &equation in &block {
-                        self.sizes[equation] = block.len();
-                    }
-                }
+                self.note_sizes(&blocks);
                 return true;
             }
         }
         self.matching.undo(&changes);
         self.pattern[own].clone_from_slice(&before);
         false
+    }
+
+    fn note_sizes(&mut self, blocks: &[Vec<usize>]) {
+        for block in blocks {
+            for &equation in block {
+                self.sizes[equation] = block.len();
+            }
+        }
     }
 
     /// The equations that those of a link, or those that are matched anew, depend on, before a change or after it: no block has some of
@@ -143,9 +141,6 @@ impl System {
 
 /// The blocks of a square system, in the order in which they are solved; none if it is not square or singular whatever its numbers.
 fn blocks(pattern: &Pattern, unknowns: usize) -> Option<Vec<EquationSet>> {
-    if pattern.len() != unknowns {
-        return None;
-    }
     let matching = Matching::new(pattern, unknowns)?;
     let blocks = components(pattern, &matching, 0..pattern.len()).into_iter();
     let blocks = blocks.map(|mut equations| {
@@ -203,8 +198,11 @@ struct Matching {
 }
 
 impl Matching {
-    /// An unknown for each equation; none if there is none for one of them.
+    /// An unknown for each equation, and all unknowns; none if that cannot be.
     fn new(pattern: &Pattern, unknowns: usize) -> Option<Self> {
+        if pattern.len() != unknowns {
+            return None;
+        }
         let mut matching = Self {
             of_equation: vec![None; pattern.len()],
             equation_of: vec![None; unknowns],
@@ -274,23 +272,16 @@ impl Matching {
 #[cfg(test)]
 mod tests {
     use super::{Pattern, System, blocks};
+    use proptest::collection::vec;
+    use proptest::strategy::{Strategy, ValueTree};
+    use proptest::test_runner::TestRunner;
 
-    /// Numbers that look random.
-    struct Dice(u64);
+    fn draw<S: Strategy>(runner: &mut TestRunner, strategy: S) -> S::Value {
+        strategy.new_tree(runner).expect("a value").current()
+    }
 
-    impl Dice {
-        fn below(&mut self, most: usize) -> usize {
-            self.0 = self
-                .0
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
-            (self.0 >> 33) as usize % most
-        }
-
-        fn equation(&mut self, unknowns: usize) -> Vec<usize> {
-            let many = 1 + self.below(3);
-            (0..many).map(|_| self.below(unknowns)).collect()
-        }
+    fn equation(unknowns: usize) -> impl Strategy<Value = Vec<usize>> {
+        vec(0..unknowns, 1..4)
     }
 
     fn work(pattern: &Pattern) -> Option<usize> {
@@ -305,18 +296,18 @@ mod tests {
 
     #[test]
     fn other_equations_are_taken_where_the_whole_takes_less_work() {
-        let mut dice = Dice(1);
+        let mut runner = TestRunner::deterministic();
         let (mut taken, mut kept) = (0, 0);
         while taken < 500 || kept < 500 {
-            let unknowns = 3 * (2 + dice.below(5));
+            let unknowns = 3 * draw(&mut runner, 2..7_usize);
             let pattern: Pattern = (0..unknowns)
-                .map(|own| [vec![own], dice.equation(unknowns)].concat())
+                .map(|own| [vec![own], draw(&mut runner, equation(unknowns))].concat())
                 .collect();
             let mut system =
                 System::new(pattern, unknowns).expect("each equation has its own unknown");
             for _ in 0..10 {
-                let first = 3 * dice.below(unknowns / 3);
-                let balance = [(); 3].map(|()| dice.equation(unknowns));
+                let first = 3 * draw(&mut runner, 0..unknowns / 3);
+                let balance = [(); 3].map(|()| draw(&mut runner, equation(unknowns)));
                 let mut tried = system.pattern.clone();
                 tried[first..first + 3].clone_from_slice(&balance);
                 let (old, new) = (work(&system.pattern), work(&tried));

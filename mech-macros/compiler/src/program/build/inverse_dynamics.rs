@@ -19,7 +19,7 @@ use std::collections::BTreeSet;
 /// Moments are taken about one of so many points of a link; a shaft may have a thousand.
 const POINTS: usize = 50;
 
-/// What acts on a link: the unknowns, by their numbers, and what is known.
+/// The unknowns, by their numbers, and the known forces and torques that act on a link.
 #[derive(Clone, Default)]
 struct Acting<'a> {
     unknowns: Vec<(usize, &'a Unknown)>,

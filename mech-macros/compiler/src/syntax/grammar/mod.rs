@@ -54,15 +54,12 @@ pub(super) fn read(input: TokenStream) -> Text {
 
 /// The same of a text that is within all limits.
 fn read_within(input: TokenStream) -> Text {
-    let text = tokens::run(braces_at_end(input.clone()), |input| {
+    let text = tokens::run(braces_at_end(input), |input| {
         tokens::open_braces(input)
             .map(|(_, content)| statement::text(&content))
             .unwrap_or_default()
     });
-    Text {
-        tokens: input,
-        ..text.unwrap_or_default()
-    }
+    text.unwrap_or_default()
 }
 
 /// Reads a statement alone, as it stands in a text that has a header; none if these tokens are anything else.

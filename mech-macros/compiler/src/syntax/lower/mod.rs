@@ -48,6 +48,7 @@ use self::reader::Reader;
 use super::ast::{Statement, Text};
 use super::{Message, Places};
 use crate::model::Model;
+use proc_macro2::TokenStream;
 
 /// The meaning of a text, as far as it could be understood.
 pub(super) struct Lowered {
@@ -61,8 +62,8 @@ pub(super) struct Lowered {
 /// The passes through the statements once all joints are known.
 const PASSES: [fn(&mut Reader, &mut Draft, &Statement); 3] = [set, begin, go_on];
 
-/// Makes the model of a text. Each pass goes once through the text, and through each part as often as there are instances.
-pub(super) fn lower(text: &mut Text) -> Lowered {
+/// Makes the model of a text, of which `tokens` are all words, readable or not. Each pass goes once through the text, and through each part as often as there are instances.
+pub(super) fn lower(text: &mut Text, tokens: &TokenStream) -> Lowered {
     path::find_uses(text);
     let text = &*text;
     let mut expansion = Expansion::of(text);
@@ -108,7 +109,7 @@ pub(super) fn lower(text: &mut Text) -> Lowered {
     Lowered {
         model: draft.model,
         places: draft.places,
-        errors: report.finish(text),
+        errors: report.finish(text, tokens),
     }
 }
 

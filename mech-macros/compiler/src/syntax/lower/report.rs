@@ -3,7 +3,7 @@
 use super::unknown::Unknown;
 use crate::syntax::ast::{Read, Text};
 use crate::syntax::{Listing, Message, Place, spelling};
-use proc_macro2::Ident;
+use proc_macro2::{Ident, TokenStream};
 use std::collections::HashMap;
 
 /// Where a statement stands: its number among those of the mechanism, and among those of the part in it, if it is in a part.
@@ -151,7 +151,7 @@ impl Report {
     }
 
     /// Says of unknown names what is known of them at the end: which of them are misspelt where they are declared.
-    fn explain_unknown(&mut self, text: &Text) {
+    fn explain_unknown(&mut self, text: &Text, tokens: &TokenStream) {
         let unknown = self.entries.iter_mut();
         let unknown = unknown.filter_map(|entry| Some((entry.unknown.take()?, entry)));
         let mut listing = None;
@@ -160,7 +160,7 @@ impl Report {
             let (listing, ends) = listing.get_or_insert_with(|| Listing::by_statements(text));
             if let Some(text) = unknown.without_ground(listing) {
                 entry.message.text = text;
-            } else if let Some((index, text)) = unknown.misspelt(listing, &text.tokens) {
+            } else if let Some((index, text)) = unknown.misspelt(listing, tokens) {
                 let before = ends.iter().take_while(|end| **end <= index);
                 let statement = StatementPlace::of_mechanism(before.count() + 1);
                 entry.position = (statement, 0);
@@ -172,8 +172,8 @@ impl Report {
     }
 
     /// All messages in the order of the text; what is wrong with several instances of a part once.
-    pub(super) fn finish(mut self, text: &Text) -> Vec<Message> {
-        self.explain_unknown(text);
+    pub(super) fn finish(mut self, text: &Text, tokens: &TokenStream) -> Vec<Message> {
+        self.explain_unknown(text, tokens);
         self.entries.sort_by_key(|entry| entry.position);
         let mut told: Vec<Entry> = Vec::new();
         for entry in self.entries {

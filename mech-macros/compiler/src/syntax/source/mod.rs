@@ -122,7 +122,7 @@ impl Source {
     }
 
     pub(super) fn lower(&self) -> Lowered {
-        lower(&mut self.tree.borrow_mut())
+        lower(&mut self.tree.borrow_mut(), &self.input)
     }
 
     /// Returns the model of the text with these changes; none if the text is wrong then, or was before.
@@ -143,7 +143,7 @@ impl Source {
                 Written::New(statement) => tree.statements.push(*statement),
             }
         }
-        let lowered = lower(tree);
+        let lowered = lower(tree, &self.input);
         let changed = std::mem::take(&mut tree.statements);
         let mut kept = kept.into_iter().peekable();
         for (place, statement) in changed.into_iter().enumerate() {
