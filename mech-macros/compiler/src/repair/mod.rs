@@ -24,11 +24,11 @@ mod writing;
 
 pub use declaration::{Declaration, Ends, NewJoint, NewKind, Purpose};
 pub use motor::NewMotor;
-pub use numbers::NewNumbers;
 pub use offers::{Offers, Search, offers};
 pub use writing::edits;
 
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId, Ratio};
+use std::ops::Range;
 
 /// A change that a user can make. The ids are those of the mechanism that is to be mended.
 #[derive(Clone, Debug, PartialEq)]
@@ -94,6 +94,20 @@ pub enum Repair {
         /// The sizes.
         sizes: Ratio,
     },
+}
+
+/// Numbers that stand in the text, and what to write for them.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct NewNumbers {
+    /// Their tokens, counted in the text.
+    pub tokens: Range<usize>,
+    /// The numbers as they are written.
+    pub old: String,
+    /// The numbers that may be meant.
+    pub new: String,
+    /// The first words of their statement: `joint a`.
+    pub statement: String,
 }
 
 /// Whether a motor could sit on this joint, and none does.

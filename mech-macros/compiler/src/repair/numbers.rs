@@ -1,10 +1,10 @@
 //! Numbers of the text that may be meant otherwise: lengths with which a loop does not close, and places that were copied.
 
-use super::Repair;
 use super::guess::{apex, handy};
 use super::sketch::{Sketch, distance};
 use super::tie::ties;
 use super::trial::Trials;
+use super::{NewNumbers, Repair};
 use crate::model::{JointId, LinkId, Ratio};
 use crate::structure::{Diagnosis, MeshTrouble};
 use crate::syntax::StatementText;
@@ -12,20 +12,6 @@ use std::ops::Range;
 
 /// If no slip of a hand explains it, lengths are made so many times as long, the least change first.
 const SCALES: [f64; 10] = [1.25, 0.8, 1.5, 0.65, 2.0, 0.5, 3.0, 0.3, 5.0, 0.2];
-
-/// Numbers that stand in the text, and what to write for them.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct NewNumbers {
-    /// Their tokens, counted in the text.
-    pub tokens: Range<usize>,
-    /// The numbers as they are written.
-    pub old: String,
-    /// The numbers that may be meant.
-    pub new: String,
-    /// The first words of their statement: `joint a`.
-    pub statement: String,
-}
 
 impl NewNumbers {
     fn moved(&self, at: [f64; 2]) -> Repair {
