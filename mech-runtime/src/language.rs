@@ -11,6 +11,7 @@
 //! | [`forces`] | velocities, masses, springs, loads, and motion under forces |
 //! | [`parts`] | a mechanism used in another, once or many times |
 //! | [`params`] | numbers that can be changed at run time, and sensitivities |
+//! | [`requirements`] | what a mechanism is for: conditions that are proved |
 //! | [`tests`] | tests that a mechanism stays refused |
 //!
 //! These modules hold documentation only.
@@ -41,6 +42,9 @@ pub mod parts {}
 
 #[doc = include_str!("language/pictures.md")]
 pub mod pictures {}
+
+#[doc = include_str!("language/requirements.md")]
+pub mod requirements {}
 
 #[doc = include_str!("language/tests.md")]
 pub mod tests {}

@@ -177,7 +177,7 @@ fn put_cams(model: &mut Model, dice: &mut Dice) {
 fn reciprocal() -> Law {
     let mut formulas = Formulas::default();
     let (variable, one) = (
-        formulas.add(Formula::Variable),
+        formulas.add(Formula::Variable(0)),
         formulas.add(Formula::constant(1.0)),
     );
     let quotient = formulas.add(Formula::Div(one, variable));

@@ -27,6 +27,7 @@ mod rates;
 mod recipes;
 mod repairs;
 mod report;
+mod requirements;
 mod right;
 mod scales;
 mod seen;

@@ -4,6 +4,7 @@ use crate::compile::compile;
 use crate::compiled::Compiled;
 use crate::repair::{self, Offers};
 use crate::reporter;
+use crate::requirement;
 use crate::structure::Diagnosis;
 use crate::syntax::{self, Message, Parsed, Place};
 use proc_macro2::{Span, TokenStream};
@@ -38,6 +39,25 @@ pub fn analyse(text: TokenStream) -> Analysis {
             .map_err(|diagnoses| faults_of_mechanism(&parsed, diagnoses)),
     };
     Analysis { parsed, result }
+}
+
+impl Analysis {
+    /// The same with the requirements of the mechanism proved: those that are not met are faults.
+    #[must_use]
+    pub fn prove(self) -> Self {
+        let Ok(compiled) = &self.result else {
+            return self;
+        };
+        let unmet = requirement::unmet(&self.parsed.model, compiled);
+        if unmet.is_empty() {
+            return self;
+        }
+        let faults = faults_of_mechanism(&self.parsed, unmet);
+        Self {
+            result: Err(faults),
+            ..self
+        }
+    }
 }
 
 fn faults_of_text(parsed: &Parsed) -> Option<Faults> {

@@ -28,7 +28,7 @@ pub mod program;
 pub mod repair;
 pub mod report;
 pub mod reporter;
-
+pub mod requirement;
 pub mod structure;
 pub mod symbols;
 pub mod syntax;

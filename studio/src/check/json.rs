@@ -6,6 +6,7 @@ use crate::edit::differences;
 use crate::mend::{Mending, Remainder};
 use crate::text::Replacement;
 use serde::Serialize;
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 #[derive(Serialize)]
@@ -26,6 +27,16 @@ struct Mechanism<'a> {
     messages: Vec<Message<'a>>,
     /// The repairs that compile, the likeliest first.
     repairs: Vec<Repair<'a>>,
+    /// The places where it breaks what is expected of it.
+    witnesses: Vec<Witness<'a>>,
+}
+
+#[derive(Serialize)]
+struct Witness<'a> {
+    expect: &'a str,
+    /// The motors' values, as `--at` takes them.
+    at: BTreeMap<&'a str, f64>,
+    value: f64,
 }
 
 #[derive(Serialize)]
@@ -91,12 +102,14 @@ pub(crate) fn to_json(source: &Source, verdicts: &[Verdict]) -> String {
                 motors,
                 messages: notes.iter().map(|text| note(source, text, place)).collect(),
                 repairs: Vec::new(),
+                witnesses: Vec::new(),
             },
             Verdict::Faulty {
                 name,
                 place,
                 messages,
                 repairs,
+                witnesses,
             } => Mechanism {
                 name: name.as_deref(),
                 moves: false,
@@ -104,6 +117,7 @@ pub(crate) fn to_json(source: &Source, verdicts: &[Verdict]) -> String {
                 motors: &[],
                 messages: messages.iter().map(|one| message(source, one)).collect(),
                 repairs: repairs.iter().map(|one| repair(source, one)).collect(),
+                witnesses: witnesses.iter().map(witness).collect(),
             },
         })
         .collect();
@@ -142,6 +156,15 @@ fn note<'a>(source: &Source, text: &'a str, place: &Range<usize>) -> Message<'a>
         text,
         notes: Vec::new(),
         place: in_file(source, place),
+    }
+}
+
+fn witness(found: &super::Witness) -> Witness<'_> {
+    let at = found.at.iter();
+    Witness {
+        expect: &found.expect,
+        at: at.map(|(name, value)| (&**name, *value)).collect(),
+        value: found.value,
     }
 }
 

@@ -6,4 +6,4 @@ mod verdict;
 
 pub(crate) use json::to_json;
 pub(crate) use rendering::render;
-pub(crate) use verdict::{Verdict, verdict_line, verdicts};
+pub(crate) use verdict::{Verdict, Witness, verdict_line, verdicts};

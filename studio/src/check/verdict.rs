@@ -3,10 +3,12 @@
 use crate::document::{Declaration, Document, Message, Reading};
 use crate::failure::Failure;
 use crate::mend::{Mending, mendings};
+use crate::motion::shown;
 use crate::report::ranges;
 use mech_compiler::Compiled;
 use mech_compiler::limits::Limit;
-use mech_compiler::model::Model;
+use mech_compiler::model::{Condition, Model};
+use mech_compiler::structure::{Diagnosis, RequirementTrouble};
 use std::ops::Range;
 
 /// The verdict on a mechanism, or on the parts of a document.
@@ -34,6 +36,8 @@ pub(crate) enum Verdict {
         messages: Vec<Message>,
         /// The repairs, if the user asked for them.
         repairs: Vec<Mending>,
+        /// The places where it breaks what is expected of it.
+        witnesses: Vec<Witness>,
     },
 }
 
@@ -70,6 +74,7 @@ pub(crate) fn verdicts(
             place: 0..document.source().text().len(),
             messages,
             repairs: Vec::new(),
+            witnesses: Vec::new(),
         });
     }
     Ok(verdicts)
@@ -89,6 +94,7 @@ fn unchecked(declaration: &Declaration) -> Verdict {
             text,
         }],
         repairs: Vec::new(),
+        witnesses: Vec::new(),
     }
 }
 
@@ -116,10 +122,57 @@ fn verdict(
         Err(faults) => Verdict::Faulty {
             name: declaration.name.clone(),
             place,
+            witnesses: witnesses(&model, &faults.diagnoses),
             messages: faults.messages,
             repairs,
         },
     })
+}
+
+/// A place where a mechanism breaks what is expected of it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Witness {
+    /// The condition as it was written.
+    pub(crate) expect: String,
+    /// The motors by the names of their joints, with their values as `--at` takes them: in degrees if they turn.
+    pub(crate) at: Vec<(String, f64)>,
+    /// The value of what is measured there: in degrees if it is an angle.
+    pub(crate) value: f64,
+}
+
+fn witnesses(model: &Model, diagnoses: &[Diagnosis]) -> Vec<Witness> {
+    let mut all = Vec::new();
+    for diagnosis in diagnoses {
+        let Diagnosis::Unmet {
+            requirement,
+            trouble: RequirementTrouble::Fails(found),
+        } = diagnosis
+        else {
+            continue;
+        };
+        let requirement = &model.requirements[*requirement];
+        let is_angle = matches!(
+            requirement.condition,
+            Condition::Bounds { is_angle: true, .. }
+        );
+        let value = if is_angle {
+            found.value.to_degrees()
+        } else {
+            found.value
+        };
+        for place in &found.places {
+            let at = place.iter().map(|(motor, value)| {
+                let joint = model.motor(*motor).joint;
+                (model.joint(joint).name.clone(), shown(model, joint, *value))
+            });
+            all.push(Witness {
+                expect: requirement.written.clone(),
+                at: at.collect(),
+                value,
+            });
+        }
+    }
+    all
 }
 
 /// `FourBar moves: 3 moving links, 4 joints, 1 motor, 1 loop`.

@@ -65,10 +65,10 @@ pub(super) fn analyse(document: &Document, declaration: &Declaration) -> Result<
     read(document, declaration, mech_compiler::analyse)
 }
 
-/// The same as far as the macro goes: its code is written, too, and thrown away.
+/// The same as far as the macro goes: requirements are proved, and its code is written, too, and thrown away.
 pub(super) fn check(document: &Document, declaration: &Declaration) -> Result<Reading, Failure> {
     read(document, declaration, |text| {
-        let analysis = mech_compiler::analyse(text);
+        let analysis = mech_compiler::analyse(text).prove();
         drop(mech_compiler::write(&TokenStream::new(), &analysis));
         analysis
     })

@@ -132,7 +132,7 @@ impl Arithmetic for Courses<'_> {
 }
 
 impl FormulaArithmetic for Courses<'_> {
-    fn variable(&mut self) -> Option<Course> {
+    fn variable(&mut self, _: usize) -> Option<Course> {
         Some(Course {
             value: 0.0,
             rate: 1.0,

@@ -183,7 +183,7 @@ pub(crate) fn unit_of(model: &Model, joint: JointId) -> &'static str {
 }
 
 /// A coordinate in its unit.
-pub(super) fn shown(model: &Model, joint: JointId, value: f64) -> f64 {
+pub(crate) fn shown(model: &Model, joint: JointId, value: f64) -> f64 {
     if turns(model, joint) {
         value.to_degrees()
     } else {

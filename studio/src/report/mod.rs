@@ -2,6 +2,7 @@
 
 mod four_bar;
 mod motion;
+mod requirements;
 mod words;
 
 use crate::failure::Failure;
@@ -17,8 +18,9 @@ pub(crate) fn report(model: &Model, compiled: &Compiled) -> Result<String, Failu
     let text = compiled.report.trim_end();
     let (name, solution) = text.split_once('\n').unwrap_or((text, ""));
     Ok(format!(
-        "{name}\n{}{solution}\n  legend    + additions, × multiplications, ÷ divisions, √ square roots, ≷ comparisons\n",
-        motion(model, compiled)?
+        "{name}\n{}{}{solution}\n  legend    + additions, × multiplications, ÷ divisions, √ square roots, ≷ comparisons\n",
+        motion(model, compiled)?,
+        lines(requirements::lines(model, compiled)?)
     ))
 }
 
@@ -41,8 +43,12 @@ pub(crate) fn motion(model: &Model, compiled: &Compiled) -> Result<String, Failu
     let mut lines = motion::lines(model, compiled)?;
     let four_bars = four_bars(model);
     lines.extend(four_bars.map(|found| ("four-bar".to_owned(), found)));
-    let lines = lines
-        .into_iter()
-        .map(|(label, text)| format!("  {label:<9} {text}\n"));
-    Ok(lines.collect())
+    Ok(self::lines(lines))
+}
+
+/// Labels and texts as the lines of a report.
+fn lines(lines: Vec<(String, String)>) -> String {
+    let lines = lines.into_iter();
+    let lines = lines.map(|(label, text)| format!("  {label:<9} {text}\n"));
+    lines.collect()
 }

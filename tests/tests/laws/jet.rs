@@ -59,7 +59,7 @@ impl Arithmetic for At {
 }
 
 impl FormulaArithmetic for At {
-    fn variable(&mut self) -> Jet {
+    fn variable(&mut self, _: usize) -> Jet {
         Jet([self.0, 1.0, 0.0])
     }
 

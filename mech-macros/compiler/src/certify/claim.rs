@@ -14,6 +14,13 @@ pub(super) enum Test {
 }
 
 impl Test {
+    /// The value that is tested.
+    pub(super) fn decided_by(self) -> Value {
+        match self {
+            Self::Discriminant(value, _) | Self::Divisor(value) => value,
+        }
+    }
+
     /// Returns the values that decide it.
     pub(super) fn values(self) -> Vec<Value> {
         match self {

@@ -41,7 +41,7 @@ pub(crate) fn motors_of(program: &Program, block: BlockId) -> Vec<usize> {
 }
 
 /// The motors from which some values are computed, but for those that are held.
-fn motors(program: &Program, values: Vec<Value>, held: &HeldValues) -> Vec<usize> {
+pub(super) fn motors(program: &Program, values: Vec<Value>, held: &HeldValues) -> Vec<usize> {
     let values = made_from(program, values, held).into_iter();
     let motors: BTreeSet<usize> = values
         .filter_map(|value| match program.node(value).op {

@@ -9,6 +9,7 @@ mod boxes;
 pub(crate) mod carried;
 mod claim;
 pub(crate) mod cone;
+mod enclosure;
 mod form;
 mod group;
 mod interval;
@@ -21,6 +22,7 @@ mod tape;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use enclosure::{Enclosure, Sight, Sources, side_changes};
 pub(crate) use group::motors_of;
 pub use interval::Interval;
 

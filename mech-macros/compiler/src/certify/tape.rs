@@ -55,12 +55,27 @@ impl<'p> Tape<'p> {
         for &(value, at) in &group.held {
             tape.hold(value, Interval::point(at));
         }
-        for (block, state) in carried_sides(program) {
-            let side = program.start.state[state];
-            let turn = if turned.contains(&block) { -1.0 } else { 1.0 };
-            tape.set_state(state, Interval::point(1.0_f64.copysign(turn * side)));
-        }
+        tape.choose_sides(program, turned);
         tape.sort(&[]);
+        tape
+    }
+
+    /// The values that a program is asked for, with tests beside them; what is carried is put into it, and each loop that carries its side
+    /// has that of the start, or the other one if it is among `turned`.
+    pub(super) fn asking(
+        program: &'p Program,
+        tests: Vec<(BlockId, Test)>,
+        turned: &[BlockId],
+        carried: &[(usize, Interval)],
+        found: &[Value],
+    ) -> Self {
+        let directions = keeps_direction(program);
+        let mut tape = Self::on(&program.ssa.nodes, program.inputs(), tests, directions);
+        tape.choose_sides(program, turned);
+        for &(state, value) in carried {
+            tape.set_state(state, value);
+        }
+        tape.sort(found);
         tape
     }
 
@@ -95,6 +110,15 @@ impl<'p> Tape<'p> {
             forms: Forms::new(motors, 0),
             centre: vec![0.0; motors],
             evaluations: 0,
+        }
+    }
+
+    /// Puts each loop that carries its side on that of the start, or the other one if it is among `turned`.
+    fn choose_sides(&mut self, program: &Program, turned: &[BlockId]) {
+        for (block, state) in carried_sides(program) {
+            let side = program.start.state[state];
+            let turn = if turned.contains(&block) { -1.0 } else { 1.0 };
+            self.set_state(state, Interval::point(1.0_f64.copysign(turn * side)));
         }
     }
 
@@ -159,6 +183,11 @@ impl<'p> Tape<'p> {
     /// A value on the box on which it was run last.
     pub(super) fn value(&self, value: Value) -> Interval {
         self.values[value.index()]
+    }
+
+    /// The same at the middle of that box.
+    pub(super) fn middle(&self, value: Value) -> Interval {
+        self.middles[value.index()]
     }
 
     /// Returns the number of tests.

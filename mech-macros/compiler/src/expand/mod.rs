@@ -33,7 +33,7 @@ pub fn expand(input: TokenStream) -> TokenStream {
 
 /// The items of a mechanism, or its errors beside a stub of its type.
 fn analyse_and_emit(krate: &TokenStream, body: TokenStream) -> TokenStream {
-    write(krate, &analyse(body))
+    write(krate, &analyse(body).prove())
 }
 
 /// The macro's output for an analysed text: the code of the mechanism, or its errors beside a stub. `krate` is the path of the runtime

@@ -10,8 +10,8 @@ use std::fmt;
 pub enum Formula {
     /// A number that never changes.
     Constant(Number),
-    /// The variable of the law that it belongs to.
-    Variable,
+    /// A variable, by its number: a law has one, a requirement as many as it measures quantities.
+    Variable(usize),
     /// The value of a param.
     Param(ParamId),
     /// −a.
@@ -40,7 +40,7 @@ impl Formula {
     /// Returns its operands.
     fn operands(self) -> impl Iterator<Item = FormulaId> {
         let pair = match self {
-            Self::Constant(_) | Self::Variable | Self::Param(_) => [None, None],
+            Self::Constant(_) | Self::Variable(_) | Self::Param(_) => [None, None],
             Self::Neg(a) | Self::Of(_, a) => [Some(a), None],
             Self::Add(a, b)
             | Self::Sub(a, b)
@@ -59,7 +59,7 @@ impl Formula {
     ) -> A::Scalar {
         match self {
             Self::Constant(value) => arithmetic.constant(value.get()),
-            Self::Variable => arithmetic.variable(),
+            Self::Variable(number) => arithmetic.variable(number),
             Self::Param(param) => arithmetic.param(param),
             Self::Neg(a) => arithmetic.neg(get(a)),
             Self::Add(a, b) => arithmetic.add(get(a), get(b)),
@@ -109,8 +109,8 @@ pub trait Arithmetic {
 
 /// An arithmetic that formulas are evaluated in.
 pub trait FormulaArithmetic: Arithmetic {
-    /// The variable of a law.
-    fn variable(&mut self) -> Self::Scalar;
+    /// The variable of this number.
+    fn variable(&mut self, number: usize) -> Self::Scalar;
     /// The value of a param.
     fn param(&mut self, param: ParamId) -> Self::Scalar;
     /// A function of a.
@@ -201,8 +201,8 @@ impl Arithmetic for Formulas {
 }
 
 impl FormulaArithmetic for Formulas {
-    fn variable(&mut self) -> FormulaId {
-        Self::add(self, Formula::Variable)
+    fn variable(&mut self, number: usize) -> FormulaId {
+        Self::add(self, Formula::Variable(number))
     }
 
     fn param(&mut self, param: ParamId) -> FormulaId {
@@ -256,7 +256,7 @@ impl Arithmetic for Now<'_> {
 }
 
 impl FormulaArithmetic for Now<'_> {
-    fn variable(&mut self) -> f64 {
+    fn variable(&mut self, _: usize) -> f64 {
         self.variable
     }
 
@@ -319,7 +319,7 @@ impl Arithmetic for Slopes<'_> {
 }
 
 impl FormulaArithmetic for Slopes<'_> {
-    fn variable(&mut self) -> (f64, f64) {
+    fn variable(&mut self, _: usize) -> (f64, f64) {
         (self.variable, 0.0)
     }
 

@@ -97,13 +97,13 @@ impl Law {
     #[must_use]
     pub fn is_fixed(&self) -> bool {
         let mut all = self.formulas.all().iter();
-        !all.any(|formula| matches!(formula, Formula::Variable | Formula::Param(_)))
+        !all.any(|formula| matches!(formula, Formula::Variable(_) | Formula::Param(_)))
     }
 
     /// Whether its variable is in it.
     #[must_use]
     pub fn varies(&self) -> bool {
-        self.formulas.all().contains(&Formula::Variable)
+        self.formulas.all().contains(&Formula::Variable(0))
     }
 }
 
@@ -153,7 +153,7 @@ impl Arithmetic for Windings {
 }
 
 impl FormulaArithmetic for Windings {
-    fn variable(&mut self) -> Winding {
+    fn variable(&mut self, _: usize) -> Winding {
         Winding::By(1.0)
     }
 

@@ -20,6 +20,7 @@ mod measure;
 mod number;
 mod param;
 mod polygon;
+mod requirement;
 mod scale;
 mod shape;
 mod show;
@@ -45,6 +46,9 @@ pub use mass::Mass;
 pub use measure::{Measure, Place};
 pub use number::Number;
 pub use param::{Param, Params};
+pub use requirement::{
+    Case, Condition, Measured, Quantity, RequiredBound, Requirement, Spot, Summary,
+};
 pub use scale::ScaleTrouble;
 pub use shape::{Quality, Shape, ShapeKind};
 pub use show::Shown;
@@ -181,6 +185,8 @@ pub struct Model {
     pub actions: Actions,
     /// The points whose paths are recorded.
     pub traces: Vec<Trace>,
+    /// The conditions that it has to meet.
+    pub requirements: Vec<Requirement>,
     /// The instances of parts, each after the one that it is in.
     pub instances: Vec<Instance>,
 }
@@ -223,6 +229,7 @@ impl Model {
             effects: Effects::default(),
             actions: Actions::default(),
             traces: Vec::new(),
+            requirements: Vec::new(),
             instances: Vec::new(),
         }
     }

@@ -1,7 +1,7 @@
 //! The construction of a program in SSA form: constants are folded, and common subexpressions made once.
 
 use super::node::{BlockId, Node, Op, Slot, Value};
-use super::{Block, BlockKind, Position, Ssa};
+use super::{Block, BlockKind, Position, Program, Ssa};
 use crate::cancel;
 use crate::model::{Axis, Number, Precision};
 use crate::plan::{Algebra, Arithmetic, are_equal};
@@ -33,8 +33,8 @@ pub(super) struct SsaBuilder {
     pub(super) gains: BTreeMap<Value, f64>,
     /// The values of the model's formulas, by their numbers.
     pub(super) formulas: Vec<Value>,
-    /// The variable of the law that is being lowered.
-    pub(super) variable: Option<Value>,
+    /// The variables of the law or requirement that is being lowered.
+    pub(super) variables: Vec<Value>,
 }
 
 /// A number of the state.
@@ -52,6 +52,25 @@ impl SsaBuilder {
         Self {
             start,
             epsilon: precision.epsilon(),
+            ..Self::default()
+        }
+    }
+
+    /// Goes on with a program that was built: what it computes already is made no second time.
+    pub(super) fn resume(program: &Program) -> Self {
+        let nodes = program.ssa.nodes.iter().enumerate();
+        let kept = nodes.filter(|(_, node)| !node.iterated);
+        Self {
+            known: kept
+                .map(|(index, node)| (node.op, Value::at(index)))
+                .collect(),
+            at_start: program.values_at_start(),
+            varies: vec![false; program.ssa.nodes.len()],
+            ssa: program.ssa.clone(),
+            start: program.start.clone(),
+            state: program.state.clone(),
+            epsilon: program.precision.epsilon(),
+            motors: program.motors.len(),
             ..Self::default()
         }
     }

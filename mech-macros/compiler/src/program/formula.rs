@@ -27,17 +27,17 @@ impl SsaBuilder {
 
     /// A law of a value.
     pub(super) fn law(&mut self, law: &Law, variable: Value) -> Value {
-        self.variable = Some(variable);
+        self.variables = vec![variable];
         let value = law.evaluate(self);
-        self.variable = None;
+        self.variables.clear();
         value
     }
 }
 
 impl FormulaArithmetic for SsaBuilder {
-    fn variable(&mut self) -> Value {
-        let Some(variable) = self.variable else {
-            bug!("there is a variable outside of laws");
+    fn variable(&mut self, number: usize) -> Value {
+        let Some(&variable) = self.variables.get(number) else {
+            bug!("there is a variable outside of laws and requirements");
         };
         variable
     }

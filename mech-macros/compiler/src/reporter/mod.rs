@@ -14,6 +14,7 @@ mod order;
 mod params;
 mod range;
 mod repairs;
+mod requirement;
 mod start;
 mod wording;
 
@@ -141,6 +142,10 @@ impl Words<'_> {
                 self.matched_only(joints, *param),
             ),
             Diagnosis::Overflow { culprit } => self.overflow(*culprit),
+            Diagnosis::Unmet {
+                requirement,
+                trouble,
+            } => self.unmet(*requirement, trouble),
             Diagnosis::TooLarge => (self.model.origin, self.too_large()),
             Diagnosis::TooSmall => (self.model.origin, self.too_small()),
             Diagnosis::EndlessAccuracy { accuracy, motor } => (

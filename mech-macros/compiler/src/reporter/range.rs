@@ -143,7 +143,7 @@ impl Words<'_> {
     }
 
     /// A motor's value as one would write it: zero where only rounding has left something.
-    fn motor_value(&self, motor: MotorId, value: f64) -> String {
+    pub(super) fn motor_value(&self, motor: MotorId, value: f64) -> String {
         const ROUNDING: f64 = 1e-9;
         let (unit, value) = match self.model.joint(self.model.motor(motor).joint).kind {
             JointKind::Revolute(..) if value.abs() < ROUNDING => (" deg", 0.0),

@@ -1,6 +1,6 @@
 //! Diagnoses of mechanisms, as data: tests match them, the reporter puts them into words.
 
-use crate::model::{AxisId, JointId, LinkId, MotorId, ParamId, Ratio};
+use crate::model::{AxisId, JointId, LinkId, MotorId, Origin, ParamId, Ratio};
 
 /// An owner of numbers from which forces are made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -187,6 +187,13 @@ pub enum Diagnosis {
         /// The motors.
         motors: Vec<MotorId>,
     },
+    /// A condition that the mechanism is expected to meet does not hold, or could not be proved.
+    Unmet {
+        /// The requirement, by its number.
+        requirement: usize,
+        /// The trouble with it.
+        trouble: RequirementTrouble,
+    },
     /// Forces, rates or laws are computed with numbers that the scalar type does not hold.
     Overflow {
         /// Whose numbers are farthest from one, if any are declared.
@@ -249,6 +256,89 @@ pub enum MeshTrouble {
         /// The distance that the radii ask for: their sum, or for a ring their difference.
         asked: f64,
     },
+}
+
+/// Why a requirement is not met.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum RequirementTrouble {
+    /// It does not hold at a place.
+    Fails(Witness),
+    /// The motor does not turn right round: it is stopped.
+    Stops {
+        /// The motor.
+        motor: MotorId,
+        /// Where it is stopped, in radians.
+        limit: f64,
+        /// The joints of the loop that stops it.
+        unknowns: Vec<JointId>,
+    },
+    /// The motor's declared range is less than a turn.
+    Limited {
+        /// The motor.
+        motor: MotorId,
+    },
+    /// Neither a proof nor a place where it does not hold was found within the time there is.
+    Undecided {
+        /// The value of what is measured that came nearest to the limit.
+        value: f64,
+        /// The motors' values there.
+        at: Vec<(MotorId, f64)>,
+        /// By how much more it may change elsewhere, as far as that is known.
+        open: f64,
+    },
+    /// There are too many loops, or too many ways in which they may be assembled.
+    TooHard,
+    /// What is measured depends on a loop that is solved by iteration, for which there is no proof.
+    Iterated {
+        /// The joints of the loop.
+        unknowns: Vec<JointId>,
+    },
+    /// There is no loop that has a transmission angle, or this one has none.
+    NoDyad {
+        /// The joints of the loop, if there is one.
+        unknowns: Vec<JointId>,
+    },
+    /// A proof holds for one shape of the mechanism, and this param may change it.
+    Varies {
+        /// The param.
+        param: ParamId,
+    },
+    /// It is not known how far this motor goes.
+    NoRange {
+        /// The motor.
+        motor: MotorId,
+    },
+    /// What is measured grows with every turn of this motor.
+    Endless {
+        /// The motor.
+        motor: MotorId,
+    },
+    /// The motor does not come to the values that the requirement is about.
+    Unreachable {
+        /// The motor.
+        motor: MotorId,
+        /// Where it is stopped, in radians or scene units.
+        limit: f64,
+        /// Where the values were declared.
+        origin: Origin,
+    },
+}
+
+/// A place where a requirement does not hold.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Witness {
+    /// The value of what is measured there, in radians or scene units.
+    pub value: f64,
+    /// Whether it is too great.
+    pub is_upper: bool,
+    /// A limit that was proved to be kept instead, if one was.
+    pub proved: Option<f64>,
+    /// The motors' values there; of a swing, at both of its ends.
+    pub places: Vec<Vec<(MotorId, f64)>>,
+    /// The joints of the loop that it is about, if it is about one.
+    pub unknowns: Vec<JointId>,
 }
 
 /// Why a declared range cannot stand.

@@ -14,7 +14,10 @@ mod still;
 mod verdict;
 mod welded;
 
-pub use diagnosis::{Diagnosis, Extreme, LoopAssembly, MeshTrouble, OpenLoop, RangeTrouble};
+pub use diagnosis::{
+    Diagnosis, Extreme, LoopAssembly, MeshTrouble, OpenLoop, RangeTrouble, RequirementTrouble,
+    Witness,
+};
 pub(crate) use graph::KinematicGraph;
 pub use parallel::Parallels;
 pub use pin::Pin;

@@ -6,10 +6,10 @@
 use super::{Header, Message, Place};
 use crate::model::{AtChangePoints, Precision};
 use proc_macro2::{Ident, Span};
-use std::fmt;
 
-pub(super) use super::expr::{Expr, ExprKind, Pair, Read};
-pub(super) use super::name::{Index, Name, Segment};
+pub(super) use super::expr::{
+    End, Expr, ExprKind, Index, MeasuredExpr, Name, Pair, Read, Segment, SpotExpr,
+};
 pub(super) use super::shape::{Color, Outline, Shade, Shape};
 
 /// The body of a `mechanism!`.
@@ -80,6 +80,8 @@ pub(super) enum Statement {
     Port(Port),
     /// `use left[6]: Leg(size = 2) { frame = ground };`
     Use(Box<Use>),
+    /// `expect transmission > 40 deg for a in 0 deg ..= 90 deg;`
+    Expect(Box<Expect>),
     /// `allow redundant;`
     Allow(Ident),
     /// Something that could not be read.
@@ -275,34 +277,6 @@ pub(super) struct Clause<T> {
     pub value: T,
 }
 
-/// A link, or something fixed to it: `crank`, `crank.pin` or `left[2].crank.pin`.
-pub(super) struct End {
-    /// The link (in `show` and in cams, possibly a joint).
-    pub link: Name,
-    /// The point or line.
-    pub axis: Option<Ident>,
-}
-
-impl End {
-    /// From the link's name to the axis's.
-    pub(super) fn place(&self) -> Place {
-        let link = self.link.place();
-        match &self.axis {
-            Some(axis) => link.to(Place::at(axis.span())),
-            None => link,
-        }
-    }
-}
-
-impl fmt::Display for End {
-    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
-        write!(formatter, "{}", self.link)?;
-        self.axis
-            .iter()
-            .try_for_each(|axis| write!(formatter, ".{axis}"))
-    }
-}
-
 /// The sizes and the carrier of a gear, belt or rack: `20 : 40 on arm`.
 pub(super) struct Rolling {
     /// Its sizes.
@@ -390,6 +364,40 @@ pub(super) struct Method {
     pub steps: Option<(Option<Expr>, Place)>,
     /// The word `predictor` after them, and its order.
     pub predictor: Option<(Span, Expr)>,
+}
+
+/// `expect transmission > 40 deg for a in 0 deg ..= 90 deg, "why";`
+pub(super) struct Expect {
+    /// The word `expect`.
+    pub keyword: Span,
+    /// The condition.
+    pub condition: ConditionExpr,
+    /// The motors after `for` and `at`, with their values.
+    pub cases: Vec<CaseExpr>,
+    /// The words in quotes.
+    pub why: Option<String>,
+}
+
+/// What has to hold.
+pub(super) enum ConditionExpr {
+    /// `a < b`
+    Compare {
+        sides: [Expr; 2],
+        is_upper: bool,
+        is_strict: bool,
+    },
+    /// `a in low ..= high`
+    Within(Expr, [Expr; 2]),
+    /// `turns(a)`
+    Turns(Name, Place),
+}
+
+/// `a in 0 deg ..= 90 deg` after `for`, or `a = 30 deg` after `at`.
+pub(super) struct CaseExpr {
+    /// The motor.
+    pub motor: Name,
+    /// Its values: both ends, or only one.
+    pub values: Vec<Expr>,
 }
 
 /// `part Leg(size = 1) { ... }`

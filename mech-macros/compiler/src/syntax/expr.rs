@@ -1,8 +1,9 @@
-//! Numbers and places, as they were written.
+//! Numbers, places and names, as they were written.
 
 use super::{Message, Place};
-use crate::model::{BinaryFunction, Function};
-use proc_macro2::Ident;
+use crate::model::{BinaryFunction, Function, Summary};
+use proc_macro2::{Ident, Span};
+use std::fmt;
 
 /// A part of the text, or what is wrong with it.
 pub(super) type Read<T> = Result<T, Message>;
@@ -47,4 +48,118 @@ pub(super) enum ExprKind {
     Call(Function, Box<Expr>),
     /// `min(a, b)`
     CallBoth(BinaryFunction, Box<[Expr; 2]>),
+    /// `coupler.tip.x`: only where a mechanism says what it is for.
+    Measured(Box<MeasuredExpr>),
+}
+
+/// Something that is measured.
+pub(super) enum MeasuredExpr {
+    /// `b`, `left[2].b`: a joint, a link or a constant.
+    Named(Name),
+    /// `coupler.tip.x`; the flag says that it is the ordinate.
+    Place(End, bool),
+    /// `transmission(b)`
+    Transmission(Name),
+    /// `angle(coupler)`, `angle(rocker, coupler)`
+    Angle(Name, Option<Name>),
+    /// `distance(coupler.tip, (1, 2))`
+    Distance([SpotExpr; 2]),
+    /// `max(coupler.tip.y)`
+    Summary(Summary, &'static str, Expr),
+}
+
+/// A place from which a distance is measured.
+pub(super) enum SpotExpr {
+    /// `coupler.tip`
+    Axis(End),
+    /// `(1, 2)`
+    At(Pair),
+}
+
+/// The name of a link or joint, or the path to one: `left[2].foot`.
+pub(super) struct Name {
+    /// The uses of parts that lead to it, from the outermost inwards.
+    pub uses: Vec<Segment>,
+    /// Its own name.
+    pub name: Ident,
+}
+
+/// A use of a part in a path: `left[2]`.
+pub(super) struct Segment {
+    /// The name of the use.
+    pub name: Ident,
+    /// Which of its instances is meant, if it has several.
+    pub index: Option<Index>,
+}
+
+/// The index in the brackets of a path.
+pub(super) enum Index {
+    /// `[2]`
+    At(Expr),
+    /// `[*]`: every instance.
+    Every(Place),
+}
+
+impl Name {
+    /// The place of its own name.
+    pub(super) fn span(&self) -> Span {
+        self.name.span()
+    }
+
+    /// From its first word to its last.
+    pub(super) fn place(&self) -> Place {
+        let first = self.uses.first().map_or(&self.name, |first| &first.name);
+        Place {
+            start: first.span(),
+            end: self.name.span(),
+        }
+    }
+}
+
+/// A link, or something fixed to it: `crank`, `crank.pin` or `left[2].crank.pin`.
+pub(super) struct End {
+    /// The link (in `show` and in cams, possibly a joint).
+    pub link: Name,
+    /// The point or line.
+    pub axis: Option<Ident>,
+}
+
+impl End {
+    /// From the link's name to the axis's.
+    pub(super) fn place(&self) -> Place {
+        let link = self.link.place();
+        match &self.axis {
+            Some(axis) => link.to(Place::at(axis.span())),
+            None => link,
+        }
+    }
+}
+
+impl fmt::Display for End {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        write!(formatter, "{}", self.link)?;
+        self.axis
+            .iter()
+            .try_for_each(|axis| write!(formatter, ".{axis}"))
+    }
+}
+
+impl fmt::Display for Name {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        for segment in &self.uses {
+            write!(formatter, "{segment}.")?;
+        }
+        write!(formatter, "{}", self.name)
+    }
+}
+
+impl fmt::Display for Segment {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        write!(formatter, "{}", self.name)?;
+        match &self.index {
+            None => Ok(()),
+            Some(Index::At(index)) => write!(formatter, "[{index}]"),
+            Some(Index::Every(_)) => write!(formatter, "[*]"),
+        }
+    }
 }

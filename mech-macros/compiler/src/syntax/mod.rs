@@ -8,7 +8,6 @@ pub mod lexer;
 pub mod limits;
 mod listing;
 mod lower;
-mod name;
 mod place;
 mod shape;
 mod source;

@@ -1,6 +1,6 @@
 //! Numbers as they were written, for messages that offer them again.
 
-use super::ast::{Expr, ExprKind};
+use super::ast::{Expr, ExprKind, MeasuredExpr, SpotExpr};
 use std::fmt::{self, Display, Formatter};
 
 /// The precedence of an expression, the weakest first.
@@ -36,6 +36,33 @@ impl Display for Expr {
                 let [a, b] = &**parts;
                 write!(formatter, "{}({a}, {b})", function.name())
             }
+            ExprKind::Measured(measured) => write!(formatter, "{measured}"),
+        }
+    }
+}
+
+impl Display for MeasuredExpr {
+    fn fmt(&self, formatter: &mut Formatter) -> fmt::Result {
+        match self {
+            Self::Named(name) => write!(formatter, "{name}"),
+            Self::Place(point, is_ordinate) => {
+                let part = if *is_ordinate { "y" } else { "x" };
+                write!(formatter, "{point}.{part}")
+            }
+            Self::Transmission(joint) => write!(formatter, "transmission({joint})"),
+            Self::Angle(link, None) => write!(formatter, "angle({link})"),
+            Self::Angle(from, Some(to)) => write!(formatter, "angle({from}, {to})"),
+            Self::Distance([from, to]) => write!(formatter, "distance({from}, {to})"),
+            Self::Summary(_, word, of) => write!(formatter, "{word}({of})"),
+        }
+    }
+}
+
+impl Display for SpotExpr {
+    fn fmt(&self, formatter: &mut Formatter) -> fmt::Result {
+        match self {
+            Self::Axis(end) => write!(formatter, "{end}"),
+            Self::At(place) => write!(formatter, "({}, {})", place.x, place.y),
         }
     }
 }
@@ -93,6 +120,7 @@ fn bond_of(expr: &Expr) -> Bond {
         | ExprKind::Pi
         | ExprKind::Constant(_)
         | ExprKind::Call(..)
-        | ExprKind::CallBoth(..) => Bond::Whole,
+        | ExprKind::CallBoth(..)
+        | ExprKind::Measured(_) => Bond::Whole,
     }
 }

@@ -3,7 +3,7 @@
 use syn::parse::ParseStream;
 
 /// The words that a statement may begin with.
-pub const STATEMENTS: [&str; 25] = [
+pub const STATEMENTS: [&str; 26] = [
     "const",
     "param",
     "ground",
@@ -25,6 +25,7 @@ pub const STATEMENTS: [&str; 25] = [
     "spring",
     "damper",
     "load",
+    "expect",
     "part",
     "port",
     "use",

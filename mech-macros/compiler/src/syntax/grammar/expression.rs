@@ -15,6 +15,19 @@ use syn::{Lit, Token, token};
 /// The greatest depth of nested brackets: enough for anybody, and the stack holds it.
 const DEPTH: usize = 64;
 
+/// Reads a number that begins with a name, if it is measured; else nothing is taken. The second reads a number inside of it.
+pub(super) type Measuring =
+    fn(ParseStream, &dyn Fn(ParseStream) -> Read<Expr>) -> Read<Option<Expr>>;
+
+/// How a number is read at some depth.
+#[derive(Clone, Copy)]
+struct Nesting {
+    /// How much deeper brackets may be.
+    left: usize,
+    /// The numbers that may be measured.
+    measuring: Option<Measuring>,
+}
+
 /// A function of one number or of two.
 #[derive(Clone, Copy)]
 enum Callee {
@@ -35,7 +48,20 @@ impl Callee {
 
 /// Reads a number.
 pub(super) fn expression(input: ParseStream) -> Read<Expr> {
-    sum(input, DEPTH)
+    let nesting = Nesting {
+        left: DEPTH,
+        measuring: None,
+    };
+    sum(input, nesting)
+}
+
+/// Reads a number in which some may be measured.
+pub(super) fn measured(input: ParseStream, measuring: Measuring) -> Read<Expr> {
+    let nesting = Nesting {
+        left: DEPTH,
+        measuring: Some(measuring),
+    };
+    sum(input, nesting)
 }
 
 /// Reads `(x, y)`.
@@ -98,22 +124,22 @@ fn is_angle_in_parens(input: ParseStream) -> bool {
     !has_comma && goes_on
 }
 
-fn sum(input: ParseStream, depth: usize) -> Read<Expr> {
-    let mut terms = vec![(false, product(input, depth)?)];
+fn sum(input: ParseStream, nesting: Nesting) -> Read<Expr> {
+    let mut terms = vec![(false, product(input, nesting)?)];
     while let Some(minus) = operator(input, "+", "-") {
-        terms.push((minus, product(input, depth)?));
+        terms.push((minus, product(input, nesting)?));
     }
     Ok(chain(terms, ExprKind::Sum))
 }
 
-fn product(input: ParseStream, depth: usize) -> Read<Expr> {
-    let mut factors = vec![(false, read_signed(input, depth)?)];
+fn product(input: ParseStream, nesting: Nesting) -> Read<Expr> {
+    let mut factors = vec![(false, read_signed(input, nesting)?)];
     while let Some(over) = operator(input, "*", "/") {
-        factors.push((over, read_signed(input, depth)?));
+        factors.push((over, read_signed(input, nesting)?));
     }
     let product = chain(factors, ExprKind::Product);
     if take(input, "%").is_some() {
-        return Err(foreign::remainder(&product, &with_unit(input, depth)?));
+        return Err(foreign::remainder(&product, &with_unit(input, nesting)?));
     }
     Ok(product)
 }
@@ -141,13 +167,13 @@ fn chain(mut parts: Vec<(bool, Expr)>, kind: fn(Vec<(bool, Expr)>) -> ExprKind) 
 }
 
 /// A number with any minus signs before it: they bind less than `deg` after it.
-fn read_signed(input: ParseStream, depth: usize) -> Read<Expr> {
+fn read_signed(input: ParseStream, nesting: Nesting) -> Read<Expr> {
     let mut signs = Vec::new();
     while let Some(place) = take(input, "-") {
         signs.push(place);
     }
-    let number = with_unit(input, depth)?;
-    without_power(input, &number, depth)?;
+    let number = with_unit(input, nesting)?;
+    without_power(input, &number, nesting)?;
     let Some(first) = signs.first() else {
         return Ok(number);
     };
@@ -162,17 +188,21 @@ fn read_signed(input: ParseStream, depth: usize) -> Read<Expr> {
 }
 
 /// Complains about a power of this number.
-fn without_power(input: ParseStream, number: &Expr, depth: usize) -> Read<()> {
+fn without_power(input: ParseStream, number: &Expr, nesting: Nesting) -> Read<()> {
     let mut operators = ["^", "**"].into_iter();
     let Some(operator) = operators.find(|operator| comes(input, operator)) else {
         return Ok(());
     };
     take(input, operator);
-    Err(foreign::power(operator, number, &with_unit(input, depth)?))
+    Err(foreign::power(
+        operator,
+        number,
+        &with_unit(input, nesting)?,
+    ))
 }
 
-fn with_unit(input: ParseStream, depth: usize) -> Read<Expr> {
-    let number = primary(input, depth)?;
+fn with_unit(input: ParseStream, nesting: Nesting) -> Read<Expr> {
+    let number = primary(input, nesting)?;
     let number = match take_word(input, "deg") {
         Some(unit) if matches!(number.kind, ExprKind::Degrees(_)) => {
             let text = "this number is in degrees already; leave one `deg` out";
@@ -201,16 +231,17 @@ fn in_degrees(number: Expr, unit: Span) -> Expr {
     }
 }
 
-fn primary(input: ParseStream, depth: usize) -> Read<Expr> {
-    let Some(depth) = depth.checked_sub(1) else {
+fn primary(input: ParseStream, nesting: Nesting) -> Read<Expr> {
+    let Some(left) = nesting.left.checked_sub(1) else {
         let text = "too many brackets in one another; give a part of it a name with `const`";
         return Err(Message::new(Place::at(input.span()), text));
     };
+    let nesting = Nesting { left, ..nesting };
     if let Some(tokens) = take_invisible(input) {
-        return read_interpolated(tokens, depth);
+        return read_interpolated(tokens, nesting);
     }
     if input.peek(token::Paren) {
-        let (inner, place) = in_parens(input, "a number", |input| sum(input, depth))?;
+        let (inner, place) = in_parens(input, "a number", |input| sum(input, nesting))?;
         return Ok(Expr {
             kind: inner.kind,
             place,
@@ -219,15 +250,20 @@ fn primary(input: ParseStream, depth: usize) -> Read<Expr> {
     if let Some((literal, _)) = input.cursor().literal() {
         return number(input, literal);
     }
+    if let Some(measuring) = nesting.measuring
+        && let Some(measured) = measuring(input, &|input| sum(input, nesting))?
+    {
+        return Ok(measured);
+    }
     if input.peek(syn::Ident) {
-        return named(input, depth);
+        return named(input, nesting);
     }
     // A function of ours that is a keyword of Rust.
     if input.peek(Token![mod])
         && input.peek2(token::Paren)
         && let Some(ident) = any_word(input)
     {
-        return call(input, &ident, depth);
+        return call(input, &ident, nesting);
     }
     Err(expected_message(input, "a number"))
 }
@@ -240,10 +276,10 @@ fn take_invisible(input: ParseStream) -> Option<TokenStream> {
     })
 }
 
-fn read_interpolated(tokens: TokenStream, depth: usize) -> Read<Expr> {
+fn read_interpolated(tokens: TokenStream, nesting: Nesting) -> Read<Expr> {
     let place = Place::of(&tokens);
     let inner = run(tokens, |input| {
-        let inner = sum(input, depth)?;
+        let inner = sum(input, nesting)?;
         if input.is_empty() {
             Ok(inner)
         } else {
@@ -277,10 +313,10 @@ fn number(input: ParseStream, literal: Literal) -> Read<Expr> {
     }
 }
 
-fn named(input: ParseStream, depth: usize) -> Read<Expr> {
+fn named(input: ParseStream, nesting: Nesting) -> Read<Expr> {
     let ident = name(input, "a number")?;
     if input.peek(token::Paren) {
-        return call(input, &ident, depth);
+        return call(input, &ident, nesting);
     }
     without_path(input, &ident)?;
     let place = Place::at(ident.span());
@@ -317,17 +353,17 @@ fn without_path(input: ParseStream, first: &Ident) -> Read<()> {
     ))
 }
 
-fn call(input: ParseStream, ident: &Ident, depth: usize) -> Read<Expr> {
+fn call(input: ParseStream, ident: &Ident, nesting: Nesting) -> Read<Expr> {
     let Some(called) = Callee::named(ident) else {
-        return Err(unknown_function(input, ident, depth));
+        return Err(unknown_function(input, ident, nesting));
     };
     let (kind, place) = in_parens(input, "`(`", |input| {
-        let first = sum(input, depth)?;
+        let first = sum(input, nesting)?;
         Ok(match called {
             Callee::One(function) => ExprKind::Call(function, Box::new(first)),
             Callee::Both(function) => {
                 symbol(input, ",")?;
-                let second = sum(input, depth)?;
+                let second = sum(input, nesting)?;
                 take(input, ",");
                 ExprKind::CallBoth(function, Box::new([first, second]))
             }
@@ -341,11 +377,12 @@ fn call(input: ParseStream, ident: &Ident, depth: usize) -> Read<Expr> {
 }
 
 /// The message about a call of a function that there is not.
-fn unknown_function(input: ParseStream, ident: &Ident, depth: usize) -> Message {
+fn unknown_function(input: ParseStream, ident: &Ident, nesting: Nesting) -> Message {
     let name = ident.to_string();
     let place = Place::at(ident.span());
     if foreign::is_function(&name)
-        && let Ok((arguments, brackets)) = in_parens(input, "`(`", |input| arguments(input, depth))
+        && let Ok((arguments, brackets)) =
+            in_parens(input, "`(`", |input| arguments(input, nesting))
         && let Some(written) = foreign::call(&name, &arguments)
     {
         let text = format!("there is no `{name}`; write `{written}`");
@@ -366,10 +403,10 @@ fn unknown_function(input: ParseStream, ident: &Ident, depth: usize) -> Message 
 }
 
 /// Numbers with commas between them.
-fn arguments(input: ParseStream, depth: usize) -> Read<Vec<Expr>> {
+fn arguments(input: ParseStream, nesting: Nesting) -> Read<Vec<Expr>> {
     let mut arguments = Vec::new();
     while !input.is_empty() {
-        arguments.push(sum(input, depth)?);
+        arguments.push(sum(input, nesting)?);
         if take(input, ",").is_none() {
             break;
         }

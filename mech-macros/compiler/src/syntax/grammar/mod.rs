@@ -3,6 +3,7 @@
 mod action;
 mod beginning;
 mod ending;
+mod expect;
 mod expression;
 mod figure;
 mod foreign;

@@ -9,7 +9,7 @@ use super::recover::{
 use super::tokens::{
     any_word, comes, comes_word, expected_message, message_of, symbol, take, take_tree,
 };
-use super::{action, foreign, item, joint, method, misplaced, part, setting};
+use super::{action, expect, foreign, item, joint, method, misplaced, part, setting};
 use crate::syntax::ast::{Broken, Constant, EFFECTS, Ground, Link, Read, Statement, Text};
 use crate::syntax::{Message, Place, spelling};
 use proc_macro2::{Ident, Span};
@@ -160,6 +160,7 @@ pub(super) fn statement(input: ParseStream) -> Statement {
         "spring" => action::spring(input),
         "damper" => action::damper(input),
         "load" => action::load(input),
+        "expect" => expect::expect(input, keyword.span()),
         "allow" => setting::allow(input),
         "part" => part::part(input, statement),
         "port" => part::port(input),

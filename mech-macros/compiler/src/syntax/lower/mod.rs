@@ -20,6 +20,7 @@ mod joint;
 mod law;
 mod link;
 mod mass;
+mod measured;
 mod method;
 mod motor;
 mod name;
@@ -30,6 +31,7 @@ mod port;
 mod quantity;
 mod reader;
 mod report;
+mod requirement;
 mod rolling;
 mod scope;
 mod setting;
@@ -142,9 +144,11 @@ fn begin(reader: &mut Reader, draft: &mut Draft, statement: &Statement) {
     }
 }
 
-/// Lowers a list of joints that go on over whole turns, once it is known what is shown.
+/// Lowers a list of joints that go on over whole turns, once it is known what is shown; and what is expected of all that.
 fn go_on(reader: &mut Reader, draft: &mut Draft, statement: &Statement) {
-    if let Statement::Continuous { joints, .. } = statement {
-        continuous::lower(reader, draft, joints);
+    match statement {
+        Statement::Continuous { joints, .. } => continuous::lower(reader, draft, joints),
+        Statement::Expect(expect) => requirement::lower(reader, draft, expect),
+        _ => {}
     }
 }

@@ -1,6 +1,7 @@
 //! Reading at a place of the text: what names and numbers mean there.
 
 use super::constant::{Constants, Passing};
+use super::measured::Measuring;
 use super::name::Names;
 use super::quantity::{Quantity, Spot};
 use super::report::{Report, StatementPlace};
@@ -34,8 +35,10 @@ pub(super) struct Reader<'r> {
     pub(super) frame: Similarity,
     /// Why numbers may not depend on params, if there is a reason of their own.
     pub(super) why_fixed: Option<&'static str>,
-    /// The law that is read.
+    /// The law or requirement that is read.
     pub(super) law: Option<LawReading>,
+    /// What a requirement measures, if one is read.
+    pub(super) measuring: Option<Measuring<'r>>,
     pub(super) params: &'r mut Params,
     pub(super) report: &'r mut Report,
 }
@@ -64,6 +67,7 @@ impl<'r> Reader<'r> {
             frame: names.scope(scope).similarity,
             why_fixed: None,
             law: None,
+            measuring: None,
             params,
             report,
         }
@@ -86,6 +90,7 @@ impl<'r> Reader<'r> {
             params: self.params,
             report: self.report,
             law: None,
+            measuring: None,
             ..*self
         }
     }

@@ -48,6 +48,7 @@ impl Reader<'_> {
                 let (a, b) = (self.quantity(a), self.quantity(b));
                 self.call_both(*function, [a?, b?], expr.place)
             }
+            ExprKind::Measured(measured) => self.measured(measured, expr.place),
         }
     }
 
@@ -98,7 +99,7 @@ impl Reader<'_> {
     }
 
     /// Returns the value of a name: of the variable of the law, the number of the instance, or a constant.
-    fn constant(&mut self, name: &Ident, place: Place) -> Option<Quantity> {
+    pub(super) fn constant(&mut self, name: &Ident, place: Place) -> Option<Quantity> {
         let passing = self.passing;
         if passing.variable.is_some_and(|variable| name == variable) {
             return self.variable(name, place);
@@ -134,7 +135,7 @@ impl Reader<'_> {
         }
         let variable = Quantity {
             value: None,
-            formula: Some(self.formulas().add(Formula::Variable)),
+            formula: Some(self.formulas().add(Formula::Variable(0))),
         };
         let input = self.law.as_ref().map(|law| law.input);
         let input = self.in_this_law(input.unwrap_or(Quantity::fixed(1.0)));
@@ -274,7 +275,9 @@ impl Reader<'_> {
             ExprKind::CallBoth(_, parts) => {
                 parts.iter().find_map(|part| self.first_dependent(part))
             }
-            ExprKind::Integer(_) | ExprKind::Decimal(_) | ExprKind::Pi => None,
+            ExprKind::Integer(_) | ExprKind::Decimal(_) | ExprKind::Pi | ExprKind::Measured(_) => {
+                None
+            }
         }
     }
 

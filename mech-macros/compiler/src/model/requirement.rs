@@ -1,0 +1,132 @@
+//! What a mechanism is for: conditions on quantities, which are proved for every value of the motors.
+
+use super::{AxisId, FormulaId, Formulas, JointId, JointKind, LinkId, Model, MotorId, Origin};
+
+/// A condition that the mechanism has to meet wherever its motors move.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Requirement {
+    /// Where it was declared.
+    pub origin: Origin,
+    /// The condition as it was written: `transmission > 40 deg`.
+    pub written: String,
+    /// The numbers that it is made from; its variables are what is measured.
+    pub formulas: Formulas,
+    /// What each variable stands for.
+    pub measured: Vec<Measured>,
+    /// What has to hold.
+    pub condition: Condition,
+    /// The values of motors for which it has to hold; for others all that they can have.
+    pub cases: Vec<Case>,
+    /// The reason that the user gives.
+    pub why: Option<String>,
+}
+
+/// The values of a motor for which a requirement has to hold.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Case {
+    /// The motor.
+    pub motor: MotorId,
+    /// Its least and its greatest value, in radians or scene units.
+    pub ends: [f64; 2],
+    /// Where they were declared.
+    pub origin: Origin,
+}
+
+/// What has to hold.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Condition {
+    /// Each of these bounds.
+    Bounds {
+        /// What is bounded.
+        subject: FormulaId,
+        /// Whether that is an angle, in radians.
+        is_angle: bool,
+        /// The bounds.
+        bounds: Vec<RequiredBound>,
+    },
+    /// The motor turns right round.
+    Turns(MotorId),
+}
+
+/// A bound that something keeps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct RequiredBound {
+    /// By how much it is kept: not negative.
+    pub margin: FormulaId,
+    /// The number of the other side.
+    pub limit: FormulaId,
+    /// Whether that is an upper bound of the subject.
+    pub is_upper: bool,
+    /// Whether the subject must not be equal to it.
+    pub is_strict: bool,
+}
+
+/// What a variable of a requirement stands for.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Measured {
+    /// A number that the position gives.
+    Quantity(Quantity),
+    /// A number that the whole motion gives.
+    Summary(Summary, FormulaId),
+}
+
+/// A number that the position of a mechanism gives, in radians or scene units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Quantity {
+    /// The coordinate of a joint.
+    Coordinate(JointId),
+    /// The angle of a link in the scene, over whole turns.
+    Angle(LinkId),
+    /// The angle from one link to another.
+    AngleBetween([LinkId; 2]),
+    /// The abscissa of a point in the scene.
+    X(AxisId),
+    /// The ordinate of a point in the scene.
+    Y(AxisId),
+    /// The distance of two places, or of a place and a line.
+    Distance([Spot; 2]),
+    /// The transmission angle: of the dyad that finds the coordinate of this joint, or without one of each dyad.
+    Transmission(Option<JointId>),
+}
+
+impl Quantity {
+    /// Whether it is an angle, in radians; else it is a length, in scene units.
+    #[must_use]
+    pub fn is_angle(self, model: &Model) -> bool {
+        match self {
+            Self::Coordinate(joint) => {
+                matches!(model.joint(joint).kind, JointKind::Revolute(..))
+            }
+            Self::Angle(_) | Self::AngleBetween(_) | Self::Transmission(_) => true,
+            Self::X(_) | Self::Y(_) | Self::Distance(_) => false,
+        }
+    }
+}
+
+/// A place from which a distance is measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Spot {
+    /// A point or a line of a link.
+    Axis(AxisId),
+    /// A place of the scene.
+    At([f64; 2]),
+}
+
+/// A number that the whole motion gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Summary {
+    /// The least value.
+    Min,
+    /// The greatest value.
+    Max,
+    /// The difference of the two.
+    Swing,
+}

@@ -1,0 +1,229 @@
+//! A program that computes what a requirement measures, beside positions.
+
+use super::builder::SsaBuilder;
+use super::node::{Op, Value};
+use super::{Program, Ssa};
+use crate::bug::bug;
+use crate::model::{
+    AxisId, AxisKind, InputId, JointId, JointKind, LinkId, Measured, Model, Quantity, Requirement,
+    Spot,
+};
+use crate::plan::{Algebra, Arithmetic, Dyad};
+
+/// A program to positions, with the operations of a requirement after its own.
+#[derive(Clone, Debug)]
+pub(crate) struct Gauge {
+    pub(crate) program: Program,
+    /// The values of the requirement's formulas, by their numbers.
+    pub(crate) formulas: Vec<Value>,
+    /// The angles that it measures, over whole turns.
+    pub(crate) angles: Vec<GaugedAngle>,
+    /// For each variable that sums up the motion the state in which its value is put.
+    pub(crate) summaries: Vec<Option<usize>>,
+}
+
+/// An angle over whole turns: a reference, and the angle from there.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct GaugedAngle {
+    /// The state in which the reference is put.
+    pub(crate) reference: usize,
+    /// The angle from the reference, between −π and π.
+    pub(crate) beyond: Value,
+}
+
+impl Gauge {
+    /// Adds what a requirement measures to a program that finds the poses of all links in closed form; nothing if it asks for a dyad
+    /// that there is not. `dyad` finds the loop whose transmission angle is meant.
+    pub(crate) fn new(
+        model: &Model,
+        program: &Program,
+        requirement: &Requirement,
+        dyad: impl Fn(Option<JointId>) -> Option<usize>,
+    ) -> Option<Self> {
+        let mut measures = Measures {
+            model,
+            program,
+            ssa: SsaBuilder::resume(program),
+            angles: Vec::new(),
+        };
+        let mut summaries = Vec::new();
+        for measured in &requirement.measured {
+            let (value, state) = match *measured {
+                Measured::Quantity(Quantity::Transmission(joint)) => {
+                    (measures.transmission(dyad(joint)?)?, None)
+                }
+                Measured::Quantity(quantity) => (measures.quantity(quantity), None),
+                Measured::Summary(..) => {
+                    let carried = measures.ssa.carry(0.0);
+                    (carried.last, Some(carried.index))
+                }
+            };
+            measures.ssa.variables.push(value);
+            summaries.push(state);
+        }
+        let Measures {
+            mut ssa, angles, ..
+        } = measures;
+        let formulas = requirement.formulas.evaluate(&mut ssa);
+        let SsaBuilder {
+            ssa, start, state, ..
+        } = ssa;
+        let Ssa { nodes, blocks } = ssa;
+        Some(Self {
+            program: Program {
+                ssa: Ssa { nodes, blocks },
+                start,
+                state,
+                ..program.clone()
+            },
+            formulas,
+            angles,
+            summaries,
+        })
+    }
+}
+
+/// A program to which measures are added.
+struct Measures<'a> {
+    model: &'a Model,
+    program: &'a Program,
+    ssa: SsaBuilder,
+    angles: Vec<GaugedAngle>,
+}
+
+impl Measures<'_> {
+    fn quantity(&mut self, quantity: Quantity) -> Value {
+        match quantity {
+            Quantity::Coordinate(joint) => self.coordinate(joint),
+            Quantity::Angle(link) => {
+                let [cos, sin, ..] = self.pose(link);
+                self.angle([cos, sin])
+            }
+            Quantity::AngleBetween(links) => {
+                let [from, to] = links.map(|link| {
+                    let [cos, sin, ..] = self.pose(link);
+                    [cos, sin]
+                });
+                self.angle_from(from, to)
+            }
+            Quantity::X(axis) => self.point(axis)[0],
+            Quantity::Y(axis) => self.point(axis)[1],
+            Quantity::Distance(spots) => self.distance(spots),
+            Quantity::Transmission(_) => bug!("a transmission angle is that of a dyad"),
+        }
+    }
+
+    fn pose(&mut self, link: LinkId) -> [Value; 4] {
+        if link == LinkId::GROUND {
+            return [1.0, 0.0, 0.0, 0.0].map(|number| self.ssa.constant(number));
+        }
+        self.program.poses[self.program.pose_index(link)]
+    }
+
+    /// The place of an axis in the scene.
+    fn point(&mut self, axis: AxisId) -> [Value; 2] {
+        let axis = self.model.axis(axis);
+        let [cos, sin, x, y] = self.pose(axis.link);
+        let arm = self.ssa.vector(axis.at);
+        let arm = self.ssa.rotate([cos, sin], arm);
+        self.ssa.plus([x, y], arm)
+    }
+
+    /// The direction of an axis in the scene.
+    fn direction(&mut self, axis: AxisId) -> [Value; 2] {
+        let axis = self.model.axis(axis);
+        let [cos, sin, ..] = self.pose(axis.link);
+        let along = self.ssa.vector(axis.direction);
+        self.ssa.rotate([cos, sin], along)
+    }
+
+    fn coordinate(&mut self, joint: JointId) -> Value {
+        if let Some(motor) = self.model.motor_of(joint) {
+            return self.ssa.make(Op::Input(InputId::of_motor(motor)));
+        }
+        let kind = self.model.joint(joint).kind;
+        let Some(axes) = kind.axes() else {
+            bug!("a joint without a coordinate is measured");
+        };
+        let [from, to] = axes.map(|axis| self.model.seen_axis(axis));
+        let along = self.direction(from);
+        if let JointKind::Revolute(..) = kind {
+            let to = self.direction(to);
+            return self.angle_from(along, to);
+        }
+        let (from, to) = (self.point(from), self.point(to));
+        let between = self.ssa.minus(to, from);
+        self.ssa.dot(between, along)
+    }
+
+    fn angle_from(&mut self, from: [Value; 2], to: [Value; 2]) -> Value {
+        let back = self.ssa.conjugate(from);
+        let turn = self.ssa.rotate(back, to);
+        self.angle(turn)
+    }
+
+    /// The angle of a direction over whole turns.
+    fn angle(&mut self, direction: [Value; 2]) -> Value {
+        let [cos, sin] = direction.map(|part| self.ssa.at_start(part));
+        let reference = self.ssa.carry(sin.atan2(cos));
+        let turn = [
+            self.ssa.make(Op::Cos(reference.last)),
+            self.ssa.make(Op::Sin(reference.last)),
+        ];
+        let back = self.ssa.conjugate(turn);
+        let [cos, sin] = self.ssa.rotate(back, direction);
+        let beyond = self.ssa.make(Op::Atan2(sin, cos));
+        self.angles.push(GaugedAngle {
+            reference: reference.index,
+            beyond,
+        });
+        self.ssa.add(reference.last, beyond)
+    }
+
+    fn distance(&mut self, [from, to]: [Spot; 2]) -> Value {
+        let is_line = |spot: Spot| match spot {
+            Spot::Axis(axis) => self.model.axis(axis).kind == AxisKind::Line,
+            Spot::At(_) => false,
+        };
+        let line = [from, to].into_iter().find(|spot| is_line(*spot));
+        let [from, to] = [from, to].map(|spot| match spot {
+            Spot::Axis(axis) => self.point(axis),
+            Spot::At(place) => self.ssa.vector(place),
+        });
+        let between = self.ssa.minus(to, from);
+        if let Some(Spot::Axis(line)) = line {
+            let along = self.direction(line);
+            let across = self.ssa.cross(along, between);
+            return self.ssa.abs(across);
+        }
+        let square = self.ssa.dot(between, between);
+        self.ssa.sqrt(square)
+    }
+
+    /// The transmission angle of the dyad that closes a loop: between the directions in which its two unknowns move what they join. Both
+    /// its sine and its cosine follow from lengths, whatever the branch.
+    fn transmission(&mut self, number: usize) -> Option<Value> {
+        let mut all = self.program.closed_forms();
+        let (_, closed) = all.find(|(_, closed)| closed.number == number)?;
+        let ssa = &mut self.ssa;
+        let zero = ssa.constant(0.0);
+        let discriminant = ssa.max(closed.discriminant, zero);
+        let across = ssa.sqrt(discriminant);
+        let along = match closed.dyad {
+            Dyad::TwoCircles { goal, arms } => {
+                let [a, b] = arms.map(|arm| ssa.dot(arm, arm));
+                let (arms, apart) = (ssa.add(a, b), ssa.dot(goal, goal));
+                ssa.sub(arms, apart)
+            }
+            Dyad::CircleAndLine { goal, along, .. } => ssa.cross(along, goal),
+            Dyad::TurningLine { arm, along, .. } => ssa.cross(along, arm),
+            Dyad::TwoLines { lines: [a, b], .. } => {
+                let (across, along) = (ssa.cross(a, b), ssa.dot(a, b));
+                let (across, along) = (ssa.abs(across), ssa.abs(along));
+                return Some(ssa.make(Op::Atan2(across, along)));
+            }
+        };
+        let along = ssa.abs(along);
+        Some(ssa.make(Op::Atan2(across, along)))
+    }
+}

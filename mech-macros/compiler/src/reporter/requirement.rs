@@ -1,0 +1,185 @@
+//! Requirements that are not met.
+
+use super::Words;
+use crate::digits::round_to;
+use crate::model::{Condition, JointKind, MotorId, Origin};
+use crate::structure::{RequirementTrouble, Witness};
+
+/// A value is told with so many digits, or more if it would seem to keep its limit.
+const DIGITS: i32 = 4;
+
+impl Words<'_> {
+    pub(super) fn unmet(&self, number: usize, trouble: &RequirementTrouble) -> (Origin, String) {
+        let requirement = &self.model.requirements[number];
+        let written = &requirement.written;
+        let why = requirement.why.iter();
+        let why: String = why.map(|why| format!(" ({why})")).collect();
+        let not_proved = format!("it could not be proved that `{written}`");
+        let text = match trouble {
+            RequirementTrouble::Fails(witness) => self.fails(number, witness, &why),
+            RequirementTrouble::Stops {
+                motor,
+                limit,
+                unknowns,
+            } => {
+                let name = &self.model.joint(self.model.motor(*motor).joint).name;
+                format!(
+                    "`{written}` does not hold{why}: motor `{name}` goes to {} only, where {} close the loop",
+                    self.motor_value(*motor, *limit),
+                    self.the_joints(unknowns, ["cannot", "cannot"])
+                )
+            }
+            RequirementTrouble::Limited { motor } => {
+                let name = &self.model.joint(self.model.motor(*motor).joint).name;
+                format!(
+                    "`{written}` does not hold{why}: the range of motor `{name}` is less than a turn\nhelp: leave its range out"
+                )
+            }
+            RequirementTrouble::Undecided { value, at, open } => format!(
+                "{not_proved}, nor that it does not hold{why}\nnote: what came nearest is {} {}; elsewhere it may be beyond that by {}\nhelp: \
+                 give the limit more room, or say for which values of the motors it holds, as `for {} in LOW ..= HIGH`",
+                self.measured(number, *value, None),
+                self.at_values(at),
+                self.measured(number, *open, None),
+                self.first_motor(at)
+            ),
+            RequirementTrouble::TooHard => format!(
+                "{not_proved}: the mechanism has too many loops for a proof, or too many ways in which they may be assembled"
+            ),
+            RequirementTrouble::Iterated { unknowns } => format!(
+                "{not_proved}: the loop of {} is solved by iteration, for which there is no proof",
+                self.joints(unknowns)
+            ),
+            RequirementTrouble::NoDyad { unknowns } if unknowns.is_empty() => format!(
+                "`{written}` is about a transmission angle, and there is no loop that has one"
+            ),
+            RequirementTrouble::NoDyad { unknowns } => format!(
+                "`{written}` is about a transmission angle, and the loop of {} has none: its joints are solved together",
+                self.joints(unknowns)
+            ),
+            RequirementTrouble::Varies { param } => {
+                let param = self.param(*param);
+                format!(
+                    "{not_proved}: a proof holds for one shape of the mechanism, which param `{param}` may change\nhelp: write `const {param}`"
+                )
+            }
+            RequirementTrouble::NoRange { motor } => {
+                let name = &self.model.joint(self.model.motor(*motor).joint).name;
+                format!(
+                    "{not_proved}: it is not known how far motor `{name}` goes\nhelp: give the motor a range, as `motor {name} in LOW ..= HIGH`, \
+                     or the condition values, as `for {name} in LOW ..= HIGH`"
+                )
+            }
+            RequirementTrouble::Endless { motor } => {
+                let name = &self.model.joint(self.model.motor(*motor).joint).name;
+                format!(
+                    "`{written}` does not hold{why}: what is measured goes on with every turn of motor `{name}`\nhelp: say for which values of \
+                     the motor it holds, as `for {name} in LOW ..= HIGH`"
+                )
+            }
+            RequirementTrouble::Unreachable {
+                motor,
+                limit,
+                origin,
+            } => {
+                let name = &self.model.joint(self.model.motor(*motor).joint).name;
+                let text = format!(
+                    "motor `{name}` does not come to all of these values: it goes to {} only",
+                    self.motor_value(*motor, *limit)
+                );
+                return (*origin, text);
+            }
+        };
+        (requirement.origin, text)
+    }
+
+    fn fails(&self, number: usize, witness: &Witness, why: &str) -> String {
+        let requirement = &self.model.requirements[number];
+        let written = &requirement.written;
+        let places: Vec<String> = witness.places.iter().map(|at| self.at_values(at)).collect();
+        let of = if witness.unknowns.is_empty() {
+            String::new()
+        } else {
+            format!(", in the loop of {}", self.joints(&witness.unknowns))
+        };
+        let limit = witness.proved.map(|proved| {
+            let sign = if witness.is_upper {
+                "at most"
+            } else {
+                "at least"
+            };
+            let proved = self.measured(number, proved, Some(witness.is_upper));
+            format!("\nhelp: it is {sign} {proved}, wherever the motors are")
+        });
+        format!(
+            "`{written}` does not hold{why}: it is {} {}{of}{}",
+            self.measured(number, witness.value, None),
+            places.join(" and "),
+            limit.unwrap_or_default()
+        )
+    }
+
+    /// Values of motors in words: `with joint a at 30 deg`.
+    fn at_values(&self, at: &[(MotorId, f64)]) -> String {
+        let values = at.iter().map(|(motor, value)| {
+            let name = &self.model.joint(self.model.motor(*motor).joint).name;
+            format!("`{name} = {}`", self.bare_motor_value(*motor, *value))
+        });
+        let values: Vec<String> = values.collect();
+        if values.is_empty() {
+            "wherever the motors are".to_owned()
+        } else {
+            format!("at {}", values.join(", "))
+        }
+    }
+
+    fn first_motor(&self, at: &[(MotorId, f64)]) -> &str {
+        let motor = at.first().map(|(motor, _)| *motor);
+        let motor = motor.or_else(|| self.model.motor_ids().next());
+        motor.map_or("MOTOR", |motor| {
+            &self.model.joint(self.model.motor(motor).joint).name
+        })
+    }
+
+    /// A motor's value as one would write it in a text.
+    fn bare_motor_value(&self, motor: MotorId, value: f64) -> String {
+        match self.model.joint(self.model.motor(motor).joint).kind {
+            JointKind::Revolute(..) => format!("{} deg", round_to(value.to_degrees(), 4)),
+            _ => format!("{}", significant(value, 7, None)),
+        }
+    }
+
+    /// What is measured by a requirement, as one would write it; rounded upwards or downwards, if that is said.
+    fn measured(&self, number: usize, value: f64, upwards: Option<bool>) -> String {
+        let is_angle = match &self.model.requirements[number].condition {
+            Condition::Bounds { is_angle, .. } => *is_angle,
+            Condition::Turns(_) => true,
+        };
+        let (value, unit) = if is_angle {
+            (value.to_degrees(), " deg")
+        } else {
+            (value, "")
+        };
+        format!("`{}{unit}`", significant(value, DIGITS, upwards))
+    }
+}
+
+/// A number with so many digits; rounded upwards or downwards, if that is said.
+fn significant(value: f64, digits: i32, upwards: Option<bool>) -> f64 {
+    if value == 0.0 || !value.is_finite() {
+        return value;
+    }
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "a power of ten that numbers have"
+    )]
+    let power = value.abs().log10().floor().clamp(-250.0, 250.0) as i32;
+    let places = (digits - 1 - power).max(0);
+    let scale = 10_f64.powi(places);
+    let rounded = match upwards {
+        None => value * scale,
+        Some(true) => (value * scale).ceil(),
+        Some(false) => (value * scale).floor(),
+    };
+    round_to(rounded / scale, usize::try_from(places).unwrap_or(0))
+}

@@ -1,0 +1,241 @@
+//! The values of the motors for which a requirement is proved.
+
+use crate::certify::cone::Cuts;
+use crate::certify::{Enclosure, Interval, Sources, Verdict, certify};
+use crate::compiled::Compiled;
+use crate::model::{JointKind, Model, MotorId, Requirement};
+use crate::motion::watching::Domain;
+use crate::program::{BlockId, Gauge, Program, Value};
+use crate::structure::RequirementTrouble;
+
+/// A motor that has to make more turns than this until everything has turned as a whole needs a range.
+const MOST_TURNS: f64 = 64.0 * std::f64::consts::TAU;
+
+/// The values of all motors, and which of them have a part.
+pub(super) struct Ranges {
+    /// For each motor its values; a motor that has no part stands at its start.
+    pub(super) all: Vec<Interval>,
+    /// The motors that have a part, by their numbers.
+    pub(super) motors: Vec<usize>,
+    /// The motors that go right round: at both ends of their values everything is as it was, but for whole turns.
+    pub(super) round: Vec<usize>,
+    /// The loops that may come to a dead point or change point there, if that is known.
+    pub(super) touching: Option<Vec<BlockId>>,
+}
+
+impl Ranges {
+    /// The only motor that has a part, with its values if it goes round.
+    pub(super) fn only_motor(&self) -> Option<(usize, Option<Interval>)> {
+        let [motor] = self.motors[..] else {
+            return None;
+        };
+        Some((motor, self.round.contains(&motor).then(|| self.all[motor])))
+    }
+}
+
+/// All values of the motors that a requirement is about.
+pub(super) fn ranges(
+    model: &Model,
+    compiled: &Compiled,
+    requirement: &Requirement,
+    gauge: &Gauge,
+    found: &[Value],
+) -> Result<Ranges, RequirementTrouble> {
+    let program = &compiled.program;
+    let Sources {
+        inputs,
+        tested,
+        iterated,
+        ..
+    } = Sources::of(&gauge.program, found);
+    if let Some(block) = iterated {
+        let unknowns = unknowns(compiled, program, block);
+        return Err(RequirementTrouble::Iterated { unknowns });
+    }
+    if let Some(param) = inputs.iter().find_map(|&input| {
+        let number = input.checked_sub(model.motors.len())?;
+        model.params.ids().nth(number)
+    }) {
+        return Err(RequirementTrouble::Varies { param });
+    }
+    let mut ranges = Ranges {
+        all: program
+            .start
+            .motors
+            .iter()
+            .copied()
+            .map(Interval::point)
+            .collect(),
+        motors: inputs,
+        round: Vec::new(),
+        touching: None,
+    };
+    let loops = compiled.plan.loops().count();
+    for number in ranges.motors.clone() {
+        let motor = MotorId::new(number);
+        let start = program.start.motors[number];
+        let mut cases = requirement.cases.iter();
+        if let Some(case) = cases.find(|case| case.motor == motor) {
+            let [low, high] = case.ends;
+            ranges.all[number] = Interval::new(low, high);
+            continue;
+        }
+        if let Some(range) = model.motor(motor).range {
+            // The start was allowed a rounding beyond the end.
+            ranges.all[number] = Interval::new(range.low.min(start), range.high.max(start));
+            continue;
+        }
+        let period = round_of(model, &gauge.program, (loops, number), found);
+        let Some(period) = period else {
+            return Err(RequirementTrouble::NoRange { motor });
+        };
+        ranges.all[number] = Interval::point(start) + Interval::new(-0.5 * period, 0.5 * period);
+        ranges.round.push(number);
+    }
+    hold_idle(&mut ranges, &tested, gauge, found);
+    let [motor] = ranges.motors[..] else {
+        if let Verdict::Proved { touching } = certify(program, &ranges.all) {
+            ranges.touching = Some(touching);
+        }
+        return Ok(ranges);
+    };
+    take_reach(&mut ranges, requirement, program, motor)?;
+    Ok(ranges)
+}
+
+/// At so many places a motor is put to each of these parts of its values, to see whether anything notices.
+const TRIALS: usize = 4;
+const PARTS: [f64; 3] = [0.11, 0.47, 0.83];
+/// Places are spread by multiples of this.
+const SPREAD: f64 = 0.618_033_988_749_894_9;
+/// An interval that is no wider than this, relative to its numbers, is as narrow as rounding lets it be.
+const TIGHT: f64 = 1e-9;
+
+/// Lets motors stand that have no part in what is found, though it is computed from them: they only carry it along. What is the same has
+/// enclosures that overlap wherever it is computed; what is not differs by more than rounding at some place.
+fn hold_idle(ranges: &mut Ranges, tested: &[usize], gauge: &Gauge, found: &[Value]) {
+    if ranges.motors.len() < 2 {
+        return;
+    }
+    let carried = gauge.angles.iter().map(|angle| {
+        let at_start = gauge.program.start.state[angle.reference];
+        (angle.reference, Interval::point(at_start))
+    });
+    let summaries = gauge.summaries.iter().flatten();
+    let carried: Vec<(usize, Interval)> = carried
+        .chain(summaries.map(|state| (*state, Interval::ZERO)))
+        .collect();
+    let Some(mut enclosure) = Enclosure::new(&gauge.program, &[], &carried, found) else {
+        return;
+    };
+    let mut values = |place: &[f64]| {
+        let point: Vec<Interval> = place.iter().copied().map(Interval::point).collect();
+        enclosure.run(&point);
+        let values = found.iter().map(|value| enclosure.on_box(*value));
+        values.collect::<Vec<Interval>>()
+    };
+    let is_same = |(a, b): (&Interval, &Interval)| {
+        let tight = |one: &Interval| one.width() <= TIGHT * (1.0 + one.abs().high());
+        a.low() <= b.high() && b.low() <= a.high() && tight(a) && tight(b)
+    };
+    let part = |range: Interval, part: f64| range.low() + part * range.width();
+    for motor in ranges.motors.clone() {
+        if tested.contains(&motor) {
+            continue;
+        }
+        let is_idle = (0..TRIALS).all(|trial| {
+            #[expect(clippy::cast_precision_loss, reason = "a few hundred")]
+            let spread = |index: usize| (SPREAD * (1 + index + trial * 7) as f64).fract();
+            let all = ranges.all.iter().enumerate();
+            let mut place: Vec<f64> = all
+                .map(|(index, range)| part(*range, spread(index)))
+                .collect();
+            let before = values(&place);
+            PARTS.iter().all(|value| {
+                place[motor] = part(ranges.all[motor], *value);
+                before.iter().zip(&values(&place)).all(is_same)
+            })
+        });
+        if is_idle {
+            ranges.motors.retain(|other| *other != motor);
+            ranges.round.retain(|other| *other != motor);
+            ranges.all[motor] = Interval::point(gauge.program.start.motors[motor]);
+        }
+    }
+}
+
+/// The turn of a motor after which some values are what they were; none if it slides, or if there is none that could be looked through.
+pub(super) fn round_of(
+    model: &Model,
+    program: &Program,
+    (loops, motor): (usize, usize),
+    found: &[Value],
+) -> Option<f64> {
+    let joint = model.motor(MotorId::new(motor)).joint;
+    if !matches!(model.joint(joint).kind, JointKind::Revolute(..)) {
+        return None;
+    }
+    let domain = Domain::new(model, program, loops);
+    let whole = Cuts {
+        through: &|_| true,
+        own: None,
+        into: &|angle| domain.parts(angle).is_some(),
+    };
+    let read = domain.read(found, &whole);
+    let period = domain.period(motor, &read);
+    period.filter(|period| *period < MOST_TURNS)
+}
+
+/// Narrows the values of the only motor that has a part to those that it can reach from the start.
+fn take_reach(
+    ranges: &mut Ranges,
+    requirement: &Requirement,
+    program: &Program,
+    motor: usize,
+) -> Result<(), RequirementTrouble> {
+    let start = program.start.motors[motor];
+    let wanted = ranges.all[motor];
+    let mut ends = [wanted.low(), wanted.high()];
+    let mut touching = Some(Vec::new());
+    for end in &mut ends {
+        let mut way = ranges.all.clone();
+        way[motor] = Interval::new(start, *end);
+        match certify(program, &way) {
+            Verdict::Proved { touching: own } => {
+                touching.iter_mut().for_each(|all| all.extend(&own))
+            }
+            // What other motors have a part in may go farther where they stand elsewhere.
+            Verdict::Blocked(blocked) if blocked.motors == [motor] => {
+                let case = requirement
+                    .cases
+                    .iter()
+                    .find(|case| case.motor.index() == motor);
+                if let Some(case) = case {
+                    return Err(RequirementTrouble::Unreachable {
+                        motor: case.motor,
+                        limit: blocked.limit,
+                        origin: case.origin,
+                    });
+                }
+                *end = blocked.limit;
+                touching = None;
+                ranges.round.clear();
+            }
+            _ => touching = None,
+        }
+    }
+    ranges.touching = touching;
+    ranges.all[motor] = Interval::new(ends[0], ends[1]);
+    Ok(())
+}
+
+/// The joints of unknown coordinate of the loop that a block closes.
+pub(super) fn unknowns(
+    compiled: &Compiled,
+    program: &Program,
+    block: BlockId,
+) -> Vec<crate::model::JointId> {
+    let number = program.loop_of(block);
+    let ring = number.and_then(|number| compiled.plan.loops().nth(number));
+    ring.map_or(Vec::new(), |ring| ring.unknowns())
+}

@@ -1,0 +1,89 @@
+//! Requirements: each is proved for every value of the motors, or refused with a place where it does not hold.
+//!
+//! What a requirement measures is added to the program of positions, and run on boxes of motor values. Boxes are cut where bounds are not
+//! sharp enough, the least bound first, until all of them keep the condition or a place breaks it. That place is then visited as at run
+//! time, from the start.
+
+mod bound;
+mod domain;
+mod follow;
+mod proof;
+mod search;
+mod sides;
+mod turn;
+
+use crate::compile::compile;
+use crate::compiled::Compiled;
+use crate::model::{Actions, Condition, Effects, Method, Model, Precision, Requirement};
+use crate::structure::{Diagnosis, RequirementTrouble};
+
+/// The proof of a requirement.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Proof {
+    /// The intervals that were computed for it.
+    pub effort: usize,
+}
+
+/// The requirements of a coherent mechanism that do not hold, or could not be proved.
+#[must_use]
+pub(crate) fn unmet(model: &Model, compiled: &Compiled) -> Vec<Diagnosis> {
+    let judged = judge(model, compiled).into_iter();
+    judged.filter_map(Result::err).collect()
+}
+
+/// For each requirement of a coherent mechanism its proof, or what is wrong with it.
+#[must_use]
+pub fn judge(model: &Model, compiled: &Compiled) -> Vec<Result<Proof, Diagnosis>> {
+    if model.requirements.is_empty() {
+        return Vec::new();
+    }
+    let plain = plain(model);
+    // In closed form it may be refused where it is not otherwise, as for a range that only that could prove.
+    let plainly = (!is_plain(model)).then(|| compile(&plain).ok()).flatten();
+    let compiled = plainly.as_ref().unwrap_or(compiled);
+    let requirements = model.requirements.iter().enumerate();
+    let judged = requirements.map(|(requirement, one)| {
+        let proof = prove_one(&plain, compiled, one);
+        proof.map_err(|trouble| Diagnosis::Unmet {
+            requirement,
+            trouble,
+        })
+    });
+    judged.collect()
+}
+
+fn prove_one(
+    model: &Model,
+    compiled: &Compiled,
+    requirement: &Requirement,
+) -> Result<Proof, RequirementTrouble> {
+    match &requirement.condition {
+        Condition::Turns(motor) => turn::prove(model, compiled, *motor),
+        Condition::Bounds {
+            subject, bounds, ..
+        } => proof::prove(model, compiled, requirement, (*subject, bounds)),
+    }
+}
+
+/// Whether the program of a mechanism finds all links in closed form, as well as it can.
+fn is_plain(model: &Model) -> bool {
+    model.show.is_none()
+        && matches!(model.method, None | Some(Method::Exact))
+        && model.accuracy.is_none()
+        && model.precision == Precision::F64
+}
+
+/// The same mechanism, of which all links are found in closed form, and nothing else is computed.
+fn plain(model: &Model) -> Model {
+    Model {
+        show: None,
+        method: None,
+        accuracy: None,
+        precision: Precision::F64,
+        effects: Effects::default(),
+        actions: Actions::default(),
+        traces: Vec::new(),
+        requirements: Vec::new(),
+        ..model.clone()
+    }
+}

@@ -1,0 +1,55 @@
+//! Whether a motor turns right round.
+
+use super::Proof;
+use super::domain::{round_of, unknowns};
+use crate::certify::{Interval, Verdict, certify};
+use crate::compiled::Compiled;
+use crate::model::{Model, MotorId};
+use crate::program::Value;
+use crate::structure::RequirementTrouble;
+
+/// Proves that a motor turns right round, while all others stand at their start.
+pub(super) fn prove(
+    model: &Model,
+    compiled: &Compiled,
+    motor: MotorId,
+) -> Result<Proof, RequirementTrouble> {
+    let program = &compiled.program;
+    let number = motor.index();
+    let start = program.start.motors[number];
+    if let Some(range) = model.motor(motor).range
+        && range.high - range.low < std::f64::consts::TAU.next_down()
+    {
+        return Err(RequirementTrouble::Limited { motor });
+    }
+    let discriminants: Vec<Value> = program
+        .margins()
+        .map(|(_, closed)| closed.discriminant)
+        .collect();
+    let loops = compiled.plan.loops().count();
+    let Some(period) = round_of(model, program, (loops, number), &discriminants) else {
+        return Err(RequirementTrouble::NoRange { motor });
+    };
+    let stands = program.start.motors.iter().copied().map(Interval::point);
+    let stands: Vec<Interval> = stands.collect();
+    for way in [0.5 * period, -0.5 * period] {
+        let mut ranges = stands.clone();
+        ranges[number] = Interval::new(start, start + way);
+        match certify(program, &ranges) {
+            Verdict::Proved { .. } => {}
+            Verdict::Blocked(blocked) => {
+                return Err(RequirementTrouble::Stops {
+                    motor,
+                    limit: blocked.limit,
+                    unknowns: unknowns(compiled, program, blocked.block),
+                });
+            }
+            Verdict::NoClosedForm { block } => {
+                let unknowns = unknowns(compiled, program, block);
+                return Err(RequirementTrouble::Iterated { unknowns });
+            }
+            Verdict::Undecided { .. } => return Err(RequirementTrouble::TooHard),
+        }
+    }
+    Ok(Proof { effort: 0 })
+}

@@ -1,0 +1,239 @@
+//! What a mechanism is for: `expect transmission > 40 deg for a in 0 deg ..= 90 deg, "why";`
+
+use super::expression::{expression, measured};
+use super::path::{end, path};
+use super::recover::read_setting;
+use super::tokens::{
+    any_word, comes, comes_word, expected_message, in_parens, symbol, take, take_word, word,
+};
+use crate::model::Summary;
+use crate::syntax::ast::{
+    CaseExpr, ConditionExpr, End, Expect, Expr, ExprKind, MeasuredExpr, Pair, Read, SpotExpr,
+    Statement,
+};
+use crate::syntax::{Message, Place};
+use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
+use syn::LitStr;
+use syn::parse::ParseStream;
+use syn::token::Paren;
+
+/// The words before brackets that measure something, besides those of [`SUMMARIES`].
+const MEASURES: [&str; 3] = ["transmission", "angle", "distance"];
+
+/// The words before brackets that sum up a motion.
+const SUMMARIES: [(&str, Summary); 4] = [
+    ("min", Summary::Min),
+    ("max", Summary::Max),
+    ("swing", Summary::Swing),
+    ("stroke", Summary::Swing),
+];
+
+/// The signs of comparisons, the longest first: whether the second side is the greater, and whether both must differ.
+const RELATIONS: [(&str, bool, bool); 4] = [
+    ("<=", true, false),
+    (">=", false, false),
+    ("<", true, true),
+    (">", false, true),
+];
+
+/// Reads a condition, the motors' values for which it holds, and the reason.
+pub(super) fn expect(input: ParseStream, keyword: Span) -> Statement {
+    read_setting(input, |input| {
+        let condition = condition(input)?;
+        let mut cases = Vec::new();
+        if take_word(input, "for").is_some() {
+            cases.push(range(input)?);
+            while another_comes(input) {
+                cases.push(range(input)?);
+            }
+        }
+        if take_word(input, "at").is_some() {
+            cases.push(value(input)?);
+            while another_comes(input) {
+                cases.push(value(input)?);
+            }
+        }
+        let why = take(input, ",").map(|_| reason(input)).transpose()?;
+        Ok(Statement::Expect(Box::new(Expect {
+            keyword,
+            condition,
+            cases,
+            why,
+        })))
+    })
+}
+
+fn condition(input: ParseStream) -> Read<ConditionExpr> {
+    let after = input.cursor().ident().map(|(_, rest)| rest);
+    let brackets = after.and_then(|rest| rest.group(Delimiter::Parenthesis));
+    if comes_word(input, "turns") && brackets.is_some() {
+        let start = Place::at(input.span());
+        any_word(input);
+        let read = |input: ParseStream| path(input, "the name of a motor");
+        let (motor, place) = in_parens(input, "`(`", read)?;
+        return Ok(ConditionExpr::Turns(motor, start.to(place)));
+    }
+    let first = number(input)?;
+    if take_word(input, "in").is_some() {
+        return Ok(ConditionExpr::Within(first, between(input)?));
+    }
+    let Some((is_upper, is_strict)) = relation(input) else {
+        return Err(no_relation(input, &first));
+    };
+    let second = number(input)?;
+    if relation(input).is_some() {
+        let text = format!(
+            "a condition compares two numbers; write `{second} in {first} ..= ...`, or two statements"
+        );
+        return Err(Message::new(first.place.to(second.place), text));
+    }
+    Ok(ConditionExpr::Compare {
+        sides: [first, second],
+        is_upper,
+        is_strict,
+    })
+}
+
+fn relation(input: ParseStream) -> Option<(bool, bool)> {
+    let mut all = RELATIONS.into_iter();
+    let found = all.find(|(sign, ..)| take(input, sign).is_some());
+    found.map(|(_, is_upper, is_strict)| (is_upper, is_strict))
+}
+
+/// The message about a number with which nothing is compared.
+fn no_relation(input: ParseStream, first: &Expr) -> Message {
+    if comes(input, "=") || comes(input, "==") {
+        let text = format!(
+            "numbers that are computed are hardly ever equal; write `{first} in ... ..= ...`"
+        );
+        return Message::new(first.place, text);
+    }
+    expected_message(input, "`<`, `<=`, `>`, `>=` or `in`")
+}
+
+/// A number in which something may be measured.
+fn number(input: ParseStream) -> Read<Expr> {
+    measured(input, measure)
+}
+
+fn between(input: ParseStream) -> Read<[Expr; 2]> {
+    let low = number(input)?;
+    symbol(input, "..=")?;
+    Ok([low, number(input)?])
+}
+
+/// Takes a comma, if another motor follows it.
+fn another_comes(input: ParseStream) -> bool {
+    let is_reason = input.peek2(LitStr);
+    !is_reason && take(input, ",").is_some()
+}
+
+/// Reads `motor in low ..= high`.
+fn range(input: ParseStream) -> Read<CaseExpr> {
+    let motor = path(input, "the name of a motor")?;
+    word(input, "in")?;
+    let low = expression(input)?;
+    symbol(input, "..=")?;
+    let values = vec![low, expression(input)?];
+    Ok(CaseExpr { motor, values })
+}
+
+/// Reads `motor = value`.
+fn value(input: ParseStream) -> Read<CaseExpr> {
+    let motor = path(input, "the name of a motor")?;
+    symbol(input, "=")?;
+    let values = vec![expression(input)?];
+    Ok(CaseExpr { motor, values })
+}
+
+fn reason(input: ParseStream) -> Read<String> {
+    let text = input.parse::<LitStr>();
+    text.map(|text| text.value())
+        .map_err(|_| expected_message(input, "the reason, as \"so that it fits\""))
+}
+
+/// Reads something that is measured, if it comes next.
+fn measure(input: ParseStream, number: &dyn Fn(ParseStream) -> Read<Expr>) -> Read<Option<Expr>> {
+    let Some((first, rest)) = input.cursor().ident() else {
+        return Ok(None);
+    };
+    let name = first.to_string();
+    let Some((inside, ..)) = rest.group(Delimiter::Parenthesis) else {
+        let is_of_rust = rest.punct().is_some_and(|(mark, _)| mark.as_char() == ':');
+        if name == "PI" || is_of_rust {
+            return Ok(None);
+        }
+        return place_or_name(input).map(Some);
+    };
+    let mut summaries = SUMMARIES.into_iter();
+    let summary = summaries.find(|(word, _)| *word == name);
+    // The greater of two numbers is a function.
+    let summary = summary.filter(|_| !has_comma(inside.token_stream()));
+    if summary.is_none() && !MEASURES.contains(&name.as_str()) {
+        return Ok(None);
+    }
+    any_word(input);
+    let (kind, brackets) = in_parens(input, "`(`", |input| match (summary, name.as_str()) {
+        (Some((word, summary)), _) => Ok(MeasuredExpr::Summary(summary, word, number(input)?)),
+        (None, "transmission") => Ok(MeasuredExpr::Transmission(path(
+            input,
+            "the name of a joint",
+        )?)),
+        (None, "angle") => {
+            let from = path(input, "the name of a link")?;
+            let to = take(input, ",").map(|_| path(input, "the name of a link"));
+            Ok(MeasuredExpr::Angle(from, to.transpose()?))
+        }
+        (None, _) => {
+            let from = spot(input, number)?;
+            symbol(input, ",")?;
+            Ok(MeasuredExpr::Distance([from, spot(input, number)?]))
+        }
+    })?;
+    Ok(Some(Expr {
+        kind: ExprKind::Measured(Box::new(kind)),
+        place: Place {
+            start: first.span(),
+            end: brackets.end,
+        },
+    }))
+}
+
+fn has_comma(tokens: TokenStream) -> bool {
+    let is_comma = |token| matches!(token, TokenTree::Punct(mark) if mark.as_char() == ',');
+    tokens.into_iter().any(is_comma)
+}
+
+/// Reads a joint, a link or a constant, or the abscissa or ordinate of a point.
+fn place_or_name(input: ParseStream) -> Read<Expr> {
+    let mut name = path(input, "a joint, a link or a point")?;
+    let place = name.place();
+    let part = name.name.to_string();
+    let is_plain = name.uses.last().is_some_and(|last| last.index.is_none());
+    let kind = if matches!(part.as_str(), "x" | "y") && name.uses.len() > 1 && is_plain {
+        let axis = name.uses.pop().map(|segment| segment.name);
+        if let Some(link) = name.uses.pop_if(|segment| segment.index.is_none()) {
+            name.name = link.name;
+        }
+        MeasuredExpr::Place(End { link: name, axis }, part == "y")
+    } else {
+        MeasuredExpr::Named(name)
+    };
+    Ok(Expr {
+        kind: ExprKind::Measured(Box::new(kind)),
+        place,
+    })
+}
+
+/// Reads `link.point` or `(x, y)`.
+fn spot(input: ParseStream, number: &dyn Fn(ParseStream) -> Read<Expr>) -> Read<SpotExpr> {
+    if !input.peek(Paren) {
+        return end(input).map(SpotExpr::Axis);
+    }
+    let ((x, y), place) = in_parens(input, "`(x, y)`", |input| {
+        let x = number(input)?;
+        symbol(input, ",")?;
+        Ok((x, number(input)?))
+    })?;
+    Ok(SpotExpr::At(Pair { x, y, place }))
+}

@@ -1,0 +1,205 @@
+//! What is measured: quantities of the position, and summaries of the motion.
+
+use super::draft::Draft;
+use super::name::Referent;
+use super::quantity::Quantity;
+use super::reader::Reader;
+use super::{coordinate, find};
+use crate::model::{self, AxisKind, Formula, LinkId, Measured, Summary};
+use crate::syntax::Place;
+use crate::syntax::ast::{End, Expr, MeasuredExpr, Name, Pair, SpotExpr};
+use crate::syntax::spelling;
+
+/// The name of the transmission angles of all dyads.
+const TRANSMISSION: &str = "transmission";
+
+/// What a requirement measures, as far as it is read.
+pub(super) struct Measuring<'r> {
+    /// The mechanism that is measured.
+    pub(super) draft: &'r Draft,
+    /// What each variable stands for.
+    pub(super) measured: Vec<Measured>,
+}
+
+impl Reader<'_> {
+    /// A number that is measured, or a constant.
+    pub(super) fn measured(&mut self, expr: &MeasuredExpr, place: Place) -> Option<Quantity> {
+        let Some(draft) = self.measuring.as_ref().map(|measuring| measuring.draft) else {
+            return self.report.refuse(place, "only `expect` measures");
+        };
+        let quantity = match expr {
+            MeasuredExpr::Named(name) if self.is_constant(name)? => {
+                return self.constant(&name.name, place);
+            }
+            MeasuredExpr::Named(name) => self.named(draft, name)?,
+            MeasuredExpr::Place(point, is_ordinate) => {
+                let axis = self.axis(draft, point, Some(AxisKind::Point))?;
+                if *is_ordinate {
+                    model::Quantity::Y(axis)
+                } else {
+                    model::Quantity::X(axis)
+                }
+            }
+            MeasuredExpr::Transmission(joint) => {
+                model::Quantity::Transmission(Some(find::joint(self, draft, joint)?))
+            }
+            MeasuredExpr::Angle(link, None) => {
+                model::Quantity::Angle(self.moving_link(draft, link)?)
+            }
+            MeasuredExpr::Angle(from, Some(to)) => {
+                let (from, to) = (find::link(self, draft, from), find::link(self, draft, to));
+                model::Quantity::AngleBetween([from?, to?])
+            }
+            MeasuredExpr::Distance(spots) => self.distance(draft, spots, place)?,
+            MeasuredExpr::Summary(summary, word, of) => {
+                return self.summary(*summary, word, of, place);
+            }
+        };
+        self.variable_for(Measured::Quantity(quantity))
+    }
+
+    /// A new variable of the requirement.
+    fn variable_for(&mut self, measured: Measured) -> Option<Quantity> {
+        let all = &mut self.measuring.as_mut()?.measured;
+        let known = all.iter().position(|known| *known == measured);
+        let number = known.unwrap_or_else(|| {
+            all.push(measured);
+            all.len() - 1
+        });
+        Some(Quantity {
+            value: None,
+            formula: Some(self.formulas().add(Formula::Variable(number))),
+        })
+    }
+
+    /// Whether a name is that of a constant; nothing if it is also one of the mechanism.
+    fn is_constant(&mut self, name: &Name) -> Option<bool> {
+        let text = name.name.to_string();
+        if !name.uses.is_empty() || !self.constants().has(&text) {
+            return Some(false);
+        }
+        let other = match find::look_up(self, name) {
+            Some(Referent::Link(_)) => "link",
+            Some(Referent::Joint(_)) => "joint",
+            _ => return Some(true),
+        };
+        let word = self.constants().word_for(&name.name);
+        let text =
+            format!("`{text}` is a {word}, and a {other} too; give one of them another name");
+        self.report.refuse(name.place(), text)
+    }
+
+    /// The coordinate of a joint, or the angle of a link.
+    fn named(&mut self, draft: &Draft, name: &Name) -> Option<model::Quantity> {
+        if let [link] = &name.uses[..]
+            && let Some(Referent::Link(_)) = self.names.get(&self.key_of(&link.name))
+        {
+            let text = format!("`{name}` is a place; measure `{name}.x` or `{name}.y`");
+            return self.report.refuse(name.place(), text);
+        }
+        match find::look_up(self, name) {
+            Some(Referent::Broken) => None,
+            Some(Referent::Joint(joint)) => {
+                let joint = joint?;
+                if let Some(text) = coordinate::missing(&draft.model, name, joint, "measure") {
+                    return self.report.refuse(name.place(), text);
+                }
+                Some(model::Quantity::Coordinate(joint))
+            }
+            Some(Referent::Link(_) | Referent::Use) => {
+                Some(model::Quantity::Angle(self.moving_link(draft, name)?))
+            }
+            None if name.uses.is_empty() && name.name == TRANSMISSION => {
+                Some(model::Quantity::Transmission(None))
+            }
+            None => {
+                let text = name.to_string();
+                let key = self.key_of(&name.name);
+                let joints = self.names.joints(&key);
+                let mut known = [self.names.links(&key), joints].concat();
+                known.push(TRANSMISSION);
+                let remedy = spelling::remedy(&text, &known);
+                let text = format!(
+                    "nothing is called `{text}` that could be measured{remedy}\n\nhelp: a point is measured as `link.point.x`; there are also `transmission`, `angle(link)`, `distance(link.point, link.point)`"
+                );
+                let unknown = self.unknown_number(&name.name);
+                self.report.refuse_unknown(unknown, name.place(), text)
+            }
+        }
+    }
+
+    fn moving_link(&mut self, draft: &Draft, name: &Name) -> Option<LinkId> {
+        let link = find::link(self, draft, name)?;
+        if link == LinkId::GROUND {
+            let text = format!("`{name}` does not move: there is nothing to measure");
+            return self.report.refuse(name.place(), text);
+        }
+        Some(link)
+    }
+
+    fn axis(&mut self, draft: &Draft, end: &End, kind: Option<AxisKind>) -> Option<model::AxisId> {
+        let body = find::body(self, draft, &end.link)?;
+        let Some(name) = &end.axis else {
+            let text = format!("`{end}` is a link; name one of its points, as `{end}.tip`");
+            return self.report.refuse(end.place(), text);
+        };
+        let axis = find::axis(self, draft, body, name, kind)?;
+        if kind == Some(AxisKind::Point) && draft.model.axis(axis).kind == AxisKind::Line {
+            let text = format!("`{end}` is a line, which has no one place; name a point");
+            return self.report.refuse(end.place(), text);
+        }
+        Some(axis)
+    }
+
+    fn distance(
+        &mut self,
+        draft: &Draft,
+        spots: &[SpotExpr; 2],
+        place: Place,
+    ) -> Option<model::Quantity> {
+        let [from, to] = spots.each_ref().map(|spot| match spot {
+            SpotExpr::Axis(end) => self.axis(draft, end, None).map(model::Spot::Axis),
+            SpotExpr::At(pair) => self.fixed_place(pair).map(model::Spot::At),
+        });
+        let spots = [from?, to?];
+        let is_line = |spot: &model::Spot| match spot {
+            model::Spot::Axis(axis) => draft.model.axis(*axis).kind == AxisKind::Line,
+            model::Spot::At(_) => false,
+        };
+        if spots.iter().all(is_line) {
+            let text = "two lines have no one distance; measure that of a point and a line";
+            return self.report.refuse(place, text);
+        }
+        Some(model::Quantity::Distance(spots))
+    }
+
+    /// A place of the scene.
+    fn fixed_place(&mut self, pair: &Pair) -> Option<[f64; 2]> {
+        let [x, y] = [&pair.x, &pair.y].map(|expr| {
+            let quantity = self.quantity(expr)?;
+            if quantity.formula.is_some() {
+                let text = format!("`{expr}` may change; name a point of a link, or a number");
+                return self.report.refuse(expr.place, text);
+            }
+            quantity.value
+        });
+        Some([x?, y?])
+    }
+
+    fn summary(
+        &mut self,
+        summary: Summary,
+        word: &str,
+        of: &Expr,
+        place: Place,
+    ) -> Option<Quantity> {
+        let inner = self.quantity(of)?;
+        match inner.formula {
+            Some(formula) => self.variable_for(Measured::Summary(summary, formula)),
+            None => {
+                let text = format!("`{of}` never changes; leave `{word}` out");
+                self.report.refuse(place, text)
+            }
+        }
+    }
+}

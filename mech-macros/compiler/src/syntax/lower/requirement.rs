@@ -1,0 +1,457 @@
+//! The statement `expect`: a condition that the mechanism has to meet.
+
+use super::angle::{is_angle, is_degrees_perhaps, is_half_in_degrees, is_in_degrees};
+use super::draft::Draft;
+use super::find;
+use super::measured::Measuring;
+use super::quantity::Quantity;
+use super::reader::{LawReading, Reader};
+use crate::bug::bug;
+use crate::model::{
+    Arithmetic, BinaryFunction, Case, Condition, Formula, FormulaArithmetic, Formulas, Function,
+    JointKind, Measured, MotorId, ParamId, RequiredBound, Requirement,
+};
+use crate::syntax::Place;
+use crate::syntax::ast::{CaseExpr, ConditionExpr, Expect, Expr, Name};
+
+/// Why numbers of a requirement may not depend on params.
+const WHY_FIXED: &str = "what is expected is proved at compile time";
+
+/// More numbers and operations than this make no condition that anybody could read.
+const MOST_FORMULAS: usize = 200;
+
+/// A value may be beyond the end of its motor's range by this part of it, as it is computed in another way.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, expect: &Expect) {
+    if reader.scope != 0 {
+        let text = "`expect` says what the whole mechanism is for; move it out of the part";
+        return reader.report.error(Place::at(expect.keyword), text);
+    }
+    let read = condition(reader, draft, &expect.condition);
+    let cases: Vec<Option<Case>> = expect
+        .cases
+        .iter()
+        .map(|case| lower_case(reader, draft, case))
+        .collect();
+    let cases: Option<Vec<Case>> = cases.into_iter().collect();
+    let (Some(read), Some(cases)) = (read, cases) else {
+        return;
+    };
+    for (number, case) in cases.iter().enumerate() {
+        if cases[..number].iter().any(|one| one.motor == case.motor) {
+            let motor = &expect.cases[number].motor;
+            let text = format!("the values of `{motor}` are given twice; remove one of the two");
+            return reader.report.error(motor.place(), text);
+        }
+    }
+    let origin = draft.places.note(read.place);
+    draft.model.requirements.push(Requirement {
+        origin,
+        written: read.written,
+        formulas: read.formulas,
+        measured: read.measured,
+        condition: read.condition,
+        cases,
+        why: expect.why.clone(),
+    });
+}
+
+/// A condition that was read.
+struct ReadCondition {
+    place: Place,
+    written: String,
+    formulas: Formulas,
+    measured: Vec<Measured>,
+    condition: Condition,
+}
+
+fn condition(
+    reader: &mut Reader,
+    draft: &Draft,
+    condition: &ConditionExpr,
+) -> Option<ReadCondition> {
+    match condition {
+        ConditionExpr::Turns(motor, place) => {
+            let motor = turning_motor(reader, draft, motor)?;
+            Some(ReadCondition {
+                place: *place,
+                written: format!(
+                    "turns({})",
+                    draft.model.joint(draft.model.motor(motor).joint).name
+                ),
+                formulas: Formulas::default(),
+                measured: Vec::new(),
+                condition: Condition::Turns(motor),
+            })
+        }
+        ConditionExpr::Compare {
+            sides: [first, second],
+            is_upper,
+            is_strict,
+        } => {
+            let sign = match (is_upper, is_strict) {
+                (true, true) => "<",
+                (true, false) => "<=",
+                (false, true) => ">",
+                (false, false) => ">=",
+            };
+            let written = format!("{first} {sign} {second}");
+            bounds(
+                reader,
+                draft,
+                first,
+                &[(second, *is_upper)],
+                *is_strict,
+                written,
+            )
+        }
+        ConditionExpr::Within(of, [low, high]) => {
+            let written = format!("{of} in {low} ..= {high}");
+            bounds(
+                reader,
+                draft,
+                of,
+                &[(low, false), (high, true)],
+                false,
+                written,
+            )
+        }
+    }
+}
+
+/// The motor of this name, which turns.
+fn turning_motor(reader: &mut Reader, draft: &Draft, name: &Name) -> Option<MotorId> {
+    let motor = motor(reader, draft, name)?;
+    let kind = draft.model.joint(draft.model.motor(motor).joint).kind;
+    if let JointKind::Revolute(..) = kind {
+        return Some(motor);
+    }
+    let text = format!("`{name}` slides: it cannot turn right round");
+    reader.report.refuse(name.place(), text)
+}
+
+/// The motor of this name.
+fn motor(reader: &mut Reader, draft: &Draft, name: &Name) -> Option<MotorId> {
+    let joint = find::joint(reader, draft, name)?;
+    let found = draft.model.motor_of(joint);
+    if found.is_none() {
+        let motors = draft.model.motors.iter();
+        let names = motors.map(|motor| format!("`{}`", draft.model.joint(motor.joint).name));
+        let names: Vec<String> = names.collect();
+        let text = format!(
+            "joint `{name}` has no motor, so its values cannot be chosen; there {} {}",
+            if names.len() == 1 { "is" } else { "are" },
+            names.join(", ")
+        );
+        return reader.report.refuse(name.place(), text);
+    }
+    found
+}
+
+/// Bounds of the first number: each with whether it is an upper one.
+fn bounds(
+    reader: &mut Reader,
+    draft: &Draft,
+    subject: &Expr,
+    limits: &[(&Expr, bool)],
+    is_strict: bool,
+    written: String,
+) -> Option<ReadCondition> {
+    let fixed = Quantity::fixed(1.0);
+    let law = LawReading {
+        input: fixed,
+        formulas: Formulas::default(),
+    };
+    let mut inner = Reader {
+        law: Some(law),
+        measuring: Some(Measuring {
+            draft,
+            measured: Vec::new(),
+        }),
+        ..reader.fixed(WHY_FIXED)
+    };
+    let first = inner.quantity(subject);
+    let others: Vec<Option<Quantity>> = limits
+        .iter()
+        .map(|(expr, _)| inner.quantity(expr))
+        .collect();
+    let (mut first, mut others) = (first?, others.into_iter().collect::<Option<Vec<_>>>()?);
+    let (Some(LawReading { mut formulas, .. }), Some(Measuring { measured, .. })) =
+        (inner.law.take(), inner.measuring.take())
+    else {
+        bug!("a requirement has lost its formulas");
+    };
+    drop(inner);
+    let last = limits.last().map_or(subject, |(last, _)| last);
+    let place = subject.place.to(last.place);
+    // What is measured is the subject, on whichever side it stands.
+    let turned = match limits {
+        [(other, is_upper)] if first.formula.is_none() => {
+            std::mem::swap(&mut first, &mut others[0]);
+            Some((*other, [(subject, !is_upper)]))
+        }
+        _ => None,
+    };
+    let (subject, limits) = match &turned {
+        Some((subject, limits)) => (*subject, &limits[..]),
+        None => (subject, limits),
+    };
+    let fixed_limits = others.iter().map(|limit| limit.value);
+    let fixed_limits: Vec<Option<f64>> = fixed_limits.collect();
+    let formula =
+        |quantity: Quantity, formulas: &mut Formulas| match (quantity.formula, quantity.value) {
+            (Some(formula), _) => formula,
+            (None, Some(value)) => formulas.add(Formula::constant(value)),
+            (None, None) => bug!("a number has neither a value nor a formula"),
+        };
+    let subject_formula = formula(first, &mut formulas);
+    let mut bounds = Vec::new();
+    for (quantity, (_, is_upper)) in others.into_iter().zip(limits) {
+        let limit = formula(quantity, &mut formulas);
+        let margin = formulas.add(if *is_upper {
+            Formula::Sub(limit, subject_formula)
+        } else {
+            Formula::Sub(subject_formula, limit)
+        });
+        bounds.push(RequiredBound {
+            margin,
+            limit,
+            is_upper: *is_upper,
+            is_strict,
+        });
+    }
+    if formulas
+        .all()
+        .iter()
+        .any(|formula| matches!(formula, Formula::Param(_)))
+    {
+        let text = format!(
+            "a param may change while the mechanism runs, and {WHY_FIXED}; use a `const` here"
+        );
+        return reader.report.refuse(place, text);
+    }
+    if formulas.all().len() > MOST_FORMULAS {
+        let text = format!(
+            "a condition has {MOST_FORMULAS} numbers and operations at most; this one has more"
+        );
+        return reader.report.refuse(place, text);
+    }
+    if !formulas
+        .all()
+        .iter()
+        .any(|formula| matches!(formula, Formula::Variable(_)))
+    {
+        let text = format!("nothing is measured in `{written}`: it never changes");
+        return reader.report.refuse(place, text);
+    }
+    let kinds = kinds(draft, &formulas, &measured);
+    let kind = kinds[subject_formula.index()];
+    for (number, ((limit, _), bound)) in limits.iter().zip(&bounds).enumerate() {
+        check_kinds(reader, [subject, limit], [kind, kinds[bound.limit.index()]])?;
+        if kind == Kind::Angle
+            && let Some(value) = fixed_limits[number]
+            && is_degrees_perhaps(reader.report, limit, value)
+        {
+            return None;
+        }
+    }
+    let angles = [kind, kinds[bounds[0].limit.index()]];
+    Some(ReadCondition {
+        place,
+        written,
+        formulas,
+        measured,
+        condition: Condition::Bounds {
+            subject: subject_formula,
+            is_angle: angles.contains(&Kind::Angle),
+            bounds,
+        },
+    })
+}
+
+/// The kind of a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    /// A number, which may stand for an angle or a length.
+    Plain,
+    Angle,
+    Length,
+    /// The sum of an angle and a length.
+    Mixed,
+}
+
+impl Kind {
+    fn and(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Plain, kind) | (kind, Self::Plain) => kind,
+            (one, other) if one == other => one,
+            _ => Self::Mixed,
+        }
+    }
+}
+
+/// The kinds of all formulas, by their numbers.
+fn kinds(draft: &Draft, formulas: &Formulas, measured: &[Measured]) -> Vec<Kind> {
+    let mut arithmetic = Kinds {
+        variables: Vec::new(),
+    };
+    for one in measured {
+        let kind = match one {
+            Measured::Quantity(quantity) => {
+                if quantity.is_angle(&draft.model) {
+                    Kind::Angle
+                } else {
+                    Kind::Length
+                }
+            }
+            // Its formula is made from variables before it.
+            Measured::Summary(_, of) => formulas.evaluate_one(*of, &mut arithmetic),
+        };
+        arithmetic.variables.push(kind);
+    }
+    formulas.evaluate(&mut arithmetic)
+}
+
+struct Kinds {
+    variables: Vec<Kind>,
+}
+
+impl Arithmetic for Kinds {
+    type Scalar = Kind;
+
+    fn constant(&mut self, _: f64) -> Kind {
+        Kind::Plain
+    }
+
+    fn neg(&mut self, a: Kind) -> Kind {
+        a
+    }
+
+    fn add(&mut self, a: Kind, b: Kind) -> Kind {
+        a.and(b)
+    }
+
+    fn sub(&mut self, a: Kind, b: Kind) -> Kind {
+        a.and(b)
+    }
+
+    fn mul(&mut self, a: Kind, b: Kind) -> Kind {
+        match (a, b) {
+            (Kind::Mixed, _) | (_, Kind::Mixed) => Kind::Mixed,
+            (Kind::Plain, kind) | (kind, Kind::Plain) => kind,
+            _ => Kind::Plain,
+        }
+    }
+
+    fn div(&mut self, a: Kind, b: Kind) -> Kind {
+        match (a, b) {
+            (Kind::Mixed, _) | (_, Kind::Mixed) => Kind::Mixed,
+            (kind, Kind::Plain) => kind,
+            _ => Kind::Plain,
+        }
+    }
+}
+
+impl FormulaArithmetic for Kinds {
+    fn variable(&mut self, number: usize) -> Kind {
+        self.variables.get(number).copied().unwrap_or(Kind::Plain)
+    }
+
+    fn param(&mut self, _: ParamId) -> Kind {
+        Kind::Plain
+    }
+
+    fn of(&mut self, function: Function, a: Kind) -> Kind {
+        match function {
+            _ if a == Kind::Mixed => a,
+            Function::Abs | Function::Floor => a,
+            Function::Asin | Function::Acos | Function::Atan => Kind::Angle,
+            _ => Kind::Plain,
+        }
+    }
+
+    fn of_both(&mut self, function: BinaryFunction, a: Kind, b: Kind) -> Kind {
+        match function {
+            BinaryFunction::Atan2 if a.and(b) != Kind::Mixed => Kind::Angle,
+            _ => a.and(b),
+        }
+    }
+}
+
+/// Complains about two sides of different kinds.
+fn check_kinds(reader: &mut Reader, sides: [&Expr; 2], kinds: [Kind; 2]) -> Option<()> {
+    let place = sides[0].place.to(sides[1].place);
+    if kinds[0].and(kinds[1]) == Kind::Mixed {
+        let word = |kind| match kind {
+            Kind::Angle => "an angle",
+            Kind::Length => "a length",
+            Kind::Plain => "a number",
+            Kind::Mixed => "made from both an angle and a length",
+        };
+        let text = format!(
+            "`{}` is {}, and `{}` is {}",
+            sides[0],
+            word(kinds[0]),
+            sides[1],
+            word(kinds[1])
+        );
+        return reader.report.refuse(place, text);
+    }
+    if kinds[0] == Kind::Length && is_in_degrees(sides[1]) {
+        let text = format!("`{}` is a length, and `{}` is an angle", sides[0], sides[1]);
+        return reader.report.refuse(place, text);
+    }
+    Some(())
+}
+
+/// The values of a motor for which a condition has to hold.
+fn lower_case(reader: &mut Reader, draft: &mut Draft, case: &CaseExpr) -> Option<Case> {
+    let motor = motor(reader, draft, &case.motor)?;
+    let joint = draft.model.motor(motor).joint;
+    let numbers: Vec<&Expr> = case.values.iter().collect();
+    let is_told = match draft.model.joint(joint).kind {
+        JointKind::Revolute(..) => is_half_in_degrees(reader.report, &numbers),
+        _ => {
+            let mut numbers = numbers.iter();
+            numbers.any(|number| is_angle(reader.report, number, "a length"))
+        }
+    };
+    if is_told {
+        return None;
+    }
+    let is_turning = matches!(draft.model.joint(joint).kind, JointKind::Revolute(..));
+    let mut fixed = reader.fixed(WHY_FIXED);
+    let values: Option<Vec<f64>> = case.values.iter().map(|value| fixed.value(value)).collect();
+    let values = values?;
+    let (Some(&low), Some(&high)) = (values.first(), values.last()) else {
+        bug!("a case without values was read");
+    };
+    let [first, last] = [&case.values[0], &case.values[case.values.len() - 1]];
+    let place = first.place.to(last.place);
+    let name = &case.motor;
+    for (expr, value) in case.values.iter().zip(&values) {
+        if is_turning && is_degrees_perhaps(reader.report, expr, *value) {
+            return None;
+        }
+    }
+    if low > high {
+        let text =
+            format!("these values of `{name}` end before they begin; write `{last} ..= {first}`");
+        return reader.report.refuse(place, text);
+    }
+    if let Some(range) = draft.model.motor(motor).range {
+        let slack = ROUNDING * range.low.abs().max(range.high.abs());
+        if low < range.low - slack || high > range.high + slack {
+            let written = &draft.motors[motor.index()].range;
+            let text = format!("motor `{name}` does not go there: its range is `{written}`");
+            return reader.report.refuse(place, text);
+        }
+    }
+    let origin = draft.places.note(place);
+    Some(Case {
+        motor,
+        ends: [low, high],
+        origin,
+    })
+}
