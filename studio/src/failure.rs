@@ -84,7 +84,6 @@ impl Failure {
         Self::new(FailureKind::Unread, "")
     }
 
-    /// A failure of this kind.
     pub(crate) fn new(kind: FailureKind, text: impl Into<String>) -> Self {
         let text = text.into();
         Self { kind, text }

@@ -8,7 +8,6 @@ use mech_studio::{Failure, Source, Workspace};
 use std::any::Any;
 use std::path::Path;
 
-/// The studio in a canvas of a page.
 pub(crate) struct Page {
     studio: Studio,
     context: Context,

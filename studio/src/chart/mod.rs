@@ -86,7 +86,6 @@ impl<'t> Chart<'t> {
         }
     }
 
-    /// The text of an SVG.
     pub(crate) fn svg(&self) -> Result<String, Failure> {
         let mut text = String::new();
         let root = SVGBackend::with_string(&mut text, self.size(1)).into_drawing_area();

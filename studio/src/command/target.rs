@@ -36,7 +36,6 @@ impl Target {
         given.map_or(&*self.file, |document| document.source().path())
     }
 
-    /// The document in it.
     pub(super) fn document(&self) -> Result<Document, Failure> {
         match &self.given {
             Some(document) => Ok(document.clone()),

@@ -8,7 +8,6 @@ use std::collections::BTreeMap;
 /// A part of a pattern.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Element {
-    /// This word.
     Word(&'static str),
     /// A slot, which the user fills in.
     Slot {
@@ -28,7 +27,6 @@ pub(super) enum What {
     New,
     /// A link or the ground.
     Link,
-    /// A joint.
     Joint,
     /// A point, a line, or a link.
     End,
@@ -58,7 +56,6 @@ pub(super) struct Misfit {
     pub(super) wants: Vec<Element>,
 }
 
-/// Reads a pattern.
 pub(super) fn read(pattern: &'static str) -> Vec<Element> {
     let mut rows = vec![Vec::new()];
     for piece in pattern.split_whitespace() {

@@ -25,9 +25,7 @@ pub(crate) enum Request {
     Numbers(Option<String>),
     /// A file is read.
     Open {
-        /// The file.
         file: String,
-        /// Which of its mechanisms.
         mechanism: Option<String>,
     },
     /// The text is written.

@@ -20,13 +20,11 @@ use std::path::Path;
 /// Whether the dialogue goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Turn {
-    /// It does.
     GoOn,
     /// The user has ended it.
     End,
 }
 
-/// A session: a file, its text as it is now, and the steps that led there.
 pub(crate) struct Session {
     pub(crate) workspace: Workspace,
     /// Writes the files, at once or at the end.

@@ -79,9 +79,6 @@ impl Document {
     }
 
     /// Reads a plain file, no pipe and no device.
-    ///
-    /// # Errors
-    /// As of others, or if it is none.
     pub(crate) fn read_plain(path: &Path) -> Result<Self, Failure> {
         Self::with_any(Source::read_plain(path)?)
     }
@@ -145,9 +142,6 @@ impl Document {
     }
 
     /// The number of one of its mechanisms.
-    ///
-    /// # Errors
-    /// If it is none of them, which is a mistake of ours.
     pub(crate) fn index_of(&self, declaration: &Declaration) -> Result<usize, Failure> {
         let mut all = self.declarations.iter();
         let index = all.position(|one| one == declaration);
@@ -205,9 +199,6 @@ impl Document {
     }
 
     /// Reads and analyses one of its mechanisms, and writes its code as the macro does: what is right here is right there.
-    ///
-    /// # Errors
-    /// If the compiler itself fails, which is a mistake of ours.
     pub(crate) fn check(&self, declaration: &Declaration) -> Result<Reading, Failure> {
         reading::check(self, declaration)
     }
@@ -221,9 +212,6 @@ impl Document {
     }
 
     /// The text of one of its mechanisms as a tree; none if it cannot be read statement by statement.
-    ///
-    /// # Errors
-    /// If the compiler itself fails, which is a mistake of ours.
     pub(crate) fn tree(&self, declaration: &Declaration) -> Result<Option<TextTree>, Failure> {
         TextTree::read(self, declaration)
     }

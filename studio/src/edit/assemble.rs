@@ -74,7 +74,6 @@ fn statement(assembly: &Assembly) -> Result<String, Refusal> {
     Ok(text + ";")
 }
 
-/// The link of an end.
 fn body_of(scene: &Scene, end: &str) -> Option<LinkId> {
     let model = &scene.model;
     if let Some(axis) = axis_at(scene, end) {

@@ -51,7 +51,6 @@ pub struct Applied {
 }
 
 impl Applied {
-    /// What was done, with the notes.
     pub(crate) fn summary(&self) -> String {
         let (title, notes) = (&self.title, self.notes.join("; "));
         if notes.is_empty() {

@@ -21,7 +21,6 @@ pub struct Known<'k> {
     pub listing: &'k Listing,
 }
 
-/// A mechanism in its file, for commands to work on.
 pub(super) struct Scene {
     pub(super) document: Document,
     pub(super) declaration: Declaration,

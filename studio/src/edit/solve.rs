@@ -14,7 +14,6 @@ pub(super) struct Goal<'g> {
     /// Where it stands.
     pub(super) number: &'g NumberText,
     pub(super) value: f64,
-    /// Reads it from the model.
     pub(super) read: &'g dyn Fn(&Model) -> Option<f64>,
 }
 

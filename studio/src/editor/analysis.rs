@@ -21,7 +21,6 @@ struct Ghost {
     drawing: Option<Drawing>,
 }
 
-/// The questions to the compiler, and its findings.
 pub(super) struct Analysis {
     pub(super) worker: Worker,
     pub(super) pending: Pending,
@@ -211,12 +210,10 @@ impl Analysis {
         self.is_stopped
     }
 
-    /// Notes that work begins.
     pub(super) fn begin_work(&mut self, work: Work) {
         self.works.push(work);
     }
 
-    /// Notes that work has ended.
     pub(super) fn end_work(&mut self, work: &Work) {
         if let Some(index) = self.works.iter().position(|one| one == work) {
             self.works.remove(index);

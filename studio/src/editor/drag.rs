@@ -17,7 +17,6 @@ use std::mem;
 /// A drag: from when the pointer takes hold of something until the text says where it stays.
 #[derive(Default)]
 pub(crate) enum Drag {
-    /// Nothing.
     #[default]
     Nothing,
     /// Something is held, and was led nowhere yet.
@@ -139,7 +138,6 @@ impl Drag {
         Ok((Self::Grabbing(grabbed), hold))
     }
 
-    /// Whether nothing is dragged.
     pub(crate) const fn is_nothing(&self) -> bool {
         matches!(self, Self::Nothing)
     }
@@ -232,7 +230,6 @@ impl Drag {
         Some((following.grabbed.number, edits.clone()))
     }
 
-    /// Returns the preview of the drag with this number.
     pub(crate) fn preview_mut(&mut self, number: u64) -> Option<&mut Preview> {
         if self.number() != Some(number) {
             return None;
@@ -311,7 +308,6 @@ impl Drag {
         is_given_up
     }
 
-    /// Which of all drags it is.
     pub(crate) const fn number(&self) -> Option<u64> {
         match self {
             Self::Nothing => None,

@@ -32,13 +32,11 @@ pub struct Handle<'d> {
 /// The thing that is at a place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Hit {
-    /// A joint.
     Joint(JointId),
     /// A point or a line that no joint has.
     Axis(AxisId),
     /// The body of a link.
     Link(LinkId),
-    /// Nothing: the paper.
     Paper,
 }
 
@@ -87,7 +85,6 @@ impl Drawing {
         }
     }
 
-    /// Whether the drawing has this item.
     pub(crate) fn has(&self, item: &Item) -> bool {
         match item {
             Item::Link(name) => self.link(name).is_some(),
@@ -103,7 +100,6 @@ impl Drawing {
         }
     }
 
-    /// The pose of a link.
     pub(crate) fn pose(&self, link: LinkId) -> Pose {
         self.poses.get(link.index()).copied().unwrap_or(SCENE)
     }
@@ -132,7 +128,6 @@ impl Drawing {
         self.pose(link).relative(place)
     }
 
-    /// The link of this name.
     pub(crate) fn link(&self, name: &str) -> Option<LinkId> {
         let mut links = self.model.link_ids();
         let is_it = |link: &LinkId| {
@@ -158,7 +153,6 @@ impl Drawing {
         index::path(&self.model, axis)
     }
 
-    /// The axis of this path.
     pub(crate) fn axis(&self, path: &str) -> Option<AxisId> {
         self.index.axes.get(path).copied()
     }
@@ -347,7 +341,6 @@ impl Drawing {
         })
     }
 
-    /// The axes of a link.
     pub(crate) fn axes_on(&self, link: LinkId) -> impl Iterator<Item = AxisId> {
         self.index.on_link[link.index()].iter().copied()
     }

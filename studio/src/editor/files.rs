@@ -72,7 +72,6 @@ fn folder_of(path: &str, beside: &Path) -> PathBuf {
     }
 }
 
-/// The folder that has this one in it.
 fn above(folder: &Path) -> Option<PathBuf> {
     let folder = std::path::absolute(present(folder)).ok()?;
     folder.parent().map(Path::to_owned)

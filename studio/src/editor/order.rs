@@ -163,7 +163,6 @@ pub(super) struct Made {
 }
 
 impl Made {
-    /// Writes it, and tells so.
     pub(super) fn write(self, path: &str) -> Result<String, Failure> {
         let output = Output::new(path, self.kind.kind(), self.bytes);
         output::write(output.from(&self.inputs))?;

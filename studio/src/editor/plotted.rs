@@ -26,7 +26,6 @@ pub(super) struct Plotted {
     pub(super) loads: BTreeMap<String, String>,
     /// Whether something is being measured.
     is_asked: bool,
-    /// The last measurement.
     pub(super) curves: Option<Curves>,
 }
 

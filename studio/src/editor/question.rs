@@ -10,7 +10,6 @@ use std::path::PathBuf;
 /// Something that is asked in a window of its own.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Dialog {
-    /// Which file this is done with.
     File(FileUse, String),
     /// Whether the text is saved before another one is edited.
     Leave(Destination),
@@ -74,7 +73,6 @@ pub(crate) enum Destination {
     /// A text that is known already, with the name of its file.
     #[cfg(target_arch = "wasm32")]
     Text(PathBuf, String),
-    /// An example.
     Example(&'static Example),
     /// Away: the window is closed.
     Away,
@@ -83,7 +81,6 @@ pub(crate) enum Destination {
 /// Whether the window stays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Ending {
-    /// It does.
     #[default]
     Stays,
     /// A line wants to close it.

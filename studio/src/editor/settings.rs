@@ -6,7 +6,6 @@ use std::collections::BTreeSet;
 /// Something in the drawing that can be hidden.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Visible {
-    /// The grid.
     Grid,
     /// The names of joints and links.
     Names,
@@ -16,7 +15,6 @@ pub(crate) enum Visible {
     Paths,
     /// The velocities of points, as arrows.
     Velocities,
-    /// Their accelerations.
     Accelerations,
     /// The forces in joints.
     Forces,
@@ -33,7 +31,6 @@ impl Visible {
     }
 }
 
-/// The user's settings of the window.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Settings {
     /// Whether places snap to the grid and to what is near.
@@ -80,7 +77,6 @@ impl Default for Settings {
 /// A panel beside the drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Panel {
-    /// The text.
     Text,
     /// The numbers of what is selected.
     Properties,
@@ -108,7 +104,6 @@ impl Panel {
         Self::Help,
     ];
 
-    /// Its name.
     pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Text => "Text",

@@ -24,7 +24,6 @@ pub struct Sight {
     view: View,
 }
 
-/// Whose the view is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum View {
     /// It is to show everything that will be there.
@@ -47,12 +46,10 @@ impl Sight {
         }
     }
 
-    /// Returns the drawing, if there is one.
     pub(super) fn drawing(&self) -> Option<&Drawing> {
         self.drawn.as_ref().map(|(_, drawing)| drawing)
     }
 
-    /// Whether a joint has a motor.
     pub(super) fn has_motor(&self, joint: &str) -> bool {
         let drawing = self.drawing();
         drawing.is_some_and(|drawing| drawing.has_motor(joint))

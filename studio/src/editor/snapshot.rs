@@ -14,7 +14,6 @@ use mech_compiler::Compiled;
 use mech_compiler::model::{LinkId, Model};
 use std::sync::Arc;
 
-/// The compiler's findings on a text.
 pub(crate) struct Snapshot {
     /// The file with this text.
     pub(crate) document: Document,

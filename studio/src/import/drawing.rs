@@ -100,7 +100,6 @@ pub(super) enum Direction {
 }
 
 impl Direction {
-    /// A vector of this direction.
     pub(super) fn vector(self) -> Pair {
         let at = |angle: f64| {
             let (sin, cos) = angle.sin_cos();
@@ -207,7 +206,6 @@ impl Drawing {
         places
     }
 
-    /// Whether a link is a wheel.
     pub(super) fn is_wheel(&self, link: usize) -> bool {
         let mut joints = self.joints.iter();
         joints.any(|joint| joint.at().is_none() && joint.ends.contains(&End::Link(link)))

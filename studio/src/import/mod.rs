@@ -57,9 +57,6 @@ pub(crate) struct Written {
 
 impl Imported {
     /// Writes it in the language, under a name, below a remark on its origin.
-    ///
-    /// # Errors
-    /// If the compiler itself fails, which is a mistake of ours.
     pub(crate) fn written(
         &self,
         origin: &str,
@@ -76,17 +73,11 @@ impl Imported {
 }
 
 /// The name of a type for a mechanism that comes from something of this name.
-///
-/// # Errors
-/// If the compiler itself fails, which is a mistake of ours.
 pub(crate) fn type_name(wish: &str) -> Result<String, Failure> {
     names::type_name(wish)
 }
 
 /// Whether a mechanism can have this name.
-///
-/// # Errors
-/// If the compiler itself fails, which is a mistake of ours.
 pub(crate) fn is_type(name: &str) -> Result<bool, Failure> {
     names::is_type(name)
 }

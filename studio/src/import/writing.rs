@@ -20,7 +20,6 @@ pub(crate) enum FileKind {
 const TRACE: u32 = 720;
 /// The number of places that a window records in a second, by laws.
 const PLACES_A_SECOND: f64 = 60.0;
-/// The longest trace.
 const LONGEST_TRACE: u32 = 1 << 14;
 /// The error of a written number, as a part of the size of the drawing.
 const PRECISION: f64 = 1e-9;
@@ -30,9 +29,6 @@ const WIDTH: f64 = 0.03;
 const LINE: usize = 100;
 
 /// The text of a drawing as a mechanism of this name.
-///
-/// # Errors
-/// If the compiler itself fails, which is a mistake of ours.
 pub(super) fn text(
     drawing: &Drawing,
     terms: &Terms,
@@ -53,9 +49,6 @@ pub(super) fn text(
 }
 
 /// The names that the joints of a drawing get.
-///
-/// # Errors
-/// If the compiler itself fails, which is a mistake of ours.
 pub(super) fn joint_names(drawing: &Drawing) -> Result<Vec<String>, Failure> {
     Ok(Named::of(drawing)?.joints)
 }

@@ -65,7 +65,6 @@ pub(crate) enum StillKind {
 }
 
 impl StillKind {
-    /// Returns the kind of its file.
     pub(crate) const fn file(self) -> OutputKind {
         match self {
             Self::Png => OutputKind::Png,
@@ -84,7 +83,6 @@ pub(crate) trait Listener {
 }
 
 impl Job {
-    /// Does the job.
     pub(crate) fn run(
         &self,
         analysed: Analysed,

@@ -3,7 +3,6 @@
 use super::kind::OutputKind;
 use std::path::{Path, PathBuf};
 
-/// A file that is to be written.
 #[derive(Clone, Debug)]
 pub(crate) struct Output {
     pub(crate) path: PathBuf,

@@ -35,7 +35,6 @@ pub fn lines(picture: &HeapSmooth, depth: Depth) -> Vec<String> {
     rows.chunks(2).map(|rows| line(rows, depth)).collect()
 }
 
-/// One line of text.
 fn line(rows: &[&[[u8; 4]]], depth: Depth) -> String {
     let mut text = String::new();
     let mut last = None;

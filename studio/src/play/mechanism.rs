@@ -53,9 +53,6 @@ pub(crate) struct Prepared {
 
 impl Prepared {
     /// Prepares a coherent mechanism to be played.
-    ///
-    /// # Errors
-    /// If the compiler itself fails, which is a mistake of ours.
     fn of(model: &Model, compiled: &Compiled) -> Result<Self, Failure> {
         let looks = looks(model, compiled);
         let extent = looks.extent(model, compiled);
@@ -79,9 +76,6 @@ impl Mechanism {
     }
 
     /// A coherent mechanism that was prepared, at its start.
-    ///
-    /// # Errors
-    /// As of [`new`](Self::new).
     pub(crate) fn of(
         model: Model,
         compiled: Compiled,
@@ -236,7 +230,6 @@ impl Mechanism {
         })
     }
 
-    /// The joint of a motor.
     pub(super) fn joint_of_motor(&self, motor: usize) -> Option<JointId> {
         Some(self.model.motor(self.motor(motor)?).joint)
     }

@@ -20,7 +20,6 @@ impl Folder {
         Self(folder)
     }
 
-    /// The file.
     pub(crate) fn file(&self) -> PathBuf {
         self.0.join("crank.mech")
     }

@@ -31,7 +31,6 @@ pub(crate) fn path(file: &str) -> PathBuf {
     folder.join(file).with_extension("rs")
 }
 
-/// The first mechanism of a document.
 pub(crate) fn first(document: &Document) -> Mechanism {
     let reading = document.analyse(&document.declarations()[0]);
     let reading = reading.expect("it can be analysed");
@@ -44,7 +43,6 @@ pub(crate) fn mechanism(file: &str) -> Mechanism {
     first(&Document::read(&path(file)).expect("it is in the gallery"))
 }
 
-/// A mechanism from its text.
 pub(crate) fn from_text(text: &str) -> Mechanism {
     first(&Document::of(Source::new("a.mech", text)))
 }

@@ -35,7 +35,6 @@ impl Screen {
         }
     }
 
-    /// Makes the screen after all this text.
     fn after(text: &str) -> Self {
         let mut screen = Self::new();
         let mut rest = text.chars();

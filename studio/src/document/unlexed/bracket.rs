@@ -19,7 +19,6 @@ struct Open {
 
 /// Where the text shows that a bracket is wrong.
 struct Clash {
-    /// What is open there.
     open: Option<Open>,
     /// The lexeme that cannot stand there; the number of all at the end of the text.
     at: usize,

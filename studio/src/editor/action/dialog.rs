@@ -36,7 +36,6 @@ pub(in crate::editor) fn dialogs(editor: &mut Editor, context: &egui::Context) {
 /// The user's answer on changes that are not saved.
 #[derive(Clone, Copy)]
 enum Answer {
-    /// They are saved.
     Save,
     /// They are lost.
     Discard,
@@ -71,7 +70,6 @@ fn ask_to_save(workspace: &Workspace, context: &egui::Context) -> Option<Answer>
     given
 }
 
-/// Asks which file something is done with.
 fn ask_for_file(editor: &mut Editor, purpose: FileUse, mut path: String, context: &egui::Context) {
     let (title, verb) = purpose.words();
     #[cfg(not(target_arch = "wasm32"))]
@@ -169,7 +167,6 @@ pub(super) fn save(
     }
 }
 
-/// Does something with a file.
 fn use_file(editor: &mut Editor, purpose: FileUse, path: &str, is_there: bool) {
     match purpose {
         FileUse::Open => editor.leave_for(Destination::File(path.to_owned())),

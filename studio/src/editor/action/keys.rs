@@ -6,7 +6,6 @@ use crate::editor::{Editor, Tool};
 use eframe::egui;
 use eframe::egui::{Key, KeyboardShortcut, Modifiers};
 
-/// The key of a tool.
 pub(in crate::editor) const fn key_of_tool(tool: Tool) -> KeyboardShortcut {
     let key = match tool {
         Tool::Select => Key::V,

@@ -16,7 +16,6 @@ use keys::step_by_keys;
 use paint::Paint;
 use picture::Picture;
 
-/// The canvas.
 #[derive(Default)]
 pub(super) struct Canvas {
     picture: Picture,
@@ -38,7 +37,6 @@ enum Holds {
     Nothing,
     /// A link, which follows it.
     Link,
-    /// The paper.
     Paper,
     /// A corner of a frame around what is to be selected.
     Frame(Pos2),

@@ -21,18 +21,15 @@ const MOST: u64 = 64 << 20;
 /// The longest side of a picture, in pixels: what all graphics cards can show. A larger one is made smaller.
 const LONGEST: u32 = 4096;
 
-/// A picture behind the drawing, to be traced.
 pub(in crate::editor) struct Backdrop {
     /// Its file.
     pub(in crate::editor) path: PathBuf,
-    /// Where it is.
     pub(in crate::editor) place: PicturePlace,
     pixels: Arc<ColorImage>,
     /// The picture as the graphics card has it, once it was painted.
     texture: Option<TextureHandle>,
 }
 
-/// Where a picture is.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(in crate::editor) struct PicturePlace {
     /// Its centre in the scene.
@@ -98,9 +95,6 @@ fn decode(bytes: &[u8]) -> ImageResult<DynamicImage> {
 
 impl Backdrop {
     /// The picture in a file, one scene unit wide.
-    ///
-    /// # Errors
-    /// If these bytes are no picture that can be read.
     pub(in crate::editor) fn read(path: &Path, bytes: &[u8]) -> Result<Self, Failure> {
         let picture = decode(bytes).map_err(|error| {
             let path = path.display();

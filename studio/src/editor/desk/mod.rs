@@ -84,9 +84,6 @@ impl Desk {
     }
 
     /// Puts a picture behind the drawing, as wide as what is seen. Tells so.
-    ///
-    /// # Errors
-    /// If the bytes are no picture that can be read.
     pub(super) fn show(
         &mut self,
         path: &Path,

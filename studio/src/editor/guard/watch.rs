@@ -18,7 +18,6 @@ use std::time::{Duration, Instant};
 /// The time for which a file must be left alone before it is read: another program may write it in pieces.
 const QUIET: Duration = Duration::from_millis(60);
 
-/// The file on disk, which other programs change.
 pub(super) struct Watch {
     wake: Arc<dyn Fn() + Send + Sync>,
     /// The file that is watched.

@@ -51,7 +51,6 @@ pub(super) fn behind(editor: &mut Editor, ui: &mut egui::Ui) {
     }
 }
 
-/// A number with its name.
 fn number(name: &str, field: egui::DragValue<'_>, ui: &mut egui::Ui) {
     let label = ui.label(name);
     ui.add(field).labelled_by(label.id);

@@ -14,7 +14,6 @@ use eframe::egui::{Color32, Role, Sense, Stroke, Vec2, WidgetInfo};
 use egui_plot::{GridInput, GridMark, Line, Plot, PlotPoint, Points, VLine};
 use mech_compiler::model::LoadKind;
 
-/// Graphs of what moves.
 #[derive(Debug, Default)]
 pub(in crate::editor) struct Plots {
     /// The typed name of a quantity, as for `mech plot`.

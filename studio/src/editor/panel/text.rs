@@ -15,7 +15,6 @@ use std::ops::Range;
 /// Ranges of the text that are marked.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Marks {
-    /// Where something is wrong.
     wrong: Vec<Range<usize>>,
     /// The places of the selected items.
     selected: Vec<Range<usize>>,

@@ -41,7 +41,6 @@ pub(crate) struct NamedPick {
 }
 
 impl NamedPick {
-    /// Names the picks in a drawing.
     pub(crate) fn all(picks: &[Pick], drawing: Option<&Drawing>) -> Vec<Self> {
         let named = picks.iter().map(|pick| Self {
             place: pick.place,

@@ -10,7 +10,6 @@ use mech_compiler::catch;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-/// The tasks to do, in pieces.
 #[derive(Default)]
 pub(in crate::editor) struct Agenda {
     /// The tasks that hold and lead. They come first: the user watches the drag.
@@ -49,7 +48,6 @@ impl Agenda {
         self.given.push_back(task);
     }
 
-    /// Whether there is nothing to do.
     pub(super) fn is_done(&self) -> bool {
         self.drags.is_empty() && self.given.is_empty() && self.follows.is_empty()
     }

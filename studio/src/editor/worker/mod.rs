@@ -138,7 +138,6 @@ pub(super) enum Finding {
     Undone(Undone, Failure),
     /// Work begins that takes its time, perhaps.
     Begun(Work),
-    /// It has ended.
     Ended(Work),
 }
 
@@ -193,7 +192,6 @@ pub(super) enum Worker {
         /// Whether a picture was shown since the last piece.
         is_shown: bool,
     },
-    /// In threads of their own.
     #[cfg(not(target_arch = "wasm32"))]
     Threads(Threads),
     /// In another program, as that of a page's worker.
@@ -220,15 +218,11 @@ impl Worker {
     }
 
     /// One with threads of its own, which call `wake` when they have found something out.
-    ///
-    /// # Errors
-    /// If the system has no thread for it.
     #[cfg(not(target_arch = "wasm32"))]
     pub(super) fn beside(wake: impl Fn() + Send + Sync + 'static) -> std::io::Result<Self> {
         Threads::new(wake).map(Self::Threads)
     }
 
-    /// Gives it something to do.
     pub(super) fn give(&mut self, task: Task) -> Result<(), Failure> {
         match self {
             Self::Immediate { agenda, found } => {

@@ -20,7 +20,6 @@ pub trait Port {
     fn restart(&mut self) -> Result<(), String>;
 }
 
-/// A worker with which the window shares no memory.
 pub(in crate::editor) struct Remote {
     port: Box<dyn Port>,
     known: Known,
@@ -37,7 +36,6 @@ impl Remote {
         }
     }
 
-    /// Gives a task.
     pub(super) fn give(&mut self, task: Task) -> Result<(), Failure> {
         let Some(call) = Call::of(task, &self.known) else {
             return Ok(());

@@ -430,7 +430,6 @@ fn outdated() -> Failure {
     Failure::mechanism("the text has changed while it was measured")
 }
 
-/// The bytes of something that is sent.
 pub(super) fn bytes_of(sent: &impl Serialize) -> Result<Vec<u8>, Failure> {
     let bytes = postcard::to_stdvec(sent);
     bytes.map_err(|error| Failure::internal(format!("it cannot be sent: {error}")))

@@ -3,7 +3,6 @@
 use super::Task;
 use std::fmt::{self, Display, Formatter};
 
-/// What is being done beside the window.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(in crate::editor) enum Work {
@@ -11,7 +10,6 @@ pub(in crate::editor) enum Work {
     Trying(String),
     /// The mechanism is analysed.
     Analysing,
-    /// Something is dragged.
     Dragging,
     /// Quantities are measured.
     Measuring,
@@ -28,7 +26,6 @@ pub(in crate::editor) enum Work {
 }
 
 impl Work {
-    /// What a task is.
     pub(super) fn of(task: &Task) -> Self {
         match task {
             Task::Try { gesture, .. } => Self::Trying(gesture.title.clone()),

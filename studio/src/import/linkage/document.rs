@@ -6,7 +6,6 @@ use crate::import::color::Color;
 use crate::import::drawing::{Pair, Sizes};
 use crate::import::omission::Omission;
 
-/// The content of a document.
 pub(super) struct Document {
     pub(super) units: Units,
     pub(super) connectors: Vec<Connector>,

@@ -10,7 +10,6 @@ use std::str::FromStr;
 /// The number by which a document names a connector or a link.
 pub(super) type Id = i64;
 
-/// An element of a document.
 #[derive(Clone, Copy)]
 pub(super) struct Element<'d> {
     node: Node<'d, 'd>,
@@ -21,7 +20,6 @@ impl<'d> Element<'d> {
         Self { node }
     }
 
-    /// Its name.
     pub(super) fn name(&self) -> &'d str {
         self.node.tag_name().name()
     }
@@ -110,7 +108,6 @@ impl<'d> Element<'d> {
         }
     }
 
-    /// A number that has to be there.
     pub(super) fn needed_number(&self, name: &str) -> Result<f64, Message> {
         self.number(name)?.ok_or_else(|| self.missing(name))
     }

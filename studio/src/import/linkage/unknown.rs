@@ -56,7 +56,6 @@ const LOOKS: [&str; 8] = [
     "ygrid",
 ];
 
-/// The attributes and elements of a document that are not read.
 #[derive(Default)]
 pub(super) struct Unknown<'d> {
     looks: BTreeSet<&'d str>,

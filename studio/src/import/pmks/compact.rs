@@ -19,7 +19,6 @@ const PARTS: &str = "Namg4567";
 /// The number of fields after the angle of a joint: a slot, a speed and a mass.
 const MORE: usize = 5;
 
-/// Reads a query.
 pub(super) fn read(query: Field<'_>) -> Result<Linkage, Message> {
     Sections::of(checked(query)?)?.read::<Compact>()
 }

@@ -21,7 +21,6 @@ pub(super) fn is_early(query: &Field<'_>) -> bool {
     query.text().ends_with('.') && count == 4
 }
 
-/// Reads a query.
 pub(super) fn read(query: Field<'_>) -> Result<Linkage, Message> {
     Sections::of(query)?.read::<Early>()
 }

@@ -8,7 +8,6 @@ use crate::import::drawing::{MOST, Mass, Pair};
 use crate::import::omission::Omission;
 use std::collections::BTreeMap;
 
-/// The content of a link.
 pub(super) struct Linkage {
     /// The unit of length, if it is known.
     pub(super) unit: Option<Unit>,
@@ -29,7 +28,6 @@ pub(super) struct Speeds {
     pub(super) sliding: f64,
 }
 
-/// A joint.
 #[expect(
     clippy::struct_excessive_bools,
     reason = "each is a flag of the format"
@@ -122,7 +120,6 @@ impl<'q> Ids<'q> {
         Ok(())
     }
 
-    /// Whether there is one with this id.
     pub(super) fn has(&self, id: &Field<'q>) -> bool {
         self.numbers.contains_key(id.text())
     }
@@ -177,7 +174,6 @@ impl Joint {
     }
 }
 
-/// A mass, if there is any.
 pub(super) fn mass_of(
     field: &Field<'_>,
     mass: f64,

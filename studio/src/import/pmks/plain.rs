@@ -14,7 +14,6 @@ const READ: [&str; 4] = ["j=", "l=", "f=", "s="];
 /// The word for a missing number.
 const NONE: &str = "Null";
 
-/// Whether a query is one of these.
 pub(super) fn is_plain(query: &str) -> bool {
     query.starts_with("j=")
 }
@@ -26,7 +25,6 @@ struct Draft<'q> {
     friction: f64,
 }
 
-/// Reads a query.
 pub(super) fn read(query: &Field<'_>) -> Result<Linkage, Message> {
     let mut omissions = Vec::new();
     let joint_lines = section(query, "j=")?;
@@ -86,7 +84,6 @@ fn section<'q>(query: &Field<'q>, mark: &str) -> Result<impl Iterator<Item = Fie
     Ok(lines(found))
 }
 
-/// The lines with something in them.
 fn lines(field: Field<'_>) -> impl Iterator<Item = Field<'_>> {
     let lines = field.split('\n');
     lines.filter(|line| !line.text().trim().is_empty())

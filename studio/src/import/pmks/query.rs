@@ -55,7 +55,6 @@ impl Query {
         Ok(Self { text, places })
     }
 
-    /// All of it.
     pub(super) fn whole(&self) -> Field<'_> {
         Field {
             query: self,
@@ -70,7 +69,6 @@ impl<'q> Field<'q> {
         &self.query.text[self.start..self.end]
     }
 
-    /// Makes a message on it.
     pub(super) fn wrong(&self, text: impl Into<String>) -> Message {
         let places = &self.query.places;
         Message {

@@ -17,7 +17,6 @@ const SETTINGS: usize = 2;
 /// The number of sections before the joints: settings with flags, decimals, whole numbers, and choices.
 pub(super) const HEADS: usize = 4;
 
-/// The sections of a link.
 pub(super) struct Sections<'q> {
     body: Field<'q>,
     unit: Option<Unit>,
@@ -115,7 +114,6 @@ impl<'q> Sections<'q> {
         })
     }
 
-    /// Reads the linkage from them.
     pub(super) fn read<G: Generation>(self) -> Result<Linkage, Message> {
         let mut omissions = self.omissions;
         let mut joint_ids = Ids::of("joint");
@@ -174,7 +172,6 @@ impl<'q> Sections<'q> {
     }
 }
 
-/// The fields of something, which has so many.
 pub(super) fn fields<'q, const COUNT: usize>(
     field: &Field<'q>,
     what: &str,

@@ -11,7 +11,6 @@ use std::fs;
 use std::io;
 use std::path::{Component, Path, PathBuf};
 
-/// The fence of a script: where it may write.
 pub(crate) struct Fence {
     /// The script; none if its lines come from elsewhere.
     script: Option<PathBuf>,
@@ -25,9 +24,6 @@ pub(crate) struct Fence {
 
 impl Fence {
     /// The fence of a script in a file. Lines from elsewhere, such as a pipe, have the present folder.
-    ///
-    /// # Errors
-    /// If the folder, or something that is allowed, cannot be found.
     pub(crate) fn around(script: Option<&Path>, allowed: &[PathBuf]) -> Result<Self, Failure> {
         let lost = |path: &Path, error: &io::Error| {
             Failure::file(format!("cannot find `{}`: {error}", path.display()))

@@ -100,9 +100,6 @@ impl Writer {
     }
 
     /// Writes what is to be written at the end, all or nothing. Gives the files, and their kinds.
-    ///
-    /// # Errors
-    /// If one of them cannot be written. All stay as they were then.
     pub(crate) fn finish(self) -> Result<Vec<(OutputKind, PathBuf)>, Failure> {
         let planned = self.planned.unwrap_or_default();
         for Planned {

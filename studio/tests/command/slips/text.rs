@@ -183,7 +183,6 @@ impl<'t> Text<'t> {
         (0..index).rev().filter(is_open).find(is_around)
     }
 
-    /// The names in these words.
     pub(super) fn names(&self, words: Range<usize>) -> Vec<String> {
         let names = words.filter(|&one| self.is_declared(one) || self.is_used(one));
         names.map(|one| self.word(one).to_owned()).collect()

@@ -53,7 +53,6 @@ struct Line {
 }
 
 impl Line {
-    /// The lines of a script.
     fn all_of(script: &str) -> Result<Vec<Self>, String> {
         let mut lines: Vec<Self> = Vec::new();
         for (number, line) in (1..).zip(script.lines()) {

@@ -29,7 +29,6 @@ impl DroppedFile for Dropped {
     }
 }
 
-/// Somebody who uses the studio, and counts the gestures.
 pub(crate) struct User {
     harness: Harness<'static, Studio>,
     gestures: usize,
@@ -304,7 +303,6 @@ impl User {
         self.harness.run_steps(2);
     }
 
-    /// Types.
     pub(crate) fn type_text(&mut self, text: &str) {
         self.harness.event(Event::Text(text.to_owned()));
         self.harness.run_steps(2);
@@ -385,7 +383,6 @@ impl User {
         viewports.any(|viewport| viewport.commands.contains(command))
     }
 
-    /// Waits for so many pictures.
     pub(crate) fn wait(&mut self, pictures: usize) {
         self.harness.run_steps(pictures);
     }
