@@ -94,7 +94,6 @@ impl<'t> Chart<'t> {
         Ok(text)
     }
 
-    /// The bytes of a PNG.
     pub(crate) fn png(&self) -> Result<Vec<u8>, Failure> {
         let (width, height) = self.size(FINENESS);
         let size = [width as usize, height as usize];

@@ -30,7 +30,6 @@ impl Target {
         self.given = Some(document);
     }
 
-    /// The file that is read.
     pub(super) fn path(&self) -> &Path {
         let given = self.given.as_ref();
         given.map_or(&*self.file, |document| document.source().path())

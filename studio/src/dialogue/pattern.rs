@@ -5,7 +5,6 @@
 use super::words::Word;
 use std::collections::BTreeMap;
 
-/// A part of a pattern.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Element {
     Word(&'static str),
@@ -25,12 +24,10 @@ pub(super) enum Element {
 pub(super) enum What {
     /// A new name or path.
     New,
-    /// A link or the ground.
     Link,
     Joint,
     /// A point, a line, or a link.
     End,
-    /// Anything with a name.
     Any,
     /// A number; it goes on to the next word of the pattern.
     Value,
@@ -38,7 +35,6 @@ pub(super) enum What {
     Number,
     /// `(x, y)`
     Place,
-    /// One of these words.
     One(Vec<&'static str>),
     /// Everything up to the next word of the pattern, or to the end.
     Rest,
@@ -121,7 +117,6 @@ pub(super) fn shown(elements: &[Element]) -> String {
     shown.collect::<Vec<_>>().join(" ")
 }
 
-/// Fits a line to a pattern.
 pub(super) fn fit(elements: &[Element], line: &str, words: &[Word]) -> Result<Found, Misfit> {
     let mut fitting = Fitting {
         line,

@@ -50,7 +50,6 @@ impl Session {
         }
     }
 
-    /// Does what a line says.
     pub(crate) fn obey(&mut self, line: &str, console: &mut Console) -> Result<Turn, Failure> {
         let Some(request) = request(line)? else {
             return Ok(Turn::GoOn);
@@ -104,7 +103,6 @@ impl Session {
         self.workspace.listing()
     }
 
-    /// Reads a file.
     pub(crate) fn open(&mut self, path: &Path, mechanism: Option<&str>) -> Result<(), Failure> {
         if self.is_changed() {
             return Err(Failure::usage(
@@ -150,7 +148,6 @@ impl Session {
         Ok(())
     }
 
-    /// Does what a subcommand does.
     fn ask(&mut self, words: &[String], console: &mut Console) -> Result<(), Failure> {
         let document = self.workspace.document();
         self.declaration(&document)?;

@@ -60,7 +60,6 @@ impl Reading {
     }
 }
 
-/// Reads and analyses a mechanism.
 pub(super) fn analyse(document: &Document, declaration: &Declaration) -> Result<Reading, Failure> {
     read(document, declaration, mech_compiler::analyse)
 }

@@ -14,7 +14,6 @@ const OTHERS: [&str; 7] = [
     "effects", "start", "motor", "joint", "link", "ground", "const",
 ];
 
-/// Adds what a command declares.
 pub(super) fn declare(scene: &Scene, command: &Command) -> Result<Change, Refusal> {
     let mut rewriter = scene.rewriter()?;
     match command {

@@ -230,7 +230,6 @@ fn begin(document: &Document, name: &str) -> Result<Applied, Refusal> {
     })
 }
 
-/// Reads and analyses a change.
 fn accept(scene: &Scene, title: String, change: Change) -> Result<Applied, Refusal> {
     let document = scene.document_after(&change.edits);
     let (before, after) = (scene.document.declarations(), document.declarations());

@@ -36,11 +36,8 @@ pub(super) struct Analysis {
     is_stopped: bool,
 }
 
-/// The repairs of a text.
 pub(super) enum Repairs {
-    /// They are looked for.
     Sought,
-    /// They are offered.
     Found(Vec<Mending>),
 }
 
@@ -65,12 +62,10 @@ impl Analysis {
         self.snapshot.is_of(workspace) && self.pending.is_empty()
     }
 
-    /// Whether repairs are still looked for.
     pub(super) const fn is_mending(&self) -> bool {
         matches!(self.repairs, Repairs::Sought)
     }
 
-    /// The repairs that are offered.
     pub(super) fn mendings(&self) -> &[Mending] {
         match &self.repairs {
             Repairs::Sought => &[],
@@ -78,7 +73,6 @@ impl Analysis {
         }
     }
 
-    /// Gives the worker something to do.
     pub(super) fn give(&mut self, task: Task) -> Result<(), Failure> {
         self.is_stopped &= !matches!(task, Task::Read { .. } | Task::Try { .. });
         self.worker.give(task)
@@ -134,7 +128,6 @@ impl Analysis {
         }
     }
 
-    /// Looks for repairs no more.
     fn stop_mending(&mut self) {
         if self.is_mending() {
             self.repairs = Repairs::Found(Vec::new());

@@ -23,7 +23,6 @@ pub(crate) struct Wanted {
     pub(crate) loads: Vec<Load>,
 }
 
-/// The measured curves of a text.
 pub(crate) struct Curves {
     /// The text, and what the compiler makes of it.
     pub(crate) snapshot: Arc<Snapshot>,

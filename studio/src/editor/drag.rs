@@ -21,7 +21,6 @@ pub(crate) enum Drag {
     Nothing,
     /// Something is held, and was led nowhere yet.
     Grabbing(Grabbed),
-    /// It follows the pointer.
     Led(Following),
     /// It was let go before it was known whether it can go where it was led last.
     Released(Following),
@@ -37,7 +36,6 @@ pub(crate) struct Grabbed {
     items: Vec<Item>,
     /// The frame in which the places of the drag are told, as a pose in the scene.
     frame: Pose,
-    /// The mechanism as it was.
     before: Drawing,
     /// By how much places may be rounded.
     tolerance: f64,
@@ -52,7 +50,6 @@ pub(crate) struct Following {
     wanted: [f64; 2],
     /// Of what place it is known last whether it can go there.
     answered: Option<[f64; 2]>,
-    /// Why it cannot go there.
     refusal: Option<Refusal>,
     /// The last place where it could go.
     stay: Option<Box<Stay>>,
@@ -64,9 +61,7 @@ pub(crate) struct Stay {
     gesture: Gesture,
     /// The edits of the text that say so.
     pub(crate) edits: Vec<Replacement>,
-    /// The notes for the user.
     notes: String,
-    /// The drawing of the result.
     pub(crate) drawing: Drawing,
     /// The preview of the result; of a place a little before, while the compiler works.
     pub(crate) preview: Preview,
@@ -79,11 +74,9 @@ pub(crate) struct Preview {
     pub(crate) is_awaited: bool,
     /// The edits of the text that was given last.
     given: Vec<Replacement>,
-    /// The mechanism, if it moves.
     pub(crate) player: Option<Player>,
     /// The whole paths of its traced points.
     pub(crate) paths: Vec<Path>,
-    /// The first fault.
     pub(crate) fault: Option<String>,
 }
 

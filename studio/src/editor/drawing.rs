@@ -11,7 +11,6 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct Drawing {
     pub(crate) model: Arc<Model>,
-    /// The pose of each link.
     poses: Vec<Pose>,
     /// Where each link rests: neither where a motor has it, nor where it has jumped to a joint.
     rests: Vec<Pose>,
@@ -35,7 +34,6 @@ pub(crate) enum Hit {
     Joint(JointId),
     /// A point or a line that no joint has.
     Axis(AxisId),
-    /// The body of a link.
     Link(LinkId),
     Paper,
 }
@@ -239,7 +237,6 @@ impl Drawing {
         })
     }
 
-    /// Whether a joint has a motor.
     pub(crate) fn has_motor(&self, name: &str) -> bool {
         let joint = self.joint(name);
         joint.is_some_and(|joint| self.model.motor_of(joint).is_some())

@@ -45,7 +45,6 @@ impl Export {
         Self::LoopGraph,
     ];
 
-    /// Returns its name in the menu.
     pub(super) const fn name(self) -> &'static str {
         match self {
             Self::Picture => "Picture as PNG",
@@ -170,7 +169,6 @@ impl Made {
     }
 }
 
-/// The notes of a job.
 #[derive(Default)]
 struct Notes(String);
 
@@ -220,7 +218,6 @@ impl Order {
         })
     }
 
-    /// Makes what is to be written.
     pub(super) fn make(&self) -> Result<Made, Failure> {
         let mut notes = Notes::default();
         let bytes = match &self.job {

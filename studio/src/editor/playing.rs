@@ -13,7 +13,6 @@ use std::sync::Arc;
 /// The link or the motor that a user moves by hand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Hand {
-    /// A link, which is dragged.
     Link,
     /// A motor, by its number.
     Motor(usize),
@@ -34,7 +33,6 @@ pub(super) struct Playing {
 }
 
 impl Playing {
-    /// Plays no more.
     pub(super) fn stop(&mut self) {
         *self = Self::default();
     }

@@ -24,7 +24,6 @@ pub(super) struct Plotted {
     pub(super) motor: Option<String>,
     /// The text that was typed for each load, by the load's name.
     pub(super) loads: BTreeMap<String, String>,
-    /// Whether something is being measured.
     is_asked: bool,
     pub(super) curves: Option<Curves>,
 }

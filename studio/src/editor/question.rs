@@ -18,9 +18,7 @@ pub(crate) enum Dialog {
 /// The use that is made of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum FileUse {
-    /// It is read.
     Open,
-    /// It is put behind the drawing.
     Picture,
     /// The text is written to it. Afterwards another one may be edited.
     Save(Option<Destination>),
@@ -39,7 +37,6 @@ impl FileUse {
         }
     }
 
-    /// A name that could be typed.
     pub(in crate::editor) const fn hint(&self) -> &'static str {
         match self {
             Self::Picture => "photo.jpg",
@@ -47,7 +44,6 @@ impl FileUse {
         }
     }
 
-    /// Whether the file is written.
     pub(crate) const fn writes(&self) -> bool {
         matches!(self, Self::Save(_) | Self::Export(_))
     }
@@ -66,7 +62,6 @@ impl FileUse {
 /// Where the user goes when the present text is left.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Destination {
-    /// An empty text.
     Empty,
     /// A file, or what a link of PMKS+ holds.
     File(String),
@@ -78,7 +73,6 @@ pub(crate) enum Destination {
     Away,
 }
 
-/// Whether the window stays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Ending {
     #[default]

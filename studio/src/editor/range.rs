@@ -9,7 +9,6 @@ use mech_compiler::model::Model;
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct MotorRange {
-    /// The name of its joint.
     pub(crate) name: String,
     /// Its lowest and highest value, in radians or scene units.
     pub(crate) ends: [f64; 2],

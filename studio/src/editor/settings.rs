@@ -7,16 +7,12 @@ use std::collections::BTreeSet;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Visible {
     Grid,
-    /// The names of joints and links.
     Names,
     /// The bodies of links; without, the schematic.
     Bodies,
-    /// The whole paths of traced points.
     Paths,
-    /// The velocities of points, as arrows.
     Velocities,
     Accelerations,
-    /// The forces in joints.
     Forces,
 }
 
@@ -39,12 +35,10 @@ pub(crate) struct Settings {
     pub(crate) visible: BTreeSet<Visible>,
     /// The panel beside the drawing; none if all are closed.
     pub(crate) panel: Option<Panel>,
-    /// Whether the window is dark.
     pub(crate) is_dark: bool,
 }
 
 impl Settings {
-    /// Whether something is seen.
     pub(crate) fn shows(&self, what: Visible) -> bool {
         self.visible.contains(&what)
     }
@@ -78,17 +72,11 @@ impl Default for Settings {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Panel {
     Text,
-    /// The numbers of what is selected.
     Properties,
-    /// The diagnoses, with their repairs.
     Diagnoses,
-    /// Graphs of what moves.
     Plots,
-    /// The compiler's report on the mechanism.
     Report,
-    /// The steps to undo.
     Steps,
-    /// The help on all actions.
     Help,
 }
 

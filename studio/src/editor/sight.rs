@@ -149,7 +149,6 @@ impl Sight {
         }
     }
 
-    /// Lets time pass, in seconds.
     pub(super) fn advance(&mut self, seconds: f64) {
         if self.drag.is_nothing()
             && let Some(player) = &mut self.playing.player
@@ -181,7 +180,6 @@ impl Sight {
         self.camera = Camera::new(self.bounds(), self.camera.size());
     }
 
-    /// The box of everything.
     fn bounds(&self) -> [[f64; 2]; 2] {
         let moving = self.player().map(|player| player.mechanism().bounds());
         // A single pivot is seen with room around it.

@@ -15,7 +15,6 @@ use mech_compiler::model::{LinkId, Model};
 use std::sync::Arc;
 
 pub(crate) struct Snapshot {
-    /// The file with this text.
     pub(crate) document: Document,
     /// The number of the mechanism in it.
     pub(crate) index: usize,
@@ -28,7 +27,6 @@ pub(crate) struct Snapshot {
 }
 
 impl Snapshot {
-    /// Reads and analyses a text.
     pub(crate) fn of(document: Document, index: usize) -> Self {
         let declaration = document.declarations().get(index);
         let found = declaration.map(|declaration| read(&document, declaration));

@@ -21,7 +21,6 @@ pub(super) struct Talk {
     pub(super) proposed: Option<String>,
     /// The question in a window of its own.
     pub(super) dialog: Option<Dialog>,
-    /// Whether the window stays.
     pub(super) ending: Ending,
 }
 

@@ -27,7 +27,6 @@ pub(super) struct Drawing {
     pub(super) rounding: f64,
 }
 
-/// A link that moves.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Link {
     /// The name that it should have, if that can be a name.
@@ -46,11 +45,9 @@ pub(super) struct Point {
     pub(super) is_traced: bool,
 }
 
-/// The mass of a link.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Mass {
     pub(super) value: f64,
-    /// The centre of mass.
     pub(super) at: Pair,
     /// The moment of inertia about it.
     pub(super) inertia: f64,
@@ -64,7 +61,6 @@ pub(super) enum End {
     Link(usize),
 }
 
-/// A joint of two ends.
 #[derive(Clone, Debug)]
 pub(super) struct Joint {
     pub(super) name: String,
@@ -72,7 +68,6 @@ pub(super) struct Joint {
     pub(super) ends: [End; 2],
 }
 
-/// The form of a joint.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Form {
     Revolute {
@@ -113,7 +108,6 @@ impl Direction {
     }
 }
 
-/// The sizes of two wheels.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Sizes {
     /// Numbers of teeth, which fit at any distance.
@@ -122,17 +116,14 @@ pub(super) enum Sizes {
     Radii(Pair),
 }
 
-/// A joint that is driven.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Motor {
-    /// The number of the joint.
     pub(super) joint: usize,
     /// The distance from the start to the end of its range, if known.
     pub(super) stroke: Option<f64>,
     pub(super) speed: Option<Speed>,
 }
 
-/// The speed of a motor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Speed {
     /// In turns a minute; counter-clockwise above zero.
@@ -156,7 +147,6 @@ impl Speed {
 pub(super) struct Load {
     pub(super) name: String,
     pub(super) link: usize,
-    /// The number of the point.
     pub(super) point: usize,
 }
 

@@ -120,7 +120,6 @@ pub(super) fn is_type(word: &str) -> Result<bool, Failure> {
     ))
 }
 
-/// Whether a text can be read.
 fn is_right(text: &str) -> Result<bool, Failure> {
     let document = Document::of(Source::new("trial.mech", text));
     match document.declarations() {

@@ -9,7 +9,6 @@ const STEPS: f64 = 90.0;
 /// Speeds are compared in thousandths.
 const THOUSANDTHS: f64 = 1000.0;
 
-/// Times of several inputs, in seconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Times {
     /// After which all of them are back where they started, if that is soon.

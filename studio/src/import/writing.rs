@@ -155,7 +155,6 @@ impl Writer<'_> {
         block("ground", &stands.collect::<Vec<_>>())
     }
 
-    /// The statement of a link.
     fn link(&self, number: usize) -> Vec<String> {
         let items = self.items(number);
         let name = &self.named.links[number];
@@ -234,7 +233,6 @@ impl Writer<'_> {
         motors.map(|(motor, has_range)| self.motor(motor, self.terms.has_laws, *has_range))
     }
 
-    /// The statement of a motor.
     fn motor(&self, motor: &Motor, has_law: bool, has_range: bool) -> String {
         let law = self.law(motor).filter(|_| has_law);
         let law = law.map(|law| format!(" = {law}"));

@@ -20,7 +20,6 @@ pub(crate) struct Measure {
     pub(crate) steps: u32,
     /// The speed of the motor, in radians or scene units per second: without, 1, and forces are those at rest.
     pub(crate) rate: Option<f64>,
-    /// Where other motors stand.
     pub(crate) at: Vec<Setting>,
     pub(crate) loads: Vec<Load>,
     pub(crate) units: Units,
@@ -37,7 +36,6 @@ impl Measure {
         self.measured(analysed, quantity::measure)
     }
 
-    /// The same, in summary.
     pub(super) fn summaries(&self, analysed: &Analysed) -> Result<Vec<Summary>, Failure> {
         self.measured(analysed, |of, wanted| {
             quantity::summarize(of, wanted, self.dwell)

@@ -28,21 +28,17 @@ use mech_compiler::model::Model;
 pub(crate) enum Job {
     /// A picture as it is assembled, or where its motors are put.
     Draw(Draw),
-    /// A film of its motion.
     Film(Film),
     /// A table of measurements in its motion, as CSV.
     Table(Measure),
     /// The extremes and means of the same, as CSV.
     Summary(Measure),
-    /// The same as charts.
     Plot(Plot),
-    /// The report of the analysis.
     Report,
     /// A graph in the language DOT.
     Graph(GraphKind),
 }
 
-/// A mechanism that is coherent.
 pub(crate) struct Analysed {
     pub(crate) model: Model,
     pub(crate) compiled: Compiled,
@@ -56,7 +52,6 @@ impl Analysed {
     }
 }
 
-/// Two kinds of still pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) enum StillKind {

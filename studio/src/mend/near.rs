@@ -18,7 +18,6 @@ pub(super) struct Slip {
 }
 
 impl Slip {
-    /// A single replacement.
     fn new(words: String, range: Range<usize>, text: impl Into<String>) -> Self {
         Self {
             words,

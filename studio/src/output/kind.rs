@@ -8,9 +8,7 @@ pub(crate) enum OutputKind {
     Png,
     Gif,
     Svg,
-    /// A table.
     Csv,
-    /// A graph.
     Dot,
     #[cfg_attr(
         not(feature = "editor"),
@@ -45,7 +43,6 @@ impl OutputKind {
         }
     }
 
-    /// Returns its name in a sentence.
     pub(super) const fn name(self) -> &'static str {
         match self {
             Self::Png => "a PNG picture",

@@ -45,7 +45,6 @@ impl Key {
     }
 }
 
-/// Keys that do something together.
 struct Binding {
     keys: &'static [Key],
     controls: &'static [Control],

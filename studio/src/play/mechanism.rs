@@ -101,7 +101,6 @@ impl Mechanism {
         })
     }
 
-    /// What it was made of.
     #[cfg(feature = "transfer")]
     pub(crate) fn into_parts(self) -> (Model, Compiled, Prepared) {
         (self.model, self.compiled, self.prepared)

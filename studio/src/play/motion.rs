@@ -33,10 +33,12 @@ pub(super) struct Pass {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 enum Way {
-    /// Once round.
     Round,
     /// To and fro: from the phase of a sine that is 0 in the middle, and as far as this to either side.
-    ToAndFro { from: f64, half: f64 },
+    ToAndFro {
+        from: f64,
+        half: f64,
+    },
 }
 
 impl Motion {

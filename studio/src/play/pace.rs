@@ -2,7 +2,6 @@
 
 /// Speeds, relative to the mechanism's own motion.
 const SPEEDS: [f64; 8] = [0.0625, 0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
-/// The usual speed.
 const USUAL: usize = 4;
 
 /// Speed and direction.

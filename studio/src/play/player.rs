@@ -195,7 +195,6 @@ impl Player {
         self.keep_in_view();
     }
 
-    /// Draws what is seen.
     pub(crate) fn draw(&self, canvas: &mut impl Canvas<f64>) {
         let size = self.camera.symbol_size();
         self.mechanism.draw(canvas, &self.style(), &self.rates());
@@ -332,7 +331,6 @@ impl Player {
         self.begin();
     }
 
-    /// Shows the previous mechanism.
     fn show_previous(&mut self) {
         if let Some(previous) = self.others.pop_back() {
             let shown = std::mem::replace(&mut self.mechanism, previous);
@@ -350,7 +348,6 @@ impl Player {
         self.reset();
     }
 
-    /// Returns everything to the start.
     fn reset(&mut self) {
         self.mechanism.reset();
         self.driver.reset();
@@ -416,7 +413,6 @@ impl Player {
         });
     }
 
-    /// Moves the held link or paper.
     fn point(&mut self, pixel: [f64; 2]) {
         match self.held {
             Some(Held::Link { grip, .. }) => {
@@ -432,7 +428,6 @@ impl Player {
         }
     }
 
-    /// Lets a link follow the pointer.
     fn drag(&mut self, grip: Grip, aim: [f64; 2]) {
         let free = self.driver.free();
         let from = self.mechanism.motors().to_vec();

@@ -71,7 +71,6 @@ impl<'t> Draft<'t> {
         range.start..range.end + spaces
     }
 
-    /// Adds a text at a place.
     pub(super) fn insert(&mut self, at: usize, text: impl Into<String>) {
         let text = text.into();
         self.changes.push(Replacement {

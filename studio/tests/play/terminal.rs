@@ -105,7 +105,6 @@ struct Session {
 }
 
 impl Session {
-    /// Plays a file of the gallery.
     fn start(file: &str, arguments: &str) -> Self {
         let mech = env!("CARGO_BIN_EXE_mech");
         let file = path(file);

@@ -9,7 +9,6 @@ use std::ops::Range;
 /// So many brackets are looked at, in all, to find changes after which each has its partner.
 const MOST: usize = 1 << 22;
 
-/// A bracket that was opened.
 #[derive(Clone, Copy)]
 struct Open {
     index: usize,

@@ -126,10 +126,8 @@ fn kinds() -> Vec<(String, String)> {
     of_brackets.chain(others).collect()
 }
 
-/// A text with one slip.
 struct Slip {
     text: String,
-    /// The text before.
     original: String,
     /// The statement in which it was made.
     statement: Range<usize>,

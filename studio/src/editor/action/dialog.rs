@@ -11,7 +11,6 @@ use eframe::egui::Key;
 use eframe::egui::text::{CCursor, CCursorRange};
 use std::path::Path;
 
-/// Asks what has to be asked.
 pub(in crate::editor) fn dialogs(editor: &mut Editor, context: &egui::Context) {
     match editor.talk.dialog.take() {
         None => {}
@@ -37,9 +36,7 @@ pub(in crate::editor) fn dialogs(editor: &mut Editor, context: &egui::Context) {
 #[derive(Clone, Copy)]
 enum Answer {
     Save,
-    /// They are lost.
     Discard,
-    /// The text is not left.
     Cancel,
 }
 

@@ -86,7 +86,6 @@ fn is_clipboard(key: KeyboardShortcut) -> bool {
     key.modifiers == Modifiers::COMMAND && [Key::C, Key::V].contains(&key.logical_key)
 }
 
-/// Copies and pastes what is drawn.
 fn obey_clipboard(editor: &mut Editor, context: &egui::Context) {
     let events = context.input(|input| input.events.clone());
     for event in events {

@@ -35,7 +35,6 @@ pub(super) struct Canvas {
 enum Holds {
     #[default]
     Nothing,
-    /// A link, which follows it.
     Link,
     Paper,
     /// A corner of a frame around what is to be selected.

@@ -15,7 +15,6 @@ pub(super) struct Picture {
     subject: Option<Subject>,
 }
 
-/// The subject of a picture.
 #[derive(Clone, Copy, PartialEq)]
 struct Subject {
     revision: Revision,

@@ -11,10 +11,8 @@ pub(super) use pasting::pasted;
 use crate::edit::Workspace;
 use std::collections::BTreeSet;
 
-/// The copied statements.
 #[derive(Default)]
 pub(super) struct Clipboard {
-    /// The statements that were copied last.
     pub(super) copied: String,
     /// The text for the clipboard of the system.
     pub(super) next: Option<String>,

@@ -212,7 +212,6 @@ fn renamed(fresh: &[&StatementText<'_>], mut names: Names) -> BTreeMap<String, S
     renamed
 }
 
-/// A statement with other names.
 fn with_names(
     copied: &Lexed<'_>,
     statement: &StatementText<'_>,

@@ -22,7 +22,6 @@ const MOST: u64 = 64 << 20;
 const LONGEST: u32 = 4096;
 
 pub(in crate::editor) struct Backdrop {
-    /// Its file.
     pub(in crate::editor) path: PathBuf,
     pub(in crate::editor) place: PicturePlace,
     pixels: Arc<ColorImage>,

@@ -18,7 +18,6 @@ use watch::Watch;
 pub(super) struct Guard {
     autosave: Option<Autosave>,
     watch: Option<Watch>,
-    /// Whether the window is being closed.
     is_closing: bool,
 }
 

@@ -20,7 +20,6 @@ const QUIET: Duration = Duration::from_millis(60);
 
 pub(super) struct Watch {
     wake: Arc<dyn Fn() + Send + Sync>,
-    /// The file that is watched.
     path: PathBuf,
     watcher: Option<RecommendedWatcher>,
     /// When something happened to it that was not looked at.
@@ -31,7 +30,6 @@ pub(super) struct Watch {
     deleted: Option<String>,
 }
 
-/// When something happened last.
 type Stirred = Arc<Mutex<Option<Instant>>>;
 
 impl Watch {
@@ -75,7 +73,6 @@ impl Watch {
         (self.watcher, self.theirs, self.deleted) = (None, None, None);
     }
 
-    /// Watches the folder of the file.
     fn begin(&mut self) -> notify::Result<()> {
         self.watcher = None;
         self.stirred = Stirred::default();

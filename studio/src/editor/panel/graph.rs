@@ -10,7 +10,6 @@ use mech_compiler::graphs::{Edge, EdgeKind, Graph, Vertex, VertexKind};
 const ROW: f32 = 92.0;
 const VERTEX: Vec2 = Vec2::new(76.0, 30.0);
 const GAP: f32 = 12.0;
-/// The parts of an arc.
 const PARTS: u8 = 24;
 const FONT: FontId = FontId::proportional(12.0);
 
@@ -71,7 +70,6 @@ fn rows(graph: &Graph) -> Vec<Vec<usize>> {
     levels.iter().map(row).collect()
 }
 
-/// The centres of the vertices.
 fn places(graph: &Graph, rows: &[Vec<usize>], rect: Rect) -> Vec<Pos2> {
     let mut places = vec![rect.center(); graph.vertices.len()];
     for (row, vertices) in rows.iter().enumerate() {

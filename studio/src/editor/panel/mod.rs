@@ -40,7 +40,6 @@ pub(super) struct Panels {
 }
 
 impl Panels {
-    /// Shows the panel that is chosen.
     pub(super) fn show(&mut self, editor: &mut Editor, is_narrow: bool, ui: &mut egui::Ui) {
         tabs(editor, is_narrow, ui);
         ui.separator();

@@ -157,7 +157,6 @@ fn loads(plotted: &mut Plotted, snapshot: &Snapshot, ui: &mut egui::Ui) {
     }
 }
 
-/// Takes quantities out of the graphs.
 fn remove(plotted: &mut Plotted, ui: &mut egui::Ui) {
     if plotted.names.is_empty() {
         return;

@@ -16,7 +16,6 @@ use std::ops::Range;
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Marks {
     wrong: Vec<Range<usize>>,
-    /// The places of the selected items.
     selected: Vec<Range<usize>>,
     /// The places of the item under the mouse.
     hovered: Vec<Range<usize>>,

@@ -26,7 +26,6 @@ impl Editor {
         self.go_on();
     }
 
-    /// Tries the next gesture.
     fn go_on(&mut self) {
         while let Some(waiting) = self.analysis.pending.pop() {
             let (drawing, scale) = (self.sight.drawing(), self.sight.scale());

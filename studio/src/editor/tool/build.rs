@@ -34,7 +34,6 @@ fn end_at(builder: &Builder<'_>, pick: &Pick) -> Option<End> {
     builder.link_at(pick).map(End::Link)
 }
 
-/// Pins a link to the ground.
 pub(super) fn pivot(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     let pick = one(picks)?;
     let link = End::Link(builder.moving_link_at(pick)?);
@@ -42,7 +41,6 @@ pub(super) fn pivot(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     Ok(())
 }
 
-/// Pins two links to each other.
 pub(super) fn pin(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     assemble(builder, picks, JointForm::Revolute)
 }
@@ -142,7 +140,6 @@ pub(super) fn motor(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     Ok(())
 }
 
-/// A point on a link.
 pub(super) fn point(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     let [first, second] = two(picks)?;
     let link = builder.link_at(first).unwrap_or(LinkId::GROUND);
@@ -162,7 +159,6 @@ pub(super) fn trace(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     Ok(())
 }
 
-/// A spring between two places.
 pub(super) fn spring(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     between(
         builder,
@@ -173,7 +169,6 @@ pub(super) fn spring(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     )
 }
 
-/// A damper between two places.
 pub(super) fn damper(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     between(builder, picks, ActionKind::Damper, "damper", "damping 1")
 }

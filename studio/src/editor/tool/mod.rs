@@ -51,7 +51,6 @@ pub enum Tool {
     Disc,
 }
 
-/// The description of a tool.
 struct Row {
     tool: Tool,
     name: &'static str,

@@ -4,7 +4,6 @@ use super::Tool;
 use crate::editor::Item;
 use crate::editor::drawing::{Drawing, Hit};
 
-/// A place that was picked.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Pick {
     /// Where, in the scene.

@@ -17,11 +17,9 @@ pub(in crate::editor) struct Agenda {
     held: Option<(u64, Drag)>,
     /// Whether something was led last.
     was_led: bool,
-    /// The other tasks that were given.
     given: VecDeque<Task>,
     /// The tasks that follow from the last text, done when no given task waits.
     follows: VecDeque<Task>,
-    /// The task that is being done.
     present: Option<Task>,
 }
 

@@ -22,7 +22,6 @@ pub(in crate::editor) struct Hold {
 
 /// The text in which something is held.
 pub(in crate::editor) enum Held {
-    /// One that was analysed already.
     Known(Arc<Snapshot>),
     /// One of which nothing is known yet, and the number of the mechanism in it.
     Text(Document, usize),
@@ -40,7 +39,6 @@ pub(in crate::editor) struct Led {
 }
 
 impl Hold {
-    /// Takes hold of it.
     pub(super) fn begin(self, text: &Held) -> Result<Drag, Refusal> {
         let Self {
             path,

@@ -50,8 +50,10 @@ pub(super) enum Task {
         index: usize,
         gesture: Gesture,
     },
-    /// A text is read.
-    Read { document: Document, index: usize },
+    Read {
+        document: Document,
+        index: usize,
+    },
     /// The text that a repair would make, by the number of the repair, is read to be seen.
     Ghost {
         number: usize,
@@ -70,13 +72,14 @@ pub(super) enum Task {
     /// Something is taken hold of in a text.
     Hold(Box<Hold>, Held),
     /// The held item is led to a place, as the drag counts.
-    Lead { number: u64, to: [f64; 2] },
-    /// A mechanism is measured.
+    Lead {
+        number: u64,
+        to: [f64; 2],
+    },
     Measure {
         snapshot: Arc<Snapshot>,
         wanted: Wanted,
     },
-    /// A file is written.
     Export(Box<Order>),
     /// A line of the dialogue is answered that leaves the text as it is.
     Ask {
@@ -101,7 +104,6 @@ pub(super) enum Task {
 pub(super) enum Finding {
     /// The result of the gesture with this number, and the snapshot after it; or why it is refused.
     Tried(u64, Box<Result<(Applied, Arc<Snapshot>), Refusal>>),
-    /// The snapshot of a text.
     Read(Arc<Snapshot>),
     /// The text that a repair would make, by the number of the repair.
     Ghost(usize, Snapshot),
@@ -113,7 +115,6 @@ pub(super) enum Finding {
     Previewed(Box<Previewed>),
     /// The mechanism of a snapshot, to be played.
     Moves(Arc<Snapshot>, Box<Result<Played, Failure>>),
-    /// The repairs of a snapshot.
     Mended(Arc<Snapshot>, Result<Vec<Mending>, Failure>),
     /// What the mechanism of a snapshot does, as the lines of a report.
     Reported(Arc<Snapshot>, Result<String, Failure>),
@@ -141,11 +142,9 @@ pub(super) enum Finding {
     Ended(Work),
 }
 
-/// The work that was not done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Undone {
-    /// A gesture was not tried.
     Try,
     /// The item held in the drag with this number was not led.
     Drag(u64),
@@ -153,11 +152,9 @@ pub(super) enum Undone {
     Preview(u64),
     /// The findings that follow from the present text were not made.
     Follow,
-    /// Quantities were not measured.
     Measure,
     /// Something that nobody waits for.
     Else,
-    /// Nothing is done any more.
     All,
 }
 
@@ -200,7 +197,6 @@ pub(super) enum Worker {
 }
 
 impl Worker {
-    /// One that does everything at once.
     pub(super) fn immediate() -> Self {
         Self::Immediate {
             agenda: Agenda::default(),

@@ -10,7 +10,6 @@ use std::collections::BTreeSet;
 pub(in crate::editor) struct Previewed {
     /// Which of all drags it is of.
     pub(in crate::editor) number: u64,
-    /// The first fault, in a line.
     pub(in crate::editor) fault: Option<String>,
     /// The mechanism with its bodies, if these are wanted and it moves.
     pub(in crate::editor) mechanism: Option<Mechanism>,

@@ -44,7 +44,6 @@ impl Remote {
         posted.map_err(|why| Failure::internal(format!("the worker cannot be reached: {why}")))
     }
 
-    /// Takes what the worker tells.
     pub(in crate::editor) fn hear(&mut self, reply: &[u8]) {
         match read::<Reply>(reply) {
             Ok(reply) => self.found.extend(reply.finding(&mut self.known)),
@@ -59,7 +58,6 @@ impl Remote {
         self.found.push_back(Finding::Undone(Undone::All, failure));
     }
 
-    /// Ends all work, and begins anew.
     pub(super) fn restart(&mut self) {
         self.known.clear();
         self.found.clear();

@@ -68,7 +68,6 @@ impl Threads {
         })
     }
 
-    /// Gives a task.
     pub(super) fn give(&self, task: Task) -> Result<(), Failure> {
         let order = (task, self.stop.clone());
         let to = match &order.0 {
@@ -100,7 +99,6 @@ impl Threads {
         }
     }
 
-    /// Ends all work.
     pub(super) fn stop(&mut self) {
         std::mem::take(&mut self.stop).set();
     }

@@ -136,7 +136,6 @@ impl Text {
 }
 
 impl Call {
-    /// The task to be sent.
     pub(super) fn of(task: Task, known: &Known) -> Option<Self> {
         Some(match task {
             Task::Try {
@@ -187,7 +186,6 @@ impl Call {
         })
     }
 
-    /// The task that was sent.
     pub(super) fn task(self, known: &Known) -> Task {
         match self {
             Self::Try(number, Text { document, index }, gesture) => Task::Try {
@@ -435,7 +433,6 @@ pub(super) fn bytes_of(sent: &impl Serialize) -> Result<Vec<u8>, Failure> {
     bytes.map_err(|error| Failure::internal(format!("it cannot be sent: {error}")))
 }
 
-/// What was sent as these bytes.
 pub(super) fn read<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, Failure> {
     let read = postcard::from_bytes(bytes);
     read.map_err(|error| Failure::internal(format!("what was sent cannot be read: {error}")))

@@ -8,20 +8,16 @@ use std::fmt::{self, Display, Formatter};
 pub(in crate::editor) enum Work {
     /// A gesture with this title is tried.
     Trying(String),
-    /// The mechanism is analysed.
     Analysing,
     Dragging,
-    /// Quantities are measured.
     Measuring,
     /// A file of this name is written.
     Writing(String),
     /// This line of the dialogue is answered.
     Answering(String),
-    /// What arrows need is prepared.
     Deriving,
     /// The mechanism is prepared to be played.
     Preparing,
-    /// Repairs are looked for.
     Mending,
 }
 

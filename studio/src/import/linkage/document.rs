@@ -14,7 +14,6 @@ pub(super) struct Document {
     pub(super) omissions: Vec<Omission>,
 }
 
-/// A pin.
 #[expect(
     clippy::struct_excessive_bools,
     reason = "each is a flag of the format"

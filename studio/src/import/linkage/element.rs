@@ -36,7 +36,6 @@ impl<'d> Element<'d> {
         self.node.attributes().len() == 0 && text.trim().is_empty() && self.children().count() == 0
     }
 
-    /// The names of its attributes.
     pub(super) fn attributes(&self) -> impl Iterator<Item = &'d str> {
         self.node.attributes().map(|attribute| attribute.name())
     }
@@ -90,7 +89,6 @@ impl<'d> Element<'d> {
         }
     }
 
-    /// A finite number.
     pub(super) fn number(&self, name: &str) -> Result<Option<f64>, Message> {
         let Some(text) = self.text(name) else {
             return Ok(None);
@@ -112,7 +110,6 @@ impl<'d> Element<'d> {
         self.number(name)?.ok_or_else(|| self.missing(name))
     }
 
-    /// A whole number from 0 on.
     pub(super) fn whole(&self, name: &str) -> Result<Option<u32>, Message> {
         self.parsed(name, "no whole number from 0 on")
     }

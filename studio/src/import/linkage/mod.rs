@@ -23,7 +23,6 @@ use roxmltree::{ParsingOptions, TextPos};
 /// The most nodes of a tree that is read: elements, texts and comments.
 const MOST_NODES: u32 = 100_000;
 
-/// Reads a document.
 pub(super) fn read(text: &str) -> Result<Imported, Message> {
     if let Some(place) = tags::overfull(text) {
         let most = tags::MOST;

@@ -76,7 +76,6 @@ fn teeth(sizes: Pair) -> Option<[u64; 2]> {
     })
 }
 
-/// The greatest common divisor.
 fn divisor(a: u64, b: u64) -> u64 {
     if b == 0 { a } else { divisor(b, a % b) }
 }

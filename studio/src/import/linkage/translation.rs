@@ -10,7 +10,6 @@ use crate::import::omission::Omission;
 /// Documents have six decimals of a pixel.
 const ROUNDING: f64 = 0.500_001e-6;
 
-/// The drawing of a document.
 pub(super) fn translate(mut document: Document) -> Imported {
     let mut omissions = std::mem::take(&mut document.omissions);
     let unions = Unions::of(&document, &mut omissions);
@@ -219,7 +218,6 @@ impl Translation<'_> {
         }
     }
 
-    /// Wheels that roll on each other.
     fn ratios(&mut self) {
         for ratio in &self.document.ratios {
             let links = ratio.links;

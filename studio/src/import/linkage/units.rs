@@ -32,7 +32,6 @@ impl Default for Units {
 }
 
 impl Units {
-    /// The units of `<program …>`.
     pub(super) fn read(program: &Element<'_>) -> Result<Self, Message> {
         let factor = match program.number("scalefactor")? {
             None | Some(0.0) => 1.0,

@@ -9,7 +9,6 @@ use crate::document::Message;
 use crate::import::color::Color;
 use crate::import::omission::Omission;
 
-/// The form of these links.
 struct Compact;
 
 /// The first letters of links that are not welded into another, and of those that are. Which one tells whether PMKS+ computes the mass
@@ -172,7 +171,6 @@ pub(super) fn is_color(text: &str) -> bool {
     text.len() == 6 && text.bytes().all(|digit| digit.is_ascii_hexdigit())
 }
 
-/// A colour of six hexadecimal digits.
 pub(super) fn colored(
     field: &Field<'_>,
     link: &str,

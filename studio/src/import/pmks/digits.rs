@@ -9,7 +9,6 @@ const MOST: usize = 8;
 /// Numbers with decimals are written as thousandths.
 const THOUSANDTHS: f64 = 1000.0;
 
-/// The value of a digit.
 pub(super) fn digit(letter: char) -> Option<u32> {
     let value = DIGITS.chars().position(|digit| digit == letter)?;
     u32::try_from(value).ok()
@@ -40,7 +39,6 @@ pub(super) fn whole(field: &Field<'_>) -> Result<f64, Message> {
     Ok(if value == 0.0 { value } else { sign * value })
 }
 
-/// A number with three decimals.
 pub(super) fn decimal(field: &Field<'_>) -> Result<f64, Message> {
     Ok(whole(field)? / THOUSANDTHS)
 }

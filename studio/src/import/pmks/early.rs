@@ -10,7 +10,6 @@ use super::sections::{Draft, Generation, HEADS, JointDraft, Sections, fields, fl
 use crate::document::Message;
 use crate::import::omission::Omission;
 
-/// The form of these links.
 struct Early;
 
 /// Whether a query is one of these: it ends with the end of a section, and its first joint has no name.

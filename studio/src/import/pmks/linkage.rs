@@ -73,11 +73,9 @@ pub(super) struct Link {
     pub(super) color: Option<Color>,
 }
 
-/// A force on a link.
 pub(super) struct Force {
     pub(super) name: String,
     pub(super) link: usize,
-    /// Where it acts.
     pub(super) at: Pair,
     /// Its parts along x and y, in the scene at the start.
     pub(super) parts: Pair,

@@ -32,7 +32,6 @@ pub(super) fn is_link(text: &str) -> bool {
     beginnings.any(|beginning| text.starts_with(beginning)) || sections::has_sections(text)
 }
 
-/// Reads a link.
 pub(super) fn read(text: &str) -> Result<Imported, Message> {
     let query = Query::of(text)?;
     let whole = query.whole();

@@ -9,7 +9,6 @@ pub(super) struct Query {
     places: Vec<usize>,
 }
 
-/// A stretch of a query.
 #[derive(Clone, Copy)]
 pub(super) struct Field<'q> {
     query: &'q Query,
@@ -77,7 +76,6 @@ impl<'q> Field<'q> {
         }
     }
 
-    /// The stretches between separators.
     pub(super) fn split(self, separator: char) -> impl Iterator<Item = Self> {
         let query = self.query;
         let mut start = self.start;

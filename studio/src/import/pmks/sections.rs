@@ -275,7 +275,6 @@ fn read_extras<'q>(
     Ok(corrections)
 }
 
-/// The beginning of an entry.
 fn short(text: &str) -> String {
     text.chars().take(20).collect()
 }

@@ -15,7 +15,6 @@ const ROUNDING: f64 = 0.000_501;
 /// Angles in degrees that people draw at.
 const USUAL: f64 = 15.0;
 
-/// The drawing of a linkage.
 pub(super) fn translate(mut linkage: Linkage) -> Imported {
     fold(&mut linkage);
     let omissions = std::mem::take(&mut linkage.omissions);

@@ -15,7 +15,6 @@ pub(super) struct Unit {
     pub(super) mass: f64,
     /// A moment of inertia of 1 of the link in the text.
     pub(super) inertia: f64,
-    /// The acceleration of gravity.
     pub(super) gravity: f64,
 }
 

@@ -142,7 +142,6 @@ impl Planned {
     }
 }
 
-/// Writes files, all or nothing.
 fn write_all(outputs: &[(&Output, &Path)]) -> Result<(), Failure> {
     let mut drafts = Vec::new();
     for (output, target) in outputs {

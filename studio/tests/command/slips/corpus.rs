@@ -42,7 +42,6 @@ pub(super) fn read() -> Vec<Correct> {
     correct.collect()
 }
 
-/// Collects what may be correct.
 fn collect(path: &Path, found: &mut Vec<String>) {
     if path.is_dir() {
         let entries = fs::read_dir(path).expect("a folder");

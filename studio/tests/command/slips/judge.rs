@@ -15,7 +15,6 @@ pub(super) struct Answer {
     pub(super) said: Option<Said>,
     pub(super) check: Duration,
     pub(super) fix: Duration,
-    /// The line of the slip.
     pub(super) line: String,
 }
 

@@ -4,7 +4,6 @@ use super::dice::Dice;
 use mech_compiler::syntax::lexer::{Kind, Lexeme, Lexer};
 use std::ops::Range;
 
-/// A text with one slip.
 pub(super) struct Slip {
     pub(super) text: String,
     /// Where the slip stands in that text.
@@ -106,7 +105,6 @@ impl<'t> Text<'t> {
         self.lexemes[words.start].start..self.lexemes[words.end - 1].end
     }
 
-    /// Whether a name is declared there.
     pub(super) fn is_declared(&self, index: usize) -> bool {
         let is_path = self.is(index + 1, "::");
         index > 0 && DECLARING.contains(&self.word(index - 1)) && self.is_name(index) && !is_path
@@ -159,7 +157,6 @@ impl<'t> Text<'t> {
         self.is_name(index) && (index == 0 || ["{", "}", ";"].contains(&self.word(index - 1)))
     }
 
-    /// The partner of a bracket.
     pub(super) fn partner(&self, index: usize) -> Option<usize> {
         let mut depth = 0_i32;
         let mut step = |one: &usize| {
@@ -176,7 +173,6 @@ impl<'t> Text<'t> {
         }
     }
 
-    /// The bracket around a word.
     pub(super) fn bracket(&self, index: usize) -> Option<usize> {
         let is_open = |one: &usize| self.lexemes[*one].kind == Kind::Open;
         let is_around = |one: &usize| self.partner(*one).is_some_and(|end| end > index);

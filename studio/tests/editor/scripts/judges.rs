@@ -37,7 +37,6 @@ impl Finding {
 }
 
 impl Scene {
-    /// Judges what a line says.
     pub(super) fn judge(&mut self, mut words: Words, line: &Line) -> Result<(), String> {
         let (texts, block) = (&self.texts, line.block.as_deref());
         if let Some(user) = &mut self.user {

@@ -45,7 +45,6 @@ const WITH_BLOCK: [&str; 7] = [
     "at-once",
 ];
 
-/// A line with its block.
 struct Line {
     number: usize,
     text: String,
@@ -124,7 +123,6 @@ impl Texts {
     }
 }
 
-/// The state of a case.
 struct Scene {
     user: Option<User>,
     texts: Texts,
@@ -238,7 +236,6 @@ impl Walk {
     }
 }
 
-/// Walks a script.
 fn walk(file: &Path) -> Walk {
     let name = format!("{}", file.file_name().expect("a name").display());
     let script = fs::read_to_string(file).expect("a script");

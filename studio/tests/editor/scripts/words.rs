@@ -5,7 +5,6 @@ use mech_studio::editor::Item;
 use std::str::FromStr;
 use std::vec::IntoIter;
 
-/// A word of a line.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Word {
     Name(String),

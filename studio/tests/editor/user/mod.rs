@@ -291,7 +291,6 @@ impl User {
         copied
     }
 
-    /// Pastes what the clipboard has.
     pub(crate) fn paste(&mut self, text: &str) {
         self.harness.event(Event::Paste(text.to_owned()));
         self.harness.run_steps(3);
@@ -309,7 +308,6 @@ impl User {
         self.gestures += 1;
     }
 
-    /// Presses a key.
     pub(crate) fn key(&mut self, key: Key) {
         self.modifiers = Modifiers::NONE;
         self.harness.event(Event::ModifiersChanged(self.modifiers));
@@ -333,7 +331,6 @@ impl User {
         }
     }
 
-    /// Drops a file on the window.
     pub(crate) fn drop_file(&mut self, path: &Path) {
         let dropped = Arc::new(Dropped(path.to_owned()));
         self.harness.input_mut().dropped_files.push(dropped);
@@ -426,7 +423,6 @@ impl User {
         self.click_on("Write");
     }
 
-    /// Opens a file by its name.
     #[track_caller]
     pub(crate) fn open(&mut self, path: &str) {
         self.click_on("File");

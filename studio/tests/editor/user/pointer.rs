@@ -56,7 +56,6 @@ impl User {
         });
     }
 
-    /// Clicks a place of the scene.
     pub(crate) fn click(&mut self, place: [f64; 2]) {
         self.mean(&[place]);
         let at = self.pixel(place);

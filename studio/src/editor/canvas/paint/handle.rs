@@ -9,7 +9,6 @@ use eframe::egui::{Color32, Painter, Pos2, Stroke, Vec2};
 use mech_compiler::model::{JointId, JointKind, LinkId};
 use std::collections::HashSet;
 
-/// The radius of a pin.
 pub(super) const PIN: f32 = 6.0;
 
 impl Paint<'_> {

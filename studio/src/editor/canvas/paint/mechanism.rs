@@ -55,7 +55,6 @@ impl Paint<'_> {
         }
     }
 
-    /// The shapes that a link declares.
     pub(super) fn shapes(
         &self,
         painter: &Painter,
@@ -100,7 +99,6 @@ impl Paint<'_> {
         (length * self.shown.scale()) as f32
     }
 
-    /// Springs, dampers and loads.
     pub(super) fn actions(&self, painter: &Painter, drawing: &Drawing, visuals: &egui::Visuals) {
         for (name, ends) in drawing.actions() {
             let item = Item::Action(name.to_owned());

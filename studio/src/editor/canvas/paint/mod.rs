@@ -113,7 +113,6 @@ impl Paint<'_> {
         }
     }
 
-    /// Velocities, accelerations and forces.
     fn arrows(&self, painter: &Painter) {
         for Arrow {
             kind,
