@@ -6,7 +6,7 @@ use super::pending::Pending;
 use super::snapshot::Snapshot;
 #[cfg(feature = "transfer")]
 use super::worker::Remote;
-use super::worker::{Task, Undone, Work, Worker};
+use super::worker::{Task, Text, Undone, Work, Worker};
 use crate::document::{Document, Source};
 use crate::edit::Workspace;
 use crate::failure::Failure;
@@ -74,7 +74,7 @@ impl Analysis {
     }
 
     pub(super) fn give(&mut self, task: Task) -> Result<(), Failure> {
-        self.is_stopped &= !matches!(task, Task::Read { .. } | Task::Try { .. });
+        self.is_stopped &= !matches!(task, Task::Read(_) | Task::Try(..));
         self.worker.give(task)
     }
 
@@ -85,12 +85,8 @@ impl Analysis {
         line: Option<String>,
         workspace: &Workspace,
     ) -> Task {
-        Task::Try {
-            number: self.pending.begin(gesture.clone(), line, workspace),
-            document: workspace.document(),
-            index: workspace.index(),
-            gesture,
-        }
+        let number = self.pending.begin(gesture.clone(), line, workspace);
+        Task::Try(number, Text::of(workspace), gesture)
     }
 
     /// Takes over what the compiler makes of the present text.
@@ -155,11 +151,9 @@ impl Analysis {
         let number = number?;
         let mending = self.mendings().get(number.checked_sub(1)?)?;
         let path = self.snapshot.document.source().path();
-        Some(Task::Ghost {
-            number,
-            document: Document::of(Source::new(path, &*mending.text)),
-            index: self.snapshot.index,
-        })
+        let document = Document::of(Source::new(path, &*mending.text));
+        let index = self.snapshot.index;
+        Some(Task::Ghost(number, Text { document, index }))
     }
 
     /// Takes over what a repair would make of the mechanism, if it is still to be seen.

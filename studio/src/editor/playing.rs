@@ -3,7 +3,7 @@
 use super::path::Path;
 use super::range::MotorRange;
 use super::snapshot::Snapshot;
-use super::worker::Task;
+use super::worker::{Task, Use};
 use crate::play::{Derived, Player};
 use mech_compiler::Compiled;
 use std::collections::btree_map::Entry;
@@ -52,11 +52,7 @@ impl Playing {
         for &what in needs.iter().filter(is_unknown) {
             if let Entry::Vacant(asked) = self.asked.entry(what) {
                 let (number, snapshot) = (*asked.insert(number()), snapshot.clone());
-                tasks.push(Task::Derive {
-                    number,
-                    snapshot,
-                    what,
-                });
+                tasks.push(Task::Of(snapshot, Use::Derive(number, what)));
             }
         }
         tasks

@@ -4,7 +4,7 @@ use super::curves::{Curves, Wanted};
 use super::playing::Playing;
 use super::range::MotorRange;
 use super::snapshot::Snapshot;
-use super::worker::{Task, Undone};
+use super::worker::{Task, Undone, Use};
 use crate::job::Measure;
 use crate::motion::Setting;
 use crate::play::Player;
@@ -83,8 +83,7 @@ impl Plotted {
             return None;
         }
         self.is_asked = true;
-        let snapshot = snapshot.clone();
-        Some(Task::Measure { snapshot, wanted })
+        Some(Task::Of(snapshot.clone(), Use::Measure(wanted)))
     }
 
     /// Whether the last measurement fits the mechanism that is seen.

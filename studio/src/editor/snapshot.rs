@@ -14,6 +14,7 @@ use mech_compiler::Compiled;
 use mech_compiler::model::{LinkId, Model};
 use std::sync::Arc;
 
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Snapshot {
     pub(crate) document: Document,
     /// The number of the mechanism in it.

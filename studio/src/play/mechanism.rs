@@ -2,8 +2,8 @@
 
 use super::distance::{distance_to_shape, nearest};
 use super::landmarks::Landmarks;
-use super::motion::Motion;
-use super::{Derived, Layer, Layers, PointRates, Rates, Style};
+use super::prepared::Prepared;
+use super::{Derived, Layer, Layers, Rates, Style};
 use crate::failure::Failure;
 use crate::motion::{
     Mover, Paths, Ready, in_precision, joints_in_the_way, motor_name, obstacle, range_of, turns,
@@ -11,10 +11,10 @@ use crate::motion::{
 use crate::painting::{Painting, number_of, poses_of};
 use mech_compiler::evaluate::Stop;
 use mech_compiler::model::{JointId, Look, Measure, Model, MotorId};
-use mech_compiler::program::{Forces, Position};
-use mech_compiler::{Compiled, Looks, looks, symbols};
+use mech_compiler::program::Position;
+use mech_compiler::{Compiled, symbols};
 use mech_runtime::overlay::{Arrows, Spot};
-use mech_runtime::{Acceleration, Canvas, Overlay, Palette, Pose, Velocity};
+use mech_runtime::{Canvas, Overlay, Palette, Pose};
 
 /// An obstacle to the motion of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,42 +27,16 @@ pub enum Obstacle {
 
 /// A mechanism that is played. The values of its motors are in the order of their declaration, in radians or scene units.
 pub struct Mechanism {
-    model: Model,
-    compiled: Compiled,
+    pub(super) model: Model,
+    pub(super) compiled: Compiled,
     painting: Painting,
     prepared: Prepared,
     landmarks: Landmarks,
     /// The points whose velocities are drawn.
-    points: Vec<Spot<f64>>,
+    pub(super) points: Vec<Spot<f64>>,
     ready: Ready,
-    position: Position<f64>,
+    pub(super) position: Position<f64>,
     paths: Paths,
-}
-
-/// What takes time to find out about a mechanism before it can be played.
-#[derive(Clone)]
-#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
-pub(crate) struct Prepared {
-    looks: Looks,
-    /// The box around its whole motion: lower left and upper right corner.
-    extent: [[f64; 2]; 2],
-    motion: Motion,
-    /// The mechanism with what it was compiled for once more; none where that is not possible.
-    derived: Vec<(Derived, Option<Box<Compiled>>)>,
-}
-
-impl Prepared {
-    /// Prepares a coherent mechanism to be played.
-    fn of(model: &Model, compiled: &Compiled) -> Result<Self, Failure> {
-        let looks = looks(model, compiled);
-        let extent = looks.extent(model, compiled);
-        Ok(Self {
-            looks,
-            extent,
-            motion: Motion::new(model, compiled)?,
-            derived: Vec::new(),
-        })
-    }
 }
 
 impl Mechanism {
@@ -101,9 +75,10 @@ impl Mechanism {
         })
     }
 
+    /// What took time to find out about it.
     #[cfg(feature = "transfer")]
-    pub(crate) fn into_parts(self) -> (Model, Compiled, Prepared) {
-        (self.model, self.compiled, self.prepared)
+    pub(crate) fn into_prepared(self) -> Prepared {
+        self.prepared
     }
 
     /// Its name.
@@ -393,7 +368,7 @@ impl Mechanism {
     }
 
     /// The mechanism with something besides positions.
-    fn with(&self, what: Derived) -> Option<&Compiled> {
+    pub(super) fn with(&self, what: Derived) -> Option<&Compiled> {
         let mut known = self.prepared.derived.iter();
         known.find(|(known, _)| *known == what)?.1.as_deref()
     }
@@ -436,77 +411,6 @@ impl Mechanism {
             }
         }
     }
-
-    /// The velocities and accelerations of its points, while its motors have these rates; none where they are not
-    /// [prepared](Self::prepare) or not determined.
-    #[must_use]
-    pub fn point_rates(&self, rates: &Rates) -> Vec<PointRates> {
-        let program = self.with(Derived::Rates);
-        let program = program.and_then(|found| found.moving.as_ref());
-        let Some(program) = program else {
-            return Vec::new();
-        };
-        let mut machine = Mover::of(&self.model, program);
-        machine.put_back(&self.position);
-        let [first, second] = self.all_rates(rates);
-        let Ok(found) = machine.motion([&first, &second]) else {
-            return Vec::new();
-        };
-        let poses = poses_of(&self.position.poses);
-        let accelerations = found.accelerations.as_deref().unwrap_or_default();
-        let points = self.points.iter().filter_map(|spot| {
-            let link = spot.link.checked_sub(1)?;
-            let &[angular, x, y] = found.velocities.get(link)?;
-            let velocity = Velocity { angular, x, y };
-            let pose = *poses.get(link)?;
-            let acceleration = accelerations.get(link).map(|&[angular, x, y]| {
-                let acceleration = Acceleration { angular, x, y };
-                acceleration.of_point(pose, velocity.angular, spot.at)
-            });
-            Some(PointRates {
-                place: pose.apply(spot.at),
-                velocity: velocity.of_point(pose, spot.at),
-                acceleration,
-            })
-        });
-        points.collect()
-    }
-
-    /// The force that the first link of each joint exerts on the second, with the place of the joint, while its motors have these rates and
-    /// its loads these numbers; none where forces are not [prepared](Self::prepare) or not determined. Loads that are not given are zero.
-    #[must_use]
-    pub fn reactions(&self, rates: &Rates, loads: &[f64]) -> Vec<([f64; 2], [f64; 2])> {
-        let program = self
-            .with(Derived::Forces)
-            .and_then(|found| found.forced.inverse_dynamics.as_ref());
-        let Some(program) = program else {
-            return Vec::new();
-        };
-        let mut machine = Mover::of(&self.model, program);
-        machine.put_back(&self.position);
-        let declared = self.model.actions.loads.iter();
-        let count = declared.map(|load| load.kind.numbers()).sum();
-        let mut loads = loads.to_vec();
-        loads.resize(count, 0.0);
-        let [first, second] = self.all_rates(rates);
-        let Ok(Forces::InverseDynamics(found)) = machine.forces([&first, &second], &loads) else {
-            return Vec::new();
-        };
-        let joints = self.model.declared_joints().zip(&found.reactions);
-        let reactions = joints.filter_map(|(joint, &[x, y, _])| Some((self.joint(joint)?, [x, y])));
-        reactions.collect()
-    }
-
-    /// The rates of all motors, and their second rates.
-    fn all_rates(&self, rates: &Rates) -> [Vec<f64>; 2] {
-        [&rates.first, &rates.second].map(|given| {
-            let mut all = vec![0.0; self.model.motors.len()];
-            for (value, rate) in all.iter_mut().zip(given) {
-                *value = *rate;
-            }
-            all
-        })
-    }
 }
 
 /// The pose of a link; the ground too.
@@ -520,4 +424,19 @@ fn pose_in(position: &Position<f64>, link: usize) -> Option<Pose<f64>> {
 /// The place in the scene of a place on a link.
 fn place_in(position: &Position<f64>, spot: Spot<f64>) -> Option<[f64; 2]> {
     Some(pose_in(position, spot.link)?.apply(spot.at))
+}
+
+#[cfg(feature = "transfer")]
+impl serde::Serialize for Mechanism {
+    fn serialize<S: serde::Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        (&self.model, &self.compiled, &self.prepared).serialize(to)
+    }
+}
+
+#[cfg(feature = "transfer")]
+impl<'de> serde::Deserialize<'de> for Mechanism {
+    fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        let (model, compiled, prepared) = <(Model, Compiled, Prepared)>::deserialize(from)?;
+        Self::of(model, compiled, prepared).map_err(serde::de::Error::custom)
+    }
 }

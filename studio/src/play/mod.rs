@@ -8,7 +8,6 @@ mod bounds;
 mod camera;
 mod caption;
 mod control;
-mod derived;
 mod distance;
 mod driver;
 mod grip;
@@ -23,10 +22,11 @@ mod motion;
 mod pace;
 mod painter;
 mod player;
+mod prepared;
+mod rates;
 mod revision;
 mod selection;
 mod stage;
-mod style;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod terminal;
 #[cfg(all(feature = "editor", not(target_arch = "wasm32")))]
@@ -34,23 +34,24 @@ pub mod window;
 
 pub use camera::Camera;
 pub use control::Control;
-pub use derived::Derived;
 pub use driver::Driver;
 use grip::Held;
 pub use grip::{Free, Grip};
 pub use keys::Key;
-pub use layers::{Layer, Layers};
+pub use layers::{Layer, Layers, Style};
 pub use limit::Limit;
-#[cfg(feature = "transfer")]
-pub(crate) use mechanism::Prepared;
 pub use mechanism::{Mechanism, Obstacle};
+pub use motion::Rates;
 pub use pace::Pace;
 pub use painter::Painter;
 pub use player::Player;
+pub use prepared::Derived;
+#[cfg(feature = "transfer")]
+pub(crate) use prepared::Prepared;
+pub use rates::PointRates;
 pub use revision::Revision;
 pub use selection::Selection;
 pub use stage::Stage;
-pub use style::{PointRates, Rates, Style};
 
 /// The size of a picture at first, in pixels.
 pub const SIZE: [usize; 2] = [960, 720];

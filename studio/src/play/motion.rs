@@ -6,6 +6,15 @@ use mech_compiler::Compiled;
 use mech_compiler::model::{Model, MotorId};
 use std::f64::consts::{PI, TAU};
 
+/// Rates of motors.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Rates {
+    /// The rates, in radians or scene units per second. Missing ones are 0.
+    pub first: Vec<f64>,
+    /// The second rates.
+    pub second: Vec<f64>,
+}
+
 /// The duration of a pass, in seconds: as long as a film.
 const SECONDS: f64 = 4.0;
 /// The part of its reach that a motor uses, so that rounding does not carry it beyond the ends.

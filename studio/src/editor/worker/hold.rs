@@ -1,6 +1,6 @@
 //! The items that are held during a drag.
 
-use crate::document::Document;
+use super::Text;
 use crate::edit::{Command, Drag, Dragged, Follower, Refusal};
 use crate::editor::Gesture;
 use crate::editor::snapshot::Snapshot;
@@ -23,8 +23,8 @@ pub(in crate::editor) struct Hold {
 /// The text in which something is held.
 pub(in crate::editor) enum Held {
     Known(Arc<Snapshot>),
-    /// One of which nothing is known yet, and the number of the mechanism in it.
-    Text(Document, usize),
+    /// One of which nothing is known yet.
+    Text(Text),
 }
 
 /// Where something that is held was led.
@@ -56,7 +56,7 @@ impl Hold {
             (None, Held::Known(snapshot)) => {
                 Drag::begin(&snapshot.document, snapshot.index, &path, pose)
             }
-            (None, Held::Text(document, index)) => Drag::begin(document, *index, &path, pose),
+            (None, Held::Text(text)) => Drag::begin(&text.document, text.index, &path, pose),
         };
         drag?.with(from, followers)
     }

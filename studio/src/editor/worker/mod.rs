@@ -32,7 +32,7 @@ use super::curves::{Curves, Wanted};
 use super::order::{Made, Order};
 use super::snapshot::{Played, Snapshot};
 use crate::document::Document;
-use crate::edit::{Applied, Refusal};
+use crate::edit::{Applied, Refusal, Workspace};
 use crate::failure::Failure;
 use crate::mend::Mending;
 use crate::play::Derived;
@@ -42,104 +42,101 @@ use std::sync::Arc;
 #[cfg(not(target_arch = "wasm32"))]
 use thread::Threads;
 
-pub(super) enum Task {
-    /// A gesture is tried on a text.
-    Try {
-        number: u64,
-        document: Document,
-        index: usize,
-        gesture: Gesture,
-    },
-    Read {
-        document: Document,
-        index: usize,
-    },
-    /// The text that a repair would make, by the number of the repair, is read to be seen.
-    Ghost {
-        number: usize,
-        document: Document,
-        index: usize,
-    },
-    /// A text is read that will be another at once: while something is dragged, by the number of the drag. Bodies may be wanted, and what
-    /// arrows need.
-    Preview {
-        number: u64,
-        document: Document,
-        index: usize,
-        has_bodies: bool,
-        needs: BTreeSet<Derived>,
-    },
-    /// Something is taken hold of in a text.
-    Hold(Box<Hold>, Held),
-    /// The held item is led to a place, as the drag counts.
-    Lead {
-        number: u64,
-        to: [f64; 2],
-    },
-    Measure {
-        snapshot: Arc<Snapshot>,
-        wanted: Wanted,
-    },
-    Export(Box<Order>),
-    /// A line of the dialogue is answered that leaves the text as it is.
-    Ask {
-        document: Document,
-        index: usize,
-        line: String,
-    },
-    /// A mechanism is compiled once more, to compute something besides positions. It has a number.
-    Derive {
-        number: u64,
-        snapshot: Arc<Snapshot>,
-        what: Derived,
-    },
-    /// The mechanism of a snapshot is made, to be played.
-    Move(Arc<Snapshot>),
-    /// The repairs of a snapshot are looked for.
-    Mend(Arc<Snapshot>),
-    /// What the mechanism of a snapshot does is measured for the report.
-    Report(Arc<Snapshot>),
+/// A text, and the number of a mechanism in it.
+#[derive(Clone)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
+pub(super) struct Text {
+    pub(super) document: Document,
+    pub(super) index: usize,
 }
 
+impl Text {
+    pub(super) fn of(workspace: &Workspace) -> Self {
+        Self {
+            document: workspace.document(),
+            index: workspace.index(),
+        }
+    }
+}
+
+// What is skipped is sent otherwise. It stands at the end, as what is sent is known by its place.
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
+pub(super) enum Task {
+    /// A gesture with a number is tried on a text.
+    Try(u64, Text, Gesture),
+    Read(Text),
+    /// The text that a repair would make, by the number of the repair, is read to be seen.
+    Ghost(usize, Text),
+    /// A text is read that will be another at once: while something is dragged, by the number of the drag. Bodies may be wanted, and what
+    /// arrows need.
+    Preview(u64, Text, bool, BTreeSet<Derived>),
+    /// The item that is held in the drag with this number is led to a place, as the drag counts.
+    Lead(u64, [f64; 2]),
+    /// A file is written.
+    Export(Box<Order>),
+    /// A line of the dialogue is answered that leaves the text as it is.
+    Ask(Text, String),
+    /// Something is taken hold of in a text.
+    #[cfg_attr(feature = "transfer", serde(skip))]
+    Hold(Box<Hold>, Held),
+    /// Something is done with a snapshot.
+    #[cfg_attr(feature = "transfer", serde(skip))]
+    Of(Arc<Snapshot>, Use),
+}
+
+/// What is done with a snapshot.
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
+pub(super) enum Use {
+    /// It is measured.
+    Measure(Wanted),
+    /// It is compiled once more, to compute something besides positions. The task has a number.
+    Derive(u64, Derived),
+    /// Its mechanism is made, to be played.
+    Move,
+    /// Its repairs are looked for.
+    Mend,
+    /// What its mechanism does is measured for the report.
+    Report,
+}
+
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Finding {
-    /// The result of the gesture with this number, and the snapshot after it; or why it is refused.
-    Tried(u64, Box<Result<(Applied, Arc<Snapshot>), Refusal>>),
-    Read(Arc<Snapshot>),
     /// The text that a repair would make, by the number of the repair.
     Ghost(usize, Snapshot),
     /// Why something, by the number of its drag, cannot be held.
     NotHeld(u64, Refusal),
     /// Where something that is held was led.
     Led(Box<Led>),
-    /// The preview of a text while something is dragged.
     Previewed(Box<Previewed>),
-    /// The mechanism of a snapshot, to be played.
-    Moves(Arc<Snapshot>, Box<Result<Played, Failure>>),
-    Mended(Arc<Snapshot>, Result<Vec<Mending>, Failure>),
-    /// What the mechanism of a snapshot does, as the lines of a report.
-    Reported(Arc<Snapshot>, Result<String, Failure>),
-    Measured(Box<Curves>),
     /// A mechanism that was compiled once more, by the number of the task; none if that is not possible.
-    Derived {
-        number: u64,
-        what: Derived,
-        found: Option<Box<Compiled>>,
-    },
-    /// What is to be written, or why it could not be made.
+    Derived(u64, Derived, Option<Box<Compiled>>),
+    /// What is to be written to a path, or why it could not be made.
     Made(String, Result<Made, Failure>),
-    /// A note on the written file, or why nothing was written.
-    Exported(Result<String, Failure>),
-    /// What is said to a line of the dialogue, and how it ended.
-    Answered {
-        line: String,
-        said: String,
-        done: Result<(), Failure>,
-    },
+    /// A line of the dialogue, what is said to it, and how it ended.
+    Answered(String, String, Result<(), Failure>),
     /// The work that was not done, and why: an invariant of our own is broken, or the user has stopped it.
     Undone(Undone, Failure),
     /// Work begins that takes its time, perhaps.
     Begun(Work),
     Ended(Work),
+    /// The result of the gesture with this number, and the snapshot after it; or why it is refused.
+    #[cfg_attr(feature = "transfer", serde(skip))]
+    Tried(u64, Box<Result<(Applied, Arc<Snapshot>), Refusal>>),
+    #[cfg_attr(feature = "transfer", serde(skip))]
+    Read(Arc<Snapshot>),
+    /// The mechanism of a snapshot, to be played.
+    #[cfg_attr(feature = "transfer", serde(skip))]
+    Moves(Arc<Snapshot>, Box<Result<Played, Failure>>),
+    #[cfg_attr(feature = "transfer", serde(skip))]
+    Mended(Arc<Snapshot>, Result<Vec<Mending>, Failure>),
+    /// What the mechanism of a snapshot does, as the lines of a report.
+    #[cfg_attr(feature = "transfer", serde(skip))]
+    Reported(Arc<Snapshot>, Result<String, Failure>),
+    #[cfg_attr(feature = "transfer", serde(skip))]
+    Measured(Box<Curves>),
+    /// A note on the written file, or why nothing was written.
+    #[cfg_attr(feature = "transfer", serde(skip))]
+    Exported(Result<String, Failure>),
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -162,13 +159,13 @@ impl Task {
     /// Returns the work that stays undone if this task fails.
     const fn undone(&self) -> Undone {
         match self {
-            Self::Try { .. } => Undone::Try,
+            Self::Try(..) => Undone::Try,
             Self::Hold(hold, _) => Undone::Drag(hold.number),
-            Self::Lead { number, .. } => Undone::Drag(*number),
-            Self::Preview { number, .. } => Undone::Preview(*number),
-            Self::Read { .. } | Self::Move(_) | Self::Mend(_) | Self::Report(_) => Undone::Follow,
-            Self::Measure { .. } => Undone::Measure,
-            Self::Ghost { .. } | Self::Export(_) | Self::Ask { .. } | Self::Derive { .. } => {
+            Self::Lead(number, _) => Undone::Drag(*number),
+            Self::Preview(number, ..) => Undone::Preview(*number),
+            Self::Read(_) | Self::Of(_, Use::Move | Use::Mend | Use::Report) => Undone::Follow,
+            Self::Of(_, Use::Measure(_)) => Undone::Measure,
+            Self::Ghost(..) | Self::Export(_) | Self::Ask(..) | Self::Of(_, Use::Derive(..)) => {
                 Undone::Else
             }
         }

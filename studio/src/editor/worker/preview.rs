@@ -1,12 +1,13 @@
 //! The preview while something is dragged.
 
-use crate::document::Document;
+use super::Text;
 use crate::editor::path::Path;
 use crate::editor::snapshot::Snapshot;
 use crate::play::{Derived, Mechanism};
 use std::collections::BTreeSet;
 
 /// The compiler's findings on a text while something is dragged: only those that the window shows, which would have to free the others.
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(in crate::editor) struct Previewed {
     /// Which of all drags it is of.
     pub(in crate::editor) number: u64,
@@ -19,14 +20,8 @@ pub(in crate::editor) struct Previewed {
 
 impl Previewed {
     /// Reads a text. Bodies may be wanted, with arrows that need something besides positions.
-    pub(super) fn of(
-        number: u64,
-        document: Document,
-        index: usize,
-        has_bodies: bool,
-        needs: &BTreeSet<Derived>,
-    ) -> Self {
-        let snapshot = Snapshot::of(document, index);
+    pub(super) fn of(number: u64, text: Text, has_bodies: bool, needs: &BTreeSet<Derived>) -> Self {
+        let snapshot = Snapshot::of(text.document, text.index);
         let first = snapshot.messages().first();
         let fault = first.and_then(|message| message.text.lines().next());
         let fault = fault.map(ToOwned::to_owned);

@@ -56,5 +56,5 @@ impl Server {
 
 /// The bytes of a reply that nothing was done, as it cannot be sent.
 fn undone_bytes(failure: &Failure) -> Result<Vec<u8>, Failure> {
-    bytes_of(&Reply::Undone(Undone::All, failure.clone()))
+    bytes_of(&Reply::Plain(Finding::Undone(Undone::All, failure.clone())))
 }

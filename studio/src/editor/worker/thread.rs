@@ -71,9 +71,9 @@ impl Threads {
     pub(super) fn give(&self, task: Task) -> Result<(), Failure> {
         let order = (task, self.stop.clone());
         let to = match &order.0 {
-            Task::Hold(..) | Task::Lead { .. } => &self.drags,
+            Task::Hold(..) | Task::Lead(..) => &self.drags,
             // A film takes its time, and nothing else waits for it.
-            Task::Export(_) | Task::Ask { .. } => {
+            Task::Export(_) | Task::Ask(..) => {
                 self.do_apart(order);
                 return Ok(());
             }
