@@ -2,11 +2,13 @@
 
 use super::CODES;
 use super::replacing::Replacing;
-use crate::check::{render, verdict_line};
+use super::target::moving;
+use crate::check::verdict_line;
 use crate::console::Console;
-use crate::document::{Document, Reading, Source};
+use crate::document::{Document, Source};
 use crate::failure::{Failure, FailureKind};
 use crate::import::{self, FileKind, Written, listed};
+use crate::job::Analysed;
 use crate::output::{Output, OutputKind, Writer};
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -59,7 +61,7 @@ impl Import {
         let kind = self.kind()?;
         let origin = self.origin()?;
         let imported = import::read(&origin.source).map_err(|message| {
-            console.complain_in_colors(&render(&origin.source, &[message], console.has_colors()));
+            console.complain_of(&origin.source, &[message]);
             Failure::reported(origin.fault)
         })?;
         let name = self.name(&origin.wish)?;
@@ -151,21 +153,11 @@ impl Import {
         let path = self.output.clone();
         let path = path.unwrap_or_else(|| PathBuf::from(format!("{name}.mech")));
         let document = Document::of(Source::new(path, text));
-        let Reading { model, result, .. } = document.check(document.choose(None)?)?;
-        match result {
-            Ok(compiled) if self.output.is_some() => {
-                console.answer(format!("{}\n", verdict_line(&model, &compiled)))
-            }
-            Ok(_) => Ok(()),
-            Err(faults) => {
-                let messages = &faults.messages;
-                console.complain_in_colors(&render(
-                    document.source(),
-                    messages,
-                    console.has_colors(),
-                ));
-                Err(Failure::reported(FailureKind::Mechanism))
-            }
+        let reading = document.check(document.choose(None)?)?;
+        let Analysed { model, compiled } = moving(&document, reading, console)?;
+        if self.output.is_none() {
+            return Ok(());
         }
+        console.answer(format!("{}\n", verdict_line(&model, &compiled)))
     }
 }

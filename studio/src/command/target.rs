@@ -1,9 +1,8 @@
 //! Which mechanism of which file.
 
 use super::assignment::Assignment;
-use crate::check::render;
 use crate::console::Console;
-use crate::document::{Declaration, Document};
+use crate::document::{Declaration, Document, Reading};
 use crate::failure::{Failure, FailureKind};
 use crate::job::Analysed;
 use clap::Args;
@@ -71,12 +70,17 @@ pub(super) fn coherent(
     declaration: &Declaration,
     console: &mut Console,
 ) -> Result<Analysed, Failure> {
-    Analysed::of(document.analyse(declaration)?).map_err(|faults| {
-        console.complain_in_colors(&render(
-            document.source(),
-            &faults.messages,
-            console.has_colors(),
-        ));
+    moving(document, document.analyse(declaration)?, console)
+}
+
+/// A mechanism that was read, which has to be coherent. What is wrong with it is told.
+pub(super) fn moving(
+    document: &Document,
+    reading: Reading,
+    console: &mut Console,
+) -> Result<Analysed, Failure> {
+    Analysed::of(reading).map_err(|faults| {
+        console.complain_of(document.source(), &faults.messages);
         Failure::reported(FailureKind::Mechanism)
     })
 }

@@ -1,10 +1,13 @@
 //! Where a command writes what it says.
 
-#[cfg(not(target_arch = "wasm32"))]
-mod progress;
-
+use crate::check::render;
+use crate::document::{Message, Source};
 use crate::failure::Failure;
+#[cfg(not(target_arch = "wasm32"))]
+use crate::job::Listener;
 use crate::text::masked;
+#[cfg(not(target_arch = "wasm32"))]
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{self, ErrorKind, IsTerminal, Write};
 
 /// Where a command writes what it says.
@@ -17,7 +20,7 @@ pub struct Console {
     is_shown: bool,
     /// The progress of the present job.
     #[cfg(not(target_arch = "wasm32"))]
-    progress: Option<indicatif::ProgressBar>,
+    progress: Option<ProgressBar>,
 }
 
 impl Console {
@@ -91,8 +94,39 @@ impl Console {
         self.complain_in_colors(&masked(text));
     }
 
+    /// Writes messages on a text, in colours if these are seen.
+    pub(crate) fn complain_of(&mut self, source: &Source, messages: &[Message]) {
+        self.complain_in_colors(&render(source, messages, self.has_colors));
+    }
+
     /// Writes a complaint that has colours of ours, and in which everything else is masked.
-    pub(crate) fn complain_in_colors(&mut self, text: &str) {
+    fn complain_in_colors(&mut self, text: &str) {
         let _ = self.complaints.write_all(text.as_bytes());
+    }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+impl Listener for Console {
+    fn note(&mut self, text: &str) {
+        self.complain(&format!("note: {text}\n"));
+    }
+
+    fn progress(&mut self, done: u32, of: u32) {
+        let bar = self.progress.get_or_insert_with(|| bar(of));
+        bar.set_position(done.into());
+        if done == of {
+            bar.finish_and_clear();
+            self.progress = None;
+        }
+    }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+fn bar(steps: u32) -> ProgressBar {
+    let target = ProgressDrawTarget::stderr();
+    let bar = ProgressBar::with_draw_target(Some(steps.into()), target);
+    match ProgressStyle::with_template("{bar:40} {pos}/{len} {eta}") {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
     }
 }

@@ -15,7 +15,13 @@ use crate::mend::mendings;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::output::OutputKind;
 use crate::output::Writer;
+#[cfg(feature = "editor")]
+use std::cell::RefCell;
+#[cfg(feature = "editor")]
+use std::io::{self, Write};
 use std::path::Path;
+#[cfg(feature = "editor")]
+use std::rc::Rc;
 
 /// Whether the dialogue goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -213,5 +219,33 @@ fn state(reading: &Reading) -> String {
             let line = first.and_then(|message| message.text.lines().next());
             format!("not yet: {}", line.unwrap_or_default())
         }
+    }
+}
+
+/// Does what a line says: what is said to it, and how it ended.
+#[cfg(feature = "editor")]
+pub(crate) fn hear(line: &str, session: &mut Session) -> (String, Result<Turn, Failure>) {
+    let heard = Heard::default();
+    let done = session.obey(line, &mut Console::to(heard.clone(), heard.clone()));
+    let said = String::from_utf8_lossy(&heard.0.borrow())
+        .trim_end()
+        .to_owned();
+    (said, done)
+}
+
+/// The text that a console has received.
+#[cfg(feature = "editor")]
+#[derive(Clone, Default)]
+struct Heard(Rc<RefCell<Vec<u8>>>);
+
+#[cfg(feature = "editor")]
+impl Write for Heard {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.borrow_mut().extend_from_slice(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
     }
 }

@@ -1,21 +1,17 @@
 //! Documents: the mechanisms of a file, as text and as what the compiler makes of it.
 
 mod library;
-mod listing;
 #[cfg(feature = "editor")]
 mod part_offer;
 mod reading;
-mod rust;
 mod scanner;
 mod source;
 mod tree;
 mod unlexed;
 
-pub use listing::{Listing, NameText, NumberText};
 #[cfg(feature = "editor")]
 pub(crate) use part_offer::PartOffer;
-pub use reading::{Faults, Message, Reading};
-pub(crate) use rust::in_rust;
+pub use reading::{Faults, Listing, Message, NameText, NumberText, Reading};
 pub use source::{LONGEST, Source, Spot};
 pub(crate) use tree::TextTree;
 
@@ -221,7 +217,7 @@ impl Document {
     /// # Errors
     /// If the compiler itself fails, which is a mistake of ours.
     pub fn listing(&self, declaration: &Declaration) -> Result<Option<Listing>, Failure> {
-        listing::listing(self, declaration)
+        reading::listing(self, declaration)
     }
 
     /// Finds the faults in the texts of the parts that are kept for other mechanisms.
@@ -257,4 +253,14 @@ impl Declaration {
             body,
         }
     }
+}
+
+/// The inside of a mechanism, by its lines, in a file of Rust: a call of `mechanism!`.
+pub(crate) fn in_rust<'t>(inside: impl IntoIterator<Item = &'t str>) -> String {
+    let inside = inside.into_iter().map(|line| match line {
+        "" => "\n".to_owned(),
+        line => format!("    {line}\n"),
+    });
+    let inside: String = inside.collect();
+    format!("use mech_runtime::mechanism;\n\nmechanism! {{\n{inside}}}\n")
 }

@@ -3,8 +3,8 @@
 //! Where it can go is found out beside the window, as everything is; the window shows the last place that is known.
 
 use super::drawing::Drawing;
-use super::path::Path;
 use super::placement::{Pose, SCENE};
+use super::range::Path;
 use super::worker::{Hold, Led, Undone};
 use super::{Gesture, Item};
 use crate::edit::{Follower, Refusal};

@@ -2,9 +2,9 @@
 
 use super::drag::Drag;
 use super::drawing::Drawing;
-use super::path::Path;
 use super::playing::{Hand, Playing};
 use super::range::MotorRange;
+use super::range::Path;
 use super::settings::{Settings, Visible};
 use super::snapshot::Snapshot;
 use super::worker::Previewed;

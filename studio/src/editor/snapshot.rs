@@ -1,9 +1,9 @@
 //! Snapshots: the compiler's findings on a text.
 
 use super::drawing::Drawing;
-use super::path::{Path, whole_paths};
 use super::placement::Pose;
 use super::range::{MotorRange, ranges};
+use super::range::{Path, whole_paths};
 use crate::check::verdict_line;
 use crate::document::{Declaration, Document, Listing, Message, Reading};
 use crate::edit::{Known, Workspace};

@@ -19,13 +19,11 @@ mod limit;
 mod marks;
 mod mechanism;
 mod motion;
-mod pace;
 mod painter;
 mod player;
 mod prepared;
 mod rates;
 mod revision;
-mod selection;
 mod stage;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod terminal;
@@ -34,7 +32,7 @@ pub mod window;
 
 pub use camera::Camera;
 pub use control::Control;
-pub use driver::Driver;
+pub use driver::{Driver, Pace, Selection};
 use grip::Held;
 pub use grip::{Free, Grip};
 pub use keys::Key;
@@ -42,7 +40,6 @@ pub use layers::{Layer, Layers, Style};
 pub use limit::Limit;
 pub use mechanism::{Mechanism, Obstacle};
 pub use motion::Rates;
-pub use pace::Pace;
 pub use painter::Painter;
 pub use player::Player;
 pub use prepared::Derived;
@@ -50,7 +47,6 @@ pub use prepared::Derived;
 pub(crate) use prepared::Prepared;
 pub use rates::PointRates;
 pub use revision::Revision;
-pub use selection::Selection;
 pub use stage::Stage;
 
 /// The size of a picture at first, in pixels.

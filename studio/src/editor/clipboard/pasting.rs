@@ -1,6 +1,6 @@
 //! Statements that are pasted under names that are free, beside what is there: into the same text or another.
 
-use super::lexed::Lexed;
+use super::Lexed;
 use crate::document::{Document, Listing, NumberText, Source};
 use crate::editor::names::Names;
 use crate::text::{Replacement, shortest, written};

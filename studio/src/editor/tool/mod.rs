@@ -3,7 +3,6 @@
 mod attachment;
 mod build;
 mod pick;
-mod rolling;
 
 pub(crate) use pick::{NamedPick, Pick, Picking};
 
@@ -118,14 +117,14 @@ const ROWS: [Row; 17] = [
         name: "Gears",
         picks: &["one wheel", "the other wheel", "where they touch"],
         help: "lets two wheels mesh",
-        build: rolling::gear,
+        build: build::gear,
     },
     Row {
         tool: Tool::Belt,
         name: "Belt",
         picks: &["one wheel", "the other wheel"],
         help: "puts a belt over two wheels",
-        build: rolling::belt,
+        build: build::belt,
     },
     Row {
         tool: Tool::Weld,

@@ -5,11 +5,8 @@
 
 mod agenda;
 mod hold;
-mod preview;
 #[cfg(feature = "transfer")]
 mod remote;
-#[cfg(feature = "transfer")]
-mod server;
 #[cfg(not(target_arch = "wasm32"))]
 mod thread;
 #[cfg(feature = "transfer")]
@@ -17,14 +14,11 @@ mod transfer;
 mod work;
 
 use agenda::Agenda;
-pub(super) use hold::{Held, Hold, Led};
-pub(super) use preview::Previewed;
-#[cfg(feature = "transfer")]
-pub use remote::Port;
+pub(super) use hold::{Held, Hold, Led, Previewed};
 #[cfg(feature = "transfer")]
 pub(super) use remote::Remote;
 #[cfg(feature = "transfer")]
-pub use server::Server;
+pub use remote::{Port, Server};
 pub(super) use work::Work;
 
 use super::Gesture;

@@ -1,6 +1,6 @@
 //! Links since June 2023: everything has a name, and the last letters check the link.
 
-use super::checks::checked;
+use super::digits::checked;
 use super::digits::decimal;
 use super::linkage::{Force, Ids, Joint, Link, Linkage, mass_of, name_of, parts_of};
 use super::query::Field;

@@ -2,7 +2,6 @@
 //!
 //! `compact`, `early` and `plain` read three generations of links. All make a [`Linkage`](linkage::Linkage); `translation` makes a drawing of it.
 
-mod checks;
 mod compact;
 mod corrections;
 mod digits;
@@ -12,7 +11,6 @@ mod plain;
 mod query;
 mod sections;
 mod translation;
-mod units;
 
 use crate::document::Message;
 use crate::import::Imported;

@@ -1,8 +1,8 @@
 //! Links before April 2023: plain numbers, a line for each joint, link and force.
 
 use super::linkage::{Force, Ids, Joint, Link, Linkage, Speeds, mass_of, name_of, parts_of};
+use super::linkage::{UNITS, Unit};
 use super::query::Field;
-use super::units::{UNITS, Unit};
 use crate::document::Message;
 use crate::import::drawing::LARGEST;
 use crate::import::omission::Omission;

@@ -3,8 +3,8 @@
 use super::corrections::Correction;
 use super::digits::{decimal, digit, flags, whole};
 use super::linkage::{Force, Ids, Joint, Link, Linkage, Slot, Speeds};
+use super::linkage::{UNITS, Unit};
 use super::query::Field;
-use super::units::{UNITS, Unit};
 use crate::document::Message;
 use crate::import::omission::Omission;
 
