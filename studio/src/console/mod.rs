@@ -51,12 +51,6 @@ impl Console {
         }
     }
 
-    /// Whether complaints may have colours.
-    #[must_use]
-    pub fn has_colors(&self) -> bool {
-        self.has_colors
-    }
-
     /// Writes an answer to the user. What would command a terminal is masked.
     ///
     /// # Errors
@@ -66,10 +60,7 @@ impl Console {
     }
 
     /// Writes what was asked for, as a file would have it: byte for byte, unless a terminal shows it.
-    ///
-    /// # Errors
-    /// If it cannot be written.
-    pub fn deliver(&mut self, bytes: impl AsRef<[u8]>) -> Result<(), Failure> {
+    pub(crate) fn deliver(&mut self, bytes: impl AsRef<[u8]>) -> Result<(), Failure> {
         if self.is_shown {
             return self.answer(String::from_utf8_lossy(bytes.as_ref()));
         }
@@ -90,7 +81,7 @@ impl Console {
     }
 
     /// Writes a complaint. What would command a terminal is masked. Where it cannot be written, only the exit code is left to say it.
-    pub fn complain(&mut self, text: &str) {
+    pub(crate) fn complain(&mut self, text: &str) {
         self.complain_in_colors(&masked(text));
     }
 

@@ -221,10 +221,7 @@ impl Document {
     }
 
     /// Finds the faults in the texts of the parts that are kept for other mechanisms.
-    ///
-    /// # Errors
-    /// If the compiler itself fails, which is a mistake of ours.
-    pub fn faults_of_parts(&self) -> Result<Vec<Message>, Failure> {
+    pub(crate) fn faults_of_parts(&self) -> Result<Vec<Message>, Failure> {
         let mut found = Vec::new();
         for part in &self.parts {
             found.extend(reading::faults_of_part(self, part)?);

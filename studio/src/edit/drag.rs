@@ -69,10 +69,7 @@ impl Drag {
     }
 
     /// Takes hold of something in a mechanism that was analysed already.
-    ///
-    /// # Errors
-    /// As [`begin`](Self::begin).
-    pub fn begin_known(
+    pub(crate) fn begin_known(
         known: Known<'_>,
         path: &str,
         pose: Option<Vec<(String, f64)>>,

@@ -60,7 +60,7 @@ impl History {
     }
 
     /// Lets the last step lead to another text, if it has this title and no step is undone. Returns whether it does.
-    pub fn amend(&mut self, title: &str, text: &str) -> bool {
+    pub(crate) fn amend(&mut self, title: &str, text: &str) -> bool {
         let is_last = self.made == self.steps.len();
         let last = self.steps.last_mut();
         let last = last.filter(|last| is_last && last.title == title);

@@ -44,8 +44,7 @@ impl Workspace {
     }
 
     /// A text that is in no file, with a proposal for its name.
-    #[must_use]
-    pub fn proposed(path: impl Into<PathBuf>, text: impl Into<String>) -> Self {
+    pub(crate) fn proposed(path: impl Into<PathBuf>, text: impl Into<String>) -> Self {
         Self {
             path: path.into(),
             history: History::new(text),
@@ -180,13 +179,12 @@ impl Workspace {
     }
 
     /// Notes what the file says since another program has changed it; none if it is gone. The text stays as it is.
-    pub fn note_file(&mut self, text: Option<&str>) {
+    pub(crate) fn note_file(&mut self, text: Option<&str>) {
         self.source = text.map(|text| Source::new(&self.path, text));
     }
 
     /// Whether the user has named the file, even if it is not there.
-    #[must_use]
-    pub const fn is_named(&self) -> bool {
+    pub(crate) const fn is_named(&self) -> bool {
         self.is_named
     }
 

@@ -39,7 +39,7 @@ impl Camera {
     }
 
     /// Enlarges the box of the whole motion to include this one, if it shows the whole motion.
-    pub fn include(&mut self, [low, high]: [[f64; 2]; 2]) {
+    pub(crate) fn include(&mut self, [low, high]: [[f64; 2]; 2]) {
         let [left, top] = self.pixel([low[0], high[1]]);
         let [right, bottom] = self.pixel([high[0], low[1]]);
         let [width, height] = self.extent();
@@ -56,7 +56,7 @@ impl Camera {
     }
 
     /// Changes the size of the picture. A chosen centre stays.
-    pub fn resize(&mut self, size: [usize; 2]) {
+    pub(crate) fn resize(&mut self, size: [usize; 2]) {
         self.size = size;
         if self.fits {
             self.fit();
@@ -64,7 +64,7 @@ impl Camera {
     }
 
     /// Magnifies by a factor. The place at `pixel` stays there.
-    pub fn zoom(&mut self, pixel: [f64; 2], factor: f64) {
+    pub(crate) fn zoom(&mut self, pixel: [f64; 2], factor: f64) {
         let whole = fit_motion(self.bounds, self.size).scale();
         let scale = (self.view.scale() * factor).clamp(whole / MOST, whole * MOST);
         let [x, y] = self.place(pixel);
@@ -78,7 +78,7 @@ impl Camera {
     }
 
     /// Moves the picture by so many pixels.
-    pub fn pan(&mut self, [right, down]: [f64; 2]) {
+    pub(crate) fn pan(&mut self, [right, down]: [f64; 2]) {
         let scale = self.view.scale();
         let [x, y] = self.view.center();
         let center = [x - right / scale, y + down / scale];
@@ -125,8 +125,7 @@ impl Camera {
     }
 
     /// The size of symbols relative to that in a picture of usual size.
-    #[must_use]
-    pub fn symbol_size(&self) -> f32 {
+    pub(crate) fn symbol_size(&self) -> f32 {
         let [width, height] = self.extent();
         #[expect(clippy::cast_possible_truncation, reason = "between 0.2 and 2")]
         let size = (1.3 * width.min(height) / USUAL).clamp(0.2, 2.0) as f32;

@@ -28,7 +28,7 @@ impl Driver {
     }
 
     /// Starts again.
-    pub const fn reset(&mut self) {
+    pub(crate) const fn reset(&mut self) {
         self.phase = 0.0;
     }
 
@@ -38,7 +38,7 @@ impl Driver {
     }
 
     /// Drives the one before.
-    pub const fn previous(&mut self) {
+    pub(crate) const fn previous(&mut self) {
         self.selection = self.selection.previous(self.reaches.len());
     }
 
@@ -112,7 +112,7 @@ impl Driver {
     }
 
     /// Notes that the mechanism has moved by a share of the phase.
-    pub fn note_progress(&mut self, share: f64) {
+    pub(crate) fn note_progress(&mut self, share: f64) {
         if self.selection == Selection::Motion {
             self.phase += share;
         }
@@ -158,8 +158,7 @@ impl Selection {
     }
 
     /// The previous choice.
-    #[must_use]
-    pub const fn previous(self, motors: usize) -> Self {
+    pub(crate) const fn previous(self, motors: usize) -> Self {
         match self {
             Self::Motion if motors > 0 => Self::Motor(motors - 1),
             Self::Motion | Self::Motor(0) => Self::Motion,

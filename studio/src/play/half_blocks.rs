@@ -14,8 +14,7 @@ pub enum Depth {
 
 impl Depth {
     /// Finds the depth of the terminal's colours in the environment of the process.
-    #[must_use]
-    pub fn of_environment() -> Self {
+    pub(crate) fn of_environment() -> Self {
         let says = |name: &str, words: &[&str]| {
             std::env::var(name).is_ok_and(|value| words.iter().any(|word| value.contains(word)))
         };

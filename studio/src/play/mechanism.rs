@@ -152,8 +152,7 @@ impl Mechanism {
     }
 
     /// The present value of each motor, with its name, in degrees or scene units.
-    #[must_use]
-    pub fn shown_motors(&self) -> Vec<(String, f64)> {
+    pub(crate) fn shown_motors(&self) -> Vec<(String, f64)> {
         let values = self.motors().iter().enumerate();
         let shown = values.filter_map(|(motor, &value)| {
             let name = self.motor_name(motor)?.to_owned();
@@ -181,8 +180,7 @@ impl Mechanism {
     }
 
     /// The name of a motor, by its number.
-    #[must_use]
-    pub fn motor_name(&self, motor: usize) -> Option<&str> {
+    pub(crate) fn motor_name(&self, motor: usize) -> Option<&str> {
         Some(motor_name(&self.model, self.motor(motor)?))
     }
 
@@ -213,7 +211,7 @@ impl Mechanism {
     }
 
     /// Returns to the start.
-    pub fn reset(&mut self) {
+    pub(crate) fn reset(&mut self) {
         self.position = Mover::new(&self.model, &self.compiled).position();
         self.paths.clear();
     }
@@ -306,8 +304,7 @@ impl Mechanism {
     }
 
     /// The place on the visible moving link, or else on the nearest one. `None` if that is farther away than `reach`.
-    #[must_use]
-    pub fn spot_at(&self, place: [f64; 2], reach: f64) -> Option<Spot<f64>> {
+    pub(crate) fn spot_at(&self, place: [f64; 2], reach: f64) -> Option<Spot<f64>> {
         let mut found = None;
         let mut least = reach;
         let mut offer = |link: usize, at: [f64; 2], distance: f64| {

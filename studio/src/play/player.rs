@@ -110,7 +110,7 @@ impl Player {
     }
 
     /// Moves the motors to the values that those of the same name have in another mechanism, as far as they can come there.
-    pub fn stand_as(&mut self, before: &Mechanism) {
+    pub(crate) fn stand_as(&mut self, before: &Mechanism) {
         self.revision = Revision::next();
         if before.is_at_start() {
             return;
@@ -131,7 +131,7 @@ impl Player {
     }
 
     /// Pauses, and moves a motor, by its number, to a value in radians or scene units, as far as possible.
-    pub fn drive(&mut self, motor: usize, value: f64) {
+    pub(crate) fn drive(&mut self, motor: usize, value: f64) {
         self.revision = Revision::next();
         self.plays = false;
         self.direction = None;
@@ -169,7 +169,7 @@ impl Player {
     }
 
     /// Shows these layers.
-    pub fn show_layers(&mut self, layers: Layers) {
+    pub(crate) fn show_layers(&mut self, layers: Layers) {
         self.revision = Revision::next();
         self.layers = layers;
     }
@@ -214,8 +214,7 @@ impl Player {
     }
 
     /// Which of all its pictures it shows: another after each change.
-    #[must_use]
-    pub const fn revision(&self) -> Revision {
+    pub(crate) const fn revision(&self) -> Revision {
         self.revision
     }
 
@@ -261,7 +260,7 @@ impl Player {
     }
 
     /// Shows a notice in place of the status until the next control.
-    pub fn notify(&mut self, notice: String) {
+    pub(crate) fn notify(&mut self, notice: String) {
         self.notice = Some(notice);
     }
 
@@ -311,8 +310,7 @@ impl Player {
     }
 
     /// Whether it is painted in the colours of the night.
-    #[must_use]
-    pub const fn is_night(&self) -> bool {
+    pub(crate) const fn is_night(&self) -> bool {
         self.is_night
     }
 

@@ -20,8 +20,7 @@ pub struct PointRates {
 impl Mechanism {
     /// The velocities and accelerations of its points, while its motors have these rates; none where they are not
     /// [prepared](Self::prepare) or not determined.
-    #[must_use]
-    pub fn point_rates(&self, rates: &Rates) -> Vec<PointRates> {
+    pub(crate) fn point_rates(&self, rates: &Rates) -> Vec<PointRates> {
         let program = self.with(Derived::Rates);
         let program = program.and_then(|found| found.moving.as_ref());
         let Some(program) = program else {
@@ -55,8 +54,7 @@ impl Mechanism {
 
     /// The force that the first link of each joint exerts on the second, with the place of the joint, while its motors have these rates and
     /// its loads these numbers; none where forces are not [prepared](Self::prepare) or not determined. Loads that are not given are zero.
-    #[must_use]
-    pub fn reactions(&self, rates: &Rates, loads: &[f64]) -> Vec<([f64; 2], [f64; 2])> {
+    pub(crate) fn reactions(&self, rates: &Rates, loads: &[f64]) -> Vec<([f64; 2], [f64; 2])> {
         let program = self
             .with(Derived::Forces)
             .and_then(|found| found.forced.inverse_dynamics.as_ref());

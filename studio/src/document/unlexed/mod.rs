@@ -145,6 +145,4 @@ impl Body<'_> {
 }
 
 #[cfg(test)]
-mod measure;
-#[cfg(test)]
 mod tests;

@@ -211,8 +211,7 @@ impl Tool {
     }
 
     /// Returns the descriptions of the places to pick, in this order.
-    #[must_use]
-    pub fn picks(self) -> &'static [&'static str] {
+    pub(crate) fn picks(self) -> &'static [&'static str] {
         self.row().picks
     }
 
