@@ -93,8 +93,8 @@ struct Texts {
 
 impl Texts {
     /// A text that a line names or shows.
-    fn take(&self, words: &mut Words, block: Option<&str>) -> Result<String, String> {
-        let mut text = match block {
+    fn take(&self, words: &mut Words<'_>) -> Result<String, String> {
+        let mut text = match words.block {
             Some(block) => block.to_owned(),
             None => self.named(words.word()?)?,
         };
@@ -149,13 +149,13 @@ impl Scene {
     fn perform(&mut self, line: &Line) -> Result<(), String> {
         let done = catch_unwind(AssertUnwindSafe(|| {
             let folder = self.texts.folder.0.display().to_string();
-            let words = Words::of(&line.text.replace("FOLDER", &folder))?;
+            let words = Words::of(&line.text.replace("FOLDER", &folder), line.block.as_deref())?;
             let mut rest = words.clone();
             let verb = rest.text()?;
             if line.block.is_some() && !WITH_BLOCK.contains(&&*verb) {
                 return Err(format!("{verb} has no block"));
             }
-            if self.does(&verb, &mut rest, line.block.as_deref())? {
+            if self.does(&verb, &mut rest)? {
                 return rest.end();
             }
             self.judged += 1;
