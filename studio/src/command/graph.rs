@@ -1,8 +1,7 @@
 //! `mech graph`.
 
 use super::CODES;
-use super::replacing::Replacing;
-use super::target::Target;
+use super::target::{Replacing, Target};
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::job::{GraphKind, Job};

@@ -1,8 +1,7 @@
 //! `mech import`.
 
 use super::CODES;
-use super::replacing::Replacing;
-use super::target::moving;
+use super::target::{Replacing, moving};
 use crate::check::verdict_line;
 use crate::console::Console;
 use crate::document::{Document, Source};

@@ -2,8 +2,7 @@
 
 use super::CODES;
 use super::picture::kind_of;
-use super::replacing::Replacing;
-use super::target::coherent;
+use super::target::{Replacing, coherent};
 use crate::console::Console;
 use crate::document::{Declaration, Document, Source};
 use crate::failure::{Failure, FailureKind};

@@ -9,7 +9,6 @@ mod command;
 mod copy;
 mod declare;
 mod drag;
-mod history;
 mod place;
 mod pose;
 mod refusal;
@@ -22,9 +21,8 @@ mod workspace;
 
 pub use command::{ActionKind, Assembly, Command, Expression, JointForm, Kind, Pair};
 pub use drag::{Drag, Dragged, Follower};
-pub use history::{History, Step};
 pub use refusal::{Refusal, Rule};
-pub use workspace::Workspace;
+pub use workspace::{History, Step, Workspace};
 
 use crate::document::{Document, Reading, Source};
 use crate::failure::Failure;

@@ -4,10 +4,9 @@ use super::question::FileUse;
 use crate::text::masked;
 use eframe::egui;
 use rfd::AsyncFileDialog;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::thread;
+use std::{fs, thread};
 
 /// A name in a folder.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]

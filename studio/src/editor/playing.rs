@@ -1,7 +1,6 @@
 //! The mechanism that plays, and its motors that were moved by hand.
 
-use super::range::MotorRange;
-use super::range::Path;
+use super::range::{MotorRange, Path};
 use super::snapshot::Snapshot;
 use super::worker::{Task, Use};
 use crate::play::{Derived, Player};

@@ -3,8 +3,7 @@
 use super::drag::Drag;
 use super::drawing::Drawing;
 use super::playing::{Hand, Playing};
-use super::range::MotorRange;
-use super::range::Path;
+use super::range::{MotorRange, Path};
 use super::settings::{Settings, Visible};
 use super::snapshot::Snapshot;
 use super::worker::Previewed;

@@ -2,8 +2,7 @@
 
 use super::drawing::Drawing;
 use super::placement::Pose;
-use super::range::{MotorRange, ranges};
-use super::range::{Path, whole_paths};
+use super::range::{MotorRange, Path, ranges, whole_paths};
 use crate::check::verdict_line;
 use crate::document::{Declaration, Document, Listing, Message, Reading};
 use crate::edit::{Known, Workspace};

@@ -1,13 +1,11 @@
 //! The editor in a window of egui.
 
-use super::Editor;
-use super::action;
 use super::canvas::Canvas;
 use super::dropped::Dropped;
 #[cfg(not(target_arch = "wasm32"))]
 use super::guard::Guard;
-use super::panel;
 use super::question::Ending;
+use super::{Editor, action, panel};
 use crate::edit::Workspace;
 use crate::text::masked;
 use eframe::egui;

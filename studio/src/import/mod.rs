@@ -9,14 +9,11 @@ mod drawing;
 mod formats;
 mod linkage;
 mod names;
-mod omission;
 mod pmks;
 mod terms;
-mod times;
 mod writing;
 
-pub(crate) use drawing::Imported;
-pub(crate) use omission::{Omission, listed};
+pub(crate) use drawing::{Imported, Omission, listed};
 pub(crate) use writing::FileKind;
 
 use crate::document::{Message, Source};

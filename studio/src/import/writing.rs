@@ -1,8 +1,9 @@
 //! The text of a drawing.
 
-use super::drawing::{Direction, Drawing, End, Form, Joint, Link, Motor, Pair, Sizes, Speed};
+use super::drawing::{
+    Direction, Drawing, End, Form, Joint, Link, Motor, Pair, Sizes, Speed, Times,
+};
 use super::names::Names;
-use super::times::Times;
 use crate::document::in_rust;
 use crate::failure::Failure;
 use crate::text::{masked, shortest, written_like};

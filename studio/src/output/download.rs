@@ -1,6 +1,6 @@
 //! Files that a browser downloads from its page.
 
-use super::file::Output;
+use super::kind::Output;
 use crate::failure::Failure;
 use std::path::Path;
 use web_sys::js_sys::{Array, Uint8Array};

@@ -4,7 +4,6 @@
 //! the [`Painter`]. The window and the [`terminal`] are two thin front ends to it. A [`Mechanism`] is moved by the compiler's
 //! interpreter.
 
-mod bounds;
 mod camera;
 mod caption;
 mod control;
@@ -15,7 +14,6 @@ pub mod half_blocks;
 pub mod keys;
 mod landmarks;
 mod layers;
-mod limit;
 mod marks;
 mod mechanism;
 mod motion;
@@ -23,7 +21,6 @@ mod painter;
 mod player;
 mod prepared;
 mod rates;
-mod revision;
 mod stage;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod terminal;
@@ -37,16 +34,14 @@ use grip::Held;
 pub use grip::{Free, Grip};
 pub use keys::Key;
 pub use layers::{Layer, Layers, Style};
-pub use limit::Limit;
-pub use mechanism::{Mechanism, Obstacle};
+pub use mechanism::{Limit, Mechanism, Obstacle};
 pub use motion::Rates;
 pub use painter::Painter;
-pub use player::Player;
+pub use player::{Player, Revision};
 pub use prepared::Derived;
 #[cfg(feature = "transfer")]
 pub(crate) use prepared::Prepared;
 pub use rates::PointRates;
-pub use revision::Revision;
 pub use stage::Stage;
 
 /// The size of a picture at first, in pixels.

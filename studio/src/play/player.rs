@@ -1,15 +1,16 @@
 //! The state of a player, without a window, a terminal or a clock.
 
-use super::bounds::Bounds;
+use super::camera::Bounds;
 use super::{
     Camera, Control, Derived, Driver, Grip, Held, Layer, Layers, Limit, Mechanism, Obstacle, Pace,
-    Rates, Revision, Selection, Style, marks,
+    Rates, Selection, Style, marks,
 };
 use mech_compiler::Compiled;
 use mech_runtime::Canvas;
 use mech_runtime::overlay::Spot;
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// The number of single steps in 1 of the phase. Playing never moves farther at once.
 const STEPS: f64 = 120.0;
@@ -475,5 +476,17 @@ impl Player {
             velocity: ARROW / rate,
             acceleration: ARROW / (rate * rate),
         }
+    }
+}
+
+/// A number that is given once: two players that show different things never have the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Revision(u64);
+
+impl Revision {
+    /// One that was never given before.
+    pub(super) fn next() -> Self {
+        static NEXT: AtomicU64 = AtomicU64::new(0);
+        Self(NEXT.fetch_add(1, Ordering::Relaxed))
     }
 }

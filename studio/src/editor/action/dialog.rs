@@ -6,9 +6,8 @@ use crate::editor::order::{Export, Order};
 use crate::editor::question::{Destination, Dialog, FileUse};
 use crate::editor::worker::Task;
 use crate::text::masked;
-use eframe::egui;
-use eframe::egui::Key;
 use eframe::egui::text::{CCursor, CCursorRange};
+use eframe::egui::{self, Key};
 use std::path::Path;
 
 pub(in crate::editor) fn dialogs(editor: &mut Editor, context: &egui::Context) {

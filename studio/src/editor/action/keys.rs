@@ -3,8 +3,7 @@
 use super::Action;
 use super::table::{ACTIONS, copy, paste};
 use crate::editor::{Editor, Tool};
-use eframe::egui;
-use eframe::egui::{Key, KeyboardShortcut, Modifiers};
+use eframe::egui::{self, Key, KeyboardShortcut, Modifiers};
 
 pub(in crate::editor) const fn key_of_tool(tool: Tool) -> KeyboardShortcut {
     let key = match tool {

@@ -4,8 +4,7 @@ use super::{Canvas, Shown};
 use crate::editor::drawing::Handle;
 use crate::editor::snap::{REACH, Snapping, grid};
 use crate::editor::{Editor, Tool};
-use eframe::egui;
-use eframe::egui::Response;
+use eframe::egui::{self, Response};
 
 impl Canvas {
     /// Points by the keys with arrows, and picks or selects by Enter.

@@ -1,8 +1,7 @@
 //! A picture behind the drawing, to be traced.
 
 use crate::failure::Failure;
-use eframe::egui;
-use eframe::egui::{Color32, ColorImage, Mesh, Pos2, TextureHandle, TextureOptions};
+use eframe::egui::{self, Color32, ColorImage, Mesh, Pos2, TextureHandle, TextureOptions};
 use image::{DynamicImage, ImageReader, ImageResult, Limits};
 use serde::{Deserialize, Serialize};
 use std::io::{self, Cursor};

@@ -9,8 +9,7 @@ use crate::editor::range::MotorRange;
 use crate::editor::snapshot::Snapshot;
 use crate::motion::Basis;
 use crate::quantity::{self, Offer, Table, round_step, tick};
-use eframe::egui;
-use eframe::egui::{Color32, Role, Sense, Stroke, Vec2, WidgetInfo};
+use eframe::egui::{self, Color32, Role, Sense, Stroke, Vec2, WidgetInfo};
 use egui_plot::{GridInput, GridMark, Line, Plot, PlotPoint, Points, VLine};
 use mech_compiler::model::LoadKind;
 

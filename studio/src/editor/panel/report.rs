@@ -1,9 +1,8 @@
 //! The compiler's report on the mechanism.
 
 use crate::editor::analysis::Analysis;
-use eframe::egui;
 use eframe::egui::{
-    Align2, Color32, CornerRadius, FontId, Pos2, Rect, Role, Sense, Stroke, Vec2, WidgetInfo,
+    self, Align2, Color32, CornerRadius, FontId, Pos2, Rect, Role, Sense, Stroke, Vec2, WidgetInfo,
 };
 use mech_compiler::graphs::{self, Edge, EdgeKind, Graph, Vertex, VertexKind};
 

@@ -5,8 +5,7 @@
 use super::{Finding, Held, Hold, Task, Text, Undone, Use};
 use crate::edit::{Applied, Refusal};
 use crate::editor::curves::{Curves, Wanted};
-use crate::editor::range::MotorRange;
-use crate::editor::range::Path;
+use crate::editor::range::{MotorRange, Path};
 use crate::editor::snapshot::Snapshot;
 use crate::failure::Failure;
 use crate::mend::Mending;

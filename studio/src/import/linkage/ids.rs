@@ -3,7 +3,7 @@
 use super::document::{Connector, Fastening, Link};
 use super::element::{Element, Id};
 use crate::document::Message;
-use crate::import::omission::Omission;
+use crate::import::drawing::Omission;
 use std::collections::BTreeMap;
 
 /// The losses of something with a name.

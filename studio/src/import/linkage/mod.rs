@@ -11,12 +11,11 @@ mod sliding;
 mod tags;
 mod translation;
 mod unions;
-mod units;
 mod unknown;
 
 use crate::document::Message;
 use crate::import::Imported;
-use crate::import::omission::Omission;
+use crate::import::drawing::Omission;
 use element::Element;
 use roxmltree::{ParsingOptions, TextPos};
 

@@ -1,9 +1,8 @@
 //! The ratios of wheels.
 
-use super::document::Ratio;
+use super::document::{Ratio, Units};
 use super::element::Element;
 use super::ids::{Ids, Losses};
-use super::units::Units;
 use crate::document::Message;
 use crate::import::drawing::{LARGEST, Pair, Sizes};
 

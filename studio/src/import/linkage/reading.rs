@@ -1,15 +1,13 @@
 //! Reads a document.
 
-use super::document::{Connector, Cylinder, Document, Link, Slide};
+use super::document::{Connector, Cylinder, Document, Link, Slide, Units};
 use super::element::Element;
 use super::ids::{Ids, Losses, numbered};
 use super::ratio;
-use super::units::Units;
 use super::unknown::Unknown;
 use crate::document::Message;
 use crate::import::color::Color;
-use crate::import::drawing::MOST;
-use crate::import::omission::Omission;
+use crate::import::drawing::{MOST, Omission};
 
 /// The bit of the layers of what belongs to the mechanism.
 const MECHANISM_LAYER: u32 = 16;

@@ -4,8 +4,9 @@ use super::document::{Connector, Document, Link};
 use super::sliding::{Guide, guides};
 use super::unions::{Member, Unions};
 use crate::import::Imported;
-use crate::import::drawing::{self, Direction, Drawing, End, Form, Motor, Pair, Point, Speed};
-use crate::import::omission::Omission;
+use crate::import::drawing::{
+    self, Direction, Drawing, End, Form, Motor, Omission, Pair, Point, Speed,
+};
 
 /// Documents have six decimals of a pixel.
 const ROUNDING: f64 = 0.500_001e-6;

@@ -1,8 +1,7 @@
 //! Which links of a document are one link of the drawing.
 
 use super::document::{Document, Fastening};
-use crate::import::drawing::End;
-use crate::import::omission::Omission;
+use crate::import::drawing::{End, Omission};
 use std::collections::BTreeSet;
 
 /// The number of the ground among links, before the first of them.

@@ -1,7 +1,7 @@
 //! The attributes and elements of a document that are not read.
 
 use super::element::Element;
-use crate::import::omission::Omission;
+use crate::import::drawing::Omission;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Attributes that are read, or that only the editor of drawings needs.

@@ -1,13 +1,12 @@
 //! Links since June 2023: everything has a name, and the last letters check the link.
 
-use super::digits::checked;
-use super::digits::decimal;
+use super::digits::{checked, decimal};
 use super::linkage::{Force, Ids, Joint, Link, Linkage, mass_of, name_of, parts_of};
 use super::query::Field;
 use super::sections::{Draft, Generation, JointDraft, Sections, fields, flags_and_id};
 use crate::document::Message;
 use crate::import::color::Color;
-use crate::import::omission::Omission;
+use crate::import::drawing::Omission;
 
 struct Compact;
 

@@ -8,7 +8,7 @@ use super::linkage::{Force, Ids, Joint, Link, Linkage, mass_of, name_of, parts_o
 use super::query::Field;
 use super::sections::{Draft, Generation, HEADS, JointDraft, Sections, fields, flags_and_id};
 use crate::document::Message;
-use crate::import::omission::Omission;
+use crate::import::drawing::Omission;
 
 struct Early;
 

@@ -3,8 +3,7 @@
 use super::query::Field;
 use crate::document::Message;
 use crate::import::color::Color;
-use crate::import::drawing::{MOST, Mass, Pair};
-use crate::import::omission::Omission;
+use crate::import::drawing::{MOST, Mass, Omission, Pair};
 use std::collections::BTreeMap;
 
 pub(super) struct Linkage {

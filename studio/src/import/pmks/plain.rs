@@ -1,11 +1,11 @@
 //! Links before April 2023: plain numbers, a line for each joint, link and force.
 
-use super::linkage::{Force, Ids, Joint, Link, Linkage, Speeds, mass_of, name_of, parts_of};
-use super::linkage::{UNITS, Unit};
+use super::linkage::{
+    Force, Ids, Joint, Link, Linkage, Speeds, UNITS, Unit, mass_of, name_of, parts_of,
+};
 use super::query::Field;
 use crate::document::Message;
-use crate::import::drawing::LARGEST;
-use crate::import::omission::Omission;
+use crate::import::drawing::{LARGEST, Omission};
 
 /// The units of length, as a link writes them, with their numbers.
 const WORDS: [(&str, usize); 4] = [("cm", 1), ("m", 2), ("in", 0), ("inch", 0)];

@@ -2,11 +2,10 @@
 
 use super::corrections::Correction;
 use super::digits::{decimal, digit, flags, whole};
-use super::linkage::{Force, Ids, Joint, Link, Linkage, Slot, Speeds};
-use super::linkage::{UNITS, Unit};
+use super::linkage::{Force, Ids, Joint, Link, Linkage, Slot, Speeds, UNITS, Unit};
 use super::query::Field;
 use crate::document::Message;
-use crate::import::omission::Omission;
+use crate::import::drawing::Omission;
 
 /// The first letters of entries in the last section that only the editor of drawings needs: locks of joints, links and forces, references
 /// of mass centres, goals of a synthesis, and lengths that are held.

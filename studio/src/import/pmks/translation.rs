@@ -3,9 +3,8 @@
 use super::linkage::{Force, Joint, Link, Linkage};
 use crate::import::Imported;
 use crate::import::drawing::{
-    self, Direction, Drawing, End, Form, Load, Mass, Motor, Pair, Point, Speed,
+    self, Direction, Drawing, End, Form, Load, Mass, Motor, Omission, Pair, Point, Speed,
 };
-use crate::import::omission::Omission;
 use crate::text::rounded;
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::TAU;

@@ -5,11 +5,10 @@
 
 use super::place::{folder_of, is_same, target};
 use crate::failure::Failure;
-use crate::output::file::{Output, Over};
+use crate::output::kind::{Output, Over};
 use std::ffi::OsStr;
-use std::fs;
-use std::io;
 use std::path::{Component, Path, PathBuf};
+use std::{fs, io};
 
 pub(crate) struct Fence {
     /// The script; none if its lines come from elsewhere.

@@ -6,8 +6,7 @@ use crate::editor::Item;
 use crate::editor::colors::distinct;
 use crate::editor::drawing::Drawing;
 use crate::motion::Basis;
-use eframe::egui;
-use eframe::egui::{Color32, Painter, Pos2, Stroke, Vec2};
+use eframe::egui::{self, Color32, Painter, Pos2, Stroke, Vec2};
 use mech_compiler::model::{LinkId, ShapeKind};
 
 impl Paint<'_> {
