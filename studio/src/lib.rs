@@ -46,7 +46,7 @@ pub use document::{
 };
 pub use edit::{
     ActionKind, Applied, Assembly, Command, Drag, Dragged, Expression, Follower, History,
-    JointForm, Kind, Known, Pair, Refusal, Rule, Step, Workspace, apply,
+    JointForm, Kind, Known, Pair, Refusal, Rule, Step, Workspace, apply, apply_all,
 };
 pub use failure::{Failure, FailureKind};
 pub use mend::{Mending, Remainder, mendings};

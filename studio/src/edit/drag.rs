@@ -69,7 +69,10 @@ impl Drag {
     }
 
     /// Takes hold of something in a mechanism that was analysed already.
-    pub(crate) fn begin_known(
+    ///
+    /// # Errors
+    /// As [`begin`](Self::begin).
+    pub fn begin_known(
         known: Known<'_>,
         path: &str,
         pose: Option<Vec<(String, f64)>>,

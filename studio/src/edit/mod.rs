@@ -118,7 +118,10 @@ pub fn apply(document: &Document, index: usize, command: &Command) -> Result<App
 }
 
 /// Applies commands one after the other, as one step. In between the text only has to be readable; at the end it is judged.
-pub(crate) fn apply_all(
+///
+/// # Errors
+/// If one of the commands is refused: nothing is changed then.
+pub fn apply_all(
     document: &Document,
     index: usize,
     title: &str,

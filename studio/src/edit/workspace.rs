@@ -179,12 +179,13 @@ impl Workspace {
     }
 
     /// Notes what the file says since another program has changed it; none if it is gone. The text stays as it is.
-    pub(crate) fn note_file(&mut self, text: Option<&str>) {
+    pub fn note_file(&mut self, text: Option<&str>) {
         self.source = text.map(|text| Source::new(&self.path, text));
     }
 
     /// Whether the user has named the file, even if it is not there.
-    pub(crate) const fn is_named(&self) -> bool {
+    #[must_use]
+    pub const fn is_named(&self) -> bool {
         self.is_named
     }
 

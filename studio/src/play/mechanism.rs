@@ -152,7 +152,8 @@ impl Mechanism {
     }
 
     /// The present value of each motor, with its name, in degrees or scene units.
-    pub(crate) fn shown_motors(&self) -> Vec<(String, f64)> {
+    #[must_use]
+    pub fn shown_motors(&self) -> Vec<(String, f64)> {
         let values = self.motors().iter().enumerate();
         let shown = values.filter_map(|(motor, &value)| {
             let name = self.motor_name(motor)?.to_owned();

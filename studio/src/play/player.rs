@@ -132,7 +132,7 @@ impl Player {
     }
 
     /// Pauses, and moves a motor, by its number, to a value in radians or scene units, as far as possible.
-    pub(crate) fn drive(&mut self, motor: usize, value: f64) {
+    pub fn drive(&mut self, motor: usize, value: f64) {
         self.revision = Revision::next();
         self.plays = false;
         self.direction = None;
@@ -170,7 +170,7 @@ impl Player {
     }
 
     /// Shows these layers.
-    pub(crate) fn show_layers(&mut self, layers: Layers) {
+    pub fn show_layers(&mut self, layers: Layers) {
         self.revision = Revision::next();
         self.layers = layers;
     }
@@ -215,7 +215,8 @@ impl Player {
     }
 
     /// Which of all its pictures it shows: another after each change.
-    pub(crate) const fn revision(&self) -> Revision {
+    #[must_use]
+    pub const fn revision(&self) -> Revision {
         self.revision
     }
 

@@ -54,7 +54,8 @@ impl Mechanism {
 
     /// The force that the first link of each joint exerts on the second, with the place of the joint, while its motors have these rates and
     /// its loads these numbers; none where forces are not [prepared](Self::prepare) or not determined. Loads that are not given are zero.
-    pub(crate) fn reactions(&self, rates: &Rates, loads: &[f64]) -> Vec<([f64; 2], [f64; 2])> {
+    #[must_use]
+    pub fn reactions(&self, rates: &Rates, loads: &[f64]) -> Vec<([f64; 2], [f64; 2])> {
         let program = self
             .with(Derived::Forces)
             .and_then(|found| found.forced.inverse_dynamics.as_ref());
