@@ -47,7 +47,6 @@ impl Page {
         self.context.request_repaint();
     }
 
-    /// Tells the user why something is refused.
     pub(crate) fn refuse(&mut self, why: &str) {
         self.studio.editor_mut().refuse(why);
         self.context.request_repaint();

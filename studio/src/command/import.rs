@@ -41,7 +41,6 @@ Examples:
   mech import lift.linkage2 -o src/lift.rs --mechanism Lift
   mech import 'https://app.pmksplus.com/?0P.SS.K,0.101...' -o four_bar.mech";
 
-/// The name of the standard input.
 const STANDARD_INPUT: &str = "-";
 
 /// What is read, and what it is called.

@@ -151,7 +151,6 @@ impl Play {
     }
 }
 
-/// Plays in the terminal, if this is one.
 fn in_terminal(stage: Stage) -> Result<(), Failure> {
     if !is_terminal() {
         return Err(Failure::usage(

@@ -154,7 +154,6 @@ impl Fitting<'_> {
         }
     }
 
-    /// Fits elements, after which these follow.
     fn all(&mut self, elements: &[Element], after: &[Element]) -> Result<(), Misfit> {
         for (index, element) in elements.iter().enumerate() {
             let mut following = elements[index + 1..].to_vec();

@@ -117,7 +117,6 @@ pub(super) fn declare(scene: &Scene, command: &Command) -> Result<Change, Refusa
     Change::of(scene, &rewriter)
 }
 
-/// Sets a number by its role.
 pub(super) fn set(scene: &Scene, owner: &str, role: &str, value: &str) -> Result<Change, Refusal> {
     let Some(number) = scene.listing.number(owner, role) else {
         let roles = scene.listing.numbers_of(owner).map(|one| &one.role);

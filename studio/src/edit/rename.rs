@@ -55,7 +55,6 @@ pub(super) fn rename(scene: &Scene, path: &str, name: &str) -> Result<Change, Re
     Ok(change)
 }
 
-/// Whether a name can mean something of this kind.
 fn is_kind(one: &NameText, path: &str, noun: Noun) -> bool {
     match (one.noun, noun) {
         (Noun::BodyOrJoint, Noun::Body | Noun::Joint) => true,

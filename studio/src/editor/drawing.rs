@@ -102,7 +102,6 @@ impl Drawing {
         self.poses.get(link.index()).copied().unwrap_or(SCENE)
     }
 
-    /// Whether coordinates of a link are those of the scene.
     pub(crate) fn is_in_scene(&self, link: LinkId) -> bool {
         let near = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-9;
         let parts = <[f64; 4]>::from;
@@ -115,13 +114,11 @@ impl Drawing {
         self.pose(axis.link).apply(axis.at)
     }
 
-    /// The direction of an axis in the scene.
     pub(crate) fn direction(&self, axis: AxisId) -> [f64; 2] {
         let axis = self.model.axis(axis);
         self.pose(axis.link).turn(axis.direction)
     }
 
-    /// A place of the scene in the frame of a link.
     pub(crate) fn in_frame(&self, link: LinkId, place: [f64; 2]) -> [f64; 2] {
         self.pose(link).relative(place)
     }
@@ -135,13 +132,11 @@ impl Drawing {
         links.find(is_it)
     }
 
-    /// The links that the text declares, by their names.
     pub(crate) fn declared_links(&self) -> impl Iterator<Item = String> {
         let links = self.model.declared_links();
         links.map(|link| self.model.link(link).name.clone())
     }
 
-    /// The joint of this name that is shown.
     pub(crate) fn joint(&self, name: &str) -> Option<JointId> {
         self.index.joints.get(name).copied()
     }

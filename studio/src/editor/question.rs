@@ -15,7 +15,6 @@ pub(crate) enum Dialog {
     Leave(Destination),
 }
 
-/// The use that is made of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum FileUse {
     Open,

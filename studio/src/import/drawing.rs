@@ -36,7 +36,6 @@ pub(super) struct Link {
     pub(super) color: Option<Color>,
 }
 
-/// A named point of a link.
 #[derive(Clone, Debug)]
 pub(super) struct Point {
     pub(super) name: String,

@@ -29,7 +29,6 @@ const WIDTH: f64 = 0.03;
 /// The longest line, where it can be broken.
 const LINE: usize = 100;
 
-/// The text of a drawing as a mechanism of this name.
 pub(super) fn text(
     drawing: &Drawing,
     terms: &Terms,
@@ -49,7 +48,6 @@ pub(super) fn text(
     })
 }
 
-/// The names that the joints of a drawing get.
 pub(super) fn joint_names(drawing: &Drawing) -> Result<Vec<String>, Failure> {
     Ok(Named::of(drawing)?.joints)
 }
@@ -424,7 +422,6 @@ fn on_one_line(text: &str) -> String {
     masked(&letters.collect::<String>()).into_owned()
 }
 
-/// The terms on which a text is written.
 #[derive(Clone, Debug)]
 pub(super) struct Terms {
     pub(super) is_coupled: bool,

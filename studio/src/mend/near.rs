@@ -199,7 +199,6 @@ impl<'t> Near<'t> {
         Some(self.replaced(statement.clone(), &format!("effects {{ {written} }}")))
     }
 
-    /// Each other name that is declared.
     fn other_names(&self, token: usize) -> Vec<Slip> {
         const DECLARING: [&str; 7] = ["link", "joint", "point", "line", "const", "param", "port"];
         if !self.is_word(token) {
@@ -218,7 +217,6 @@ impl<'t> Near<'t> {
             .collect()
     }
 
-    /// The tokens of the statement in which a token stands.
     fn statement(&self, token: usize) -> Range<usize> {
         let ends = |token: &usize| matches!(self.word(*token), ";" | "{" | "}");
         let start = (0..token).rev().find(ends).map_or(0, |end| end + 1);

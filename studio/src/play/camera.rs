@@ -140,7 +140,6 @@ impl Camera {
     }
 }
 
-/// The view of a whole motion.
 fn fit_motion([low, high]: [[f64; 2]; 2], size: [usize; 2]) -> View {
     let [width, height] = size;
     #[expect(clippy::cast_precision_loss, reason = "no picture is 2⁵² pixels wide")]

@@ -180,7 +180,6 @@ impl Mechanism {
         links.map(pose).collect()
     }
 
-    /// The name of a motor, by its number.
     pub(crate) fn motor_name(&self, motor: usize) -> Option<&str> {
         Some(motor_name(&self.model, self.motor(motor)?))
     }
@@ -371,7 +370,6 @@ impl Mechanism {
         known.find(|(known, _)| *known == what)?.1.as_deref()
     }
 
-    /// Draws the mechanism, whose motors have these rates.
     pub(super) fn draw(&self, canvas: &mut impl Canvas<f64>, style: &Style, rates: &Rates) {
         let has = |layer| style.layers.has(layer);
         let poses = poses_of(&self.position.poses);
@@ -419,7 +417,6 @@ fn pose_in(position: &Position<f64>, link: usize) -> Option<Pose<f64>> {
     }
 }
 
-/// The place in the scene of a place on a link.
 fn place_in(position: &Position<f64>, spot: Spot<f64>) -> Option<[f64; 2]> {
     Some(pose_in(position, spot.link)?.apply(spot.at))
 }

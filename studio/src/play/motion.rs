@@ -38,7 +38,6 @@ pub(super) struct Pass {
     way: Way,
 }
 
-/// The way of a pass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 enum Way {

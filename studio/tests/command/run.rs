@@ -125,7 +125,6 @@ impl Drop for Folder {
     }
 }
 
-/// A folder of the repository.
 pub(crate) fn repository(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path)
 }

@@ -82,7 +82,6 @@ const STEPS: [fn(&mut Editor); 17] = [
     |editor| editor.say("nonsense"),
 ];
 
-/// What is seen of an editor.
 fn seen(editor: &Editor) -> String {
     let drawing = editor.drawing().map(|drawing| {
         let handles = drawing.handles();

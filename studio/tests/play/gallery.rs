@@ -25,7 +25,6 @@ pub(crate) const FILES: [&str; 13] = [
     "watt",
 ];
 
-/// The path of a file of the gallery.
 pub(crate) fn path(file: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/gallery/src/mechanisms");
     folder.join(file).with_extension("rs")
@@ -38,7 +37,6 @@ pub(crate) fn first(document: &Document) -> Mechanism {
     Mechanism::new(reading.model, *compiled).expect("it can be played")
 }
 
-/// The mechanism of a file of the gallery.
 pub(crate) fn mechanism(file: &str) -> Mechanism {
     first(&Document::read(&path(file)).expect("it is in the gallery"))
 }
@@ -47,12 +45,10 @@ pub(crate) fn from_text(text: &str) -> Mechanism {
     first(&Document::of(Source::new("a.mech", text)))
 }
 
-/// A mechanism from the text of a Rust file.
 pub(crate) fn from_rust(text: &str) -> Mechanism {
     first(&Document::of(Source::new("a.rs", text)))
 }
 
-/// A player of a mechanism of the gallery.
 pub(crate) fn player(file: &str) -> Player {
     Player::new(mechanism(file), Vec::new(), SIZE)
 }
@@ -62,7 +58,6 @@ pub(crate) fn picture(player: &Player) -> HeapSmooth {
     painter.paint(player).expect("it is small").clone()
 }
 
-/// Whether no number is farther from the other than that.
 pub(crate) fn near(one: &[f64], other: &[f64], tolerance: f64) -> bool {
     one.len() == other.len()
         && one

@@ -15,7 +15,6 @@ use std::ops::Range;
 #[derive(Default)]
 pub(super) struct Clipboard {
     pub(super) copied: String,
-    /// The text for the clipboard of the system.
     pub(super) next: Option<String>,
 }
 
@@ -74,7 +73,6 @@ impl<'t> Lexed<'t> {
         self.places.bytes(tokens)
     }
 
-    /// A statement as it stands in the text.
     pub(super) fn text_of(&self, statement: &StatementText<'_>) -> &'t str {
         &self.text[self.places.bytes(&statement.range())]
     }

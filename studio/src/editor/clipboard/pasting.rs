@@ -122,7 +122,6 @@ fn add(rewriter: &mut Rewriter<'_>, statement: &str) -> Option<()> {
     rewriter.add_beside(statement, siblings)
 }
 
-/// The pairs of numbers that are places.
 fn places(listing: &Listing) -> impl Iterator<Item = [&NumberText; 2]> {
     let part = |number: &NumberText, name| number.role.rsplit(' ').next() == Some(name);
     let pairs = listing.numbers.array_windows();

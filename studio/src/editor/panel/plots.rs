@@ -57,7 +57,6 @@ impl Plots {
         }
     }
 
-    /// Chooses what is plotted, over which motor.
     fn choose(
         &mut self,
         plotted: &mut Plotted,
@@ -217,7 +216,6 @@ fn cursor(plotted: &Plotted, playing: &Playing) -> Option<f64> {
     Some(range.shown(value - whole_turns(range, value)))
 }
 
-/// Returns the range of the plotted motor, and its value.
 fn plotted_motor<'p>(plotted: &Plotted, playing: &'p Playing) -> Option<(&'p MotorRange, f64)> {
     let (motor, _) = plotted.motor_of(&playing.ranges)?;
     let value = playing.player.as_ref()?.motors().get(motor)?;

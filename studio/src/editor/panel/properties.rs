@@ -134,7 +134,6 @@ fn button(text: &str, help: &str, ui: &mut egui::Ui) -> bool {
     ui.button(text).on_hover_text(help).clicked()
 }
 
-/// The numbers of something, each as it stands in the text.
 fn numbers(snapshot: &Snapshot, owner: &str, ui: &mut egui::Ui, commands: &mut Vec<Command>) {
     let text = snapshot.document.source().text();
     let numbers = snapshot.listing.numbers_of(owner);

@@ -30,7 +30,6 @@ pub(in crate::editor) enum Held {
     Text(Text),
 }
 
-/// Where something that is held was led.
 #[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(in crate::editor) struct Led {
     /// Which of all drags it was.

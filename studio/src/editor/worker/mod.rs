@@ -81,7 +81,6 @@ pub(super) enum Task {
 /// What is done with a snapshot.
 #[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Use {
-    /// It is measured.
     Measure(Wanted),
     /// It is compiled once more, to compute something besides positions. The task has a number.
     Derive(u64, Derived),

@@ -46,7 +46,6 @@ impl<'d> Element<'d> {
         start..start + 1 + self.name().len()
     }
 
-    /// Makes a message on the element itself.
     pub(super) fn wrong(&self, text: impl Into<String>) -> Message {
         let text = text.into();
         Message {

@@ -23,7 +23,6 @@ struct Elements<'d> {
     omissions: Vec<Omission>,
 }
 
-/// Reads a document below its root.
 pub(super) fn read(root: &Element<'_>) -> Result<Document, Message> {
     if root.name() != "linkage2" {
         return Err(root.wrong(format!(

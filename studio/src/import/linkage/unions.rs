@@ -11,7 +11,6 @@ const GROUND: usize = 0;
 pub(super) struct Unions {
     /// The member for each link; none for pictures, and for links that carry nothing.
     ends: Vec<Option<Member>>,
-    /// The links of each union, in their order.
     pub(super) links: Vec<Vec<usize>>,
     /// The connectors of each link, with those that are fastened to it.
     pub(super) connectors: Vec<Vec<usize>>,

@@ -64,7 +64,6 @@ pub(super) struct Unknown<'d> {
 }
 
 impl<'d> Unknown<'d> {
-    /// Notes the attributes of an element that are not read.
     pub(super) fn note_attributes(&mut self, element: &Element<'d>) {
         for name in element.attributes() {
             if LOOKS.contains(&name) {

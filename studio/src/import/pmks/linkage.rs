@@ -65,7 +65,6 @@ pub(super) struct Link {
     pub(super) is_block: bool,
     /// By their numbers, each once.
     pub(super) joints: Vec<usize>,
-    /// The links that are welded into it, by their numbers.
     pub(super) welded: Vec<usize>,
     pub(super) mass: Option<Mass>,
     pub(super) color: Option<Color>,

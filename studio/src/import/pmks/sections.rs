@@ -196,7 +196,6 @@ pub(super) fn flags_and_id<'q>(
     Ok((flags(&bits)?, id))
 }
 
-/// The slot in which a joint slides.
 fn slot_of<'q>(
     joint: &Joint,
     [carrier, first, second]: [Field<'q>; 3],

@@ -20,7 +20,6 @@ pub(super) fn analyse(text: &str) -> (Document, Reading) {
     (document, reading)
 }
 
-/// Reads all correct texts of these folders.
 pub(super) fn read() -> Vec<Correct> {
     const FOLDERS: [&str; 5] = [
         "docs",

@@ -73,7 +73,6 @@ impl<'t> Text<'t> {
         (!all.is_empty()).then(|| *dice.pick(&all))
     }
 
-    /// The text with something else in this place.
     pub(super) fn with(&self, place: Range<usize>, new: &str) -> Slip {
         let (before, after) = (&self.text[..place.start], &self.text[place.end..]);
         Slip {

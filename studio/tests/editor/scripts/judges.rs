@@ -123,7 +123,6 @@ fn is_mended(user: &mut User, repair: &str) {
     plays(user);
 }
 
-/// Returns the offered repairs, in words.
 pub(super) fn offers(user: &User) -> Vec<String> {
     let offered = user.editor().mendings().iter();
     offered.map(|mending| mending.words.clone()).collect()

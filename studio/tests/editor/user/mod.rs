@@ -481,7 +481,6 @@ impl User {
         all.map(name).collect()
     }
 
-    /// Opens the menu of what has this name.
     #[track_caller]
     pub(crate) fn open_menu_of(&mut self, label: &str) {
         self.harness.get_by_label(label).click_secondary();
