@@ -135,10 +135,7 @@ pub(super) fn set(scene: &Scene, owner: &str, role: &str, value: &str) -> Result
 
 /// Another text in place of a number.
 pub(super) fn replaced(number: &NumberText, by: impl Into<String>) -> Replacement {
-    Replacement {
-        range: number.place.clone(),
-        text: by.into(),
-    }
+    Replacement::new(number.place.clone(), by.into())
 }
 
 /// Puts a motor on a joint, or says more of one.

@@ -209,10 +209,7 @@ fn begin(document: &Document, name: &str) -> Result<Applied, Refusal> {
     }
     declare::check_name(name)?;
     let end = source.text().len();
-    let edits = vec![Replacement {
-        range: end..end,
-        text: format!("struct {name};\n"),
-    }];
+    let edits = vec![Replacement::new(end..end, format!("struct {name};\n"))];
     let after = Document::of(Source::new(source.path(), written(source.text(), &edits)));
     let declaration = after.declarations().first();
     let declaration = declaration
@@ -331,10 +328,10 @@ pub(crate) fn differences(before: &str, after: &str) -> Vec<Replacement> {
     changed
         .map(|op| {
             let (from, by) = (op.old_range(), op.new_range());
-            Replacement {
-                range: old[from.start]..old[from.end],
-                text: after[new[by.start]..new[by.end]].to_owned(),
-            }
+            Replacement::new(
+                old[from.start]..old[from.end],
+                &after[new[by.start]..new[by.end]],
+            )
         })
         .collect()
 }

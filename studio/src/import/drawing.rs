@@ -195,6 +195,17 @@ impl Drawing {
         places
     }
 
+    /// Names a place of the first of these ends that moves, where its path is recorded or no joint marks it.
+    pub(super) fn mark(&mut self, ends: &[End], point: Point, has_joint: bool) {
+        let moving = ends.iter().find_map(|end| match end {
+            End::Link(link) => Some(*link),
+            End::Ground => None,
+        });
+        if let Some(link) = moving.filter(|_| point.is_traced || !has_joint) {
+            self.links[link].points.push(point);
+        }
+    }
+
     pub(super) fn is_wheel(&self, link: usize) -> bool {
         let mut joints = self.joints.iter();
         joints.any(|joint| joint.at().is_none() && joint.ends.contains(&End::Link(link)))

@@ -24,3 +24,16 @@ pub(crate) fn quoted<N: AsRef<str>>(names: impl IntoIterator<Item = N>) -> Strin
         names.join(", ")
     }
 }
+
+/// The bracket that closes an opening one; none if nothing does.
+pub(crate) fn closing(lexemes: &[Lexeme], open: usize) -> Option<usize> {
+    let mut depth = 0_usize;
+    (open..lexemes.len()).find(|&next| {
+        match lexemes[next].kind {
+            Kind::Open => depth += 1,
+            Kind::Close => depth = depth.saturating_sub(1),
+            Kind::Word | Kind::Mark => {}
+        }
+        depth == 0
+    })
+}

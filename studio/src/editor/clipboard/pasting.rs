@@ -235,10 +235,10 @@ fn with_names(
         if let Some(name) = name {
             let token = statement.token(index);
             let range = copied.bytes(&(token..token + 1));
-            edits.push(Replacement {
-                range: range.start - start..range.end - start,
-                text: name.clone(),
-            });
+            edits.push(Replacement::new(
+                range.start - start..range.end - start,
+                name.clone(),
+            ));
         }
         [link, before] = [before, word];
     }

@@ -16,6 +16,8 @@ pub(super) struct Losses<'o> {
 pub(super) struct Ids {
     pub(super) connectors: BTreeMap<Id, usize>,
     pub(super) links: BTreeMap<Id, usize>,
+    /// By how much lengths of the document are multiplied.
+    pub(super) scale: f64,
 }
 
 impl Losses<'_> {
