@@ -22,4 +22,4 @@ pub(crate) use prompt::converse;
 pub(crate) use request::Request;
 pub(crate) use session::{Session, Turn};
 #[cfg(feature = "editor")]
-pub(crate) use session::{answer, hear};
+pub(crate) use session::{answer, hear, state};

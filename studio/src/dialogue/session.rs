@@ -211,7 +211,7 @@ pub(crate) fn answer(applied: &Applied) -> String {
 }
 
 /// Says in a line whether a mechanism moves.
-fn state(reading: &Reading) -> String {
+pub(crate) fn state(reading: &Reading) -> String {
     match &reading.result {
         Ok(compiled) => verdict_line(&reading.model, compiled),
         Err(faults) => {

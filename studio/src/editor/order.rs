@@ -8,7 +8,7 @@ use crate::job::{
     Analysed, Draw, Film, FilmKind, GraphKind, Job, Listener, Measure, Picture, Plot, StillKind,
 };
 use crate::motion::Setting;
-use crate::output::{self, Output, OutputKind};
+use crate::output::{self, Output, OutputKind, ends_in};
 use std::path::{Path, PathBuf};
 
 /// A kind of file that can be written.
@@ -193,9 +193,7 @@ impl Order {
         if path.is_empty() {
             return Err("no file is named".to_owned());
         }
-        let ending = Path::new(path).extension().unwrap_or_default();
-        let mut endings = kind.endings().iter();
-        if !endings.any(|known| ending.eq_ignore_ascii_case(known)) {
+        if !ends_in(Path::new(path), kind.endings()) {
             let ending = kind.endings()[0];
             return Err(format!(
                 "`{path}` is no name for this: write `.{ending}` at its end"

@@ -3,7 +3,7 @@
 use super::drawing::Drawing;
 use super::placement::Pose;
 use super::range::{MotorRange, Path, ranges, whole_paths};
-use crate::check::verdict_line;
+use crate::dialogue::state;
 use crate::document::{Declaration, Document, Listing, Message, Reading};
 use crate::edit::{Known, Workspace};
 use crate::failure::Failure;
@@ -100,14 +100,9 @@ impl Snapshot {
 
     /// Says in a line whether the mechanism moves.
     pub(crate) fn verdict(&self) -> String {
-        match (&self.reading, self.compiled()) {
-            (Some(reading), Some(compiled)) => verdict_line(&reading.model, compiled),
-            (Some(_), None) => {
-                let first = self.messages().first();
-                let line = first.and_then(|message| message.text.lines().next());
-                format!("not yet: {}", line.unwrap_or_default())
-            }
-            (None, _) => "Draw a bar, or open a file.".to_owned(),
+        match &self.reading {
+            Some(reading) => state(reading),
+            None => "Draw a bar, or open a file.".to_owned(),
         }
     }
 

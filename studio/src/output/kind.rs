@@ -57,9 +57,7 @@ impl OutputKind {
 
     /// Whether a file has one of its endings.
     pub(crate) fn has_ending(self, path: &Path) -> bool {
-        let ending = path.extension().unwrap_or_default();
-        let mut endings = self.endings().iter();
-        endings.any(|known| ending.eq_ignore_ascii_case(known))
+        ends_in(path, self.endings())
     }
 
     /// Whether a file that begins with these bytes is one of this kind. An empty one holds nothing that could be lost.
@@ -102,6 +100,14 @@ pub(crate) struct Output {
     pub(super) over: Over,
     /// The files from which it was made: it never takes the place of one of them.
     pub(super) inputs: Vec<PathBuf>,
+}
+
+/// Whether the name of a file has one of these endings, in letters of any size.
+pub(crate) fn ends_in(path: &Path, endings: &[&str]) -> bool {
+    let ending = path.extension().unwrap_or_default();
+    endings
+        .iter()
+        .any(|known| ending.eq_ignore_ascii_case(known))
 }
 
 /// What a file may take the place of.

@@ -15,6 +15,8 @@ pub(crate) use disk::{Fence, Writer};
 pub(crate) use disk::{create_like, hidden_beside, keep, remove, words};
 #[cfg(target_arch = "wasm32")]
 pub(crate) use download::Writer;
+#[cfg(feature = "editor")]
+pub(crate) use kind::ends_in;
 pub(crate) use kind::{Output, OutputKind, Over};
 
 use crate::failure::Failure;

@@ -1,6 +1,7 @@
 //! A picture behind the drawing, to be traced.
 
 use crate::failure::Failure;
+use crate::output::ends_in;
 use eframe::egui::{self, Color32, ColorImage, Mesh, Pos2, TextureHandle, TextureOptions};
 use image::{DynamicImage, ImageReader, ImageResult, Limits};
 use serde::{Deserialize, Serialize};
@@ -58,12 +59,7 @@ impl PicturePlace {
 
 /// Whether a file is a picture, by its name.
 pub(in crate::editor) fn is_picture(path: &Path) -> bool {
-    let ending = path.extension().and_then(|ending| ending.to_str());
-    ending.is_some_and(|ending| {
-        ENDINGS
-            .iter()
-            .any(|known| known.eq_ignore_ascii_case(ending))
-    })
+    ends_in(path, &ENDINGS)
 }
 
 /// The bytes of a picture's file.

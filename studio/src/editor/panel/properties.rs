@@ -71,17 +71,8 @@ fn whole(snapshot: &Snapshot, ui: &mut egui::Ui, commands: &mut Vec<Command>) {
 fn buttons(editor: &mut Editor, item: &Item, ui: &mut egui::Ui, commands: &mut Vec<Command>) {
     let name = item.name().to_owned();
     ui.horizontal_wrapped(|ui| {
-        let (kind, word) = match item {
-            Item::Link(_) => (Kind::Link, "link"),
-            Item::Joint(_) => (Kind::Joint, "joint"),
-            Item::Axis(_) => (Kind::Axis, "point"),
-            Item::Action(_) => (Kind::Action, "action"),
-        };
-        if button("Delete", &format!("removes the {word}"), ui) {
-            commands.push(Command::Remove {
-                kind,
-                name: name.clone(),
-            });
+        if button("Delete", &format!("removes the {}", item.word()), ui) {
+            commands.push(item.removal());
         }
         match item {
             Item::Link(_) => {

@@ -167,17 +167,12 @@ impl Task {
 
 /// Does tasks: beside the window, in pieces, or at once.
 pub(super) enum Worker {
-    /// At once: for tests, which want to know what comes when.
-    Immediate {
-        agenda: Agenda,
+    /// In pieces, of which one is done after each picture: where there are no threads. Or at once: for tests, which want to know what comes when.
+    Here {
+        agenda: Box<Agenda>,
         found: VecDeque<Finding>,
-    },
-    /// In pieces, of which one is done after each picture: where there are no threads.
-    InPieces {
-        agenda: Agenda,
-        found: VecDeque<Finding>,
-        /// Whether a picture was shown since the last piece.
-        is_shown: bool,
+        /// Whether a picture was shown since the last piece; none if all is done at once.
+        is_shown: Option<bool>,
     },
     #[cfg(not(target_arch = "wasm32"))]
     Threads(Threads),
@@ -188,18 +183,19 @@ pub(super) enum Worker {
 
 impl Worker {
     pub(super) fn immediate() -> Self {
-        Self::Immediate {
-            agenda: Agenda::default(),
-            found: VecDeque::new(),
-        }
+        Self::here(None)
     }
 
     /// One that does a piece after each picture.
     pub(super) fn in_pieces() -> Self {
-        Self::InPieces {
-            agenda: Agenda::default(),
+        Self::here(Some(false))
+    }
+
+    fn here(is_shown: Option<bool>) -> Self {
+        Self::Here {
+            agenda: Box::default(),
             found: VecDeque::new(),
-            is_shown: false,
+            is_shown,
         }
     }
 
@@ -211,15 +207,15 @@ impl Worker {
 
     pub(super) fn give(&mut self, task: Task) -> Result<(), Failure> {
         match self {
-            Self::Immediate { agenda, found } => {
+            Self::Here {
+                agenda,
+                found,
+                is_shown,
+            } => {
                 agenda.add(task);
-                while !agenda.is_done() {
+                while is_shown.is_none() && !agenda.is_done() {
                     found.extend(agenda.go_on());
                 }
-                Ok(())
-            }
-            Self::InPieces { agenda, .. } => {
-                agenda.add(task);
                 Ok(())
             }
             #[cfg(not(target_arch = "wasm32"))]
@@ -232,7 +228,7 @@ impl Worker {
     /// Ends all work that was given. Returns whether it can be ended: what is done at once, or in pieces, cannot.
     pub(super) fn stop(&mut self) -> bool {
         match self {
-            Self::Immediate { .. } | Self::InPieces { .. } => false,
+            Self::Here { .. } => false,
             #[cfg(not(target_arch = "wasm32"))]
             Self::Threads(threads) => {
                 threads.stop();
@@ -248,10 +244,10 @@ impl Worker {
 
     /// Does the next piece between pictures, if it works so, once a picture has shown what the last one found. Returns whether there is more.
     pub(super) fn go_on(&mut self) -> bool {
-        let Self::InPieces {
+        let Self::Here {
             agenda,
             found,
-            is_shown,
+            is_shown: Some(is_shown),
         } = self
         else {
             return false;
@@ -266,7 +262,7 @@ impl Worker {
     /// The next of what was found out.
     pub(super) fn next(&mut self) -> Option<Finding> {
         match self {
-            Self::Immediate { found, .. } | Self::InPieces { found, .. } => found.pop_front(),
+            Self::Here { found, .. } => found.pop_front(),
             #[cfg(not(target_arch = "wasm32"))]
             Self::Threads(threads) => threads.next(),
             #[cfg(feature = "transfer")]

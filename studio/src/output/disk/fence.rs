@@ -5,7 +5,7 @@
 
 use super::place::{folder_of, is_same, target};
 use crate::failure::Failure;
-use crate::output::kind::{Output, Over};
+use crate::output::kind::{Output, Over, ends_in};
 use std::ffi::OsStr;
 use std::path::{Component, Path, PathBuf};
 use std::{fs, io};
@@ -108,7 +108,7 @@ impl Fence {
                 "`{path}` is hidden, as its name or its folder begins with a dot; `--allow-write {path}` lets the script write it"
             ));
         }
-        let is_rust = matches!(output.over, Over::Nothing(_)) && !ends_in_mech(target);
+        let is_rust = matches!(output.over, Over::Nothing(_)) && !ends_in(target, &["mech"]);
         if is_rust {
             return refused(format!(
                 "`{path}` is Rust, which a build may run; `--allow-write {path}` lets the script make it"
@@ -123,11 +123,6 @@ impl Fence {
         }
         Ok(())
     }
-}
-
-fn ends_in_mech(path: &Path) -> bool {
-    let ending = path.extension();
-    ending.is_some_and(|ending| ending.eq_ignore_ascii_case("mech"))
 }
 
 /// Whether a part of a path begins with a dot.
