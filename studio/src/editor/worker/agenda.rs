@@ -133,7 +133,7 @@ impl Agenda {
                 Finding::Answered(line, said, turn.map(drop))
             }
             Task::Of(snapshot, Use::Measure(wanted)) => {
-                Finding::Measured(Box::new(Curves::of(snapshot, wanted)))
+                Finding::Measured(Box::new(Curves::of(snapshot, *wanted)))
             }
             Task::Of(snapshot, Use::Derive(number, what)) => {
                 let (model, compiled) = snapshot.moving()?;

@@ -22,12 +22,13 @@ pub use remote::{Port, Server};
 pub(super) use work::Work;
 
 use super::Gesture;
-use super::curves::{Curves, Wanted};
+use super::curves::Curves;
 use super::order::{Made, Order};
 use super::snapshot::{Played, Snapshot};
 use crate::document::Document;
 use crate::edit::{Applied, Refusal, Workspace};
 use crate::failure::Failure;
+use crate::job::Measure;
 use crate::mend::Mending;
 use crate::play::Derived;
 use mech_compiler::Compiled;
@@ -81,7 +82,7 @@ pub(super) enum Task {
 /// What is done with a snapshot.
 #[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Use {
-    Measure(Wanted),
+    Measure(Box<Measure>),
     /// It is compiled once more, to compute something besides positions. The task has a number.
     Derive(u64, Derived),
     /// Its mechanism is made, to be played.

@@ -4,10 +4,11 @@
 
 use super::{Finding, Held, Hold, Task, Text, Undone, Use};
 use crate::edit::{Applied, Refusal};
-use crate::editor::curves::{Curves, Wanted};
+use crate::editor::curves::Curves;
 use crate::editor::range::{MotorRange, Path};
 use crate::editor::snapshot::Snapshot;
 use crate::failure::Failure;
+use crate::job::Measure;
 use crate::mend::Mending;
 use crate::play::{Mechanism, Prepared};
 use crate::quantity::Table;
@@ -44,7 +45,7 @@ pub(super) enum Reply {
     Moves(u64, Result<Box<SentPlayed>, Failure>),
     Mended(u64, Result<Vec<Mending>, Failure>),
     Reported(u64, Result<String, Failure>),
-    Measured(u64, Wanted, Result<Table, Failure>, Vec<Failure>),
+    Measured(u64, Measure, Result<Table, Failure>, Vec<Failure>),
 }
 
 /// The snapshots that both sides know, by their numbers: only the last ones are asked for again.
