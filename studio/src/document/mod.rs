@@ -16,8 +16,6 @@ pub use source::{LONGEST, Source, Spot};
 pub(crate) use tree::TextTree;
 
 use crate::failure::Failure;
-use crate::text::Replacement;
-use mech_compiler::model::Model;
 use proc_macro2::TokenStream;
 use std::ops::Range;
 use std::path::Path;
@@ -184,54 +182,6 @@ impl Document {
         };
         let names: Vec<String> = self.declarations.iter().map(name).collect();
         names.join(", ")
-    }
-
-    /// Reads and analyses one of its mechanisms.
-    ///
-    /// # Errors
-    /// If the compiler itself fails, which is a mistake of ours.
-    pub fn analyse(&self, declaration: &Declaration) -> Result<Reading, Failure> {
-        reading::analyse(self, declaration)
-    }
-
-    /// Reads and analyses one of its mechanisms, and writes its code as the macro does: what is right here is right there.
-    pub(crate) fn check(&self, declaration: &Declaration) -> Result<Reading, Failure> {
-        reading::check(self, declaration)
-    }
-
-    /// Reads the model from the text of one of its mechanisms, even if that is no mechanism; none if the text is wrong.
-    ///
-    /// # Errors
-    /// If the compiler itself fails, which is a mistake of ours.
-    pub fn model(&self, declaration: &Declaration) -> Result<Option<Model>, Failure> {
-        reading::model(self, declaration)
-    }
-
-    /// The text of one of its mechanisms as a tree; none if it cannot be read statement by statement.
-    pub(crate) fn tree(&self, declaration: &Declaration) -> Result<Option<TextTree>, Failure> {
-        TextTree::read(self, declaration)
-    }
-
-    /// The names and numbers in the text of one of its mechanisms; none if its brackets do not match.
-    ///
-    /// # Errors
-    /// If the compiler itself fails, which is a mistake of ours.
-    pub fn listing(&self, declaration: &Declaration) -> Result<Option<Listing>, Failure> {
-        reading::listing(self, declaration)
-    }
-
-    /// Finds the faults in the texts of the parts that are kept for other mechanisms.
-    pub(crate) fn faults_of_parts(&self) -> Result<Vec<Message>, Failure> {
-        let mut found = Vec::new();
-        for part in &self.parts {
-            found.extend(reading::faults_of_part(self, part)?);
-        }
-        Ok(found)
-    }
-
-    /// The change after which the text of one of its mechanisms lexes, if it does not, and one is known.
-    pub(crate) fn change_to_lex(&self, declaration: &Declaration) -> Option<Replacement> {
-        reading::lexed(self, declaration).err()?.change
     }
 
     /// The tokens of a range, whose places are those in the file.

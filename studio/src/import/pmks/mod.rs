@@ -23,7 +23,7 @@ const BEGINNINGS: [&str; 4] = ["https://", "http://", "?", "j="];
 const NATIVE: &str = "pmks2:";
 
 /// Whether a text is a link, or the query of one.
-pub(super) fn is_link(text: &str) -> bool {
+pub(crate) fn is_link(text: &str) -> bool {
     // A file may begin with a mark of its encoding.
     let text = text.trim_start_matches('\u{feff}').trim_start();
     let mut beginnings = BEGINNINGS.iter();
