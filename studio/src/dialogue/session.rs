@@ -8,7 +8,7 @@ use crate::check::verdict_line;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::command::obey_within;
 use crate::console::Console;
-use crate::document::{Declaration, Document, Listing, Reading};
+use crate::document::{Declaration, Document, Reading};
 use crate::edit::{Applied, Workspace};
 use crate::failure::Failure;
 use crate::mend::mendings;
@@ -104,24 +104,14 @@ impl Session {
         })
     }
 
-    /// The names and numbers of the text as it is now, as far as they can be read.
-    pub(super) fn listing(&self) -> Listing {
-        self.workspace.listing()
-    }
-
     pub(crate) fn open(&mut self, path: &Path, mechanism: Option<&str>) -> Result<(), Failure> {
-        if self.is_changed() {
+        if self.workspace.has_work() {
             return Err(Failure::usage(
                 "the text has changes; `save` or `undo` them first",
             ));
         }
         self.workspace = Workspace::open(path, mechanism)?;
         Ok(())
-    }
-
-    /// Whether the text is another than that of the file.
-    pub(super) fn is_changed(&self) -> bool {
-        self.workspace.has_work()
     }
 
     /// Writes the text: over the file from which it was read, or to one that is not there yet.
@@ -181,7 +171,7 @@ impl Session {
 
     /// The numbers of something: `crank.pin x = THROW`.
     fn numbers(&self, owner: Option<&str>) -> Result<String, Failure> {
-        let listing = self.listing();
+        let listing = self.workspace.listing();
         let is_asked = |found: &str| {
             owner.is_none_or(|owner| {
                 let inner = found.strip_prefix(owner);
