@@ -1,46 +1,31 @@
 //! What the studio's window costs in time, frame by frame, from an event to the triangles that the graphics card is given:
 //! `cargo run --release -p mech-studio --example editor_times`.
 
-mod chain;
+mod timing;
 
-use chain::{chain, count};
 use eframe::egui::{self, Event, Modifiers, PointerButton, Pos2, Rect, Vec2};
+use mech_studio::Workspace;
 use mech_studio::editor::{Editor, Studio, Tool};
-use mech_studio::{Assembly, Command, JointForm, Workspace};
+use mech_studio::play::Control;
 use std::time::{Duration, Instant};
+use timing::{chain, count, joint_too_many, middle, milliseconds, times};
 
 fn main() {
     for loops in [10, 100, 333] {
         let joints = 3 * loops + 1;
         let mut window = Window::open(chain(loops));
-        let still = middle(60, || window.frame(vec![]));
-        window
-            .studio
-            .editor_mut()
-            .sight_mut()
-            .obey(mech_studio::play::Control::PlayOrPause);
-        let played = middle(60, || window.frame(vec![]));
-        window
-            .studio
-            .editor_mut()
-            .sight_mut()
-            .obey(mech_studio::play::Control::PlayOrPause);
-        window
-            .studio
-            .editor_mut()
-            .sight_mut()
-            .obey(mech_studio::play::Control::Reset);
+        let still = middle(60, || drop(window.frame(vec![])));
+        window.obey(Control::PlayOrPause);
+        let played = middle(60, || drop(window.frame(vec![])));
+        window.obey(Control::PlayOrPause);
+        window.obey(Control::Reset);
         window.settle();
         // Nothing snaps, so that every place is another one.
         let (drag, known) = window.drag(loops, Modifiers::ALT);
         let (snapping, _) = window.drag(loops, Modifiers::NONE);
         window.studio.editor_mut().sight_mut().scrub(0, 0.4);
         let (posed, _) = window.drag(loops, Modifiers::ALT);
-        window
-            .studio
-            .editor_mut()
-            .sight_mut()
-            .obey(mech_studio::play::Control::Reset);
+        window.obey(Control::Reset);
         window.settle();
         let (refused, longest) = window.refuse(loops);
         println!("{joints} joints");
@@ -87,6 +72,10 @@ impl Window {
         window.studio.editor_mut().sight_mut().fit();
         window.frame(vec![]);
         window
+    }
+
+    fn obey(&mut self, control: Control) {
+        self.studio.editor_mut().sight_mut().obey(control);
     }
 
     /// Shows everything once.
@@ -168,15 +157,8 @@ impl Window {
 
     /// Adds a joint that is too many. Tells after how long that is told, and the longest frame until then, in milliseconds.
     fn refuse(&mut self, loops: usize) -> (f64, f64) {
-        let join = Command::Join(Assembly {
-            name: "extra".to_owned(),
-            kind: JointForm::Revolute,
-            ends: ["r1".to_owned(), format!("r{loops}")],
-            at: Some(["1".to_owned(), "1".to_owned()]),
-            along: None,
-        });
         let start = Instant::now();
-        self.studio.editor_mut().perform(join);
+        self.studio.editor_mut().perform(joint_too_many(loops));
         let mut longest: f64 = 0.0;
         while !self
             .studio
@@ -211,22 +193,4 @@ impl Window {
         };
         self.frame(vec![Event::PointerMoved(pos), button]);
     }
-}
-
-fn milliseconds(what: impl FnOnce()) -> f64 {
-    let start = Instant::now();
-    what();
-    start.elapsed().as_secs_f64() * 1e3
-}
-
-/// Some times of the same, the shortest first, in milliseconds.
-fn times<T>(count: usize, mut what: impl FnMut() -> T) -> Vec<f64> {
-    let mut all: Vec<f64> = (0..count).map(|_| milliseconds(|| drop(what()))).collect();
-    all.sort_by(f64::total_cmp);
-    all
-}
-
-/// The middle of some times of the same, in milliseconds.
-fn middle<T>(count: usize, what: impl FnMut() -> T) -> f64 {
-    times(count, what)[count / 2]
 }

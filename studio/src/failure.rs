@@ -50,7 +50,7 @@ impl Failure {
     }
 
     /// Something is wrong with the command.
-    pub fn usage(text: impl Into<String>) -> Self {
+    pub(crate) fn usage(text: impl Into<String>) -> Self {
         Self::new(FailureKind::Usage, text)
     }
 
@@ -60,31 +60,27 @@ impl Failure {
     }
 
     /// Something is wrong with this program: what that is, in a few words.
-    pub fn internal(what: impl Display) -> Self {
+    pub(crate) fn internal(what: impl Display) -> Self {
         let text =
             format!("internal error: {what}. Please report it, with the command and the file");
         Self::new(FailureKind::Internal, text)
     }
 
     /// A failure that the user has read already.
-    #[must_use]
-    pub fn reported(kind: FailureKind) -> Self {
+    pub(crate) fn reported(kind: FailureKind) -> Self {
         Self::new(kind, "")
     }
 
     /// Whether the user has read it already.
-    #[must_use]
-    pub fn is_reported(&self) -> bool {
+    pub(crate) fn is_reported(&self) -> bool {
         self.text.is_empty()
     }
 
     /// Nobody reads on.
-    #[must_use]
-    pub fn unread() -> Self {
+    pub(crate) fn unread() -> Self {
         Self::new(FailureKind::Unread, "")
     }
 
-    /// A failure of this kind.
     pub(crate) fn new(kind: FailureKind, text: impl Into<String>) -> Self {
         let text = text.into();
         Self { kind, text }
@@ -97,8 +93,7 @@ impl Failure {
     }
 
     /// The code with which the program ends.
-    #[must_use]
-    pub fn exit_code(&self) -> ExitCode {
+    pub(crate) fn exit_code(&self) -> ExitCode {
         self.kind.code().into()
     }
 }

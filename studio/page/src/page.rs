@@ -8,7 +8,6 @@ use mech_studio::{Failure, Source, Workspace};
 use std::any::Any;
 use std::path::Path;
 
-/// The studio in a canvas of a page.
 pub(crate) struct Page {
     studio: Studio,
     context: Context,
@@ -48,7 +47,6 @@ impl Page {
         self.context.request_repaint();
     }
 
-    /// Tells the user why something is refused.
     pub(crate) fn refuse(&mut self, why: &str) {
         self.studio.editor_mut().refuse(why);
         self.context.request_repaint();

@@ -86,7 +86,6 @@ impl<'t> Chart<'t> {
         }
     }
 
-    /// The text of an SVG.
     pub(crate) fn svg(&self) -> Result<String, Failure> {
         let mut text = String::new();
         let root = SVGBackend::with_string(&mut text, self.size(1)).into_drawing_area();
@@ -95,7 +94,6 @@ impl<'t> Chart<'t> {
         Ok(text)
     }
 
-    /// The bytes of a PNG.
     pub(crate) fn png(&self) -> Result<Vec<u8>, Failure> {
         let (width, height) = self.size(FINENESS);
         let size = [width as usize, height as usize];

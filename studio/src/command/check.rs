@@ -2,7 +2,7 @@
 
 use super::CODES;
 use super::target::Target;
-use crate::check::{Verdict, render, to_json, verdicts};
+use crate::check::{Verdict, to_json, verdicts};
 use crate::console::Console;
 use crate::failure::{Failure, FailureKind};
 use clap::Args;
@@ -48,7 +48,7 @@ impl Check {
                         console.answer(format!("{line}\n{more}"))?;
                     }
                     Verdict::Faulty { messages, .. } => {
-                        console.complain_in_colors(&render(source, messages, console.has_colors()));
+                        console.complain_of(source, messages);
                     }
                 }
             }

@@ -1,11 +1,12 @@
 //! `mech fix`.
 
 use super::CODES;
-use super::target::Target;
-use crate::check::{render, verdict_line};
+use super::target::{Target, coherent};
+use crate::check::verdict_line;
 use crate::console::Console;
-use crate::document::{Document, Reading, Source};
+use crate::document::{Document, Source};
 use crate::failure::{Failure, FailureKind};
+use crate::job::Analysed;
 use crate::mend::{Mending, Remainder, mendings};
 use crate::output::Writer;
 use clap::Args;
@@ -42,12 +43,11 @@ impl Fix {
             Err(faults) => faults,
         };
         let mendings = mendings(&document, declaration, &reading)?;
-        let messages = render(document.source(), &faults.messages, console.has_colors());
         if let Some(number) = self.pick {
             let index = document.index_of(declaration)?;
             return pick((&document, index), &mendings, number, (writer, console));
         }
-        console.complain_in_colors(&messages);
+        console.complain_of(document.source(), &faults.messages);
         if mendings.is_empty() {
             console.complain("note: no repair is known\n");
         }
@@ -98,16 +98,6 @@ fn pick(
         .declarations()
         .get(position)
         .ok_or_else(|| Failure::internal("a repair has removed its mechanism"))?;
-    let Reading { model, result, .. } = changed.analyse(declaration)?;
-    match result {
-        Ok(compiled) => console.answer(format!("{}\n", verdict_line(&model, &compiled))),
-        Err(faults) => {
-            console.complain_in_colors(&render(
-                changed.source(),
-                &faults.messages,
-                console.has_colors(),
-            ));
-            Err(Failure::reported(FailureKind::Mechanism))
-        }
-    }
+    let Analysed { model, compiled } = coherent(&changed, declaration, console)?;
+    console.answer(format!("{}\n", verdict_line(&model, &compiled)))
 }

@@ -1,12 +1,13 @@
 //! `mech import`.
 
 use super::CODES;
-use super::replacing::Replacing;
-use crate::check::{render, verdict_line};
+use super::target::{Replacing, moving};
+use crate::check::verdict_line;
 use crate::console::Console;
-use crate::document::{Document, Reading, Source};
+use crate::document::{Document, Source};
 use crate::failure::{Failure, FailureKind};
 use crate::import::{self, FileKind, Written, listed};
+use crate::job::Analysed;
 use crate::output::{Output, OutputKind, Writer};
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -40,7 +41,6 @@ Examples:
   mech import lift.linkage2 -o src/lift.rs --mechanism Lift
   mech import 'https://app.pmksplus.com/?0P.SS.K,0.101...' -o four_bar.mech";
 
-/// The name of the standard input.
 const STANDARD_INPUT: &str = "-";
 
 /// What is read, and what it is called.
@@ -59,7 +59,7 @@ impl Import {
         let kind = self.kind()?;
         let origin = self.origin()?;
         let imported = import::read(&origin.source).map_err(|message| {
-            console.complain_in_colors(&render(&origin.source, &[message], console.has_colors()));
+            console.complain_of(&origin.source, &[message]);
             Failure::reported(origin.fault)
         })?;
         let name = self.name(&origin.wish)?;
@@ -151,21 +151,11 @@ impl Import {
         let path = self.output.clone();
         let path = path.unwrap_or_else(|| PathBuf::from(format!("{name}.mech")));
         let document = Document::of(Source::new(path, text));
-        let Reading { model, result, .. } = document.check(document.choose(None)?)?;
-        match result {
-            Ok(compiled) if self.output.is_some() => {
-                console.answer(format!("{}\n", verdict_line(&model, &compiled)))
-            }
-            Ok(_) => Ok(()),
-            Err(faults) => {
-                let messages = &faults.messages;
-                console.complain_in_colors(&render(
-                    document.source(),
-                    messages,
-                    console.has_colors(),
-                ));
-                Err(Failure::reported(FailureKind::Mechanism))
-            }
+        let reading = document.check(document.choose(None)?)?;
+        let Analysed { model, compiled } = moving(&document, reading, console)?;
+        if self.output.is_none() {
+            return Ok(());
         }
+        console.answer(format!("{}\n", verdict_line(&model, &compiled)))
     }
 }

@@ -15,7 +15,6 @@ mod of_text;
 mod picture;
 mod play;
 mod plot;
-mod replacing;
 mod report;
 mod run;
 mod table;

@@ -1,7 +1,7 @@
 //! What drawings and films have in common: what is painted, and on what.
 
 use super::assignment::Assignment;
-use super::replacing::Replacing;
+use super::target::Replacing;
 use crate::failure::Failure;
 use crate::job::{self, Size};
 use crate::motion::Setting;

@@ -2,8 +2,7 @@
 
 use super::CODES;
 use super::picture::kind_of;
-use super::replacing::Replacing;
-use super::target::coherent;
+use super::target::{Replacing, coherent};
 use crate::console::Console;
 use crate::document::{Declaration, Document, Source};
 use crate::failure::{Failure, FailureKind};
@@ -152,7 +151,6 @@ impl Play {
     }
 }
 
-/// Plays in the terminal, if this is one.
 fn in_terminal(stage: Stage) -> Result<(), Failure> {
     if !is_terminal() {
         return Err(Failure::usage(

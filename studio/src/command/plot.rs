@@ -3,8 +3,7 @@
 use super::CODES;
 use super::measure::{Measure, QUANTITIES};
 use super::picture::kind_of;
-use super::replacing::Replacing;
-use super::target::Target;
+use super::target::{Replacing, Target};
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::job::{self, Job, StillKind};

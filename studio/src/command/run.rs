@@ -64,7 +64,6 @@ impl Run {
     }
 }
 
-/// A line that was refused.
 fn refused(number: usize, line: &str, failure: &Failure) -> Failure {
     let text = if failure.is_reported() {
         format!("line {number}: `{}` was refused", line.trim())

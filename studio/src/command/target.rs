@@ -1,11 +1,11 @@
-//! Which mechanism of which file.
+//! Which mechanism of which file, and what a file that is written may take the place of.
 
 use super::assignment::Assignment;
-use crate::check::render;
 use crate::console::Console;
-use crate::document::{Declaration, Document};
+use crate::document::{Declaration, Document, Reading};
 use crate::failure::{Failure, FailureKind};
 use crate::job::Analysed;
+use crate::output::{Output, OutputKind, Over};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -30,13 +30,11 @@ impl Target {
         self.given = Some(document);
     }
 
-    /// The file that is read.
     pub(super) fn path(&self) -> &Path {
         let given = self.given.as_ref();
         given.map_or(&*self.file, |document| document.source().path())
     }
 
-    /// The document in it.
     pub(super) fn document(&self) -> Result<Document, Failure> {
         match &self.given {
             Some(document) => Ok(document.clone()),
@@ -73,12 +71,56 @@ pub(super) fn coherent(
     declaration: &Declaration,
     console: &mut Console,
 ) -> Result<Analysed, Failure> {
-    Analysed::of(document.analyse(declaration)?).map_err(|faults| {
-        console.complain_in_colors(&render(
-            document.source(),
-            &faults.messages,
-            console.has_colors(),
-        ));
+    moving(document, document.analyse(declaration)?, console)
+}
+
+/// A mechanism that was read, which has to be coherent. What is wrong with it is told.
+pub(super) fn moving(
+    document: &Document,
+    reading: Reading,
+    console: &mut Console,
+) -> Result<Analysed, Failure> {
+    Analysed::of(reading).map_err(|faults| {
+        console.complain_of(document.source(), &faults.messages);
         Failure::reported(FailureKind::Mechanism)
     })
+}
+
+/// What a file that is written may take the place of.
+#[derive(Args, Clone, Copy, Debug)]
+pub(super) struct Replacing {
+    /// Writes over a file of another kind, too; never over one that is read.
+    #[arg(long)]
+    replace: bool,
+}
+
+/// What can be done where a file of another kind is there.
+const INSTEAD: &str = "`--replace` writes over it";
+
+impl Replacing {
+    /// What a file may take the place of, where that is one of its kind unless the user says more.
+    pub(super) fn over_its_kind(self) -> Over {
+        self.or(Over::OfKind(INSTEAD))
+    }
+
+    /// What a file may take the place of, where that is nothing unless the user says more.
+    pub(super) fn over_nothing(self) -> Over {
+        self.or(Over::Nothing(INSTEAD))
+    }
+
+    fn or(self, usual: Over) -> Over {
+        if self.replace { Over::Any } else { usual }
+    }
+
+    /// A file of this kind, made from a mechanism.
+    pub(super) fn output(
+        self,
+        path: &Path,
+        kind: OutputKind,
+        bytes: Vec<u8>,
+        of: &Target,
+    ) -> Output {
+        let output = Output::new(path, kind, bytes).over(self.over_its_kind());
+        output.from([of.path()])
+    }
 }

@@ -1,10 +1,13 @@
 //! Where a command writes what it says.
 
-#[cfg(not(target_arch = "wasm32"))]
-mod progress;
-
+use crate::check::render;
+use crate::document::{Message, Source};
 use crate::failure::Failure;
+#[cfg(not(target_arch = "wasm32"))]
+use crate::job::Listener;
 use crate::text::masked;
+#[cfg(not(target_arch = "wasm32"))]
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{self, ErrorKind, IsTerminal, Write};
 
 /// Where a command writes what it says.
@@ -17,7 +20,7 @@ pub struct Console {
     is_shown: bool,
     /// The progress of the present job.
     #[cfg(not(target_arch = "wasm32"))]
-    progress: Option<indicatif::ProgressBar>,
+    progress: Option<ProgressBar>,
 }
 
 impl Console {
@@ -48,12 +51,6 @@ impl Console {
         }
     }
 
-    /// Whether complaints may have colours.
-    #[must_use]
-    pub fn has_colors(&self) -> bool {
-        self.has_colors
-    }
-
     /// Writes an answer to the user. What would command a terminal is masked.
     ///
     /// # Errors
@@ -63,10 +60,7 @@ impl Console {
     }
 
     /// Writes what was asked for, as a file would have it: byte for byte, unless a terminal shows it.
-    ///
-    /// # Errors
-    /// If it cannot be written.
-    pub fn deliver(&mut self, bytes: impl AsRef<[u8]>) -> Result<(), Failure> {
+    pub(crate) fn deliver(&mut self, bytes: impl AsRef<[u8]>) -> Result<(), Failure> {
         if self.is_shown {
             return self.answer(String::from_utf8_lossy(bytes.as_ref()));
         }
@@ -87,12 +81,43 @@ impl Console {
     }
 
     /// Writes a complaint. What would command a terminal is masked. Where it cannot be written, only the exit code is left to say it.
-    pub fn complain(&mut self, text: &str) {
+    pub(crate) fn complain(&mut self, text: &str) {
         self.complain_in_colors(&masked(text));
     }
 
+    /// Writes messages on a text, in colours if these are seen.
+    pub(crate) fn complain_of(&mut self, source: &Source, messages: &[Message]) {
+        self.complain_in_colors(&render(source, messages, self.has_colors));
+    }
+
     /// Writes a complaint that has colours of ours, and in which everything else is masked.
-    pub(crate) fn complain_in_colors(&mut self, text: &str) {
+    fn complain_in_colors(&mut self, text: &str) {
         let _ = self.complaints.write_all(text.as_bytes());
+    }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+impl Listener for Console {
+    fn note(&mut self, text: &str) {
+        self.complain(&format!("note: {text}\n"));
+    }
+
+    fn progress(&mut self, done: u32, of: u32) {
+        let bar = self.progress.get_or_insert_with(|| bar(of));
+        bar.set_position(done.into());
+        if done == of {
+            bar.finish_and_clear();
+            self.progress = None;
+        }
+    }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+fn bar(steps: u32) -> ProgressBar {
+    let target = ProgressDrawTarget::stderr();
+    let bar = ProgressBar::with_draw_target(Some(steps.into()), target);
+    match ProgressStyle::with_template("{bar:40} {pos}/{len} {eta}") {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
     }
 }

@@ -52,7 +52,6 @@ fn optional_words(elements: &[Element]) -> Vec<String> {
     optional.collect()
 }
 
-/// Lists the words that fit an element.
 fn words_for(element: &Element, listing: &Listing) -> Vec<String> {
     let names = |is_it: fn(Noun) -> bool| {
         let declared = listing.names.iter();

@@ -72,7 +72,6 @@ fn complaint(line: &str, words: &[Word], misfits: &[(&Row, Misfit)]) -> String {
     format!("expected {wanted}{found}; say {}", patterns.join(" or "))
 }
 
-/// Describes an element in words.
 fn in_words(element: &Element) -> String {
     match element {
         Element::Word(word) => format!("`{word}`"),

@@ -5,10 +5,8 @@
 use super::words::Word;
 use std::collections::BTreeMap;
 
-/// A part of a pattern.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Element {
-    /// This word.
     Word(&'static str),
     /// A slot, which the user fills in.
     Slot {
@@ -26,13 +24,10 @@ pub(super) enum Element {
 pub(super) enum What {
     /// A new name or path.
     New,
-    /// A link or the ground.
     Link,
-    /// A joint.
     Joint,
     /// A point, a line, or a link.
     End,
-    /// Anything with a name.
     Any,
     /// A number; it goes on to the next word of the pattern.
     Value,
@@ -40,7 +35,6 @@ pub(super) enum What {
     Number,
     /// `(x, y)`
     Place,
-    /// One of these words.
     One(Vec<&'static str>),
     /// Everything up to the next word of the pattern, or to the end.
     Rest,
@@ -58,7 +52,6 @@ pub(super) struct Misfit {
     pub(super) wants: Vec<Element>,
 }
 
-/// Reads a pattern.
 pub(super) fn read(pattern: &'static str) -> Vec<Element> {
     let mut rows = vec![Vec::new()];
     for piece in pattern.split_whitespace() {
@@ -124,7 +117,6 @@ pub(super) fn shown(elements: &[Element]) -> String {
     shown.collect::<Vec<_>>().join(" ")
 }
 
-/// Fits a line to a pattern.
 pub(super) fn fit(elements: &[Element], line: &str, words: &[Word]) -> Result<Found, Misfit> {
     let mut fitting = Fitting {
         line,
@@ -162,7 +154,6 @@ impl Fitting<'_> {
         }
     }
 
-    /// Fits elements, after which these follow.
     fn all(&mut self, elements: &[Element], after: &[Element]) -> Result<(), Misfit> {
         for (index, element) in elements.iter().enumerate() {
             let mut following = elements[index + 1..].to_vec();

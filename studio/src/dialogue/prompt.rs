@@ -64,7 +64,7 @@ fn at_terminal(console: &mut Console) -> Result<(), Failure> {
     let mut session = Session::new(Writer::default());
     let mut is_warned = false;
     loop {
-        editor.set_helper(Some(Guide(session.listing())));
+        editor.set_helper(Some(Guide(session.workspace.listing())));
         let line = match editor.readline("mech> ") {
             Ok(line) => line,
             // The line is dropped.
@@ -74,7 +74,7 @@ fn at_terminal(console: &mut Console) -> Result<(), Failure> {
         };
         match session.obey(&line, console) {
             Ok(Turn::GoOn) => is_warned = false,
-            Ok(Turn::End) if session.is_changed() && !is_warned => {
+            Ok(Turn::End) if session.workspace.has_work() && !is_warned => {
                 is_warned = true;
                 console.complain("the text is not saved: `save FILE` first, or `quit` once more\n");
             }

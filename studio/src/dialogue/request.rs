@@ -11,34 +11,24 @@ pub(crate) enum Request {
     Edit(Command),
     /// A subcommand of `mech`, on the mechanism as it is now.
     Ask(Vec<String>),
-    /// The repairs that are known.
     Repairs,
     /// The last step is undone.
     Undo,
-    /// The next step is made again.
     Redo,
-    /// The steps that were made.
     Steps,
-    /// The text as it is now.
     Text,
     /// The numbers of something, with their roles.
     Numbers(Option<String>),
-    /// A file is read.
     Open {
-        /// The file.
         file: String,
-        /// Which of its mechanisms.
         mechanism: Option<String>,
     },
-    /// The text is written.
     Save(Option<String>),
     /// The help: on all lines, or on a topic.
     Help(Option<String>),
-    /// The end.
     Quit,
 }
 
-/// A row of the table.
 pub(super) struct Row {
     pub(super) pattern: &'static str,
     /// Its description in `help`.
@@ -114,7 +104,6 @@ pub(super) fn pose(text: &str) -> Result<Vec<(String, f64)>, Failure> {
     values.collect()
 }
 
-/// A change of the mechanism.
 #[expect(clippy::unnecessary_wraps, reason = "the rows of the table read alike")]
 pub(super) fn edit(command: Command) -> Result<Request, Failure> {
     Ok(Request::Edit(command))

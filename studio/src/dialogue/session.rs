@@ -8,25 +8,29 @@ use crate::check::verdict_line;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::command::obey_within;
 use crate::console::Console;
-use crate::document::{Declaration, Document, Listing, Reading};
+use crate::document::{Declaration, Document, Reading};
 use crate::edit::{Applied, Workspace};
 use crate::failure::Failure;
 use crate::mend::mendings;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::output::OutputKind;
 use crate::output::Writer;
+#[cfg(feature = "editor")]
+use std::cell::RefCell;
+#[cfg(feature = "editor")]
+use std::io::{self, Write};
 use std::path::Path;
+#[cfg(feature = "editor")]
+use std::rc::Rc;
 
 /// Whether the dialogue goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Turn {
-    /// It does.
     GoOn,
     /// The user has ended it.
     End,
 }
 
-/// A session: a file, its text as it is now, and the steps that led there.
 pub(crate) struct Session {
     pub(crate) workspace: Workspace,
     /// Writes the files, at once or at the end.
@@ -52,7 +56,6 @@ impl Session {
         }
     }
 
-    /// Does what a line says.
     pub(crate) fn obey(&mut self, line: &str, console: &mut Console) -> Result<Turn, Failure> {
         let Some(request) = request(line)? else {
             return Ok(Turn::GoOn);
@@ -101,25 +104,14 @@ impl Session {
         })
     }
 
-    /// The names and numbers of the text as it is now, as far as they can be read.
-    pub(super) fn listing(&self) -> Listing {
-        self.workspace.listing()
-    }
-
-    /// Reads a file.
     pub(crate) fn open(&mut self, path: &Path, mechanism: Option<&str>) -> Result<(), Failure> {
-        if self.is_changed() {
+        if self.workspace.has_work() {
             return Err(Failure::usage(
                 "the text has changes; `save` or `undo` them first",
             ));
         }
         self.workspace = Workspace::open(path, mechanism)?;
         Ok(())
-    }
-
-    /// Whether the text is another than that of the file.
-    pub(super) fn is_changed(&self) -> bool {
-        self.workspace.has_work()
     }
 
     /// Writes the text: over the file from which it was read, or to one that is not there yet.
@@ -152,7 +144,6 @@ impl Session {
         Ok(())
     }
 
-    /// Does what a subcommand does.
     fn ask(&mut self, words: &[String], console: &mut Console) -> Result<(), Failure> {
         let document = self.workspace.document();
         self.declaration(&document)?;
@@ -180,7 +171,7 @@ impl Session {
 
     /// The numbers of something: `crank.pin x = THROW`.
     fn numbers(&self, owner: Option<&str>) -> Result<String, Failure> {
-        let listing = self.listing();
+        let listing = self.workspace.listing();
         let is_asked = |found: &str| {
             owner.is_none_or(|owner| {
                 let inner = found.strip_prefix(owner);
@@ -210,7 +201,7 @@ pub(crate) fn answer(applied: &Applied) -> String {
 }
 
 /// Says in a line whether a mechanism moves.
-fn state(reading: &Reading) -> String {
+pub(crate) fn state(reading: &Reading) -> String {
     match &reading.result {
         Ok(compiled) => verdict_line(&reading.model, compiled),
         Err(faults) => {
@@ -218,5 +209,33 @@ fn state(reading: &Reading) -> String {
             let line = first.and_then(|message| message.text.lines().next());
             format!("not yet: {}", line.unwrap_or_default())
         }
+    }
+}
+
+/// Does what a line says: what is said to it, and how it ended.
+#[cfg(feature = "editor")]
+pub(crate) fn hear(line: &str, session: &mut Session) -> (String, Result<Turn, Failure>) {
+    let heard = Heard::default();
+    let done = session.obey(line, &mut Console::to(heard.clone(), heard.clone()));
+    let said = String::from_utf8_lossy(&heard.0.borrow())
+        .trim_end()
+        .to_owned();
+    (said, done)
+}
+
+/// The text that a console has received.
+#[cfg(feature = "editor")]
+#[derive(Clone, Default)]
+struct Heard(Rc<RefCell<Vec<u8>>>);
+
+#[cfg(feature = "editor")]
+impl Write for Heard {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.borrow_mut().extend_from_slice(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
     }
 }

@@ -1,27 +1,21 @@
 //! Documents: the mechanisms of a file, as text and as what the compiler makes of it.
 
 mod library;
-mod listing;
 #[cfg(feature = "editor")]
 mod part_offer;
 mod reading;
-mod rust;
 mod scanner;
 mod source;
 mod tree;
 mod unlexed;
 
-pub use listing::{Listing, NameText, NumberText};
 #[cfg(feature = "editor")]
 pub(crate) use part_offer::PartOffer;
-pub use reading::{Faults, Message, Reading};
-pub(crate) use rust::in_rust;
+pub use reading::{Faults, Listing, Message, NameText, NumberText, Reading};
 pub use source::{LONGEST, Source, Spot};
 pub(crate) use tree::TextTree;
 
 use crate::failure::Failure;
-use crate::text::Replacement;
-use mech_compiler::model::Model;
 use proc_macro2::TokenStream;
 use std::ops::Range;
 use std::path::Path;
@@ -79,9 +73,6 @@ impl Document {
     }
 
     /// Reads a plain file, no pipe and no device.
-    ///
-    /// # Errors
-    /// As of others, or if it is none.
     pub(crate) fn read_plain(path: &Path) -> Result<Self, Failure> {
         Self::with_any(Source::read_plain(path)?)
     }
@@ -145,9 +136,6 @@ impl Document {
     }
 
     /// The number of one of its mechanisms.
-    ///
-    /// # Errors
-    /// If it is none of them, which is a mistake of ours.
     pub(crate) fn index_of(&self, declaration: &Declaration) -> Result<usize, Failure> {
         let mut all = self.declarations.iter();
         let index = all.position(|one| one == declaration);
@@ -196,63 +184,6 @@ impl Document {
         names.join(", ")
     }
 
-    /// Reads and analyses one of its mechanisms.
-    ///
-    /// # Errors
-    /// If the compiler itself fails, which is a mistake of ours.
-    pub fn analyse(&self, declaration: &Declaration) -> Result<Reading, Failure> {
-        reading::analyse(self, declaration)
-    }
-
-    /// Reads and analyses one of its mechanisms, and writes its code as the macro does: what is right here is right there.
-    ///
-    /// # Errors
-    /// If the compiler itself fails, which is a mistake of ours.
-    pub(crate) fn check(&self, declaration: &Declaration) -> Result<Reading, Failure> {
-        reading::check(self, declaration)
-    }
-
-    /// Reads the model from the text of one of its mechanisms, even if that is no mechanism; none if the text is wrong.
-    ///
-    /// # Errors
-    /// If the compiler itself fails, which is a mistake of ours.
-    pub fn model(&self, declaration: &Declaration) -> Result<Option<Model>, Failure> {
-        reading::model(self, declaration)
-    }
-
-    /// The text of one of its mechanisms as a tree; none if it cannot be read statement by statement.
-    ///
-    /// # Errors
-    /// If the compiler itself fails, which is a mistake of ours.
-    pub(crate) fn tree(&self, declaration: &Declaration) -> Result<Option<TextTree>, Failure> {
-        TextTree::read(self, declaration)
-    }
-
-    /// The names and numbers in the text of one of its mechanisms; none if its brackets do not match.
-    ///
-    /// # Errors
-    /// If the compiler itself fails, which is a mistake of ours.
-    pub fn listing(&self, declaration: &Declaration) -> Result<Option<Listing>, Failure> {
-        listing::listing(self, declaration)
-    }
-
-    /// Finds the faults in the texts of the parts that are kept for other mechanisms.
-    ///
-    /// # Errors
-    /// If the compiler itself fails, which is a mistake of ours.
-    pub fn faults_of_parts(&self) -> Result<Vec<Message>, Failure> {
-        let mut found = Vec::new();
-        for part in &self.parts {
-            found.extend(reading::faults_of_part(self, part)?);
-        }
-        Ok(found)
-    }
-
-    /// The change after which the text of one of its mechanisms lexes, if it does not, and one is known.
-    pub(crate) fn change_to_lex(&self, declaration: &Declaration) -> Option<Replacement> {
-        reading::lexed(self, declaration).err()?.change
-    }
-
     /// The tokens of a range, whose places are those in the file.
     fn tokens(&self, range: &Range<usize>) -> Result<TokenStream, proc_macro2::LexError> {
         self.source.masked(range).parse()
@@ -269,4 +200,14 @@ impl Declaration {
             body,
         }
     }
+}
+
+/// The inside of a mechanism, by its lines, in a file of Rust: a call of `mechanism!`.
+pub(crate) fn in_rust<'t>(inside: impl IntoIterator<Item = &'t str>) -> String {
+    let inside = inside.into_iter().map(|line| match line {
+        "" => "\n".to_owned(),
+        line => format!("    {line}\n"),
+    });
+    let inside: String = inside.collect();
+    format!("use mech_runtime::mechanism;\n\nmechanism! {{\n{inside}}}\n")
 }

@@ -6,10 +6,11 @@
 use super::unlexed::{self, Unlexed};
 use super::{Declaration, Document, library, scanner};
 use crate::failure::Failure;
+use crate::text::Replacement;
 use mech_compiler::model::{Model, Origin};
 use mech_compiler::repair::Offers;
 use mech_compiler::structure::Diagnosis;
-use mech_compiler::syntax::{self, Place};
+use mech_compiler::syntax::{self, ListedName, ListedNumber, Place};
 use mech_compiler::{Analysis, Compiled, Import, PartText, catch, limits};
 use proc_macro2::{LexError, Span, TokenStream, TokenTree};
 use std::ops::Range;
@@ -60,106 +61,112 @@ impl Reading {
     }
 }
 
-/// Reads and analyses a mechanism.
-pub(super) fn analyse(document: &Document, declaration: &Declaration) -> Result<Reading, Failure> {
-    read(document, declaration, mech_compiler::analyse)
-}
+impl Document {
+    /// Reads and analyses one of its mechanisms.
+    ///
+    /// # Errors
+    /// If the compiler itself fails, which is a mistake of ours.
+    pub fn analyse(&self, declaration: &Declaration) -> Result<Reading, Failure> {
+        self.read_by(declaration, mech_compiler::analyse)
+    }
 
-/// The same as far as the macro goes: requirements are proved, and its code is written, too, and thrown away.
-pub(super) fn check(document: &Document, declaration: &Declaration) -> Result<Reading, Failure> {
-    read(document, declaration, |text| {
-        let analysis = mech_compiler::analyse(text).prove();
-        drop(mech_compiler::write(&TokenStream::new(), &analysis));
-        analysis
-    })
-}
+    /// The same as far as the macro goes: requirements are proved, and its code is written, too, and thrown away.
+    pub(crate) fn check(&self, declaration: &Declaration) -> Result<Reading, Failure> {
+        self.read_by(declaration, |text| {
+            let analysis = mech_compiler::analyse(text).prove();
+            drop(mech_compiler::write(&TokenStream::new(), &analysis));
+            analysis
+        })
+    }
 
-fn read(
-    document: &Document,
-    declaration: &Declaration,
-    analyse: impl FnOnce(TokenStream) -> Analysis,
-) -> Result<Reading, Failure> {
-    proc_macro2::extra::invalidate_current_thread_spans();
-    let whole = &declaration.whole;
-    let (text, instances) = match tokens_of(document, declaration)
-        .map_err(|message| vec![message])
-        .and_then(|tokens| Ok((with_parts(document, declaration, tokens.clone())?, tokens)))
-    {
-        Ok((text, tokens)) => (text, instances(tokens)),
-        Err(messages) => {
-            return Ok(Reading {
-                model: Model::new("", Origin::default()),
-                result: Err(Faults {
-                    messages,
-                    diagnoses: Vec::new(),
-                    offers: Vec::new(),
-                }),
-                places: Vec::new(),
-                whole: whole.clone(),
-            });
+    fn read_by(
+        &self,
+        declaration: &Declaration,
+        analyse: impl FnOnce(TokenStream) -> Analysis,
+    ) -> Result<Reading, Failure> {
+        proc_macro2::extra::invalidate_current_thread_spans();
+        let whole = &declaration.whole;
+        let (text, instances) = match self
+            .tokens_of(declaration)
+            .map_err(|message| vec![message])
+            .and_then(|tokens| Ok((self.with_parts(declaration, tokens.clone())?, tokens)))
+        {
+            Ok((text, tokens)) => (text, instances(tokens)),
+            Err(messages) => {
+                return Ok(Reading {
+                    model: Model::new("", Origin::default()),
+                    result: Err(Faults {
+                        messages,
+                        diagnoses: Vec::new(),
+                        offers: Vec::new(),
+                    }),
+                    places: Vec::new(),
+                    whole: whole.clone(),
+                });
+            }
+        };
+        let analysis = catch(|| analyse(text)).map_err(Failure::internal)?;
+        let Analysis { parsed, result } = analysis;
+        let result = result.map_err(|faults| Faults {
+            messages: at_instances(in_bytes(&faults.messages, whole), &instances),
+            diagnoses: faults.diagnoses,
+            offers: faults.offers,
+        });
+        let places = parsed.places.all().map(|place| range_of(place, whole));
+        Ok(Reading {
+            places: places.collect(),
+            model: parsed.model,
+            result,
+            whole: whole.clone(),
+        })
+    }
+
+    /// Reads the model from the text of one of its mechanisms, even if that is no mechanism; none if the text is wrong.
+    ///
+    /// # Errors
+    /// If the compiler itself fails, which is a mistake of ours.
+    pub fn model(&self, declaration: &Declaration) -> Result<Option<Model>, Failure> {
+        proc_macro2::extra::invalidate_current_thread_spans();
+        let Ok(text) = self.text_of(declaration) else {
+            return Ok(None);
+        };
+        let parsed = catch(|| syntax::parse(text)).map_err(Failure::internal)?;
+        let is_right = parsed.errors.is_empty() && parsed.header.is_some();
+        Ok(is_right.then_some(parsed.model))
+    }
+
+    /// Finds the faults in the texts of the parts that are kept for other mechanisms.
+    pub(crate) fn faults_of_parts(&self) -> Result<Vec<Message>, Failure> {
+        let mut found = Vec::new();
+        for part in &self.parts {
+            proc_macro2::extra::invalidate_current_thread_spans();
+            match self.tokens_of(part) {
+                Ok(tokens) => {
+                    let read = catch(|| PartText::read(&tokens)).map_err(Failure::internal)?;
+                    let errors = read.err().unwrap_or_default();
+                    found.extend(in_bytes(&errors, &part.whole));
+                }
+                Err(message) => found.push(message),
+            }
         }
-    };
-    let analysis = catch(|| analyse(text)).map_err(Failure::internal)?;
-    let Analysis { parsed, result } = analysis;
-    let result = result.map_err(|faults| Faults {
-        messages: at_instances(in_bytes(&faults.messages, whole), &instances),
-        diagnoses: faults.diagnoses,
-        offers: faults.offers,
-    });
-    let places = parsed.places.all().map(|place| range_of(place, whole));
-    Ok(Reading {
-        places: places.collect(),
-        model: parsed.model,
-        result,
-        whole: whole.clone(),
-    })
-}
+        Ok(found)
+    }
 
-/// Reads the model from the text of a mechanism; none if the text is wrong.
-pub(super) fn model(
-    document: &Document,
-    declaration: &Declaration,
-) -> Result<Option<Model>, Failure> {
-    proc_macro2::extra::invalidate_current_thread_spans();
-    let Ok(text) = text_of(document, declaration) else {
-        return Ok(None);
-    };
-    let parsed = catch(|| syntax::parse(text)).map_err(Failure::internal)?;
-    let is_right = parsed.errors.is_empty() && parsed.header.is_some();
-    Ok(is_right.then_some(parsed.model))
-}
+    /// The tokens of a mechanism, with all parts that it takes from elsewhere.
+    pub(super) fn text_of(&self, declaration: &Declaration) -> Result<TokenStream, Vec<Message>> {
+        let text = self
+            .tokens_of(declaration)
+            .map_err(|message| vec![message])?;
+        self.with_parts(declaration, text)
+    }
 
-/// Finds the faults in the text of a part that is kept for other mechanisms.
-pub(super) fn faults_of_part(
-    document: &Document,
-    part: &Declaration,
-) -> Result<Vec<Message>, Failure> {
-    proc_macro2::extra::invalidate_current_thread_spans();
-    let tokens = match tokens_of(document, part) {
-        Ok(tokens) => tokens,
-        Err(message) => return Ok(vec![message]),
-    };
-    let read = catch(|| PartText::read(&tokens)).map_err(Failure::internal)?;
-    let errors = read.err().unwrap_or_default();
-    Ok(in_bytes(&errors, &part.whole))
-}
-
-/// The tokens of a mechanism, with all parts that it takes from elsewhere.
-pub(super) fn text_of(
-    document: &Document,
-    declaration: &Declaration,
-) -> Result<TokenStream, Vec<Message>> {
-    let text = tokens_of(document, declaration).map_err(|message| vec![message])?;
-    with_parts(document, declaration, text)
-}
-
-/// The same tokens with the parts written out that they take from elsewhere.
-fn with_parts(
-    document: &Document,
-    declaration: &Declaration,
-    text: TokenStream,
-) -> Result<TokenStream, Vec<Message>> {
-    Import::write_out(text, |import| imported(document, import)).map_err(|unknown| {
+    /// The same tokens with the parts written out that they take from elsewhere.
+    fn with_parts(
+        &self,
+        declaration: &Declaration,
+        text: TokenStream,
+    ) -> Result<TokenStream, Vec<Message>> {
+        Import::write_out(text, |import| self.imported(import)).map_err(|unknown| {
         if let Some(fault) = unknown.fault() {
             return in_bytes(&[fault], &declaration.whole);
         }
@@ -171,104 +178,117 @@ fn with_parts(
         );
         vec![Message { place, text }]
     })
-}
-
-/// The text of a part that a mechanism takes from elsewhere: from its own file, or from the runtime.
-fn imported(document: &Document, import: &Import) -> Option<TokenStream> {
-    if import.fault().is_some() {
-        return None;
     }
-    let name = import.name()?;
-    let here = document.parts.iter().find_map(|part| {
-        let body = part.body.as_ref()?;
-        if excess(document, body).is_some() {
+
+    /// The text of a part that a mechanism takes from elsewhere: from its own file, or from the runtime.
+    fn imported(&self, import: &Import) -> Option<TokenStream> {
+        if import.fault().is_some() {
             return None;
         }
-        let tokens = document.tokens(body).ok()?;
-        let part = PartText::read(&tokens).ok()?;
-        (part.name == name).then_some(part.body)
-    });
-    here.or_else(|| library::part(&name))
-}
-
-pub(super) fn tokens_of(
-    document: &Document,
-    declaration: &Declaration,
-) -> Result<TokenStream, Message> {
-    lexed(document, declaration).map_err(|Unlexed { place, text, .. }| Message { place, text })
-}
-
-/// The tokens of a mechanism, or what keeps it from having any.
-pub(super) fn lexed(
-    document: &Document,
-    declaration: &Declaration,
-) -> Result<TokenStream, Unlexed> {
-    let Some(body) = &declaration.body else {
-        return Err(endless(document, declaration));
-    };
-    if let Some(excess) = excess(document, body) {
-        return Err(excess);
+        let name = import.name()?;
+        let here = self.parts.iter().find_map(|part| {
+            let body = part.body.as_ref()?;
+            if self.excess(body).is_some() {
+                return None;
+            }
+            let tokens = self.tokens(body).ok()?;
+            let part = PartText::read(&tokens).ok()?;
+            (part.name == name).then_some(part.body)
+        });
+        here.or_else(|| library::part(&name))
     }
-    let tokens = document.tokens(body);
-    let (text, start) = (document.source().text(), declaration.whole.start);
-    let is_doubtful = scanner::has_doubtful_end(text, start, body.end);
-    let tokens = match tokens {
-        Ok(tokens) if !is_doubtful => return Ok(tokens),
-        tokens => tokens,
-    };
-    // A brace too many ends it too early, one too few too late.
-    let slip_within = indented(document, declaration);
-    match slip_within.filter(|slip| tokens.is_ok() || slip.change.is_some()) {
-        Some(slip) => Err(slip),
-        None => tokens.map_err(|error| slip(document, declaration, body, &error)),
-    }
-}
 
-/// The slip in a mechanism of a file of Rust that ends where it is indented so.
-fn indented(document: &Document, declaration: &Declaration) -> Option<Unlexed> {
-    let (text, whole) = (document.source().text(), &declaration.whole);
-    if declaration.body.as_ref() == Some(whole) {
-        return None;
+    pub(super) fn tokens_of(&self, declaration: &Declaration) -> Result<TokenStream, Message> {
+        self.lexed(declaration)
+            .map_err(|Unlexed { place, text, .. }| Message { place, text })
     }
-    let body = scanner::indented_body(text, whole.start)?;
-    if excess(document, &body).is_some() {
-        return None;
+
+    /// The tokens of a mechanism, or what keeps it from having any.
+    fn lexed(&self, declaration: &Declaration) -> Result<TokenStream, Unlexed> {
+        let Some(body) = &declaration.body else {
+            return Err(self.endless(declaration));
+        };
+        if let Some(excess) = self.excess(body) {
+            return Err(excess);
+        }
+        let tokens = self.tokens(body);
+        let (text, start) = (self.source().text(), declaration.whole.start);
+        let is_doubtful = scanner::has_doubtful_end(text, start, body.end);
+        let tokens = match tokens {
+            Ok(tokens) if !is_doubtful => return Ok(tokens),
+            tokens => tokens,
+        };
+        // A brace too many ends it too early, one too few too late.
+        let slip_within = self.indented(declaration);
+        match slip_within.filter(|slip| tokens.is_ok() || slip.change.is_some()) {
+            Some(slip) => Err(slip),
+            None => tokens.map_err(|error| self.slip(declaration, body, &error)),
+        }
     }
-    let error = document.tokens(&body).err()?;
-    Some(slip(document, declaration, &body, &error))
-}
 
-fn excess(document: &Document, body: &Range<usize>) -> Option<Unlexed> {
-    let excess = limits::of_text(&document.source().text()[body.clone()]).err()?;
-    let place = body.start + excess.place.start..body.start + excess.place.end;
-    Some(Unlexed::new(place, excess.limit.to_string()))
-}
+    /// The slip in a mechanism of a file of Rust that ends where it is indented so.
+    fn indented(&self, declaration: &Declaration) -> Option<Unlexed> {
+        let (text, whole) = (self.source().text(), &declaration.whole);
+        if declaration.body.as_ref() == Some(whole) {
+            return None;
+        }
+        let body = scanner::indented_body(text, whole.start)?;
+        if self.excess(&body).is_some() {
+            return None;
+        }
+        let error = self.tokens(&body).err()?;
+        Some(self.slip(declaration, &body, &error))
+    }
 
-/// A mechanism whose brackets are not closed.
-fn endless(document: &Document, declaration: &Declaration) -> Unlexed {
-    let start = declaration.whole.start;
-    indented(document, declaration).unwrap_or_else(|| {
+    /// The change after which the text of one of its mechanisms lexes, if it does not, and one is known.
+    pub(crate) fn change_to_lex(&self, declaration: &Declaration) -> Option<Replacement> {
+        self.lexed(declaration).err()?.change
+    }
+
+    fn excess(&self, body: &Range<usize>) -> Option<Unlexed> {
+        let excess = limits::of_text(&self.source().text()[body.clone()]).err()?;
+        let place = body.start + excess.place.start..body.start + excess.place.end;
+        Some(Unlexed::new(place, excess.limit.to_string()))
+    }
+
+    /// A mechanism whose brackets are not closed.
+    fn endless(&self, declaration: &Declaration) -> Unlexed {
+        let start = declaration.whole.start;
+        self.indented(declaration).unwrap_or_else(|| {
         Unlexed::new(
             start..start + 1,
             "this mechanism has no end: one of its brackets is not closed, or closed by another kind",
         )
     })
-}
+    }
 
-/// A text that does not even consist of words, numbers and marks.
-fn slip(
-    document: &Document,
-    declaration: &Declaration,
-    body: &Range<usize>,
-    error: &LexError,
-) -> Unlexed {
-    let at = error.span().byte_range().start;
-    unlexed::slip(document.source(), body, at, &|text| {
-        let tokens: TokenStream = text.parse().ok()?;
-        let text = with_parts(document, declaration, tokens.clone()).unwrap_or(tokens);
-        let parsed = catch(|| syntax::parse(text)).ok()?;
-        Some(parsed.errors.len())
-    })
+    /// A text that does not even consist of words, numbers and marks.
+    fn slip(&self, declaration: &Declaration, body: &Range<usize>, error: &LexError) -> Unlexed {
+        let at = error.span().byte_range().start;
+        unlexed::slip(self.source(), body, at, &|text| {
+            let tokens: TokenStream = text.parse().ok()?;
+            let text = self
+                .with_parts(declaration, tokens.clone())
+                .unwrap_or(tokens);
+            let parsed = catch(|| syntax::parse(text)).ok()?;
+            Some(parsed.errors.len())
+        })
+    }
+
+    /// The names and numbers in the text of one of its mechanisms; none if its brackets do not match.
+    ///
+    /// # Errors
+    /// If the compiler itself fails, which is a mistake of ours.
+    pub fn listing(&self, declaration: &Declaration) -> Result<Option<Listing>, Failure> {
+        proc_macro2::extra::invalidate_current_thread_spans();
+        let Ok(tokens) = self.tokens_of(declaration) else {
+            return Ok(None);
+        };
+        let found = catch(|| syntax::listing(tokens)).map_err(Failure::internal)?;
+        Ok(Some(
+            found.map_places(|place| range_of(place, &declaration.whole)),
+        ))
+    }
 }
 
 /// An instance of a part from elsewhere.
@@ -346,3 +366,12 @@ pub(super) fn range_of(place: Place, whole: &Range<usize>) -> Range<usize> {
         (None, _) => whole.clone(),
     }
 }
+
+/// The names and numbers in the text of a mechanism, with their places in the file, in bytes.
+pub type Listing = syntax::Listing<Range<usize>>;
+
+/// A name at one place.
+pub type NameText = ListedName<Range<usize>>;
+
+/// A number, or a pair of them, at its place.
+pub type NumberText = ListedNumber<Range<usize>>;

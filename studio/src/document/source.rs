@@ -43,27 +43,18 @@ impl Source {
     }
 
     /// Reads a plain file. Who opens a pipe or a device may wait for ever.
-    ///
-    /// # Errors
-    /// If it is none, or as of [`Source::read`].
     pub(crate) fn read_plain(path: &Path) -> Result<Self, Failure> {
         let bytes = input::read(path, LONGEST).map_err(|error| unread(path, &error))?;
         Ok(Self::new(path, utf_8(path, bytes)?))
     }
 
     /// Reads what another program wrote. What is not UTF-8 is Latin-1.
-    ///
-    /// # Errors
-    /// If it cannot be read, or is too long.
     pub(crate) fn read_foreign(path: &Path) -> Result<Self, Failure> {
         let file = File::open(path).map_err(|error| unread(path, &error))?;
         Self::read_foreign_from(path, file)
     }
 
     /// The same of a plain file.
-    ///
-    /// # Errors
-    /// As of others, or if it is none.
     #[cfg(feature = "editor")]
     pub(crate) fn read_foreign_plain(path: &Path) -> Result<Self, Failure> {
         let bytes = input::read(path, LONGEST_FOREIGN).map_err(|error| unread(path, &error))?;
@@ -71,9 +62,6 @@ impl Source {
     }
 
     /// The same of what has a name but is no file of its own, such as the standard input.
-    ///
-    /// # Errors
-    /// As of a file.
     pub(crate) fn read_foreign_from(
         name: impl AsRef<Path>,
         input: impl Read,

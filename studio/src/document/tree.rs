@@ -1,6 +1,5 @@
 //! The text of a mechanism that stays read while it changes.
 
-use super::reading::{text_of, tokens_of};
 use super::{Declaration, Document};
 use crate::failure::Failure;
 use crate::text::{Replacement, TokenPlaces};
@@ -15,26 +14,25 @@ pub(crate) struct TextTree {
     places: TokenPlaces,
 }
 
-impl TextTree {
-    /// Reads a mechanism; none if its text is no text of Rust.
-    pub(super) fn read(
-        document: &Document,
-        declaration: &Declaration,
-    ) -> Result<Option<Self>, Failure> {
+impl Document {
+    /// The text of one of its mechanisms as a tree; none if it cannot be read statement by statement.
+    pub(crate) fn tree(&self, declaration: &Declaration) -> Result<Option<TextTree>, Failure> {
         proc_macro2::extra::invalidate_current_thread_spans();
-        let tokens = match text_of(document, declaration) {
+        let tokens = match self.text_of(declaration) {
             Ok(tokens) => tokens,
             // A part is not known.
-            Err(_) => match tokens_of(document, declaration) {
+            Err(_) => match self.tokens_of(declaration) {
                 Ok(tokens) => tokens,
                 Err(_) => return Ok(None),
             },
         };
         let source = catch(|| Source::read(tokens)).map_err(Failure::internal)?;
         let places = TokenPlaces::of(source.tokens());
-        Ok(Some(Self { source, places }))
+        Ok(Some(TextTree { source, places }))
     }
+}
 
+impl TextTree {
     pub(crate) fn source(&self) -> &Source {
         &self.source
     }

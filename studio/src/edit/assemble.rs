@@ -6,7 +6,6 @@ use crate::document::Reading;
 use mech_compiler::model::{AxisId, JointId, JointKind, LinkId};
 use mech_compiler::structure::Diagnosis;
 
-/// Declares a joint.
 pub(super) fn join(scene: &Scene, assembly: &Assembly) -> Result<Change, Refusal> {
     check_name(&assembly.name)?;
     assembly.ends.iter().try_for_each(|end| check_path(end))?;
@@ -31,7 +30,6 @@ pub(super) fn join(scene: &Scene, assembly: &Assembly) -> Result<Change, Refusal
     Change::of(scene, &rewriter)
 }
 
-/// The statement of a joint.
 fn statement(assembly: &Assembly) -> Result<String, Refusal> {
     let Assembly {
         name,
@@ -74,7 +72,6 @@ fn statement(assembly: &Assembly) -> Result<String, Refusal> {
     Ok(text + ";")
 }
 
-/// The link of an end.
 fn body_of(scene: &Scene, end: &str) -> Option<LinkId> {
     let model = &scene.model;
     if let Some(axis) = axis_at(scene, end) {

@@ -14,7 +14,6 @@ const OTHERS: [&str; 7] = [
     "effects", "start", "motor", "joint", "link", "ground", "const",
 ];
 
-/// Adds what a command declares.
 pub(super) fn declare(scene: &Scene, command: &Command) -> Result<Change, Refusal> {
     let mut rewriter = scene.rewriter()?;
     match command {
@@ -118,7 +117,6 @@ pub(super) fn declare(scene: &Scene, command: &Command) -> Result<Change, Refusa
     Change::of(scene, &rewriter)
 }
 
-/// Sets a number by its role.
 pub(super) fn set(scene: &Scene, owner: &str, role: &str, value: &str) -> Result<Change, Refusal> {
     let Some(number) = scene.listing.number(owner, role) else {
         let roles = scene.listing.numbers_of(owner).map(|one| &one.role);
@@ -137,10 +135,7 @@ pub(super) fn set(scene: &Scene, owner: &str, role: &str, value: &str) -> Result
 
 /// Another text in place of a number.
 pub(super) fn replaced(number: &NumberText, by: impl Into<String>) -> Replacement {
-    Replacement {
-        range: number.place.clone(),
-        text: by.into(),
-    }
+    Replacement::new(number.place.clone(), by.into())
 }
 
 /// Puts a motor on a joint, or says more of one.

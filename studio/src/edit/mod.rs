@@ -9,7 +9,6 @@ mod command;
 mod copy;
 mod declare;
 mod drag;
-mod history;
 mod place;
 mod pose;
 mod refusal;
@@ -22,9 +21,8 @@ mod workspace;
 
 pub use command::{ActionKind, Assembly, Command, Expression, JointForm, Kind, Pair};
 pub use drag::{Drag, Dragged, Follower};
-pub use history::{History, Step};
 pub use refusal::{Refusal, Rule};
-pub use workspace::Workspace;
+pub use workspace::{History, Step, Workspace};
 
 use crate::document::{Document, Reading, Source};
 use crate::failure::Failure;
@@ -51,7 +49,6 @@ pub struct Applied {
 }
 
 impl Applied {
-    /// What was done, with the notes.
     pub(crate) fn summary(&self) -> String {
         let (title, notes) = (&self.title, self.notes.join("; "));
         if notes.is_empty() {
@@ -212,10 +209,7 @@ fn begin(document: &Document, name: &str) -> Result<Applied, Refusal> {
     }
     declare::check_name(name)?;
     let end = source.text().len();
-    let edits = vec![Replacement {
-        range: end..end,
-        text: format!("struct {name};\n"),
-    }];
+    let edits = vec![Replacement::new(end..end, format!("struct {name};\n"))];
     let after = Document::of(Source::new(source.path(), written(source.text(), &edits)));
     let declaration = after.declarations().first();
     let declaration = declaration
@@ -231,7 +225,6 @@ fn begin(document: &Document, name: &str) -> Result<Applied, Refusal> {
     })
 }
 
-/// Reads and analyses a change.
 fn accept(scene: &Scene, title: String, change: Change) -> Result<Applied, Refusal> {
     let document = scene.document_after(&change.edits);
     let (before, after) = (scene.document.declarations(), document.declarations());
@@ -335,10 +328,10 @@ pub(crate) fn differences(before: &str, after: &str) -> Vec<Replacement> {
     changed
         .map(|op| {
             let (from, by) = (op.old_range(), op.new_range());
-            Replacement {
-                range: old[from.start]..old[from.end],
-                text: after[new[by.start]..new[by.end]].to_owned(),
-            }
+            Replacement::new(
+                old[from.start]..old[from.end],
+                &after[new[by.start]..new[by.end]],
+            )
         })
         .collect()
 }

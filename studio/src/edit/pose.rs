@@ -104,7 +104,6 @@ pub(super) fn poses(
         .collect())
 }
 
-/// Where a link stands at the start.
 pub(super) fn start_of(compiled: &Compiled, link: LinkId) -> Option<[f64; 4]> {
     pose_of(compiled, &Mover::exact(compiled), link)
 }

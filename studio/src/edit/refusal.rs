@@ -84,7 +84,6 @@ impl Refusal {
         }
     }
 
-    /// A mistake of ours.
     pub(super) fn internal(what: &str) -> Self {
         Self {
             kind: FailureKind::Internal,

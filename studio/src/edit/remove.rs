@@ -104,7 +104,6 @@ fn emptied(scene: &Scene, owner: &StatementText<'_>) -> Result<Option<Range<usiz
     Ok((!has_comment).then_some(braces.start - 1..braces.end))
 }
 
-/// The statement of a use.
 pub(super) fn used<'t>(statements: &[StatementText<'t>], name: &str) -> Option<StatementText<'t>> {
     let is_it = |one: &&StatementText<'_>| one.is("use") && one.word(1) == name;
     statements.iter().find(is_it).cloned()

@@ -37,10 +37,9 @@ pub(super) fn rename(scene: &Scene, path: &str, name: &str) -> Result<Change, Re
         found == goal && is_kind(one, found.1, target.noun)
     };
     let uses: Vec<_> = listing.names.iter().filter(is_use).collect();
-    let edits = uses.iter().map(|used| Replacement {
-        range: used.place.clone(),
-        text: name.to_owned(),
-    });
+    let edits = uses
+        .iter()
+        .map(|used| Replacement::new(used.place.clone(), name));
     let mut change = Change::from(edits.collect::<Vec<_>>());
     change.notes.push(match uses.len() {
         1 => "1 place".to_owned(),
@@ -55,7 +54,6 @@ pub(super) fn rename(scene: &Scene, path: &str, name: &str) -> Result<Change, Re
     Ok(change)
 }
 
-/// Whether a name can mean something of this kind.
 fn is_kind(one: &NameText, path: &str, noun: Noun) -> bool {
     match (one.noun, noun) {
         (Noun::BodyOrJoint, Noun::Body | Noun::Joint) => true,

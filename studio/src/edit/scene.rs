@@ -21,7 +21,6 @@ pub struct Known<'k> {
     pub listing: &'k Listing,
 }
 
-/// A mechanism in its file, for commands to work on.
 pub(super) struct Scene {
     pub(super) document: Document,
     pub(super) declaration: Declaration,
@@ -29,7 +28,6 @@ pub(super) struct Scene {
     pub(super) index: usize,
     /// The model of the text; of a wrong text, as much as could be understood.
     pub(super) model: Model,
-    /// Whether the text can be read.
     pub(super) is_readable: bool,
     pub(super) listing: Listing,
     /// The compiler's reading of the text, once it is needed.
@@ -91,7 +89,6 @@ impl Scene {
         Ok(self.reading.get_or_init(|| Arc::new(reading)))
     }
 
-    /// A rewriter of the text.
     pub(super) fn rewriter(&self) -> Result<Rewriter<'_>, Refusal> {
         Ok(self.tree()?.rewriter())
     }

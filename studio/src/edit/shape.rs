@@ -7,7 +7,6 @@ use mech_compiler::syntax::{Rewriter, StatementText};
 /// The words of statements within a link that are no shapes.
 const OTHERS: [&str; 4] = ["point", "line", "mass", "density"];
 
-/// Takes a shape out.
 pub(super) fn remove(scene: &Scene, link: &str, number: usize) -> Result<Change, Refusal> {
     let mut rewriter = scene.rewriter()?;
     let shape = shape(&rewriter, link, number)?;

@@ -14,7 +14,6 @@ pub(super) struct Goal<'g> {
     /// Where it stands.
     pub(super) number: &'g NumberText,
     pub(super) value: f64,
-    /// Reads it from the model.
     pub(super) read: &'g dyn Fn(&Model) -> Option<f64>,
 }
 
@@ -45,10 +44,10 @@ pub(super) fn reach(scene: &Scene, goal: &Goal<'_>, change: &mut Change) -> Resu
     }
     let text = &scene.text()[goal.number.place.clone()];
     if is_literal(text) {
-        change.edits.push(Replacement {
-            range: goal.number.place.clone(),
-            text: written_like(goal.value, text),
-        });
+        change.edits.push(Replacement::new(
+            goal.number.place.clone(),
+            written_like(goal.value, text),
+        ));
         change.edits.sort_by_key(|edit| edit.range.start);
         return Ok(());
     }
@@ -154,10 +153,7 @@ fn solve(
     if others.iter().any(overlaps) {
         return Ok(None);
     }
-    let edit_to = |value: f64| Replacement {
-        range: candidate.range.clone(),
-        text: written_like(value, old),
-    };
+    let edit_to = |value: f64| Replacement::new(candidate.range.clone(), written_like(value, old));
     let read = |value: f64| -> Result<Option<f64>, Refusal> {
         let mut edits = others.to_vec();
         edits.push(edit_to(value));

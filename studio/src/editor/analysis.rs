@@ -6,7 +6,7 @@ use super::pending::Pending;
 use super::snapshot::Snapshot;
 #[cfg(feature = "transfer")]
 use super::worker::Remote;
-use super::worker::{Task, Undone, Work, Worker};
+use super::worker::{Task, Text, Undone, Work, Worker};
 use crate::document::{Document, Source};
 use crate::edit::Workspace;
 use crate::failure::Failure;
@@ -21,7 +21,6 @@ struct Ghost {
     drawing: Option<Drawing>,
 }
 
-/// The questions to the compiler, and its findings.
 pub(super) struct Analysis {
     pub(super) worker: Worker,
     pub(super) pending: Pending,
@@ -37,11 +36,8 @@ pub(super) struct Analysis {
     is_stopped: bool,
 }
 
-/// The repairs of a text.
 pub(super) enum Repairs {
-    /// They are looked for.
     Sought,
-    /// They are offered.
     Found(Vec<Mending>),
 }
 
@@ -66,12 +62,10 @@ impl Analysis {
         self.snapshot.is_of(workspace) && self.pending.is_empty()
     }
 
-    /// Whether repairs are still looked for.
     pub(super) const fn is_mending(&self) -> bool {
         matches!(self.repairs, Repairs::Sought)
     }
 
-    /// The repairs that are offered.
     pub(super) fn mendings(&self) -> &[Mending] {
         match &self.repairs {
             Repairs::Sought => &[],
@@ -79,9 +73,8 @@ impl Analysis {
         }
     }
 
-    /// Gives the worker something to do.
     pub(super) fn give(&mut self, task: Task) -> Result<(), Failure> {
-        self.is_stopped &= !matches!(task, Task::Read { .. } | Task::Try { .. });
+        self.is_stopped &= !matches!(task, Task::Read(_) | Task::Try(..));
         self.worker.give(task)
     }
 
@@ -92,12 +85,8 @@ impl Analysis {
         line: Option<String>,
         workspace: &Workspace,
     ) -> Task {
-        Task::Try {
-            number: self.pending.begin(gesture.clone(), line, workspace),
-            document: workspace.document(),
-            index: workspace.index(),
-            gesture,
-        }
+        let number = self.pending.begin(gesture.clone(), line, workspace);
+        Task::Try(number, Text::of(workspace), gesture)
     }
 
     /// Takes over what the compiler makes of the present text.
@@ -135,7 +124,6 @@ impl Analysis {
         }
     }
 
-    /// Looks for repairs no more.
     fn stop_mending(&mut self) {
         if self.is_mending() {
             self.repairs = Repairs::Found(Vec::new());
@@ -163,11 +151,9 @@ impl Analysis {
         let number = number?;
         let mending = self.mendings().get(number.checked_sub(1)?)?;
         let path = self.snapshot.document.source().path();
-        Some(Task::Ghost {
-            number,
-            document: Document::of(Source::new(path, &*mending.text)),
-            index: self.snapshot.index,
-        })
+        let document = Document::of(Source::new(path, &*mending.text));
+        let index = self.snapshot.index;
+        Some(Task::Ghost(number, Text { document, index }))
     }
 
     /// Takes over what a repair would make of the mechanism, if it is still to be seen.
@@ -211,12 +197,10 @@ impl Analysis {
         self.is_stopped
     }
 
-    /// Notes that work begins.
     pub(super) fn begin_work(&mut self, work: Work) {
         self.works.push(work);
     }
 
-    /// Notes that work has ended.
     pub(super) fn end_work(&mut self, work: &Work) {
         if let Some(index) = self.works.iter().position(|one| one == work) {
             self.works.remove(index);

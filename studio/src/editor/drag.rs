@@ -3,8 +3,8 @@
 //! Where it can go is found out beside the window, as everything is; the window shows the last place that is known.
 
 use super::drawing::Drawing;
-use super::path::Path;
 use super::placement::{Pose, SCENE};
+use super::range::Path;
 use super::worker::{Hold, Led, Undone};
 use super::{Gesture, Item};
 use crate::edit::{Follower, Refusal};
@@ -17,12 +17,10 @@ use std::mem;
 /// A drag: from when the pointer takes hold of something until the text says where it stays.
 #[derive(Default)]
 pub(crate) enum Drag {
-    /// Nothing.
     #[default]
     Nothing,
     /// Something is held, and was led nowhere yet.
     Grabbing(Grabbed),
-    /// It follows the pointer.
     Led(Following),
     /// It was let go before it was known whether it can go where it was led last.
     Released(Following),
@@ -38,7 +36,6 @@ pub(crate) struct Grabbed {
     items: Vec<Item>,
     /// The frame in which the places of the drag are told, as a pose in the scene.
     frame: Pose,
-    /// The mechanism as it was.
     before: Drawing,
     /// By how much places may be rounded.
     tolerance: f64,
@@ -53,7 +50,6 @@ pub(crate) struct Following {
     wanted: [f64; 2],
     /// Of what place it is known last whether it can go there.
     answered: Option<[f64; 2]>,
-    /// Why it cannot go there.
     refusal: Option<Refusal>,
     /// The last place where it could go.
     stay: Option<Box<Stay>>,
@@ -65,9 +61,7 @@ pub(crate) struct Stay {
     gesture: Gesture,
     /// The edits of the text that say so.
     pub(crate) edits: Vec<Replacement>,
-    /// The notes for the user.
     notes: String,
-    /// The drawing of the result.
     pub(crate) drawing: Drawing,
     /// The preview of the result; of a place a little before, while the compiler works.
     pub(crate) preview: Preview,
@@ -80,11 +74,9 @@ pub(crate) struct Preview {
     pub(crate) is_awaited: bool,
     /// The edits of the text that was given last.
     given: Vec<Replacement>,
-    /// The mechanism, if it moves.
     pub(crate) player: Option<Player>,
     /// The whole paths of its traced points.
     pub(crate) paths: Vec<Path>,
-    /// The first fault.
     pub(crate) fault: Option<String>,
 }
 
@@ -139,7 +131,6 @@ impl Drag {
         Ok((Self::Grabbing(grabbed), hold))
     }
 
-    /// Whether nothing is dragged.
     pub(crate) const fn is_nothing(&self) -> bool {
         matches!(self, Self::Nothing)
     }
@@ -232,7 +223,6 @@ impl Drag {
         Some((following.grabbed.number, edits.clone()))
     }
 
-    /// Returns the preview of the drag with this number.
     pub(crate) fn preview_mut(&mut self, number: u64) -> Option<&mut Preview> {
         if self.number() != Some(number) {
             return None;
@@ -311,7 +301,6 @@ impl Drag {
         is_given_up
     }
 
-    /// Which of all drags it is.
     pub(crate) const fn number(&self) -> Option<u64> {
         match self {
             Self::Nothing => None,

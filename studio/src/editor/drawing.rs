@@ -11,7 +11,6 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct Drawing {
     pub(crate) model: Arc<Model>,
-    /// The pose of each link.
     poses: Vec<Pose>,
     /// Where each link rests: neither where a motor has it, nor where it has jumped to a joint.
     rests: Vec<Pose>,
@@ -32,13 +31,10 @@ pub struct Handle<'d> {
 /// The thing that is at a place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Hit {
-    /// A joint.
     Joint(JointId),
     /// A point or a line that no joint has.
     Axis(AxisId),
-    /// The body of a link.
     Link(LinkId),
-    /// Nothing: the paper.
     Paper,
 }
 
@@ -87,7 +83,6 @@ impl Drawing {
         }
     }
 
-    /// Whether the drawing has this item.
     pub(crate) fn has(&self, item: &Item) -> bool {
         match item {
             Item::Link(name) => self.link(name).is_some(),
@@ -103,12 +98,10 @@ impl Drawing {
         }
     }
 
-    /// The pose of a link.
     pub(crate) fn pose(&self, link: LinkId) -> Pose {
         self.poses.get(link.index()).copied().unwrap_or(SCENE)
     }
 
-    /// Whether coordinates of a link are those of the scene.
     pub(crate) fn is_in_scene(&self, link: LinkId) -> bool {
         let near = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-9;
         let parts = <[f64; 4]>::from;
@@ -121,18 +114,15 @@ impl Drawing {
         self.pose(axis.link).apply(axis.at)
     }
 
-    /// The direction of an axis in the scene.
     pub(crate) fn direction(&self, axis: AxisId) -> [f64; 2] {
         let axis = self.model.axis(axis);
         self.pose(axis.link).turn(axis.direction)
     }
 
-    /// A place of the scene in the frame of a link.
     pub(crate) fn in_frame(&self, link: LinkId, place: [f64; 2]) -> [f64; 2] {
         self.pose(link).relative(place)
     }
 
-    /// The link of this name.
     pub(crate) fn link(&self, name: &str) -> Option<LinkId> {
         let mut links = self.model.link_ids();
         let is_it = |link: &LinkId| {
@@ -142,13 +132,11 @@ impl Drawing {
         links.find(is_it)
     }
 
-    /// The links that the text declares, by their names.
     pub(crate) fn declared_links(&self) -> impl Iterator<Item = String> {
         let links = self.model.declared_links();
         links.map(|link| self.model.link(link).name.clone())
     }
 
-    /// The joint of this name that is shown.
     pub(crate) fn joint(&self, name: &str) -> Option<JointId> {
         self.index.joints.get(name).copied()
     }
@@ -158,7 +146,6 @@ impl Drawing {
         index::path(&self.model, axis)
     }
 
-    /// The axis of this path.
     pub(crate) fn axis(&self, path: &str) -> Option<AxisId> {
         self.index.axes.get(path).copied()
     }
@@ -245,7 +232,6 @@ impl Drawing {
         })
     }
 
-    /// Whether a joint has a motor.
     pub(crate) fn has_motor(&self, name: &str) -> bool {
         let joint = self.joint(name);
         joint.is_some_and(|joint| self.model.motor_of(joint).is_some())
@@ -347,7 +333,6 @@ impl Drawing {
         })
     }
 
-    /// The axes of a link.
     pub(crate) fn axes_on(&self, link: LinkId) -> impl Iterator<Item = AxisId> {
         self.index.on_link[link.index()].iter().copied()
     }

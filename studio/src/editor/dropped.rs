@@ -3,8 +3,7 @@
 use super::Editor;
 #[cfg(not(target_arch = "wasm32"))]
 use super::opening::longest;
-use eframe::egui;
-use eframe::egui::DroppedFileHandle;
+use eframe::egui::{self, DroppedFileHandle};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 

@@ -1,13 +1,13 @@
 //! Files to choose from: in a list, or in the system's own dialog.
 
 use super::question::FileUse;
+use crate::output::ends_in;
 use crate::text::masked;
 use eframe::egui;
 use rfd::AsyncFileDialog;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::thread;
+use std::{fs, thread};
 
 /// A name in a folder.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
@@ -72,7 +72,6 @@ fn folder_of(path: &str, beside: &Path) -> PathBuf {
     }
 }
 
-/// The folder that has this one in it.
 fn above(folder: &Path) -> Option<PathBuf> {
     let folder = std::path::absolute(present(folder)).ok()?;
     folder.parent().map(Path::to_owned)
@@ -96,15 +95,10 @@ fn entries(folder: &Path, endings: &[&str]) -> std::io::Result<Vec<Entry>> {
             continue;
         };
         let path = entry.path();
-        let ending = path.extension().and_then(|ending| ending.to_str());
-        let can_be_opened = ending.is_some_and(|ending| {
-            let mut endings = endings.iter();
-            endings.any(|known| known.eq_ignore_ascii_case(ending))
-        });
         let is_hidden = name.starts_with('.');
         if path.is_dir() && !is_hidden {
             entries.push(Entry::Folder(name));
-        } else if can_be_opened && !is_hidden {
+        } else if ends_in(&path, endings) && !is_hidden {
             entries.push(Entry::File(name));
         }
     }

@@ -1,5 +1,6 @@
 //! Items: things that can be seen and taken hold of.
 
+use crate::edit::{Command, Kind};
 use serde::{Deserialize, Serialize};
 use std::fmt::{self, Display, Formatter};
 
@@ -24,16 +25,32 @@ impl Item {
             Self::Link(name) | Self::Joint(name) | Self::Axis(name) | Self::Action(name) => name,
         }
     }
-}
 
-impl Display for Item {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let word = match self {
+    pub(super) const fn word(&self) -> &'static str {
+        match self {
             Self::Link(_) => "link",
             Self::Joint(_) => "joint",
             Self::Axis(_) => "point",
             Self::Action(_) => "action",
-        };
-        write!(f, "{word} {}", self.name())
+        }
+    }
+
+    /// The command that takes it out of the text.
+    pub(super) fn removal(&self) -> Command {
+        Command::Remove {
+            kind: match self {
+                Self::Link(_) => Kind::Link,
+                Self::Joint(_) => Kind::Joint,
+                Self::Axis(_) => Kind::Axis,
+                Self::Action(_) => Kind::Action,
+            },
+            name: self.name().to_owned(),
+        }
+    }
+}
+
+impl Display for Item {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {}", self.word(), self.name())
     }
 }

@@ -28,7 +28,6 @@ mod names;
 mod opening;
 mod order;
 mod panel;
-mod path;
 mod pending;
 mod placement;
 mod playing;

@@ -10,7 +10,6 @@ pub(super) struct Names {
 }
 
 impl Names {
-    /// Names that are not taken in a drawing.
     pub(super) fn of(drawing: Option<&Drawing>) -> Self {
         let mut taken = BTreeSet::new();
         if let Some(drawing) = drawing {
@@ -25,7 +24,6 @@ impl Names {
         Self { taken }
     }
 
-    /// Names that do not occur in a text.
     pub(super) fn within(text: &str) -> Self {
         let words = text.split(|letter| !is_of_word(letter));
         Self {

@@ -8,13 +8,11 @@ use crate::failure::Failure;
 use crate::import::{self, FileKind, Written};
 use std::path::{Path, PathBuf};
 
-/// A text to be edited.
 #[derive(Default)]
 pub(super) struct Opened {
     pub(super) workspace: Workspace,
     /// The omissions of the import, for the journal.
     pub(super) losses: String,
-    /// A note for the user.
     pub(super) told: Option<String>,
 }
 

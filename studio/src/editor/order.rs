@@ -8,7 +8,7 @@ use crate::job::{
     Analysed, Draw, Film, FilmKind, GraphKind, Job, Listener, Measure, Picture, Plot, StillKind,
 };
 use crate::motion::Setting;
-use crate::output::{self, Output, OutputKind};
+use crate::output::{self, Output, OutputKind, ends_in};
 use std::path::{Path, PathBuf};
 
 /// A kind of file that can be written.
@@ -45,7 +45,6 @@ impl Export {
         Self::LoopGraph,
     ];
 
-    /// Returns its name in the menu.
     pub(super) const fn name(self) -> &'static str {
         match self {
             Self::Picture => "Picture as PNG",
@@ -163,7 +162,6 @@ pub(super) struct Made {
 }
 
 impl Made {
-    /// Writes it, and tells so.
     pub(super) fn write(self, path: &str) -> Result<String, Failure> {
         let output = Output::new(path, self.kind.kind(), self.bytes);
         output::write(output.from(&self.inputs))?;
@@ -171,7 +169,6 @@ impl Made {
     }
 }
 
-/// The notes of a job.
 #[derive(Default)]
 struct Notes(String);
 
@@ -196,9 +193,7 @@ impl Order {
         if path.is_empty() {
             return Err("no file is named".to_owned());
         }
-        let ending = Path::new(path).extension().unwrap_or_default();
-        let mut endings = kind.endings().iter();
-        if !endings.any(|known| ending.eq_ignore_ascii_case(known)) {
+        if !ends_in(Path::new(path), kind.endings()) {
             let ending = kind.endings()[0];
             return Err(format!(
                 "`{path}` is no name for this: write `.{ending}` at its end"
@@ -221,7 +216,6 @@ impl Order {
         })
     }
 
-    /// Makes what is to be written.
     pub(super) fn make(&self) -> Result<Made, Failure> {
         let mut notes = Notes::default();
         let bytes = match &self.job {

@@ -14,11 +14,8 @@ pub(super) struct Pending {
     count: u64,
 }
 
-/// A gesture that waits.
 pub(super) enum Waiting {
-    /// A gesture whose commands are known.
     Gesture(Gesture),
-    /// A line of the dialogue.
     Line(String),
     /// One whose commands depend on what will be where it was picked.
     Picks(Tool, Vec<NamedPick>),
@@ -73,7 +70,6 @@ impl Pending {
         self.tried.is_none() && self.waiting.is_empty()
     }
 
-    /// Whether a gesture is being tried.
     pub(super) const fn is_trying(&self) -> bool {
         self.tried.is_some()
     }

@@ -150,7 +150,6 @@ impl Jump {
         Self { pose, ..*self }
     }
 
-    /// Whether the joint is closed already.
     fn is_within(&self, tolerance: f64) -> bool {
         self.gap[0] <= tolerance && self.gap[1] <= 1e-6
     }

@@ -1,9 +1,8 @@
 //! The mechanism that plays, and its motors that were moved by hand.
 
-use super::path::Path;
-use super::range::MotorRange;
+use super::range::{MotorRange, Path};
 use super::snapshot::Snapshot;
-use super::worker::Task;
+use super::worker::{Task, Use};
 use crate::play::{Derived, Player};
 use mech_compiler::Compiled;
 use std::collections::btree_map::Entry;
@@ -13,7 +12,6 @@ use std::sync::Arc;
 /// The link or the motor that a user moves by hand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Hand {
-    /// A link, which is dragged.
     Link,
     /// A motor, by its number.
     Motor(usize),
@@ -34,7 +32,6 @@ pub(super) struct Playing {
 }
 
 impl Playing {
-    /// Plays no more.
     pub(super) fn stop(&mut self) {
         *self = Self::default();
     }
@@ -54,11 +51,7 @@ impl Playing {
         for &what in needs.iter().filter(is_unknown) {
             if let Entry::Vacant(asked) = self.asked.entry(what) {
                 let (number, snapshot) = (*asked.insert(number()), snapshot.clone());
-                tasks.push(Task::Derive {
-                    number,
-                    snapshot,
-                    what,
-                });
+                tasks.push(Task::Of(snapshot, Use::Derive(number, what)));
             }
         }
         tasks

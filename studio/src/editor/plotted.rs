@@ -1,10 +1,10 @@
 //! Plots: the quantities that the user wants to see, and the last measurement.
 
-use super::curves::{Curves, Wanted};
+use super::curves::Curves;
 use super::playing::Playing;
 use super::range::MotorRange;
 use super::snapshot::Snapshot;
-use super::worker::{Task, Undone};
+use super::worker::{Task, Undone, Use};
 use crate::job::Measure;
 use crate::motion::Setting;
 use crate::play::Player;
@@ -24,9 +24,7 @@ pub(super) struct Plotted {
     pub(super) motor: Option<String>,
     /// The text that was typed for each load, by the load's name.
     pub(super) loads: BTreeMap<String, String>,
-    /// Whether something is being measured.
     is_asked: bool,
-    /// The last measurement.
     pub(super) curves: Option<Curves>,
 }
 
@@ -61,17 +59,18 @@ impl Plotted {
     }
 
     /// Returns the quantities to measure so that the plots fit the mechanism that is seen.
-    fn wanted(&self, playing: &Playing, snapshot: &Snapshot) -> Option<Wanted> {
+    fn wanted(&self, playing: &Playing, snapshot: &Snapshot) -> Option<Measure> {
         let mechanism = playing.player.as_ref()?.mechanism();
         let (_, motor) = self.motor_of(&playing.ranges)?;
         let others = mechanism.shown_motors().into_iter();
         let others = others.filter(|(name, _)| name != motor);
-        Some(Wanted {
-            names: self.names.clone(),
+        Some(Measure {
+            quantities: self.names.clone(),
             over: self.over.clone(),
             motor: Some(motor.to_owned()),
-            others: others.collect(),
+            at: others.map(Setting::from).collect(),
             loads: self.loads(snapshot),
+            ..Measure::default()
         })
     }
 
@@ -79,14 +78,13 @@ impl Plotted {
     pub(super) fn renew(&mut self, playing: &Playing, snapshot: &Arc<Snapshot>) -> Option<Task> {
         let wanted = self.wanted(playing, snapshot)?;
         let plays = playing.player.as_ref().is_some_and(Player::plays);
-        let waits = plays && !wanted.others.is_empty() && self.curves.is_some();
-        let is_idle = wanted.names.is_empty() || waits || self.is_asked;
+        let waits = plays && !wanted.at.is_empty() && self.curves.is_some();
+        let is_idle = wanted.quantities.is_empty() || waits || self.is_asked;
         if is_idle || self.fits(&wanted, snapshot) || !playing.is_of(snapshot) {
             return None;
         }
         self.is_asked = true;
-        let snapshot = snapshot.clone();
-        Some(Task::Measure { snapshot, wanted })
+        Some(Task::Of(snapshot.clone(), Use::Measure(Box::new(wanted))))
     }
 
     /// Whether the last measurement fits the mechanism that is seen.
@@ -95,10 +93,14 @@ impl Plotted {
         wanted.is_some_and(|wanted| self.fits(&wanted, snapshot))
     }
 
-    fn fits(&self, wanted: &Wanted, snapshot: &Arc<Snapshot>) -> bool {
+    fn fits(&self, wanted: &Measure, snapshot: &Arc<Snapshot>) -> bool {
         let curves = self.curves.as_ref();
         curves.is_some_and(|curves| {
-            Arc::ptr_eq(&curves.snapshot, snapshot) && curves.wanted == *wanted
+            let known = &curves.wanted;
+            Arc::ptr_eq(&curves.snapshot, snapshot)
+                && (&known.quantities, &known.over, &known.motor)
+                    == (&wanted.quantities, &wanted.over, &wanted.motor)
+                && (&known.at, &known.loads) == (&wanted.at, &wanted.loads)
         })
     }
 
@@ -118,21 +120,11 @@ impl Plotted {
     /// Returns the plotted quantities as a measurement for a file.
     pub(super) fn measure(&self, playing: &Playing, snapshot: &Snapshot) -> Measure {
         let wanted = self.wanted(playing, snapshot);
-        let wanted = wanted.filter(|wanted| !wanted.names.is_empty());
-        let measure = Measure {
+        let wanted = wanted.filter(|wanted| !wanted.quantities.is_empty());
+        wanted.unwrap_or_else(|| Measure {
             quantities: self.names.clone(),
             ..Measure::default()
-        };
-        match wanted {
-            Some(wanted) => Measure {
-                over: wanted.over,
-                motor: wanted.motor,
-                at: wanted.others.into_iter().map(Setting::from).collect(),
-                loads: wanted.loads,
-                ..measure
-            },
-            None => measure,
-        }
+        })
     }
 }
 

@@ -10,18 +10,14 @@ use std::path::PathBuf;
 /// Something that is asked in a window of its own.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Dialog {
-    /// Which file this is done with.
     File(FileUse, String),
     /// Whether the text is saved before another one is edited.
     Leave(Destination),
 }
 
-/// The use that is made of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum FileUse {
-    /// It is read.
     Open,
-    /// It is put behind the drawing.
     Picture,
     /// The text is written to it. Afterwards another one may be edited.
     Save(Option<Destination>),
@@ -40,7 +36,6 @@ impl FileUse {
         }
     }
 
-    /// A name that could be typed.
     pub(in crate::editor) const fn hint(&self) -> &'static str {
         match self {
             Self::Picture => "photo.jpg",
@@ -48,7 +43,6 @@ impl FileUse {
         }
     }
 
-    /// Whether the file is written.
     pub(crate) const fn writes(&self) -> bool {
         matches!(self, Self::Save(_) | Self::Export(_))
     }
@@ -67,23 +61,19 @@ impl FileUse {
 /// Where the user goes when the present text is left.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Destination {
-    /// An empty text.
     Empty,
     /// A file, or what a link of PMKS+ holds.
     File(String),
     /// A text that is known already, with the name of its file.
     #[cfg(target_arch = "wasm32")]
     Text(PathBuf, String),
-    /// An example.
     Example(&'static Example),
     /// Away: the window is closed.
     Away,
 }
 
-/// Whether the window stays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Ending {
-    /// It does.
     #[default]
     Stays,
     /// A line wants to close it.

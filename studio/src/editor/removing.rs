@@ -2,23 +2,14 @@
 
 use super::drawing::{Drawing, distance};
 use super::{Gesture, Item};
-use crate::edit::{Command, Kind};
+use crate::edit::Command;
 use crate::text::shortest;
 use mech_compiler::model::{AxisId, JointId, Link, LinkId};
 use std::collections::BTreeSet;
 
 /// Takes out what is selected; none if nothing is.
 pub(super) fn removal(selected: &BTreeSet<Item>, drawing: Option<&Drawing>) -> Option<Gesture> {
-    let commands = selected.iter().map(|item| Command::Remove {
-        kind: match item {
-            Item::Link(_) => Kind::Link,
-            Item::Joint(_) => Kind::Joint,
-            Item::Axis(_) => Kind::Axis,
-            Item::Action(_) => Kind::Action,
-        },
-        name: item.name().to_owned(),
-    });
-    let commands: Vec<Command> = commands.collect();
+    let commands: Vec<Command> = selected.iter().map(Item::removal).collect();
     let title = match &commands[..] {
         [] => return None,
         [only] => only.title(),

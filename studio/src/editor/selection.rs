@@ -6,7 +6,6 @@ use super::drawing::Drawing;
 use mech_compiler::model::LinkId;
 use std::collections::BTreeSet;
 
-/// The selected items, and the items under the mouse.
 #[derive(Default)]
 pub(super) struct Selection {
     pub(super) items: BTreeSet<Item>,
@@ -24,7 +23,6 @@ impl Selection {
         }
     }
 
-    /// Selects the links of these names.
     pub(super) fn select_links(&mut self, names: impl IntoIterator<Item = String>) {
         self.items = names.into_iter().map(Item::Link).collect();
     }

@@ -6,19 +6,13 @@ use std::collections::BTreeSet;
 /// Something in the drawing that can be hidden.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Visible {
-    /// The grid.
     Grid,
-    /// The names of joints and links.
     Names,
     /// The bodies of links; without, the schematic.
     Bodies,
-    /// The whole paths of traced points.
     Paths,
-    /// The velocities of points, as arrows.
     Velocities,
-    /// Their accelerations.
     Accelerations,
-    /// The forces in joints.
     Forces,
 }
 
@@ -33,7 +27,6 @@ impl Visible {
     }
 }
 
-/// The user's settings of the window.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Settings {
     /// Whether places snap to the grid and to what is near.
@@ -42,12 +35,10 @@ pub(crate) struct Settings {
     pub(crate) visible: BTreeSet<Visible>,
     /// The panel beside the drawing; none if all are closed.
     pub(crate) panel: Option<Panel>,
-    /// Whether the window is dark.
     pub(crate) is_dark: bool,
 }
 
 impl Settings {
-    /// Whether something is seen.
     pub(crate) fn shows(&self, what: Visible) -> bool {
         self.visible.contains(&what)
     }
@@ -80,19 +71,12 @@ impl Default for Settings {
 /// A panel beside the drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Panel {
-    /// The text.
     Text,
-    /// The numbers of what is selected.
     Properties,
-    /// The diagnoses, with their repairs.
     Diagnoses,
-    /// Graphs of what moves.
     Plots,
-    /// The compiler's report on the mechanism.
     Report,
-    /// The steps to undo.
     Steps,
-    /// The help on all actions.
     Help,
 }
 
@@ -108,7 +92,6 @@ impl Panel {
         Self::Help,
     ];
 
-    /// Its name.
     pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Text => "Text",

@@ -2,9 +2,8 @@
 
 use super::drag::Drag;
 use super::drawing::Drawing;
-use super::path::Path;
 use super::playing::{Hand, Playing};
-use super::range::MotorRange;
+use super::range::{MotorRange, Path};
 use super::settings::{Settings, Visible};
 use super::snapshot::Snapshot;
 use super::worker::Previewed;
@@ -24,7 +23,6 @@ pub struct Sight {
     view: View,
 }
 
-/// Whose the view is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum View {
     /// It is to show everything that will be there.
@@ -47,12 +45,10 @@ impl Sight {
         }
     }
 
-    /// Returns the drawing, if there is one.
     pub(super) fn drawing(&self) -> Option<&Drawing> {
         self.drawn.as_ref().map(|(_, drawing)| drawing)
     }
 
-    /// Whether a joint has a motor.
     pub(super) fn has_motor(&self, joint: &str) -> bool {
         let drawing = self.drawing();
         drawing.is_some_and(|drawing| drawing.has_motor(joint))
@@ -152,7 +148,6 @@ impl Sight {
         }
     }
 
-    /// Lets time pass, in seconds.
     pub(super) fn advance(&mut self, seconds: f64) {
         if self.drag.is_nothing()
             && let Some(player) = &mut self.playing.player
@@ -184,7 +179,6 @@ impl Sight {
         self.camera = Camera::new(self.bounds(), self.camera.size());
     }
 
-    /// The box of everything.
     fn bounds(&self) -> [[f64; 2]; 2] {
         let moving = self.player().map(|player| player.mechanism().bounds());
         // A single pivot is seen with room around it.

@@ -16,7 +16,6 @@ pub(super) struct Snapping<'d> {
     pub(super) drawing: Option<&'d Drawing>,
     /// Pixels in a scene unit.
     pub(super) scale: f64,
-    /// Whether anything is snapped to.
     pub(super) is_on: bool,
     /// From where angles count, if they are to be multiples of 15 degrees.
     pub(super) angles_from: Option<[f64; 2]>,

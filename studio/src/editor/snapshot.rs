@@ -1,10 +1,9 @@
 //! Snapshots: the compiler's findings on a text.
 
 use super::drawing::Drawing;
-use super::path::{Path, whole_paths};
 use super::placement::Pose;
-use super::range::{MotorRange, ranges};
-use crate::check::verdict_line;
+use super::range::{MotorRange, Path, ranges, whole_paths};
+use crate::dialogue::state;
 use crate::document::{Declaration, Document, Listing, Message, Reading};
 use crate::edit::{Known, Workspace};
 use crate::failure::Failure;
@@ -14,9 +13,8 @@ use mech_compiler::Compiled;
 use mech_compiler::model::{LinkId, Model};
 use std::sync::Arc;
 
-/// The compiler's findings on a text.
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Snapshot {
-    /// The file with this text.
     pub(crate) document: Document,
     /// The number of the mechanism in it.
     pub(crate) index: usize,
@@ -29,7 +27,6 @@ pub(crate) struct Snapshot {
 }
 
 impl Snapshot {
-    /// Reads and analyses a text.
     pub(crate) fn of(document: Document, index: usize) -> Self {
         let declaration = document.declarations().get(index);
         let found = declaration.map(|declaration| read(&document, declaration));
@@ -103,14 +100,9 @@ impl Snapshot {
 
     /// Says in a line whether the mechanism moves.
     pub(crate) fn verdict(&self) -> String {
-        match (&self.reading, self.compiled()) {
-            (Some(reading), Some(compiled)) => verdict_line(&reading.model, compiled),
-            (Some(_), None) => {
-                let first = self.messages().first();
-                let line = first.and_then(|message| message.text.lines().next());
-                format!("not yet: {}", line.unwrap_or_default())
-            }
-            (None, _) => "Draw a bar, or open a file.".to_owned(),
+        match &self.reading {
+            Some(reading) => state(reading),
+            None => "Draw a bar, or open a file.".to_owned(),
         }
     }
 

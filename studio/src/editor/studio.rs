@@ -1,13 +1,11 @@
 //! The editor in a window of egui.
 
-use super::Editor;
-use super::action;
 use super::canvas::Canvas;
 use super::dropped::Dropped;
 #[cfg(not(target_arch = "wasm32"))]
 use super::guard::Guard;
-use super::panel;
 use super::question::Ending;
+use super::{Editor, action, panel};
 use crate::edit::Workspace;
 use crate::text::masked;
 use eframe::egui;
@@ -21,7 +19,6 @@ pub struct Studio {
     line: panel::Line,
     panels: panel::Panels,
     busy: panel::Busy,
-    /// The title of the window.
     title: String,
     dropped: Dropped,
     #[cfg(not(target_arch = "wasm32"))]
@@ -166,7 +163,6 @@ fn title(workspace: &Workspace) -> String {
     masked(&format!("{}{changed} - mech edit", name.display())).into_owned()
 }
 
-/// Makes everything large enough for fingers.
 fn for_fingers(spacing: &mut egui::Spacing) {
     spacing.interact_size.y = 32.0;
     spacing.button_padding = egui::vec2(8.0, 7.0);

@@ -13,7 +13,6 @@ pub struct Notice {
     pub is_refusal: bool,
 }
 
-/// The talk: notices, questions, and the lines that were typed.
 #[derive(Default)]
 pub(super) struct Talk {
     pub(super) notice: Option<Notice>,
@@ -22,12 +21,10 @@ pub(super) struct Talk {
     pub(super) proposed: Option<String>,
     /// The question in a window of its own.
     pub(super) dialog: Option<Dialog>,
-    /// Whether the window stays.
     pub(super) ending: Ending,
 }
 
 impl Talk {
-    /// Tells something.
     pub(super) fn tell(&mut self, text: impl Into<String>) {
         self.notice = Some(Notice {
             text: masked(&text.into()).into_owned(),
@@ -35,7 +32,6 @@ impl Talk {
         });
     }
 
-    /// Tells why something was refused.
     #[expect(clippy::needless_pass_by_value, reason = "nobody needs it any more")]
     pub(super) fn refuse(&mut self, why: impl ToString) {
         self.notice = Some(Notice {
@@ -78,7 +74,6 @@ pub(crate) struct Journal {
 }
 
 impl Journal {
-    /// Notes what was answered to a line.
     pub(crate) fn note(&mut self, line: &str, answers: &[&str]) {
         self.text += &format!("> {}\n", masked(line));
         for text in answers.iter().filter(|text| !text.is_empty()) {

@@ -1,7 +1,7 @@
-//! A mechanism as it was drawn in another program: links and joints, placed in the scene.
+//! A mechanism as it was drawn in another program: links and joints, placed in the scene; and what cannot be carried over.
 
 use super::color::Color;
-use super::omission::Omission;
+use std::fmt::{self, Display, Formatter};
 
 /// The largest number that is read. No drawing comes near it. What is computed of such numbers is finite.
 pub(super) const LARGEST: f64 = 1e15;
@@ -27,7 +27,6 @@ pub(super) struct Drawing {
     pub(super) rounding: f64,
 }
 
-/// A link that moves.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Link {
     /// The name that it should have, if that can be a name.
@@ -37,7 +36,6 @@ pub(super) struct Link {
     pub(super) color: Option<Color>,
 }
 
-/// A named point of a link.
 #[derive(Clone, Debug)]
 pub(super) struct Point {
     pub(super) name: String,
@@ -46,11 +44,9 @@ pub(super) struct Point {
     pub(super) is_traced: bool,
 }
 
-/// The mass of a link.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Mass {
     pub(super) value: f64,
-    /// The centre of mass.
     pub(super) at: Pair,
     /// The moment of inertia about it.
     pub(super) inertia: f64,
@@ -64,7 +60,6 @@ pub(super) enum End {
     Link(usize),
 }
 
-/// A joint of two ends.
 #[derive(Clone, Debug)]
 pub(super) struct Joint {
     pub(super) name: String,
@@ -72,7 +67,6 @@ pub(super) struct Joint {
     pub(super) ends: [End; 2],
 }
 
-/// The form of a joint.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Form {
     Revolute {
@@ -100,7 +94,6 @@ pub(super) enum Direction {
 }
 
 impl Direction {
-    /// A vector of this direction.
     pub(super) fn vector(self) -> Pair {
         let at = |angle: f64| {
             let (sin, cos) = angle.sin_cos();
@@ -114,7 +107,6 @@ impl Direction {
     }
 }
 
-/// The sizes of two wheels.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Sizes {
     /// Numbers of teeth, which fit at any distance.
@@ -123,17 +115,14 @@ pub(super) enum Sizes {
     Radii(Pair),
 }
 
-/// A joint that is driven.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Motor {
-    /// The number of the joint.
     pub(super) joint: usize,
     /// The distance from the start to the end of its range, if known.
     pub(super) stroke: Option<f64>,
     pub(super) speed: Option<Speed>,
 }
 
-/// The speed of a motor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Speed {
     /// In turns a minute; counter-clockwise above zero.
@@ -157,7 +146,6 @@ impl Speed {
 pub(super) struct Load {
     pub(super) name: String,
     pub(super) link: usize,
-    /// The number of the point.
     pub(super) point: usize,
 }
 
@@ -207,7 +195,17 @@ impl Drawing {
         places
     }
 
-    /// Whether a link is a wheel.
+    /// Names a place of the first of these ends that moves, where its path is recorded or no joint marks it.
+    pub(super) fn mark(&mut self, ends: &[End], point: Point, has_joint: bool) {
+        let moving = ends.iter().find_map(|end| match end {
+            End::Link(link) => Some(*link),
+            End::Ground => None,
+        });
+        if let Some(link) = moving.filter(|_| point.is_traced || !has_joint) {
+            self.links[link].points.push(point);
+        }
+    }
+
     pub(super) fn is_wheel(&self, link: usize) -> bool {
         let mut joints = self.joints.iter();
         joints.any(|joint| joint.at().is_none() && joint.ends.contains(&End::Link(link)))
@@ -235,5 +233,120 @@ impl Joint {
             Form::Revolute { at } | Form::Prismatic { at, .. } | Form::Slot { at, .. } => Some(at),
             Form::Gear(_) | Form::Belt(_) => None,
         }
+    }
+}
+
+/// Something that could not be carried over, and why.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Omission {
+    /// The name of its subject: `connector 3`.
+    pub(super) of: String,
+    /// The loss, in a sentence.
+    pub(super) what: String,
+}
+
+impl Omission {
+    pub(super) fn new(of: impl Into<String>, what: impl Into<String>) -> Self {
+        let (of, what) = (of.into(), what.into());
+        Self { of, what }
+    }
+
+    /// A motor is on one joint.
+    pub(super) fn free_links(of: &str) -> Self {
+        let what = "its motor moves the first of several links on it; the others are free";
+        Self::new(of, what)
+    }
+}
+
+impl Display for Omission {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.of, self.what)
+    }
+}
+
+/// All of it, a line each; nothing if nothing is lost.
+pub(crate) fn listed(omissions: &[Omission]) -> String {
+    if omissions.is_empty() {
+        return String::new();
+    }
+    let lines = omissions.iter().map(|one| format!("  {one}\n"));
+    format!("not carried over:\n{}", lines.collect::<String>())
+}
+
+/// For how many turns of the fastest input laws are tried, if not all are back sooner.
+const TURNS: f64 = 64.0;
+/// The number of steps in which a turn of the fastest input is tried.
+const STEPS: f64 = 90.0;
+/// Speeds are compared in thousandths.
+const THOUSANDTHS: f64 = 1000.0;
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Times {
+    /// After which all of them are back where they started, if that is soon.
+    pub(super) back: Option<f64>,
+    /// For how long laws are tried, and in what steps.
+    pub(super) tried: f64,
+    pub(super) step: f64,
+}
+
+impl Times {
+    /// The times of these motors, if several have laws.
+    pub(super) fn of(motors: &[Motor]) -> Option<Self> {
+        let rates: Vec<f64> = motors.iter().filter_map(Motor::rounds).collect();
+        if rates.len() < 2 {
+            return None;
+        }
+        let fastest = rates.iter().copied().fold(0.0, f64::max);
+        let longest = 60.0 * TURNS / fastest;
+        let common = rates.iter().try_fold(0.0, |common, rate| {
+            let thousandths = rate * THOUSANDTHS;
+            let whole = thousandths.round();
+            ((thousandths - whole).abs() < 1e-6).then(|| divisor(whole, common))
+        });
+        let back = common.map(|common| 60.0 * THOUSANDTHS / common);
+        let back = back.filter(|back| *back <= longest);
+        Some(Self {
+            back,
+            tried: back.unwrap_or(longest),
+            step: 60.0 / fastest / STEPS,
+        })
+    }
+}
+
+impl Motor {
+    /// Counts the times a minute at which it is back at its start, if a law can say how it moves.
+    pub(super) fn rounds(&self) -> Option<f64> {
+        match (self.speed?, self.stroke) {
+            (Speed::Turns(turns), _) => Some(turns.abs()),
+            (Speed::Cycles(cycles), Some(_)) => Some(cycles),
+            (Speed::Cycles(_), None) | (Speed::Way(_), _) => None,
+        }
+    }
+}
+
+/// The greatest common divisor of whole numbers.
+fn divisor(a: f64, b: f64) -> f64 {
+    if b == 0.0 { a } else { divisor(b, a % b) }
+}
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn inputs_are_back_after_their_common_period() {
+        let back = |rates: &[f64]| {
+            let motor = |turns: &f64| Motor {
+                joint: 0,
+                stroke: None,
+                speed: Some(Speed::Turns(*turns)),
+            };
+            let motors: Vec<Motor> = rates.iter().map(motor).collect();
+            Times::of(&motors).and_then(|times| times.back)
+        };
+        assert_eq!(back(&[15.0, -15.0, 15.0, 18.0]), Some(20.0));
+        assert_eq!(back(&[0.5, 0.75]), Some(240.0));
+        assert_eq!(back(&[15.0]), None);
+        assert_eq!(back(&[15.0, 15.001]), None);
+        assert_eq!(back(&[15.0, std::f64::consts::PI]), None);
     }
 }

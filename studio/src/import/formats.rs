@@ -2,7 +2,6 @@
 
 use crate::document::Message;
 
-/// The formats that are read.
 const READ: &str = "`mech import` reads documents of Linkage (`.linkage2`) and links of PMKS+";
 
 /// The beginnings of files, and the formats that they tell.

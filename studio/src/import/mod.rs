@@ -9,14 +9,13 @@ mod drawing;
 mod formats;
 mod linkage;
 mod names;
-mod omission;
 mod pmks;
 mod terms;
-mod times;
 mod writing;
 
-pub(crate) use drawing::Imported;
-pub(crate) use omission::{Omission, listed};
+pub(crate) use drawing::{Imported, Omission, listed};
+pub(crate) use names::{is_type, type_name};
+pub(crate) use pmks::is_link;
 pub(crate) use writing::FileKind;
 
 use crate::document::{Message, Source};
@@ -43,11 +42,6 @@ pub(crate) fn read(source: &Source) -> Result<Imported, Message> {
     }
 }
 
-/// Whether a text is a link, not a document.
-pub(crate) fn is_link(text: &str) -> bool {
-    pmks::is_link(text)
-}
-
 /// A text, and what it does not say.
 #[derive(Clone, Debug)]
 pub(crate) struct Written {
@@ -57,9 +51,6 @@ pub(crate) struct Written {
 
 impl Imported {
     /// Writes it in the language, under a name, below a remark on its origin.
-    ///
-    /// # Errors
-    /// If the compiler itself fails, which is a mistake of ours.
     pub(crate) fn written(
         &self,
         origin: &str,
@@ -73,20 +64,4 @@ impl Imported {
         let text = writing::text(&drawing, &terms, name, kind)?;
         Ok(Written { text, omissions })
     }
-}
-
-/// The name of a type for a mechanism that comes from something of this name.
-///
-/// # Errors
-/// If the compiler itself fails, which is a mistake of ours.
-pub(crate) fn type_name(wish: &str) -> Result<String, Failure> {
-    names::type_name(wish)
-}
-
-/// Whether a mechanism can have this name.
-///
-/// # Errors
-/// If the compiler itself fails, which is a mistake of ours.
-pub(crate) fn is_type(name: &str) -> Result<bool, Failure> {
-    names::is_type(name)
 }

@@ -68,7 +68,7 @@ fn word(wish: &str, kind: &str) -> String {
 }
 
 /// The name of a type, as near to a wish as it can be: `FourBar` for `four bar`.
-pub(super) fn type_name(wish: &str) -> Result<String, Failure> {
+pub(crate) fn type_name(wish: &str) -> Result<String, Failure> {
     let words = words(wish).into_iter();
     let capital = words.map(|word| {
         let mut letters = word.chars();
@@ -111,7 +111,7 @@ fn is_allowed(word: &str) -> Result<bool, Failure> {
 }
 
 /// Whether the language takes this word as the name of a mechanism.
-pub(super) fn is_type(word: &str) -> Result<bool, Failure> {
+pub(crate) fn is_type(word: &str) -> Result<bool, Failure> {
     if !word.chars().all(is_of_word) {
         return Ok(false);
     }
@@ -120,7 +120,6 @@ pub(super) fn is_type(word: &str) -> Result<bool, Failure> {
     ))
 }
 
-/// Whether a text can be read.
 fn is_right(text: &str) -> Result<bool, Failure> {
     let document = Document::of(Source::new("trial.mech", text));
     match document.declarations() {

@@ -1,8 +1,6 @@
 //! Terms: allowances, ranges and laws, which are written only if the compiler takes them.
 
-use super::drawing::Drawing;
-use super::omission::Omission;
-use super::times::Times;
+use super::drawing::{Drawing, Omission, Times};
 use super::writing::{self, FileKind, Terms};
 use crate::document::{Document, Reading, Source};
 use crate::failure::Failure;

@@ -1,8 +1,9 @@
 //! The text of a drawing.
 
-use super::drawing::{Direction, Drawing, End, Form, Joint, Link, Motor, Pair, Sizes, Speed};
+use super::drawing::{
+    Direction, Drawing, End, Form, Joint, Link, Motor, Pair, Sizes, Speed, Times,
+};
 use super::names::Names;
-use super::times::Times;
 use crate::document::in_rust;
 use crate::failure::Failure;
 use crate::text::{masked, shortest, written_like};
@@ -20,7 +21,6 @@ pub(crate) enum FileKind {
 const TRACE: u32 = 720;
 /// The number of places that a window records in a second, by laws.
 const PLACES_A_SECOND: f64 = 60.0;
-/// The longest trace.
 const LONGEST_TRACE: u32 = 1 << 14;
 /// The error of a written number, as a part of the size of the drawing.
 const PRECISION: f64 = 1e-9;
@@ -29,10 +29,6 @@ const WIDTH: f64 = 0.03;
 /// The longest line, where it can be broken.
 const LINE: usize = 100;
 
-/// The text of a drawing as a mechanism of this name.
-///
-/// # Errors
-/// If the compiler itself fails, which is a mistake of ours.
 pub(super) fn text(
     drawing: &Drawing,
     terms: &Terms,
@@ -52,10 +48,6 @@ pub(super) fn text(
     })
 }
 
-/// The names that the joints of a drawing get.
-///
-/// # Errors
-/// If the compiler itself fails, which is a mistake of ours.
 pub(super) fn joint_names(drawing: &Drawing) -> Result<Vec<String>, Failure> {
     Ok(Named::of(drawing)?.joints)
 }
@@ -162,7 +154,6 @@ impl Writer<'_> {
         block("ground", &stands.collect::<Vec<_>>())
     }
 
-    /// The statement of a link.
     fn link(&self, number: usize) -> Vec<String> {
         let items = self.items(number);
         let name = &self.named.links[number];
@@ -241,7 +232,6 @@ impl Writer<'_> {
         motors.map(|(motor, has_range)| self.motor(motor, self.terms.has_laws, *has_range))
     }
 
-    /// The statement of a motor.
     fn motor(&self, motor: &Motor, has_law: bool, has_range: bool) -> String {
         let law = self.law(motor).filter(|_| has_law);
         let law = law.map(|law| format!(" = {law}"));
@@ -432,7 +422,6 @@ fn on_one_line(text: &str) -> String {
     masked(&letters.collect::<String>()).into_owned()
 }
 
-/// The terms on which a text is written.
 #[derive(Clone, Debug)]
 pub(super) struct Terms {
     pub(super) is_coupled: bool,

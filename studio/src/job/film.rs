@@ -25,7 +25,6 @@ pub(crate) struct Film {
     pub(crate) rate: u32,
 }
 
-/// The kinds of films.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) enum FilmKind {
@@ -35,7 +34,6 @@ pub(crate) enum FilmKind {
 }
 
 impl FilmKind {
-    /// Returns the kind of its file.
     pub(crate) const fn file(self) -> OutputKind {
         match self {
             Self::Gif => OutputKind::Gif,

@@ -4,6 +4,8 @@ use super::Analysed;
 use crate::failure::Failure;
 use crate::motion::{Drive, Setting, Span};
 use crate::quantity::{self, Load, Measurement, Quantity, Summary, Table, Units};
+use mech_compiler::Compiled;
+use mech_compiler::model::Model;
 
 /// The quantities to measure, and the motion.
 #[derive(Clone, Debug)]
@@ -20,7 +22,6 @@ pub(crate) struct Measure {
     pub(crate) steps: u32,
     /// The speed of the motor, in radians or scene units per second: without, 1, and forces are those at rest.
     pub(crate) rate: Option<f64>,
-    /// Where other motors stand.
     pub(crate) at: Vec<Setting>,
     pub(crate) loads: Vec<Load>,
     pub(crate) units: Units,
@@ -33,37 +34,69 @@ impl Measure {
     pub(crate) const STEPS: u32 = 360;
 
     /// Moves the mechanism, and measures.
-    pub(super) fn table(&self, analysed: &Analysed) -> Result<Table, Failure> {
-        self.measured(analysed, quantity::measure)
+    pub(super) fn table(&self, Analysed { model, compiled }: &Analysed) -> Result<Table, Failure> {
+        self.measured(model, compiled, None, quantity::measure)
     }
 
     /// The same, in summary.
-    pub(super) fn summaries(&self, analysed: &Analysed) -> Result<Vec<Summary>, Failure> {
-        self.measured(analysed, |of, wanted| {
+    pub(super) fn summaries(
+        &self,
+        Analysed { model, compiled }: &Analysed,
+    ) -> Result<Vec<Summary>, Failure> {
+        self.measured(model, compiled, None, |of, wanted| {
             quantity::summarize(of, wanted, self.dwell)
         })
     }
 
+    /// Measures what can be measured, and notes why the rest cannot.
+    #[cfg(feature = "editor")]
+    pub(crate) fn known_table(
+        &self,
+        model: &Model,
+        compiled: &Compiled,
+        missing: &mut Vec<Failure>,
+    ) -> Result<Table, Failure> {
+        self.measured(model, compiled, Some(missing), quantity::measure)
+    }
+
+    /// Without a list of what is missing, it fails if something is.
     fn measured<R>(
         &self,
-        Analysed { model, compiled }: &Analysed,
+        model: &Model,
+        compiled: &Compiled,
+        mut missing: Option<&mut Vec<Failure>>,
         measured: impl FnOnce(&Measurement<'_>, &[Quantity]) -> Result<R, Failure>,
     ) -> Result<R, Failure> {
+        let mut miss = |failure| match &mut missing {
+            Some(missing) => {
+                missing.push(failure);
+                Ok(())
+            }
+            None => Err(failure),
+        };
         let dyads = quantity::dyads(model, &compiled.plan);
         let mut wanted = Vec::new();
         for name in &self.quantities {
-            wanted.extend(quantity::quantities(model, &dyads, name)?);
+            match quantity::quantities(model, &dyads, name) {
+                Ok(found) => wanted.extend(found),
+                Err(failure) => miss(failure)?,
+            }
         }
-        if wanted.is_empty() {
+        let mut over = None;
+        if let Some(name) = &self.over {
+            match quantity::only_quantity(model, &dyads, name) {
+                Ok(found) => over = Some(found),
+                Err(failure) => miss(failure)?,
+            }
+        }
+        if wanted.is_empty() && missing.is_none() {
             wanted = quantity::usual(model);
         }
-        let over = self.over.as_deref();
-        let over = over.map(|name| quantity::only_quantity(model, &dyads, name));
         let drive = Drive::new(model, compiled, self.motor.as_deref(), self.span, &self.at)?;
         let measurement = Measurement {
             model,
             drive: &drive,
-            over: over.transpose()?,
+            over,
             rate: self.rate,
             steps: self.steps,
             loads: &self.loads,

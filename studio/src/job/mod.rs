@@ -3,7 +3,6 @@
 
 mod draw;
 mod film;
-mod graph;
 mod measure;
 mod picture;
 mod plot;
@@ -11,7 +10,6 @@ mod table;
 
 pub(crate) use draw::Draw;
 pub(crate) use film::{Film, FilmKind};
-pub(crate) use graph::GraphKind;
 pub(crate) use measure::Measure;
 pub(crate) use picture::{Picture, Size};
 pub(crate) use plot::Plot;
@@ -19,8 +17,8 @@ pub(crate) use plot::Plot;
 use crate::document::{Faults, Reading};
 use crate::failure::Failure;
 use crate::output::OutputKind;
-use mech_compiler::Compiled;
 use mech_compiler::model::Model;
+use mech_compiler::{Compiled, graphs};
 
 /// Something that can be made of a mechanism.
 #[derive(Clone, Debug)]
@@ -28,21 +26,17 @@ use mech_compiler::model::Model;
 pub(crate) enum Job {
     /// A picture as it is assembled, or where its motors are put.
     Draw(Draw),
-    /// A film of its motion.
     Film(Film),
     /// A table of measurements in its motion, as CSV.
     Table(Measure),
     /// The extremes and means of the same, as CSV.
     Summary(Measure),
-    /// The same as charts.
     Plot(Plot),
-    /// The report of the analysis.
     Report,
     /// A graph in the language DOT.
     Graph(GraphKind),
 }
 
-/// A mechanism that is coherent.
 pub(crate) struct Analysed {
     pub(crate) model: Model,
     pub(crate) compiled: Compiled,
@@ -56,7 +50,6 @@ impl Analysed {
     }
 }
 
-/// Two kinds of still pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) enum StillKind {
@@ -65,12 +58,35 @@ pub(crate) enum StillKind {
 }
 
 impl StillKind {
-    /// Returns the kind of its file.
     pub(crate) const fn file(self) -> OutputKind {
         match self {
             Self::Png => OutputKind::Png,
             Self::Svg => OutputKind::Svg,
         }
+    }
+}
+
+/// The subject of a graph.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(not(target_arch = "wasm32"), derive(clap::ValueEnum))]
+pub(crate) enum GraphKind {
+    /// The kinematic graph: links, and the joints between them.
+    Links,
+    /// Each loop, after the loops and motors that determine it.
+    Loops,
+    /// Loops that have joints in common.
+    CommonJoints,
+}
+
+impl GraphKind {
+    fn dot(self, Analysed { model, compiled }: &Analysed) -> String {
+        let graph = match self {
+            Self::Links => graphs::kinematic(model, &compiled.structure),
+            Self::Loops => graphs::loops(model, &compiled.plan),
+            Self::CommonJoints => graphs::common_joints(model, &compiled.plan),
+        };
+        graph.to_dot()
     }
 }
 
@@ -84,7 +100,6 @@ pub(crate) trait Listener {
 }
 
 impl Job {
-    /// Does the job.
     pub(crate) fn run(
         &self,
         analysed: Analysed,

@@ -7,7 +7,6 @@ use mech_compiler::model::Look;
 use mech_runtime::Palette;
 use mech_runtime::files::Sheet;
 
-/// The settings of a picture.
 #[derive(Clone, Debug, Default)]
 #[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Picture {
@@ -18,11 +17,9 @@ pub(crate) struct Picture {
     pub(crate) overlay: bool,
     /// Whether the ground is dark.
     pub(crate) night: bool,
-    /// Where motors stand.
     pub(crate) at: Vec<Setting>,
 }
 
-/// A size in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Size {

@@ -6,10 +6,9 @@ mod slip;
 use crate::document::{Declaration, Document, Faults, Reading};
 use crate::failure::Failure;
 use crate::text::written;
-use mech_compiler::catch;
 use mech_compiler::repair::{self, Offers, Repair};
-use mech_compiler::reporter;
 use mech_compiler::syntax::Edits;
+use mech_compiler::{catch, reporter};
 
 /// A repair that was tried, and compiles.
 #[derive(Clone, Debug, PartialEq)]

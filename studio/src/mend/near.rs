@@ -2,7 +2,7 @@
 
 use crate::document::{Declaration, Document, Message};
 use crate::text::keyword::{KEYWORDS, is_keyword};
-use crate::text::{Kind, Lexeme, Lexer, Replacement, is_of_word};
+use crate::text::{Kind, Lexeme, Lexer, Replacement, closing, is_of_word};
 use mech_compiler::syntax::{self, spelling};
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -18,18 +18,12 @@ pub(super) struct Slip {
 }
 
 impl Slip {
-    /// A single replacement.
     fn new(words: String, range: Range<usize>, text: impl Into<String>) -> Self {
         Self {
             words,
-            edits: vec![replacement(range, text)],
+            edits: vec![Replacement::new(range, text)],
         }
     }
-}
-
-fn replacement(range: Range<usize>, text: impl Into<String>) -> Replacement {
-    let text = text.into();
-    Replacement { range, text }
 }
 
 /// The words and marks of a text, near which slips are looked for.
@@ -164,8 +158,9 @@ impl<'t> Near<'t> {
                 && ["(", ","].contains(&self.word(token - 1))
         };
         let edits = statement.clone().filter(is_name);
-        let edits = edits
-            .map(|token| replacement(self.tokens[token].start..self.tokens[token + 2].start, ""));
+        let edits = edits.map(|token| {
+            Replacement::new(self.tokens[token].start..self.tokens[token + 2].start, "")
+        });
         let edits: Vec<Replacement> = edits.collect();
         let words = "leave `x =` and `y =` out".to_owned();
         (!edits.is_empty()).then_some(Slip { words, edits })
@@ -184,7 +179,7 @@ impl<'t> Near<'t> {
             return None;
         }
         let range = self.range(first..end);
-        let edit = |at: usize, text: &str| replacement(at..at, text);
+        let edit = |at: usize, text: &str| Replacement::new(at..at, text);
         Some(Slip {
             words: format!("write `({})`", &self.text[range.clone()]),
             edits: vec![edit(range.start, "("), edit(range.end, ")")],
@@ -200,7 +195,6 @@ impl<'t> Near<'t> {
         Some(self.replaced(statement.clone(), &format!("effects {{ {written} }}")))
     }
 
-    /// Each other name that is declared.
     fn other_names(&self, token: usize) -> Vec<Slip> {
         const DECLARING: [&str; 7] = ["link", "joint", "point", "line", "const", "param", "port"];
         if !self.is_word(token) {
@@ -219,7 +213,6 @@ impl<'t> Near<'t> {
             .collect()
     }
 
-    /// The tokens of the statement in which a token stands.
     fn statement(&self, token: usize) -> Range<usize> {
         let ends = |token: &usize| matches!(self.word(*token), ";" | "{" | "}");
         let start = (0..token).rev().find(ends).map_or(0, |end| end + 1);
@@ -311,8 +304,8 @@ impl<'t> Near<'t> {
             return None;
         }
         let commas = statement.clone().filter(|token| self.word(*token) == ",");
-        let edits =
-            commas.map(|token| replacement(self.range(token..token + 1), format!("; {keyword}")));
+        let edits = commas
+            .map(|token| Replacement::new(self.range(token..token + 1), format!("; {keyword}")));
         Some(Slip {
             words: format!("write `{keyword}` for each of them"),
             edits: edits.collect(),
@@ -351,23 +344,15 @@ impl<'t> Near<'t> {
         if self.tokens[token].kind != Kind::Open {
             return Vec::new();
         }
-        let mut depth = 0_usize;
-        let closing = (token..self.tokens.len()).find(|other| {
-            match self.tokens[*other].kind {
-                Kind::Open => depth += 1,
-                Kind::Close => depth = depth.saturating_sub(1),
-                _ => {}
-            }
-            depth == 0
-        });
-        let Some(closing) = closing else {
+        let Some(closing) = closing(&self.tokens, token) else {
             return Vec::new();
         };
         let others = BRACKETS
             .into_iter()
             .filter(|[open, _]| *open != self.word(token));
         let slip = |[open, close]: [&str; 2]| {
-            let edit = |token: usize, text: &str| replacement(self.range(token..token + 1), text);
+            let edit =
+                |token: usize, text: &str| Replacement::new(self.range(token..token + 1), text);
             let inside = &self.text[self.tokens[token].end..self.tokens[closing].start];
             Slip {
                 words: format!(

@@ -1,6 +1,6 @@
 //! Files that a browser downloads from its page.
 
-use super::file::Output;
+use super::kind::Output;
 use crate::failure::Failure;
 use std::path::Path;
 use web_sys::js_sys::{Array, Uint8Array};
@@ -13,9 +13,6 @@ pub(crate) struct Writer;
 
 impl Writer {
     /// Lets the browser download a file.
-    ///
-    /// # Errors
-    /// If it does not.
     #[expect(clippy::unused_self, reason = "as with files on a disk")]
     pub(crate) fn write(&mut self, output: Output) -> Result<(), Failure> {
         download(&output.path, &output.bytes).map_err(|error| {

@@ -1,6 +1,6 @@
-//! The kinds of files that are written: by which endings and which first bytes one is known.
+//! Files that are written, and their kinds: by which endings and which first bytes one is known.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A kind of file that is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -8,9 +8,7 @@ pub(crate) enum OutputKind {
     Png,
     Gif,
     Svg,
-    /// A table.
     Csv,
-    /// A graph.
     Dot,
     #[cfg_attr(
         not(feature = "editor"),
@@ -45,7 +43,6 @@ impl OutputKind {
         }
     }
 
-    /// Returns its name in a sentence.
     pub(super) const fn name(self) -> &'static str {
         match self {
             Self::Png => "a PNG picture",
@@ -60,9 +57,7 @@ impl OutputKind {
 
     /// Whether a file has one of its endings.
     pub(crate) fn has_ending(self, path: &Path) -> bool {
-        let ending = path.extension().unwrap_or_default();
-        let mut endings = self.endings().iter();
-        endings.any(|known| ending.eq_ignore_ascii_case(known))
+        ends_in(path, self.endings())
     }
 
     /// Whether a file that begins with these bytes is one of this kind. An empty one holds nothing that could be lost.
@@ -95,6 +90,66 @@ fn has_unit(table: &str) -> bool {
     let cell = line.split(',').next().unwrap_or_default();
     let cell = cell.trim_matches('"');
     cell.contains(" [") && cell.ends_with(']')
+}
+
+#[derive(Clone, Debug)]
+pub(crate) struct Output {
+    pub(crate) path: PathBuf,
+    pub(super) kind: OutputKind,
+    pub(super) bytes: Vec<u8>,
+    pub(super) over: Over,
+    /// The files from which it was made: it never takes the place of one of them.
+    pub(super) inputs: Vec<PathBuf>,
+}
+
+/// Whether the name of a file has one of these endings, in letters of any size.
+pub(crate) fn ends_in(path: &Path, endings: &[&str]) -> bool {
+    let ending = path.extension().unwrap_or_default();
+    endings
+        .iter()
+        .any(|known| ending.eq_ignore_ascii_case(known))
+}
+
+/// What a file may take the place of.
+#[derive(Clone, Debug)]
+pub(crate) enum Over {
+    /// A file of its kind, or an empty one. What the user can do if it is another.
+    OfKind(&'static str),
+    /// Any file: the user has said so.
+    Any,
+    /// None. What the user can do instead, if anything.
+    Nothing(&'static str),
+    /// The file from which this text was read.
+    Text(String),
+}
+
+impl Output {
+    /// A file of this kind, which takes the place of one of its kind only.
+    pub(crate) fn new(
+        path: impl Into<PathBuf>,
+        kind: OutputKind,
+        bytes: impl Into<Vec<u8>>,
+    ) -> Self {
+        Self {
+            path: path.into(),
+            kind,
+            bytes: bytes.into(),
+            over: Over::OfKind("choose another name"),
+            inputs: Vec::new(),
+        }
+    }
+
+    /// The same, which may take the place of other files.
+    pub(crate) fn over(self, over: Over) -> Self {
+        Self { over, ..self }
+    }
+
+    /// The same, made from these files.
+    pub(crate) fn from<P: AsRef<Path>>(self, inputs: impl IntoIterator<Item = P>) -> Self {
+        let inputs = inputs.into_iter();
+        let inputs = inputs.map(|path| path.as_ref().to_owned()).collect();
+        Self { inputs, ..self }
+    }
 }
 
 #[cfg(test)]

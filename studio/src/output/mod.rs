@@ -7,7 +7,6 @@
 mod disk;
 #[cfg(target_arch = "wasm32")]
 mod download;
-mod file;
 mod kind;
 
 #[cfg(not(target_arch = "wasm32"))]
@@ -16,8 +15,9 @@ pub(crate) use disk::{Fence, Writer};
 pub(crate) use disk::{create_like, hidden_beside, keep, remove, words};
 #[cfg(target_arch = "wasm32")]
 pub(crate) use download::Writer;
-pub(crate) use file::{Output, Over};
-pub(crate) use kind::OutputKind;
+#[cfg(feature = "editor")]
+pub(crate) use kind::ends_in;
+pub(crate) use kind::{Output, OutputKind, Over};
 
 use crate::failure::Failure;
 

@@ -9,7 +9,6 @@ use mech_runtime::{Canvas, Outline, Pose, View};
 /// An outline of a link, with its colour and its own points.
 type Shape = mech_core::Shape<f64, Vec<[f64; 2]>>;
 
-/// The painting of a mechanism.
 pub(crate) struct Painting {
     /// From the plane farthest from the eye to the nearest.
     shapes: Vec<Shape>,

@@ -1,6 +1,6 @@
 //! The camera: the part of the scene that is seen.
 
-use mech_runtime::View;
+use mech_runtime::{Canvas, Outline, Pose, View};
 
 /// Paper left free around a whole motion, as a part of the shorter side.
 const MARGIN: f64 = 0.07;
@@ -39,7 +39,7 @@ impl Camera {
     }
 
     /// Enlarges the box of the whole motion to include this one, if it shows the whole motion.
-    pub fn include(&mut self, [low, high]: [[f64; 2]; 2]) {
+    pub(crate) fn include(&mut self, [low, high]: [[f64; 2]; 2]) {
         let [left, top] = self.pixel([low[0], high[1]]);
         let [right, bottom] = self.pixel([high[0], low[1]]);
         let [width, height] = self.extent();
@@ -56,7 +56,7 @@ impl Camera {
     }
 
     /// Changes the size of the picture. A chosen centre stays.
-    pub fn resize(&mut self, size: [usize; 2]) {
+    pub(crate) fn resize(&mut self, size: [usize; 2]) {
         self.size = size;
         if self.fits {
             self.fit();
@@ -64,7 +64,7 @@ impl Camera {
     }
 
     /// Magnifies by a factor. The place at `pixel` stays there.
-    pub fn zoom(&mut self, pixel: [f64; 2], factor: f64) {
+    pub(crate) fn zoom(&mut self, pixel: [f64; 2], factor: f64) {
         let whole = fit_motion(self.bounds, self.size).scale();
         let scale = (self.view.scale() * factor).clamp(whole / MOST, whole * MOST);
         let [x, y] = self.place(pixel);
@@ -78,7 +78,7 @@ impl Camera {
     }
 
     /// Moves the picture by so many pixels.
-    pub fn pan(&mut self, [right, down]: [f64; 2]) {
+    pub(crate) fn pan(&mut self, [right, down]: [f64; 2]) {
         let scale = self.view.scale();
         let [x, y] = self.view.center();
         let center = [x - right / scale, y + down / scale];
@@ -125,8 +125,7 @@ impl Camera {
     }
 
     /// The size of symbols relative to that in a picture of usual size.
-    #[must_use]
-    pub fn symbol_size(&self) -> f32 {
+    pub(crate) fn symbol_size(&self) -> f32 {
         let [width, height] = self.extent();
         #[expect(clippy::cast_possible_truncation, reason = "between 0.2 and 2")]
         let size = (1.3 * width.min(height) / USUAL).clamp(0.2, 2.0) as f32;
@@ -141,10 +140,45 @@ impl Camera {
     }
 }
 
-/// The view of a whole motion.
 fn fit_motion([low, high]: [[f64; 2]; 2], size: [usize; 2]) -> View {
     let [width, height] = size;
     #[expect(clippy::cast_precision_loss, reason = "no picture is 2⁵² pixels wide")]
     let shorter = width.min(height) as f64;
     View::fit(low, high, width, height, MARGIN * shorter)
+}
+
+/// A canvas of infinite scale that paints nothing and keeps the box around all that is filled. What has a size in pixels has none on it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Bounds(Option<[[f64; 2]; 2]>);
+
+impl Bounds {
+    /// The lower left and the upper right corner, if anything is seen.
+    pub(super) const fn corners(self) -> Option<[[f64; 2]; 2]> {
+        self.0
+    }
+
+    /// Includes a box. One that is not finite is left out.
+    fn include(&mut self, [low, high]: [[f64; 2]; 2]) {
+        if [low, high].as_flattened().iter().all(|c| c.is_finite()) {
+            let [lowest, highest] = self.0.unwrap_or([low, high]);
+            self.0 = Some([
+                [lowest[0].min(low[0]), lowest[1].min(low[1])],
+                [highest[0].max(high[0]), highest[1].max(high[1])],
+            ]);
+        }
+    }
+}
+
+impl Canvas<f64> for Bounds {
+    fn fill(&mut self, outline: Outline<'_, f64>, pose: Pose<f64>, _: u8) {
+        self.include(outline.bounds(pose).into());
+    }
+
+    fn text(&mut self, place: [f64; 2], _: &str, _: u8) {
+        self.include([place; 2]);
+    }
+
+    fn scale(&self) -> f64 {
+        f64::INFINITY
+    }
 }

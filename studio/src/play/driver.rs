@@ -1,6 +1,6 @@
-//! Targets of the motors.
+//! Targets of the motors: which are driven, and how fast.
 
-use super::{Free, Mechanism, Rates, Selection};
+use super::{Free, Mechanism, Rates};
 use std::f64::consts::TAU;
 
 /// Computes where the motors move next: in the mechanism's own motion, or one motor alone, as far as in that motion.
@@ -28,7 +28,7 @@ impl Driver {
     }
 
     /// Starts again.
-    pub const fn reset(&mut self) {
+    pub(crate) const fn reset(&mut self) {
         self.phase = 0.0;
     }
 
@@ -38,7 +38,7 @@ impl Driver {
     }
 
     /// Drives the one before.
-    pub const fn previous(&mut self) {
+    pub(crate) const fn previous(&mut self) {
         self.selection = self.selection.previous(self.reaches.len());
     }
 
@@ -112,7 +112,7 @@ impl Driver {
     }
 
     /// Notes that the mechanism has moved by a share of the phase.
-    pub fn note_progress(&mut self, share: f64) {
+    pub(crate) fn note_progress(&mut self, share: f64) {
         if self.selection == Selection::Motion {
             self.phase += share;
         }
@@ -136,4 +136,90 @@ fn reaches(mechanism: &Mechanism) -> Vec<f64> {
         _ => TAU,
     };
     ends.into_iter().enumerate().map(reach).collect()
+}
+
+/// The motors that are driven in playing, and that may be dragged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Selection {
+    /// All motors, in the mechanism's own motion.
+    Motion,
+    /// One motor alone, by its number.
+    Motor(usize),
+}
+
+impl Selection {
+    /// The next choice for a mechanism with so many motors. A single motor also has two choices: alone it turns on and on.
+    #[must_use]
+    pub const fn next(self, motors: usize) -> Self {
+        match self {
+            Self::Motion => Self::at(0, motors),
+            Self::Motor(motor) => Self::at(motor + 1, motors),
+        }
+    }
+
+    /// The previous choice.
+    pub(crate) const fn previous(self, motors: usize) -> Self {
+        match self {
+            Self::Motion if motors > 0 => Self::Motor(motors - 1),
+            Self::Motion | Self::Motor(0) => Self::Motion,
+            Self::Motor(motor) => Self::Motor(motor - 1),
+        }
+    }
+
+    const fn at(motor: usize, motors: usize) -> Self {
+        if motor < motors {
+            Self::Motor(motor)
+        } else {
+            Self::Motion
+        }
+    }
+}
+
+/// Speeds, relative to the mechanism's own motion.
+const SPEEDS: [f64; 8] = [0.0625, 0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
+const USUAL: usize = 4;
+
+/// Speed and direction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pace {
+    speed: usize,
+    is_backward: bool,
+}
+
+impl Default for Pace {
+    fn default() -> Self {
+        Self {
+            speed: USUAL,
+            is_backward: false,
+        }
+    }
+}
+
+impl Pace {
+    /// Doubles the speed, up to the fastest.
+    pub fn faster(&mut self) {
+        self.speed = (self.speed + 1).min(SPEEDS.len() - 1);
+    }
+
+    /// Halves the speed, down to the slowest.
+    pub const fn slower(&mut self) {
+        self.speed = self.speed.saturating_sub(1);
+    }
+
+    /// Reverses the direction.
+    pub const fn reverse(&mut self) {
+        self.is_backward = !self.is_backward;
+    }
+
+    /// The speed, relative to the mechanism's own motion.
+    #[must_use]
+    pub fn speed(self) -> f64 {
+        SPEEDS.get(self.speed).copied().unwrap_or(1.0)
+    }
+
+    /// The direction: 1, or −1 for backwards.
+    #[must_use]
+    pub const fn direction(self) -> f64 {
+        if self.is_backward { -1.0 } else { 1.0 }
+    }
 }

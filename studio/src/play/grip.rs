@@ -112,8 +112,10 @@ impl Grip {
 /// The thing that the pointer holds.
 #[derive(Clone, Copy)]
 pub(super) enum Held {
-    /// A link.
-    Link { grip: Grip, aim: [f64; 2] },
+    Link {
+        grip: Grip,
+        aim: [f64; 2],
+    },
     /// The paper, at the last pixel of the pointer.
     Paper([f64; 2]),
 }

@@ -14,8 +14,7 @@ pub enum Depth {
 
 impl Depth {
     /// Finds the depth of the terminal's colours in the environment of the process.
-    #[must_use]
-    pub fn of_environment() -> Self {
+    pub(crate) fn of_environment() -> Self {
         let says = |name: &str, words: &[&str]| {
             std::env::var(name).is_ok_and(|value| words.iter().any(|word| value.contains(word)))
         };
@@ -35,7 +34,6 @@ pub fn lines(picture: &HeapSmooth, depth: Depth) -> Vec<String> {
     rows.chunks(2).map(|rows| line(rows, depth)).collect()
 }
 
-/// One line of text.
 fn line(rows: &[&[[u8; 4]]], depth: Depth) -> String {
     let mut text = String::new();
     let mut last = None;

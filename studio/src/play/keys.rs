@@ -45,10 +45,8 @@ impl Key {
     }
 }
 
-/// Keys that do something together.
 struct Binding {
     keys: &'static [Key],
-    /// The control of each of them.
     controls: &'static [Control],
     label: &'static str,
     meaning: &'static str,

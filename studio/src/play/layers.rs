@@ -91,3 +91,16 @@ impl Layers {
         self.shown[layer as usize] = !self.has(layer);
     }
 }
+
+/// The style in which a mechanism is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Style {
+    /// The visible layers.
+    pub layers: Layers,
+    /// The size of symbols relative to the usual one.
+    pub size: f32,
+    /// The length of the arrow for a velocity of one scene unit per second, in scene units.
+    pub velocity: f64,
+    /// The length of the arrow for an acceleration of one.
+    pub acceleration: f64,
+}

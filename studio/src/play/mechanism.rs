@@ -2,8 +2,8 @@
 
 use super::distance::{distance_to_shape, nearest};
 use super::landmarks::Landmarks;
-use super::motion::Motion;
-use super::{Derived, Layer, Layers, PointRates, Rates, Style};
+use super::prepared::Prepared;
+use super::{Derived, Layer, Layers, Rates, Style};
 use crate::failure::Failure;
 use crate::motion::{
     Mover, Paths, Ready, in_precision, joints_in_the_way, motor_name, obstacle, range_of, turns,
@@ -11,10 +11,10 @@ use crate::motion::{
 use crate::painting::{Painting, number_of, poses_of};
 use mech_compiler::evaluate::Stop;
 use mech_compiler::model::{JointId, Look, Measure, Model, MotorId};
-use mech_compiler::program::{Forces, Position};
-use mech_compiler::{Compiled, Looks, looks, symbols};
+use mech_compiler::program::Position;
+use mech_compiler::{Compiled, symbols};
 use mech_runtime::overlay::{Arrows, Spot};
-use mech_runtime::{Acceleration, Canvas, Overlay, Palette, Pose, Velocity};
+use mech_runtime::{Canvas, Overlay, Palette, Pose};
 
 /// An obstacle to the motion of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,45 +27,16 @@ pub enum Obstacle {
 
 /// A mechanism that is played. The values of its motors are in the order of their declaration, in radians or scene units.
 pub struct Mechanism {
-    model: Model,
-    compiled: Compiled,
+    pub(super) model: Model,
+    pub(super) compiled: Compiled,
     painting: Painting,
     prepared: Prepared,
     landmarks: Landmarks,
     /// The points whose velocities are drawn.
-    points: Vec<Spot<f64>>,
+    pub(super) points: Vec<Spot<f64>>,
     ready: Ready,
-    position: Position<f64>,
+    pub(super) position: Position<f64>,
     paths: Paths,
-}
-
-/// What takes time to find out about a mechanism before it can be played.
-#[derive(Clone)]
-#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
-pub(crate) struct Prepared {
-    looks: Looks,
-    /// The box around its whole motion: lower left and upper right corner.
-    extent: [[f64; 2]; 2],
-    motion: Motion,
-    /// The mechanism with what it was compiled for once more; none where that is not possible.
-    derived: Vec<(Derived, Option<Box<Compiled>>)>,
-}
-
-impl Prepared {
-    /// Prepares a coherent mechanism to be played.
-    ///
-    /// # Errors
-    /// If the compiler itself fails, which is a mistake of ours.
-    fn of(model: &Model, compiled: &Compiled) -> Result<Self, Failure> {
-        let looks = looks(model, compiled);
-        let extent = looks.extent(model, compiled);
-        Ok(Self {
-            looks,
-            extent,
-            motion: Motion::new(model, compiled)?,
-            derived: Vec::new(),
-        })
-    }
 }
 
 impl Mechanism {
@@ -79,9 +50,6 @@ impl Mechanism {
     }
 
     /// A coherent mechanism that was prepared, at its start.
-    ///
-    /// # Errors
-    /// As of [`new`](Self::new).
     pub(crate) fn of(
         model: Model,
         compiled: Compiled,
@@ -107,10 +75,10 @@ impl Mechanism {
         })
     }
 
-    /// What it was made of.
+    /// What took time to find out about it.
     #[cfg(feature = "transfer")]
-    pub(crate) fn into_parts(self) -> (Model, Compiled, Prepared) {
-        (self.model, self.compiled, self.prepared)
+    pub(crate) fn into_prepared(self) -> Prepared {
+        self.prepared
     }
 
     /// Its name.
@@ -212,9 +180,7 @@ impl Mechanism {
         links.map(pose).collect()
     }
 
-    /// The name of a motor, by its number.
-    #[must_use]
-    pub fn motor_name(&self, motor: usize) -> Option<&str> {
+    pub(crate) fn motor_name(&self, motor: usize) -> Option<&str> {
         Some(motor_name(&self.model, self.motor(motor)?))
     }
 
@@ -236,7 +202,6 @@ impl Mechanism {
         })
     }
 
-    /// The joint of a motor.
     pub(super) fn joint_of_motor(&self, motor: usize) -> Option<JointId> {
         Some(self.model.motor(self.motor(motor)?).joint)
     }
@@ -246,7 +211,7 @@ impl Mechanism {
     }
 
     /// Returns to the start.
-    pub fn reset(&mut self) {
+    pub(crate) fn reset(&mut self) {
         self.position = Mover::new(&self.model, &self.compiled).position();
         self.paths.clear();
     }
@@ -339,8 +304,7 @@ impl Mechanism {
     }
 
     /// The place on the visible moving link, or else on the nearest one. `None` if that is farther away than `reach`.
-    #[must_use]
-    pub fn spot_at(&self, place: [f64; 2], reach: f64) -> Option<Spot<f64>> {
+    pub(crate) fn spot_at(&self, place: [f64; 2], reach: f64) -> Option<Spot<f64>> {
         let mut found = None;
         let mut least = reach;
         let mut offer = |link: usize, at: [f64; 2], distance: f64| {
@@ -401,12 +365,11 @@ impl Mechanism {
     }
 
     /// The mechanism with something besides positions.
-    fn with(&self, what: Derived) -> Option<&Compiled> {
+    pub(super) fn with(&self, what: Derived) -> Option<&Compiled> {
         let mut known = self.prepared.derived.iter();
         known.find(|(known, _)| *known == what)?.1.as_deref()
     }
 
-    /// Draws the mechanism, whose motors have these rates.
     pub(super) fn draw(&self, canvas: &mut impl Canvas<f64>, style: &Style, rates: &Rates) {
         let has = |layer| style.layers.has(layer);
         let poses = poses_of(&self.position.poses);
@@ -444,77 +407,6 @@ impl Mechanism {
             }
         }
     }
-
-    /// The velocities and accelerations of its points, while its motors have these rates; none where they are not
-    /// [prepared](Self::prepare) or not determined.
-    #[must_use]
-    pub fn point_rates(&self, rates: &Rates) -> Vec<PointRates> {
-        let program = self.with(Derived::Rates);
-        let program = program.and_then(|found| found.moving.as_ref());
-        let Some(program) = program else {
-            return Vec::new();
-        };
-        let mut machine = Mover::of(&self.model, program);
-        machine.put_back(&self.position);
-        let [first, second] = self.all_rates(rates);
-        let Ok(found) = machine.motion([&first, &second]) else {
-            return Vec::new();
-        };
-        let poses = poses_of(&self.position.poses);
-        let accelerations = found.accelerations.as_deref().unwrap_or_default();
-        let points = self.points.iter().filter_map(|spot| {
-            let link = spot.link.checked_sub(1)?;
-            let &[angular, x, y] = found.velocities.get(link)?;
-            let velocity = Velocity { angular, x, y };
-            let pose = *poses.get(link)?;
-            let acceleration = accelerations.get(link).map(|&[angular, x, y]| {
-                let acceleration = Acceleration { angular, x, y };
-                acceleration.of_point(pose, velocity.angular, spot.at)
-            });
-            Some(PointRates {
-                place: pose.apply(spot.at),
-                velocity: velocity.of_point(pose, spot.at),
-                acceleration,
-            })
-        });
-        points.collect()
-    }
-
-    /// The force that the first link of each joint exerts on the second, with the place of the joint, while its motors have these rates and
-    /// its loads these numbers; none where forces are not [prepared](Self::prepare) or not determined. Loads that are not given are zero.
-    #[must_use]
-    pub fn reactions(&self, rates: &Rates, loads: &[f64]) -> Vec<([f64; 2], [f64; 2])> {
-        let program = self
-            .with(Derived::Forces)
-            .and_then(|found| found.forced.inverse_dynamics.as_ref());
-        let Some(program) = program else {
-            return Vec::new();
-        };
-        let mut machine = Mover::of(&self.model, program);
-        machine.put_back(&self.position);
-        let declared = self.model.actions.loads.iter();
-        let count = declared.map(|load| load.kind.numbers()).sum();
-        let mut loads = loads.to_vec();
-        loads.resize(count, 0.0);
-        let [first, second] = self.all_rates(rates);
-        let Ok(Forces::InverseDynamics(found)) = machine.forces([&first, &second], &loads) else {
-            return Vec::new();
-        };
-        let joints = self.model.declared_joints().zip(&found.reactions);
-        let reactions = joints.filter_map(|(joint, &[x, y, _])| Some((self.joint(joint)?, [x, y])));
-        reactions.collect()
-    }
-
-    /// The rates of all motors, and their second rates.
-    fn all_rates(&self, rates: &Rates) -> [Vec<f64>; 2] {
-        [&rates.first, &rates.second].map(|given| {
-            let mut all = vec![0.0; self.model.motors.len()];
-            for (value, rate) in all.iter_mut().zip(given) {
-                *value = *rate;
-            }
-            all
-        })
-    }
 }
 
 /// The pose of a link; the ground too.
@@ -525,7 +417,62 @@ fn pose_in(position: &Position<f64>, link: usize) -> Option<Pose<f64>> {
     }
 }
 
-/// The place in the scene of a place on a link.
 fn place_in(position: &Position<f64>, spot: Spot<f64>) -> Option<[f64; 2]> {
     Some(pose_in(position, spot.link)?.apply(spot.at))
+}
+
+#[cfg(feature = "transfer")]
+impl serde::Serialize for Mechanism {
+    fn serialize<S: serde::Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        (&self.model, &self.compiled, &self.prepared).serialize(to)
+    }
+}
+
+#[cfg(feature = "transfer")]
+impl<'de> serde::Deserialize<'de> for Mechanism {
+    fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        let (model, compiled, prepared) = <(Model, Compiled, Prepared)>::deserialize(from)?;
+        Self::of(model, compiled, prepared).map_err(serde::de::Error::custom)
+    }
+}
+
+/// A limit at which a mechanism is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limit {
+    /// The obstacle in the way.
+    pub obstacle: Obstacle,
+    /// The motors that could not move on.
+    pub motors: Vec<usize>,
+}
+
+impl Limit {
+    /// The joints that stop it and those whose motor cannot move on: the place of each in the scene, and whether it has such a motor.
+    #[must_use]
+    pub fn places(&self, mechanism: &Mechanism) -> Vec<([f64; 2], bool)> {
+        let motors: Vec<_> = self
+            .motors
+            .iter()
+            .filter_map(|&motor| mechanism.joint_of_motor(motor))
+            .collect();
+        let others = mechanism.joints_in_the_way(self.obstacle);
+        let others = others.into_iter().filter(|joint| !motors.contains(joint));
+        let others: Vec<_> = others.map(|joint| (joint, false)).collect();
+        let all = motors.iter().map(|&joint| (joint, true)).chain(others);
+        all.filter_map(|(joint, is_motor)| Some((mechanism.joint(joint)?, is_motor)))
+            .collect()
+    }
+
+    /// The place and the cause, as a sentence.
+    #[must_use]
+    pub fn sentence(&self, mechanism: &Mechanism) -> String {
+        let values = mechanism.motors();
+        let stopped = self.motors.iter().filter_map(|&motor| {
+            let name = mechanism.motor_name(motor)?;
+            let value = mechanism.shown(motor, *values.get(motor)?)?;
+            Some(format!("motor `{name}` stopped at {value}"))
+        });
+        let stopped: Vec<String> = stopped.collect();
+        let cause = mechanism.cause(self.obstacle);
+        format!("{}: {cause}", stopped.join(", "))
+    }
 }

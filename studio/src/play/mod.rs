@@ -4,11 +4,9 @@
 //! the [`Painter`]. The window and the [`terminal`] are two thin front ends to it. A [`Mechanism`] is moved by the compiler's
 //! interpreter.
 
-mod bounds;
 mod camera;
 mod caption;
 mod control;
-mod derived;
 mod distance;
 mod driver;
 mod grip;
@@ -16,17 +14,14 @@ pub mod half_blocks;
 pub mod keys;
 mod landmarks;
 mod layers;
-mod limit;
 mod marks;
 mod mechanism;
 mod motion;
-mod pace;
 mod painter;
 mod player;
-mod revision;
-mod selection;
+mod prepared;
+mod rates;
 mod stage;
-mod style;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod terminal;
 #[cfg(all(feature = "editor", not(target_arch = "wasm32")))]
@@ -34,23 +29,20 @@ pub mod window;
 
 pub use camera::Camera;
 pub use control::Control;
-pub use derived::Derived;
-pub use driver::Driver;
+pub use driver::{Driver, Pace, Selection};
 use grip::Held;
 pub use grip::{Free, Grip};
 pub use keys::Key;
-pub use layers::{Layer, Layers};
-pub use limit::Limit;
-#[cfg(feature = "transfer")]
-pub(crate) use mechanism::Prepared;
-pub use mechanism::{Mechanism, Obstacle};
-pub use pace::Pace;
+pub use layers::{Layer, Layers, Style};
+pub use mechanism::{Limit, Mechanism, Obstacle};
+pub use motion::Rates;
 pub use painter::Painter;
-pub use player::Player;
-pub use revision::Revision;
-pub use selection::Selection;
+pub use player::{Player, Revision};
+pub use prepared::Derived;
+#[cfg(feature = "transfer")]
+pub(crate) use prepared::Prepared;
+pub use rates::PointRates;
 pub use stage::Stage;
-pub use style::{PointRates, Rates, Style};
 
 /// The size of a picture at first, in pixels.
 pub const SIZE: [usize; 2] = [960, 720];

@@ -6,6 +6,15 @@ use mech_compiler::Compiled;
 use mech_compiler::model::{Model, MotorId};
 use std::f64::consts::{PI, TAU};
 
+/// Rates of motors.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Rates {
+    /// The rates, in radians or scene units per second. Missing ones are 0.
+    pub first: Vec<f64>,
+    /// The second rates.
+    pub second: Vec<f64>,
+}
+
 /// The duration of a pass, in seconds: as long as a film.
 const SECONDS: f64 = 4.0;
 /// The part of its reach that a motor uses, so that rounding does not carry it beyond the ends.
@@ -29,14 +38,15 @@ pub(super) struct Pass {
     way: Way,
 }
 
-/// The way of a pass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 enum Way {
-    /// Once round.
     Round,
     /// To and fro: from the phase of a sine that is 0 in the middle, and as far as this to either side.
-    ToAndFro { from: f64, half: f64 },
+    ToAndFro {
+        from: f64,
+        half: f64,
+    },
 }
 
 impl Motion {

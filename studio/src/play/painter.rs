@@ -53,9 +53,6 @@ impl Painter {
 
     /// Writes a line of text into the picture, with its upper left corner at a pixel, each dot of a letter a square of `size` pixels; a
     /// seam of paper parts it from what is behind it.
-    ///
-    /// # Errors
-    /// If there is no memory for the letters.
     pub(super) fn write(
         &mut self,
         [left, top]: [usize; 2],

@@ -1,15 +1,16 @@
 //! The state of a player, without a window, a terminal or a clock.
 
-use super::bounds::Bounds;
+use super::camera::Bounds;
 use super::{
     Camera, Control, Derived, Driver, Grip, Held, Layer, Layers, Limit, Mechanism, Obstacle, Pace,
-    Rates, Revision, Selection, Style, marks,
+    Rates, Selection, Style, marks,
 };
 use mech_compiler::Compiled;
 use mech_runtime::Canvas;
 use mech_runtime::overlay::Spot;
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// The number of single steps in 1 of the phase. Playing never moves farther at once.
 const STEPS: f64 = 120.0;
@@ -110,7 +111,7 @@ impl Player {
     }
 
     /// Moves the motors to the values that those of the same name have in another mechanism, as far as they can come there.
-    pub fn stand_as(&mut self, before: &Mechanism) {
+    pub(crate) fn stand_as(&mut self, before: &Mechanism) {
         self.revision = Revision::next();
         if before.is_at_start() {
             return;
@@ -195,7 +196,6 @@ impl Player {
         self.keep_in_view();
     }
 
-    /// Draws what is seen.
     pub(crate) fn draw(&self, canvas: &mut impl Canvas<f64>) {
         let size = self.camera.symbol_size();
         self.mechanism.draw(canvas, &self.style(), &self.rates());
@@ -262,7 +262,7 @@ impl Player {
     }
 
     /// Shows a notice in place of the status until the next control.
-    pub fn notify(&mut self, notice: String) {
+    pub(crate) fn notify(&mut self, notice: String) {
         self.notice = Some(notice);
     }
 
@@ -312,8 +312,7 @@ impl Player {
     }
 
     /// Whether it is painted in the colours of the night.
-    #[must_use]
-    pub const fn is_night(&self) -> bool {
+    pub(crate) const fn is_night(&self) -> bool {
         self.is_night
     }
 
@@ -332,7 +331,6 @@ impl Player {
         self.begin();
     }
 
-    /// Shows the previous mechanism.
     fn show_previous(&mut self) {
         if let Some(previous) = self.others.pop_back() {
             let shown = std::mem::replace(&mut self.mechanism, previous);
@@ -350,7 +348,6 @@ impl Player {
         self.reset();
     }
 
-    /// Returns everything to the start.
     fn reset(&mut self) {
         self.mechanism.reset();
         self.driver.reset();
@@ -416,7 +413,6 @@ impl Player {
         });
     }
 
-    /// Moves the held link or paper.
     fn point(&mut self, pixel: [f64; 2]) {
         match self.held {
             Some(Held::Link { grip, .. }) => {
@@ -432,7 +428,6 @@ impl Player {
         }
     }
 
-    /// Lets a link follow the pointer.
     fn drag(&mut self, grip: Grip, aim: [f64; 2]) {
         let free = self.driver.free();
         let from = self.mechanism.motors().to_vec();
@@ -482,5 +477,17 @@ impl Player {
             velocity: ARROW / rate,
             acceleration: ARROW / (rate * rate),
         }
+    }
+}
+
+/// A number that is given once: two players that show different things never have the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Revision(u64);
+
+impl Revision {
+    /// One that was never given before.
+    pub(super) fn next() -> Self {
+        static NEXT: AtomicU64 = AtomicU64::new(0);
+        Self(NEXT.fetch_add(1, Ordering::Relaxed))
     }
 }

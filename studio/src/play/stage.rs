@@ -5,8 +5,7 @@ use super::painter::ADVANCE;
 use super::{Control, Painter, Player, keys};
 use crate::failure::Failure;
 use crate::output::{self, Output, OutputKind, Over};
-use mech_runtime::files;
-use mech_runtime::{HeapSmooth, Palette};
+use mech_runtime::{HeapSmooth, Palette, files};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 

@@ -134,7 +134,6 @@ fn paint(stage: &mut Stage, depth: Depth) -> io::Result<()> {
     out.flush()
 }
 
-/// The control of an event.
 fn control(event: &Event) -> Option<Control> {
     match event {
         Event::Key(key) => key_control(key),

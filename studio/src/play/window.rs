@@ -32,7 +32,6 @@ fn display() -> Option<String> {
     names.find_map(named)
 }
 
-/// Why no window came up.
 pub(crate) fn reason(error: &eframe::Error) -> String {
     let has_displays = cfg!(all(unix, not(target_os = "macos")));
     match (error, display()) {
@@ -88,7 +87,6 @@ pub fn play(stage: Stage) -> Result<Option<Unopened>, Failure> {
     }
 }
 
-/// A stage in a window.
 struct Window {
     stage: Stage,
     texture: Option<TextureHandle>,

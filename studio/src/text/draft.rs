@@ -13,6 +13,13 @@ pub struct Replacement {
     pub text: String,
 }
 
+impl Replacement {
+    pub(crate) fn new(range: Range<usize>, text: impl Into<String>) -> Self {
+        let text = text.into();
+        Self { range, text }
+    }
+}
+
 /// A text that is being changed: stretches of it are replaced. Everything else stays, byte for byte.
 #[derive(Clone, Debug)]
 pub(super) struct Draft<'t> {
@@ -71,13 +78,9 @@ impl<'t> Draft<'t> {
         range.start..range.end + spaces
     }
 
-    /// Adds a text at a place.
     pub(super) fn insert(&mut self, at: usize, text: impl Into<String>) {
         let text = text.into();
-        self.changes.push(Replacement {
-            range: at..at,
-            text,
-        });
+        self.changes.push(Replacement::new(at..at, text));
     }
 
     /// Adds a statement after another, in a line of its own where that has one.

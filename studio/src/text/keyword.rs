@@ -6,7 +6,6 @@ pub(crate) const KEYWORDS: &str = "struct link ground point line joint motor con
     circle ring polygon bar stand rail text radius teeth width deg method accuracy cost continuous quality gravity allow redundant \
     coupled expect velocity acceleration forces newton light dark from to by with sin cos tan sqrt abs min max hypot atan2 exp floor sign mod";
 
-/// Whether a word is one of them.
 pub(crate) fn is_keyword(word: &str) -> bool {
     KEYWORDS.split(' ').any(|keyword| keyword == word)
 }

@@ -5,7 +5,6 @@ mod blocks;
 mod check;
 mod dialogue;
 mod edit;
-mod fix;
 mod import;
 mod listing;
 mod mend;

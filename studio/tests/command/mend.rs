@@ -215,7 +215,6 @@ const TOO_MUCH: [&str; 3] = [
     "link spare;",
 ];
 
-/// The names that these statements declare.
 fn names<'s>(statements: &[&'s str], word: &str) -> Vec<&'s str> {
     let declared = statements.iter().filter_map(|one| {
         let name = one.trim().strip_prefix(word)?.trim_start();

@@ -147,3 +147,23 @@ fn a_private_file_stays_private() {
         mode("new.csv")
     });
 }
+
+#[test]
+fn a_file_that_may_not_be_written_stays() {
+    let loose = FOUR_BAR.replace("motor a;\n", "");
+    let folder = Folder::new().with("a.mech", &loose);
+    let rights = fs::Permissions::from_mode(0o640);
+    fs::set_permissions(folder.path("a.mech"), rights).expect("it is ours");
+    folder.mech("fix a.mech --pick 1").done();
+    let mode = fs::metadata(folder.path("a.mech"))
+        .expect("a file")
+        .permissions()
+        .mode();
+    assert_eq!(mode & 0o777, 0o640);
+    // A link stays one.
+    let folder = Folder::new().with("b.mech", &loose);
+    symlink("b.mech", folder.path("c.mech")).expect("a link");
+    folder.mech("fix c.mech --pick 1").done();
+    assert!(folder.path("c.mech").is_symlink());
+    assert_eq!(folder.text("b.mech"), FOUR_BAR);
+}

@@ -75,7 +75,6 @@ impl Folder {
         Self(path)
     }
 
-    /// Writes a file.
     pub(crate) fn with(self, name: &str, text: impl AsRef<[u8]>) -> Self {
         fs::write(self.0.join(name), text).expect("a file");
         self
@@ -101,7 +100,6 @@ impl Folder {
         names
     }
 
-    /// Runs the command there.
     pub(crate) fn mech(&self, words: &str) -> Answer {
         let words: Vec<&str> = words.split_whitespace().collect();
         mech_in(&self.0, &words)
@@ -127,7 +125,6 @@ impl Drop for Folder {
     }
 }
 
-/// A folder of the repository.
 pub(crate) fn repository(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path)
 }
@@ -152,7 +149,6 @@ pub(crate) fn refused() -> [(PathBuf, Vec<PathBuf>); 2] {
     })
 }
 
-/// A four-bar linkage.
 pub(crate) const FOUR_BAR: &str = "struct FourBar;
 link crank; link coupler { point tip = (2.5, 3); } link rocker;
 joint a = revolute(ground, crank) at (0, 0);

@@ -20,12 +20,10 @@ impl Folder {
         Self(folder)
     }
 
-    /// The file.
     pub(crate) fn file(&self) -> PathBuf {
         self.0.join("crank.mech")
     }
 
-    /// The names of all files.
     pub(crate) fn names(&self) -> Vec<String> {
         let files = fs::read_dir(&self.0).expect("a folder");
         let names = files.map(|file| file.expect("a file").file_name());

@@ -9,6 +9,8 @@ mod folder;
 mod pieces;
 mod plots;
 mod properties;
+#[cfg(feature = "transfer")]
+mod remote;
 mod safety;
 mod scripts;
 mod stopping;

@@ -46,18 +46,13 @@ joint c = revolute(two, ground) at (3, 0);
 ",
 ];
 
-/// The next act of a user.
 #[derive(Clone, Debug)]
 enum Act {
-    /// Uses a tool at two places.
     Tool(Index, [[i8; 2]; 2]),
-    /// Drags a handle.
     Drag(Index, [i8; 2]),
     /// Moves a handle by a key.
     Nudge(Index, Index),
-    /// Removes what a handle stands for.
     Delete(Index),
-    /// Makes a repair.
     Mend(Index),
     Undo,
     Redo,

@@ -4,7 +4,6 @@ use super::folder::Folder;
 use super::user::User;
 use eframe::egui::Key;
 
-/// Draws a bar.
 fn draw(user: &mut User) {
     user.key(Key::B);
     user.drag([1.0, 1.0], [3.0, 2.0]);

@@ -25,13 +25,11 @@ pub(crate) const FILES: [&str; 13] = [
     "watt",
 ];
 
-/// The path of a file of the gallery.
 pub(crate) fn path(file: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/gallery/src/mechanisms");
     folder.join(file).with_extension("rs")
 }
 
-/// The first mechanism of a document.
 pub(crate) fn first(document: &Document) -> Mechanism {
     let reading = document.analyse(&document.declarations()[0]);
     let reading = reading.expect("it can be analysed");
@@ -39,22 +37,18 @@ pub(crate) fn first(document: &Document) -> Mechanism {
     Mechanism::new(reading.model, *compiled).expect("it can be played")
 }
 
-/// The mechanism of a file of the gallery.
 pub(crate) fn mechanism(file: &str) -> Mechanism {
     first(&Document::read(&path(file)).expect("it is in the gallery"))
 }
 
-/// A mechanism from its text.
 pub(crate) fn from_text(text: &str) -> Mechanism {
     first(&Document::of(Source::new("a.mech", text)))
 }
 
-/// A mechanism from the text of a Rust file.
 pub(crate) fn from_rust(text: &str) -> Mechanism {
     first(&Document::of(Source::new("a.rs", text)))
 }
 
-/// A player of a mechanism of the gallery.
 pub(crate) fn player(file: &str) -> Player {
     Player::new(mechanism(file), Vec::new(), SIZE)
 }
@@ -64,7 +58,6 @@ pub(crate) fn picture(player: &Player) -> HeapSmooth {
     painter.paint(player).expect("it is small").clone()
 }
 
-/// Whether no number is farther from the other than that.
 pub(crate) fn near(one: &[f64], other: &[f64], tolerance: f64) -> bool {
     one.len() == other.len()
         && one

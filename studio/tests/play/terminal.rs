@@ -35,7 +35,6 @@ impl Screen {
         }
     }
 
-    /// Makes the screen after all this text.
     fn after(text: &str) -> Self {
         let mut screen = Self::new();
         let mut rest = text.chars();
@@ -106,7 +105,6 @@ struct Session {
 }
 
 impl Session {
-    /// Plays a file of the gallery.
     fn start(file: &str, arguments: &str) -> Self {
         let mech = env!("CARGO_BIN_EXE_mech");
         let file = path(file);

@@ -4,7 +4,6 @@ use crate::text::{Kind, Lexeme, Lexer};
 use mech_compiler::syntax::STATEMENTS;
 use std::ops::Range;
 
-/// A call of a macro.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Call<'t> {
     /// The name of the macro, without its path.

@@ -2,14 +2,13 @@
 
 use super::{Body, Unlexed};
 use crate::text::keyword::CALLED;
-use crate::text::{Kind, Replacement, is_of_word};
+use crate::text::{Kind, Replacement, closing, is_of_word};
 use mech_compiler::syntax::STATEMENTS;
 use std::ops::Range;
 
 /// So many brackets are looked at, in all, to find changes after which each has its partner.
 const MOST: usize = 1 << 22;
 
-/// A bracket that was opened.
 #[derive(Clone, Copy)]
 struct Open {
     index: usize,
@@ -19,7 +18,6 @@ struct Open {
 
 /// Where the text shows that a bracket is wrong.
 struct Clash {
-    /// What is open there.
     open: Option<Open>,
     /// The lexeme that cannot stand there; the number of all at the end of the text.
     at: usize,
@@ -352,39 +350,22 @@ fn open_before(body: &Body<'_>, gap: usize) -> Option<usize> {
 
 fn replacement(body: &Body<'_>, lines: &Lines, edit: Edit) -> Replacement {
     match edit {
-        Edit::Remove(index) => Replacement {
-            range: body.place(index),
-            text: String::new(),
-        },
-        Edit::Exchange(index, by) => Replacement {
-            range: body.place(index),
-            text: by.to_string(),
-        },
+        Edit::Remove(index) => Replacement::new(body.place(index), ""),
+        Edit::Exchange(index, by) => Replacement::new(body.place(index), by),
         Edit::Split(index, length, bracket) => {
             let at = body.lexemes[index].start + length;
-            Replacement {
-                range: at..at,
-                text: bracket.to_string(),
-            }
+            Replacement::new(at..at, bracket)
         }
         Edit::Insert(gap, '{') if gap > 0 => {
             let at = body.lexemes[gap - 1].end;
-            let text = " {".to_owned();
-            Replacement {
-                range: at..at,
-                text,
-            }
+            Replacement::new(at..at, " {")
         }
         Edit::Insert(gap, bracket @ ('(' | '[' | '{')) => {
             let at = body
                 .lexemes
                 .get(gap)
                 .map_or(body.text.len(), |next| next.start);
-            let text = bracket.to_string();
-            Replacement {
-                range: at..at,
-                text,
-            }
+            Replacement::new(at..at, bracket)
         }
         Edit::Insert(gap, bracket) => {
             let last = gap.saturating_sub(1);
@@ -400,10 +381,7 @@ fn replacement(body: &Body<'_>, lines: &Lines, edit: Edit) -> Replacement {
                 Some(_) => " }".to_owned(),
                 None => bracket.to_string(),
             };
-            Replacement {
-                range: at..at,
-                text,
-            }
+            Replacement::new(at..at, text)
         }
     }
 }
@@ -422,17 +400,6 @@ fn told(
             "the `{bracket}` in line {}, column {},",
             spot.line, spot.column
         )
-    };
-    let closes = |index: usize| {
-        let mut depth = 0_usize;
-        (index..body.lexemes.len()).find(|&next| {
-            match body.lexemes[next].kind {
-                Kind::Open => depth += 1,
-                Kind::Close => depth = depth.saturating_sub(1),
-                Kind::Word | Kind::Mark => {}
-            }
-            depth == 0
-        })
     };
     let shown = |index: usize| &body.text[body.whole(index)];
     let (at, text) = match edit {
@@ -481,7 +448,7 @@ fn told(
             )
         }
         Edit::Exchange(index, by) => {
-            let close = closes(index).map_or("what follows".to_owned(), of);
+            let close = closing(&body.lexemes, index).map_or("what follows".to_owned(), of);
             (
                 index,
                 format!(

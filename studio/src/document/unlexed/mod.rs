@@ -125,10 +125,7 @@ impl Body<'_> {
         }
         let place = self.place(index);
         let is_mark = self.lexemes[index].kind == Kind::Mark;
-        let removal = Replacement {
-            range: place.clone(),
-            text: String::new(),
-        };
+        let removal = Replacement::new(place.clone(), "");
         let removal = is_mark.then_some(((), removal));
         Unlexed {
             place,
@@ -144,7 +141,5 @@ impl Body<'_> {
     }
 }
 
-#[cfg(test)]
-mod measure;
 #[cfg(test)]
 mod tests;

@@ -24,13 +24,7 @@ pub(super) fn slip(body: &Body<'_>, at: usize) -> Option<Unlexed> {
     let end = line_end(body.text, first);
     let removals = signs.iter().map(|&sign_at| {
         let range = sign_at..sign_at + sign.len();
-        (
-            Some(range.clone()),
-            Replacement {
-                range,
-                text: String::new(),
-            },
-        )
+        (Some(range.clone()), Replacement::new(range, ""))
     });
     let line = body.text[first..end].trim_end();
     let inside = line.strip_suffix(';').unwrap_or(line).trim_end().len();
@@ -38,10 +32,7 @@ pub(super) fn slip(body: &Body<'_>, at: usize) -> Option<Unlexed> {
         "/*" => (first + line.len(), " */"),
         sign => (first + inside, sign),
     };
-    let closing = (closing != "'").then(|| Replacement {
-        range: end..end,
-        text: closing.to_owned(),
-    });
+    let closing = (closing != "'").then(|| Replacement::new(end..end, closing));
     let edits = removals.chain(closing.map(|closing| (None, closing)));
     let (place, text, change) = match body.best(edits) {
         Some((Some(place), change)) => (place, "; remove it".to_owned(), Some(change)),

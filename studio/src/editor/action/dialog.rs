@@ -6,12 +6,10 @@ use crate::editor::order::{Export, Order};
 use crate::editor::question::{Destination, Dialog, FileUse};
 use crate::editor::worker::Task;
 use crate::text::masked;
-use eframe::egui;
-use eframe::egui::Key;
 use eframe::egui::text::{CCursor, CCursorRange};
+use eframe::egui::{self, Key};
 use std::path::Path;
 
-/// Asks what has to be asked.
 pub(in crate::editor) fn dialogs(editor: &mut Editor, context: &egui::Context) {
     match editor.talk.dialog.take() {
         None => {}
@@ -36,11 +34,8 @@ pub(in crate::editor) fn dialogs(editor: &mut Editor, context: &egui::Context) {
 /// The user's answer on changes that are not saved.
 #[derive(Clone, Copy)]
 enum Answer {
-    /// They are saved.
     Save,
-    /// They are lost.
     Discard,
-    /// The text is not left.
     Cancel,
 }
 
@@ -71,7 +66,6 @@ fn ask_to_save(workspace: &Workspace, context: &egui::Context) -> Option<Answer>
     given
 }
 
-/// Asks which file something is done with.
 fn ask_for_file(editor: &mut Editor, purpose: FileUse, mut path: String, context: &egui::Context) {
     let (title, verb) = purpose.words();
     #[cfg(not(target_arch = "wasm32"))]
@@ -169,7 +163,6 @@ pub(super) fn save(
     }
 }
 
-/// Does something with a file.
 fn use_file(editor: &mut Editor, purpose: FileUse, path: &str, is_there: bool) {
     match purpose {
         FileUse::Open => editor.leave_for(Destination::File(path.to_owned())),

@@ -3,8 +3,7 @@
 use super::key_of_tool;
 use super::table::ACTIONS;
 use crate::editor::Tool;
-use eframe::egui;
-use eframe::egui::KeyboardShortcut;
+use eframe::egui::{self, KeyboardShortcut};
 
 /// Shows the help: first steps, all tools and actions with their keys, and all lines of the dialogue.
 pub(in crate::editor) fn help(ui: &mut egui::Ui) {

@@ -3,10 +3,8 @@
 use super::Action;
 use super::table::{ACTIONS, copy, paste};
 use crate::editor::{Editor, Tool};
-use eframe::egui;
-use eframe::egui::{Key, KeyboardShortcut, Modifiers};
+use eframe::egui::{self, Key, KeyboardShortcut, Modifiers};
 
-/// The key of a tool.
 pub(in crate::editor) const fn key_of_tool(tool: Tool) -> KeyboardShortcut {
     let key = match tool {
         Tool::Select => Key::V,
@@ -87,7 +85,6 @@ fn is_clipboard(key: KeyboardShortcut) -> bool {
     key.modifiers == Modifiers::COMMAND && [Key::C, Key::V].contains(&key.logical_key)
 }
 
-/// Copies and pastes what is drawn.
 fn obey_clipboard(editor: &mut Editor, context: &egui::Context) {
     let events = context.input(|input| input.events.clone());
     for event in events {

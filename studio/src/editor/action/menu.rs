@@ -13,7 +13,6 @@ use crate::editor::question::{Destination, FileUse};
 use crate::text::masked;
 use eframe::egui;
 
-/// The row of menus.
 pub(in crate::editor) fn menu(editor: &mut Editor, ui: &mut egui::Ui) {
     egui::MenuBar::new().ui(ui, |ui| {
         for (menu, name) in Menu::ALL {

@@ -14,7 +14,6 @@ pub(super) use menu::menu;
 use super::Editor;
 use eframe::egui::KeyboardShortcut;
 
-/// The menus, from left to right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Menu {
     File,
@@ -32,7 +31,6 @@ impl Menu {
     ];
 }
 
-/// A thing that can be done.
 struct Action {
     menu: Menu,
     name: &'static str,

@@ -1,27 +1,21 @@
 //! The arrow keys in the drawing.
 
-use super::{Canvas, Shown};
+use super::{Canvas, Spot};
 use crate::editor::drawing::Handle;
 use crate::editor::snap::{REACH, Snapping, grid};
 use crate::editor::{Editor, Tool};
 use eframe::egui;
-use eframe::egui::Response;
 
 impl Canvas {
     /// Points by the keys with arrows, and picks or selects by Enter.
-    pub(super) fn by_keys(
-        &mut self,
-        editor: &mut Editor,
-        background: &Response,
-        shown: &Shown,
-        ui: &egui::Ui,
-    ) {
+    pub(super) fn by_keys(&mut self, editor: &mut Editor, paper: Spot<'_>) {
+        let (shown, ui) = (paper.shown, paper.ui);
         let unit = grid(shown.scale());
         let ([x, y], is_far) = arrows(ui);
         let unit = if is_far { 10.0 * unit } else { unit };
         self.cross[0] += x * unit;
         self.cross[1] += y * unit;
-        keep_arrows(ui, background);
+        keep_arrows(paper);
         let pick = Snapping {
             drawing: editor.sight.drawing(),
             scale: shown.scale(),
@@ -46,15 +40,9 @@ impl Canvas {
 }
 
 /// Moves a handle by the keys with arrows: by a line of the grid, with Shift by ten.
-pub(super) fn step_by_keys(
-    editor: &mut Editor,
-    handle: Handle,
-    response: &Response,
-    shown: &Shown,
-    ui: &egui::Ui,
-) {
-    let unit = grid(shown.scale());
-    let (steps, is_far) = arrows(ui);
+pub(super) fn step_by_keys(editor: &mut Editor, handle: Handle, spot: Spot<'_>) {
+    let unit = grid(spot.shown.scale());
+    let (steps, is_far) = arrows(spot.ui);
     if steps != [0.0, 0.0] {
         let unit = if is_far { 10.0 * unit } else { unit };
         let to =
@@ -70,7 +58,7 @@ pub(super) fn step_by_keys(
         editor.drag_to(to);
         editor.end_drag();
     }
-    keep_arrows(ui, response);
+    keep_arrows(spot);
 }
 
 /// The steps that keys with arrows ask for, to the right and up; and whether these are long.
@@ -84,7 +72,7 @@ fn arrows(ui: &egui::Ui) -> ([f64; 2], bool) {
 }
 
 /// Lets keys with arrows not move the focus.
-fn keep_arrows(ui: &egui::Ui, response: &Response) {
+fn keep_arrows(Spot { response, ui, .. }: Spot<'_>) {
     let filter = egui::EventFilter {
         horizontal_arrows: true,
         vertical_arrows: true,

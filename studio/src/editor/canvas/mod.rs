@@ -10,13 +10,11 @@ use super::snap::{REACH, Snapped, Snapping};
 use super::tool::Pick;
 use super::{Editor, Item, Tool};
 use crate::play::{Camera, Control};
-use eframe::egui;
-use eframe::egui::{PointerButton, Pos2, Rect, Response, Role, Sense, Vec2, WidgetInfo};
+use eframe::egui::{self, PointerButton, Pos2, Rect, Response, Role, Sense, Vec2, WidgetInfo};
 use keys::step_by_keys;
 use paint::Paint;
 use picture::Picture;
 
-/// The canvas.
 #[derive(Default)]
 pub(super) struct Canvas {
     picture: Picture,
@@ -36,14 +34,21 @@ pub(super) struct Canvas {
 enum Holds {
     #[default]
     Nothing,
-    /// A link, which follows it.
     Link,
-    /// The paper.
     Paper,
     /// A corner of a frame around what is to be selected.
     Frame(Pos2),
     /// A joint or a point, which is so far from the pointer.
     Thing([f64; 2]),
+}
+
+/// Where something happens: on the paper, or on a handle of it.
+#[derive(Clone, Copy)]
+struct Spot<'s> {
+    response: &'s Response,
+    handle: Option<Handle<'s>>,
+    shown: &'s Shown,
+    ui: &'s egui::Ui,
 }
 
 impl Canvas {
@@ -70,10 +75,16 @@ impl Canvas {
             snapped: self.snapped.as_ref(),
         }
         .behind(ui);
-        self.on_paper(editor, &background, &shown, ui);
+        let paper = Spot {
+            response: &background,
+            handle: None,
+            shown: &shown,
+            ui,
+        };
+        self.on_paper(editor, paper);
         self.is_focused = background.has_focus();
         if background.has_focus() {
-            self.by_keys(editor, &background, &shown, ui);
+            self.by_keys(editor, paper);
         }
         let mut hovered = None;
         for handle in handles.clone() {
@@ -102,38 +113,31 @@ impl Canvas {
     }
 
     /// Handles the pointer beside the handles.
-    fn on_paper(&mut self, editor: &mut Editor, response: &Response, shown: &Shown, ui: &egui::Ui) {
-        let modifiers = ui.input(|input| input.modifiers);
+    fn on_paper(&mut self, editor: &mut Editor, paper: Spot<'_>) {
+        let modifiers = paper.ui.input(|input| input.modifiers);
         if editor.picking.tool != Tool::Select {
             self.holds = Holds::Nothing;
-            self.use_tool(editor, response, None, shown, ui);
+            self.use_tool(editor, paper);
             return;
         }
         self.snapped = None;
-        self.drag(editor, response, None, shown, ui);
-        if response.clicked()
-            && let Some(pointer) = response.interact_pointer_pos()
+        self.drag(editor, paper);
+        if paper.response.clicked()
+            && let Some(pointer) = paper.response.interact_pointer_pos()
         {
-            let place = shown.place(pointer);
+            let place = paper.shown.place(pointer);
+            let reach = REACH / paper.shown.scale();
             let drawing = editor.sight.seen_drawing();
-            let item = drawing.and_then(|drawing| drawing.item_at(place, REACH / shown.scale()));
+            let item = drawing.and_then(|drawing| drawing.item_at(place, reach));
             editor.select(item, modifiers.shift || modifiers.command);
         }
     }
 
     /// Drags what was under the pointer when it was pressed. Since then it may have gone far, so that it began on something else.
-    fn drag(
-        &mut self,
-        editor: &mut Editor,
-        response: &Response,
-        handle: Option<Handle>,
-        shown: &Shown,
-        ui: &egui::Ui,
-    ) {
-        if response.drag_started()
-            && let Some(origin) = ui.input(|input| input.pointer.press_origin())
-        {
-            self.holds = take_hold(editor, response, handle, origin, shown, ui);
+    fn drag(&mut self, editor: &mut Editor, spot: Spot<'_>) {
+        let (response, shown) = (spot.response, spot.shown);
+        if let Some(origin) = spot.drag_origin() {
+            self.holds = take_hold(editor, spot, origin);
         }
         let Some(pointer) = response.interact_pointer_pos() else {
             return;
@@ -147,7 +151,7 @@ impl Canvas {
                 let moved = response.drag_delta();
                 editor.sight.camera.pan([moved.x, moved.y].map(f64::from));
             }
-            Holds::Thing(away) => self.lead(editor, pointer, away, shown, ui),
+            Holds::Thing(away) => self.lead(editor, pointer, away, spot),
             Holds::Frame(_) | Holds::Nothing => {}
         }
         if !response.drag_stopped() {
@@ -170,27 +174,20 @@ impl Canvas {
     }
 
     /// Leads what is dragged to where the pointer means.
-    fn lead(
-        &mut self,
-        editor: &mut Editor,
-        pointer: Pos2,
-        away: [f64; 2],
-        shown: &Shown,
-        ui: &egui::Ui,
-    ) {
+    fn lead(&mut self, editor: &mut Editor, pointer: Pos2, away: [f64; 2], spot: Spot<'_>) {
         let Some(moved) = editor.sight.drag.held().map(<[Item]>::to_vec) else {
             return;
         };
-        let is_alt = ui.input(|input| input.modifiers.alt);
+        let is_alt = spot.ui.input(|input| input.modifiers.alt);
         let snapping = Snapping {
             drawing: editor.sight.drawing(),
-            scale: shown.scale(),
+            scale: spot.shown.scale(),
             is_on: editor.settings.snaps != is_alt,
             angles_from: None,
             snaps_to_bars: false,
             without: &moved,
         };
-        let [x, y] = shown.place(pointer);
+        let [x, y] = spot.shown.place(pointer);
         let snapped = snapping.snap([x + away[0], y + away[1]]);
         let place = snapped.pick.place;
         self.snapped = Some(snapped);
@@ -222,10 +219,16 @@ impl Canvas {
         if response.hovered() || response.has_focus() {
             *hovered = Some(handle.item.clone());
         }
+        let spot = Spot {
+            response: &response,
+            handle: Some(handle),
+            shown,
+            ui,
+        };
         if editor.picking.tool == Tool::Select {
-            self.select_or_drag(editor, handle, &response, shown, ui);
+            self.select_or_drag(editor, handle, spot);
         } else {
-            self.use_tool(editor, &response, Some(handle), shown, ui);
+            self.use_tool(editor, spot);
         }
         let is_locked = editor.desk.is_locked(handle.item);
         let response = response.on_hover_ui(|ui| {
@@ -237,16 +240,10 @@ impl Canvas {
         response.context_menu(|ui| menu(editor, handle, ui));
     }
 
-    fn select_or_drag(
-        &mut self,
-        editor: &mut Editor,
-        handle: Handle,
-        response: &Response,
-        shown: &Shown,
-        ui: &egui::Ui,
-    ) {
-        let modifiers = ui.input(|input| input.modifiers);
-        self.drag(editor, response, Some(handle), shown, ui);
+    fn select_or_drag(&mut self, editor: &mut Editor, handle: Handle, spot: Spot<'_>) {
+        let response = spot.response;
+        let modifiers = spot.ui.input(|input| input.modifiers);
+        self.drag(editor, spot);
         if response.clicked() {
             editor.select(
                 Some(handle.item.clone()),
@@ -256,19 +253,18 @@ impl Canvas {
         }
         if response.has_focus() {
             self.is_focused = true;
-            step_by_keys(editor, handle, response, shown, ui);
+            step_by_keys(editor, handle, spot);
         }
     }
 
     /// Picks places with a tool: by clicks, or from where the pointer is pressed to where it is released.
-    fn use_tool(
-        &mut self,
-        editor: &mut Editor,
-        response: &Response,
-        handle: Option<Handle>,
-        shown: &Shown,
-        ui: &egui::Ui,
-    ) {
+    fn use_tool(&mut self, editor: &mut Editor, spot: Spot<'_>) {
+        let Spot {
+            response,
+            handle,
+            shown,
+            ui,
+        } = spot;
         let modifiers = ui.input(|input| input.modifiers);
         let meant = |editor: &Editor, place: [f64; 2]| {
             let before = editor.picking.picks.last().filter(|_| modifiers.shift);
@@ -282,9 +278,7 @@ impl Canvas {
             };
             snapping.snap(place)
         };
-        if response.drag_started()
-            && let Some(origin) = ui.input(|input| input.pointer.press_origin())
-        {
+        if let Some(origin) = spot.drag_origin() {
             let pick = meant(editor, shown.place(origin)).pick;
             // A tool that picks one place takes the one where the pointer is released.
             if editor.picking.tool.picks().len() > 1 {
@@ -316,19 +310,23 @@ impl Canvas {
     }
 }
 
+impl Spot<'_> {
+    /// Where the pointer was pressed, if it is dragged from now on.
+    fn drag_origin(&self) -> Option<Pos2> {
+        let origin = self.ui.input(|input| input.pointer.press_origin());
+        origin.filter(|_| self.response.drag_started())
+    }
+}
+
 /// Takes hold of what is at the place where the pointer was pressed.
-fn take_hold(
-    editor: &mut Editor,
-    response: &Response,
-    handle: Option<Handle>,
-    origin: Pos2,
-    shown: &Shown,
-    ui: &egui::Ui,
-) -> Holds {
+fn take_hold(editor: &mut Editor, spot: Spot<'_>, origin: Pos2) -> Holds {
+    let (shown, ui) = (spot.shown, spot.ui);
     let modifiers = ui.input(|input| input.modifiers);
     let place = shown.place(origin);
-    if response.drag_started_by(PointerButton::Primary) {
-        let own = handle.filter(|handle| area(shown.pixel(handle.place), ui).contains(origin));
+    if spot.response.drag_started_by(PointerButton::Primary) {
+        let own = spot
+            .handle
+            .filter(|handle| area(shown.pixel(handle.place), ui).contains(origin));
         let thing = own.map(|handle| handle.item.clone());
         let near = |reach: f64| {
             let drawing = editor.sight.seen_drawing()?;

@@ -3,8 +3,7 @@
 use super::{Shown, size_of};
 use crate::editor::Editor;
 use crate::play::Revision;
-use eframe::egui;
-use eframe::egui::{Color32, ColorImage, Rect, TextureHandle, TextureOptions};
+use eframe::egui::{self, Color32, ColorImage, Rect, TextureHandle, TextureOptions};
 use mech_runtime::{HeapSmooth, Palette, View};
 
 /// The bodies of links, painted by the runtime's own rasteriser.
@@ -15,7 +14,6 @@ pub(super) struct Picture {
     subject: Option<Subject>,
 }
 
-/// The subject of a picture.
 #[derive(Clone, Copy, PartialEq)]
 struct Subject {
     revision: Revision,

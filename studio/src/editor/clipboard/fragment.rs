@@ -1,6 +1,6 @@
 //! Statements that are copied: links, and what is between them.
 
-use super::lexed::Lexed;
+use super::Lexed;
 use crate::document::Document;
 use crate::editor::index;
 use crate::failure::Failure;

@@ -2,21 +2,19 @@
 
 mod copies;
 mod fragment;
-mod lexed;
 mod pasting;
-
 pub(super) use copies::gesture_of_copies;
 pub(super) use pasting::pasted;
 
 use crate::edit::Workspace;
+use crate::text::TokenPlaces;
+use mech_compiler::syntax::{StatementText, Tokens};
 use std::collections::BTreeSet;
+use std::ops::Range;
 
-/// The copied statements.
 #[derive(Default)]
 pub(super) struct Clipboard {
-    /// The statements that were copied last.
     pub(super) copied: String,
-    /// The text for the clipboard of the system.
     pub(super) next: Option<String>,
 }
 
@@ -43,5 +41,39 @@ impl Clipboard {
     pub(super) fn to_paste(&self, text: &str) -> Option<String> {
         let text = if text.is_empty() { &self.copied } else { text };
         pasting::can_be_pasted(text).then(|| text.to_owned())
+    }
+}
+
+/// A text as its tokens, each with its place.
+pub(super) struct Lexed<'t> {
+    text: &'t str,
+    tokens: Tokens,
+    places: TokenPlaces,
+}
+
+impl<'t> Lexed<'t> {
+    /// Reads a text; none if a quote or a bracket in it is without its partner.
+    pub(super) fn read(text: &'t str) -> Option<Self> {
+        proc_macro2::extra::invalidate_current_thread_spans();
+        let tokens = Tokens::read(text).ok()?;
+        let places = TokenPlaces::of(&tokens);
+        Some(Self {
+            text,
+            tokens,
+            places,
+        })
+    }
+
+    pub(super) fn statements(&self) -> Vec<StatementText<'_>> {
+        self.tokens.statements()
+    }
+
+    /// Where tokens stand in the text, in bytes.
+    pub(super) fn bytes(&self, tokens: &Range<usize>) -> Range<usize> {
+        self.places.bytes(tokens)
+    }
+
+    pub(super) fn text_of(&self, statement: &StatementText<'_>) -> &'t str {
+        &self.text[self.places.bytes(&statement.range())]
     }
 }

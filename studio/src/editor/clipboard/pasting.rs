@@ -1,6 +1,6 @@
 //! Statements that are pasted under names that are free, beside what is there: into the same text or another.
 
-use super::lexed::Lexed;
+use super::Lexed;
 use crate::document::{Document, Listing, NumberText, Source};
 use crate::editor::names::Names;
 use crate::text::{Replacement, shortest, written};
@@ -122,7 +122,6 @@ fn add(rewriter: &mut Rewriter<'_>, statement: &str) -> Option<()> {
     rewriter.add_beside(statement, siblings)
 }
 
-/// The pairs of numbers that are places.
 fn places(listing: &Listing) -> impl Iterator<Item = [&NumberText; 2]> {
     let part = |number: &NumberText, name| number.role.rsplit(' ').next() == Some(name);
     let pairs = listing.numbers.array_windows();
@@ -212,7 +211,6 @@ fn renamed(fresh: &[&StatementText<'_>], mut names: Names) -> BTreeMap<String, S
     renamed
 }
 
-/// A statement with other names.
 fn with_names(
     copied: &Lexed<'_>,
     statement: &StatementText<'_>,
@@ -237,10 +235,10 @@ fn with_names(
         if let Some(name) = name {
             let token = statement.token(index);
             let range = copied.bytes(&(token..token + 1));
-            edits.push(Replacement {
-                range: range.start - start..range.end - start,
-                text: name.clone(),
-            });
+            edits.push(Replacement::new(
+                range.start - start..range.end - start,
+                name.clone(),
+            ));
         }
         [link, before] = [before, word];
     }

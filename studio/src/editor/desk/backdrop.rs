@@ -1,8 +1,8 @@
 //! A picture behind the drawing, to be traced.
 
 use crate::failure::Failure;
-use eframe::egui;
-use eframe::egui::{Color32, ColorImage, Mesh, Pos2, TextureHandle, TextureOptions};
+use crate::output::ends_in;
+use eframe::egui::{self, Color32, ColorImage, Mesh, Pos2, TextureHandle, TextureOptions};
 use image::{DynamicImage, ImageReader, ImageResult, Limits};
 use serde::{Deserialize, Serialize};
 use std::io::{self, Cursor};
@@ -21,18 +21,14 @@ const MOST: u64 = 64 << 20;
 /// The longest side of a picture, in pixels: what all graphics cards can show. A larger one is made smaller.
 const LONGEST: u32 = 4096;
 
-/// A picture behind the drawing, to be traced.
 pub(in crate::editor) struct Backdrop {
-    /// Its file.
     pub(in crate::editor) path: PathBuf,
-    /// Where it is.
     pub(in crate::editor) place: PicturePlace,
     pixels: Arc<ColorImage>,
     /// The picture as the graphics card has it, once it was painted.
     texture: Option<TextureHandle>,
 }
 
-/// Where a picture is.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(in crate::editor) struct PicturePlace {
     /// Its centre in the scene.
@@ -63,12 +59,7 @@ impl PicturePlace {
 
 /// Whether a file is a picture, by its name.
 pub(in crate::editor) fn is_picture(path: &Path) -> bool {
-    let ending = path.extension().and_then(|ending| ending.to_str());
-    ending.is_some_and(|ending| {
-        ENDINGS
-            .iter()
-            .any(|known| known.eq_ignore_ascii_case(ending))
-    })
+    ends_in(path, &ENDINGS)
 }
 
 /// The bytes of a picture's file.
@@ -98,9 +89,6 @@ fn decode(bytes: &[u8]) -> ImageResult<DynamicImage> {
 
 impl Backdrop {
     /// The picture in a file, one scene unit wide.
-    ///
-    /// # Errors
-    /// If these bytes are no picture that can be read.
     pub(in crate::editor) fn read(path: &Path, bytes: &[u8]) -> Result<Self, Failure> {
         let picture = decode(bytes).map_err(|error| {
             let path = path.display();

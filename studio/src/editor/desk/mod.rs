@@ -13,10 +13,8 @@ use crate::play::Camera;
 use std::collections::BTreeSet;
 use std::path::Path;
 
-/// The desk of a text.
 #[derive(Default)]
 pub(super) struct Desk {
-    /// The picture behind the drawing.
     pub(super) backdrop: Option<Backdrop>,
     /// The locked items, which the pointer cannot move.
     pub(super) locked: BTreeSet<Item>,
@@ -28,7 +26,6 @@ pub(super) struct Desk {
 }
 
 impl Desk {
-    /// Whether the pointer cannot move it.
     pub(super) fn is_locked(&self, item: &Item) -> bool {
         self.locked.contains(item)
     }
@@ -84,9 +81,6 @@ impl Desk {
     }
 
     /// Puts a picture behind the drawing, as wide as what is seen. Tells so.
-    ///
-    /// # Errors
-    /// If the bytes are no picture that can be read.
     pub(super) fn show(
         &mut self,
         path: &Path,

@@ -10,7 +10,6 @@ use std::collections::BTreeSet;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-/// The ending of the file's name.
 const ENDING: &str = ".desk";
 
 /// The longest file that is read, in bytes. Thousands of locks and groups do not come near it.
@@ -30,7 +29,6 @@ struct Record {
 pub(super) struct DeskFile {
     /// The file of the text.
     path: PathBuf,
-    /// The content of the file.
     record: Record,
     /// The picture that it names and that is not there.
     missing: Option<(PathBuf, PicturePlace)>,

@@ -4,7 +4,6 @@ use crate::document::{Document, Source};
 use crate::edit::Workspace;
 use crate::failure::Failure;
 
-/// A mechanism to begin with.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Example {
     /// The name in the menu.

@@ -14,7 +14,6 @@ use eframe::egui;
 use std::fs;
 use std::path::PathBuf;
 
-/// The text, kept beside its file while it is not saved.
 #[derive(Default)]
 pub(super) struct Autosave {
     /// The folder in which texts without a file are kept.

@@ -8,8 +8,7 @@ use super::Editor;
 use crate::editor::question::{Destination, Ending};
 use crate::text::masked;
 use autosave::Autosave;
-use eframe::egui;
-use eframe::egui::ViewportCommand;
+use eframe::egui::{self, ViewportCommand};
 use std::path::PathBuf;
 use watch::Watch;
 
@@ -18,7 +17,6 @@ use watch::Watch;
 pub(super) struct Guard {
     autosave: Option<Autosave>,
     watch: Option<Watch>,
-    /// Whether the window is being closed.
     is_closing: bool,
 }
 

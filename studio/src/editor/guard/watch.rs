@@ -18,10 +18,8 @@ use std::time::{Duration, Instant};
 /// The time for which a file must be left alone before it is read: another program may write it in pieces.
 const QUIET: Duration = Duration::from_millis(60);
 
-/// The file on disk, which other programs change.
 pub(super) struct Watch {
     wake: Arc<dyn Fn() + Send + Sync>,
-    /// The file that is watched.
     path: PathBuf,
     watcher: Option<RecommendedWatcher>,
     /// When something happened to it that was not looked at.
@@ -32,7 +30,6 @@ pub(super) struct Watch {
     deleted: Option<String>,
 }
 
-/// When something happened last.
 type Stirred = Arc<Mutex<Option<Instant>>>;
 
 impl Watch {
@@ -76,7 +73,6 @@ impl Watch {
         (self.watcher, self.theirs, self.deleted) = (None, None, None);
     }
 
-    /// Watches the folder of the file.
     fn begin(&mut self) -> notify::Result<()> {
         self.watcher = None;
         self.stirred = Stirred::default();

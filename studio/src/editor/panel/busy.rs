@@ -11,7 +11,6 @@ const BUDGET: f64 = 10.0;
 /// The time after which the window is painted again, so that the seconds count.
 const REPAINT: Duration = Duration::from_millis(250);
 
-/// The bar that tells what is being done beside the window, and lets the user end it.
 #[derive(Default)]
 pub(in crate::editor) struct Busy {
     /// When the work began, in the window's seconds.

@@ -6,7 +6,6 @@ use crate::editor::Editor;
 use crate::editor::talk::Journal;
 use eframe::egui;
 
-/// The line in which commands are typed.
 #[derive(Debug, Default)]
 pub(in crate::editor) struct Line {
     text: String,

@@ -1,36 +1,29 @@
 //! The panels beside the drawing.
 
-mod behind;
 mod busy;
 mod diagnoses;
 mod field;
-mod graph;
 mod line;
-mod motor;
 mod play;
 mod plots;
 mod properties;
 mod report;
 mod shapes;
-mod steps;
 mod text;
-mod tools;
 
 pub(super) use busy::Busy;
-use diagnoses::diagnoses;
 pub(super) use line::Line;
 pub(super) use play::play;
+
+use super::action::{help, key_of_tool};
+use super::settings::Panel;
+use super::{Editor, Tool};
+use diagnoses::diagnoses;
+use eframe::egui;
 use plots::Plots;
 use properties::properties;
 use report::report;
-use steps::steps;
 use text::TextPanel;
-pub(super) use tools::tools;
-
-use super::Editor;
-use super::action::help;
-use super::settings::Panel;
-use eframe::egui;
 
 /// All panels beside the drawing, one of which is seen.
 #[derive(Default)]
@@ -40,7 +33,6 @@ pub(super) struct Panels {
 }
 
 impl Panels {
-    /// Shows the panel that is chosen.
     pub(super) fn show(&mut self, editor: &mut Editor, is_narrow: bool, ui: &mut egui::Ui) {
         tabs(editor, is_narrow, ui);
         ui.separator();
@@ -73,4 +65,61 @@ fn tabs(editor: &mut Editor, is_narrow: bool, ui: &mut egui::Ui) {
             }
         }
     });
+}
+
+/// The palette of tools: a column, or a row.
+pub(in crate::editor) fn tools(editor: &mut Editor, ui: &mut egui::Ui, is_row: bool) {
+    if is_row {
+        egui::ScrollArea::horizontal().show(ui, |ui| {
+            ui.horizontal(|ui| buttons(editor, ui));
+        });
+    } else {
+        egui::ScrollArea::vertical().show(ui, |ui| {
+            ui.vertical_centered_justified(|ui| buttons(editor, ui));
+        });
+    }
+}
+
+fn buttons(editor: &mut Editor, ui: &mut egui::Ui) {
+    for tool in Tool::all() {
+        let key = ui.ctx().format_shortcut(&key_of_tool(tool));
+        let response = ui.selectable_label(editor.picking.tool == tool, tool.name());
+        let response = response.on_hover_text(format!("{} ({key})", tool.help()));
+        if response.clicked() {
+            editor.choose(tool);
+        }
+    }
+}
+
+/// The steps from the first to the last.
+pub(in crate::editor) fn steps(editor: &mut Editor, ui: &mut egui::Ui) {
+    let titles: Vec<String> = editor
+        .workspace()
+        .history()
+        .made()
+        .iter()
+        .map(|step| step.title.clone())
+        .collect();
+    if titles.is_empty() {
+        ui.weak("Nothing was changed yet.");
+    }
+    let count = titles.len();
+    let mut back = 0;
+    egui::ScrollArea::vertical()
+        .auto_shrink(false)
+        .show(ui, |ui| {
+            for (number, title) in titles.iter().enumerate() {
+                let response =
+                    ui.selectable_label(number + 1 == count, format!("{}. {title}", number + 1));
+                if response.on_hover_text("goes back to this step").clicked() {
+                    back = count - 1 - number;
+                }
+            }
+        });
+    if back > 0 {
+        editor.sight.playing.settle();
+    }
+    for _ in 0..back {
+        editor.undo();
+    }
 }

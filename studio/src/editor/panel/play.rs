@@ -7,7 +7,6 @@ use crate::motion::Basis;
 use crate::play::{Control, Layer, Selection};
 use eframe::egui;
 
-/// The bar with which a mechanism is played.
 pub(in crate::editor) fn play(sight: &mut Sight, snapshot: &Snapshot, ui: &mut egui::Ui) {
     let Some(player) = sight.player() else {
         ui.horizontal_wrapped(|ui| {

@@ -9,12 +9,10 @@ use crate::editor::range::MotorRange;
 use crate::editor::snapshot::Snapshot;
 use crate::motion::Basis;
 use crate::quantity::{self, Offer, Table, round_step, tick};
-use eframe::egui;
-use eframe::egui::{Color32, Role, Sense, Stroke, Vec2, WidgetInfo};
+use eframe::egui::{self, Color32, Role, Sense, Stroke, Vec2, WidgetInfo};
 use egui_plot::{GridInput, GridMark, Line, Plot, PlotPoint, Points, VLine};
 use mech_compiler::model::LoadKind;
 
-/// Graphs of what moves.
 #[derive(Debug, Default)]
 pub(in crate::editor) struct Plots {
     /// The typed name of a quantity, as for `mech plot`.
@@ -59,7 +57,6 @@ impl Plots {
         }
     }
 
-    /// Chooses what is plotted, over which motor.
     fn choose(
         &mut self,
         plotted: &mut Plotted,
@@ -158,7 +155,6 @@ fn loads(plotted: &mut Plotted, snapshot: &Snapshot, ui: &mut egui::Ui) {
     }
 }
 
-/// Takes quantities out of the graphs.
 fn remove(plotted: &mut Plotted, ui: &mut egui::Ui) {
     if plotted.names.is_empty() {
         return;
@@ -220,7 +216,6 @@ fn cursor(plotted: &Plotted, playing: &Playing) -> Option<f64> {
     Some(range.shown(value - whole_turns(range, value)))
 }
 
-/// Returns the range of the plotted motor, and its value.
 fn plotted_motor<'p>(plotted: &Plotted, playing: &'p Playing) -> Option<(&'p MotorRange, f64)> {
     let (motor, _) = plotted.motor_of(&playing.ranges)?;
     let value = playing.player.as_ref()?.motors().get(motor)?;

@@ -15,9 +15,7 @@ use std::ops::Range;
 /// Ranges of the text that are marked.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Marks {
-    /// Where something is wrong.
     wrong: Vec<Range<usize>>,
-    /// The places of the selected items.
     selected: Vec<Range<usize>>,
     /// The places of the item under the mouse.
     hovered: Vec<Range<usize>>,
@@ -32,7 +30,6 @@ pub(in crate::editor) struct TextPanel {
     seen: String,
 }
 
-/// A text with its marks, in colours.
 struct Colored {
     marks: Marks,
     is_dark: bool,
@@ -128,7 +125,6 @@ fn byte_of(text: &str, index: usize) -> usize {
         .map_or(text.len(), |(byte, _)| byte)
 }
 
-/// The longest text that has colours, in bytes.
 const LONGEST_COLORED: usize = 1 << 17;
 /// The width of the longest row, in pixels.
 const LONGEST_ROW: f32 = 4096.0;

@@ -5,7 +5,7 @@ use crate::document::{Document, Source};
 use crate::editor::arrow::needs;
 use crate::editor::drag::Drag;
 use crate::editor::item::Item;
-use crate::editor::worker::{Held, Task};
+use crate::editor::worker::{Held, Task, Text};
 use crate::play::Control;
 use crate::text::written;
 
@@ -56,7 +56,7 @@ impl Editor {
         let text = if self.analysis.snapshot.is_of(self.workspace()) {
             Held::Known(self.analysis.snapshot.clone())
         } else {
-            Held::Text(self.workspace().document(), self.workspace().index())
+            Held::Text(Text::of(self.workspace()))
         };
         self.sight.drag = drag;
         self.give(Task::Hold(Box::new(hold), text));
@@ -68,7 +68,7 @@ impl Editor {
     /// Moves what is dragged to a place of the scene.
     pub fn drag_to(&mut self, place: [f64; 2]) {
         if let Some((number, to)) = self.sight.drag.lead(place) {
-            self.give(Task::Lead { number, to });
+            self.give(Task::Lead(number, to));
         }
     }
 
@@ -78,14 +78,11 @@ impl Editor {
         if let Some((number, edits)) = self.sight.drag.unread() {
             let text = written(self.session.workspace.text(), &edits);
             let source = Source::new(self.workspace().path(), text);
-            let task = Task::Preview {
-                number,
-                document: Document::of(source),
-                index: self.workspace().index(),
-                has_bodies,
-                needs: needs(&self.sight, &self.settings),
-            };
-            self.give(task);
+            let document = Document::of(source);
+            let index = self.workspace().index();
+            let needs = needs(&self.sight, &self.settings);
+            let text = Text { document, index };
+            self.give(Task::Preview(number, text, has_bodies, needs));
         }
     }
 

@@ -12,7 +12,7 @@ use crate::editor::pending::{Pending, Waiting};
 use crate::editor::question::{Destination, Dialog, Ending};
 use crate::editor::removing::removal;
 use crate::editor::tool::{NamedPick, Pick, Picking, Tool};
-use crate::editor::worker::{Task, Worker};
+use crate::editor::worker::{Task, Text, Worker};
 use crate::play::Control;
 use crate::text::masked;
 use std::path::Path;
@@ -140,13 +140,8 @@ impl Editor {
         match asked {
             Ok(Some(Request::Edit(command))) => return Some(command.into()),
             Ok(Some(Request::Ask(_) | Request::Repairs | Request::Numbers(_))) => {
-                let (document, index) = (self.workspace().document(), self.workspace().index());
-                let line = line.to_owned();
-                self.give(Task::Ask {
-                    document,
-                    index,
-                    line,
-                });
+                let text = Text::of(self.workspace());
+                self.give(Task::Ask(text, line.to_owned()));
                 return None;
             }
             _ => {}

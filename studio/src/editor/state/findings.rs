@@ -11,7 +11,7 @@ use crate::editor::pending::{Tried, Waiting};
 use crate::editor::snap::{CLOSE, grid};
 use crate::editor::snapshot::Snapshot;
 use crate::editor::tool::NamedPick;
-use crate::editor::worker::{Finding, Task, Undone};
+use crate::editor::worker::{Finding, Task, Text, Undone};
 use std::sync::Arc;
 
 impl Editor {
@@ -26,7 +26,6 @@ impl Editor {
         self.go_on();
     }
 
-    /// Tries the next gesture.
     fn go_on(&mut self) {
         while let Some(waiting) = self.analysis.pending.pop() {
             let (drawing, scale) = (self.sight.drawing(), self.sight.scale());
@@ -109,8 +108,7 @@ impl Editor {
         let last = document.declarations().len().saturating_sub(1);
         let index = self.workspace().index().min(last);
         self.session.workspace.choose(index);
-        let task = Task::Read { document, index };
-        self.give(task);
+        self.give(Task::Read(Text { document, index }));
     }
 
     /// Takes over what was found out since.
@@ -193,13 +191,11 @@ impl Editor {
                 let written = made.and_then(|made| made.write(&path));
                 self.talk.tell_done(written);
             }
-            Finding::Derived {
-                number,
-                what,
-                found,
-            } => self.sight.playing.take(number, what, found),
+            Finding::Derived(number, what, found) => {
+                self.sight.playing.take(number, what, found);
+            }
             Finding::Exported(done) => self.talk.tell_done(done),
-            Finding::Answered { line, said, done } => self.talk.answer(&line, said, done),
+            Finding::Answered(line, said, done) => self.talk.answer(&line, said, done),
             Finding::Measured(curves) => self.plotted.take(*curves),
             Finding::Mended(snapshot, found) => {
                 let done = self.analysis.take_mended(&snapshot, found);

@@ -46,7 +46,6 @@ impl<'d> Builder<'d> {
         }
     }
 
-    /// All of it.
     pub(super) fn gesture(mut self, tool: &str) -> Result<Gesture, String> {
         for path in std::mem::take(&mut self.replaced) {
             self.add(Command::Remove {

@@ -2,7 +2,7 @@
 
 use super::Pick;
 use super::attachment::{Builder, End, written};
-use crate::edit::{ActionKind, Command, JointForm, Kind};
+use crate::edit::{ActionKind, Assembly, Command, JointForm, Kind, Pair};
 use crate::editor::drawing::{Hit, distance};
 use mech_compiler::model::LinkId;
 
@@ -34,7 +34,6 @@ fn end_at(builder: &Builder<'_>, pick: &Pick) -> Option<End> {
     builder.link_at(pick).map(End::Link)
 }
 
-/// Pins a link to the ground.
 pub(super) fn pivot(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     let pick = one(picks)?;
     let link = End::Link(builder.moving_link_at(pick)?);
@@ -42,7 +41,6 @@ pub(super) fn pivot(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     Ok(())
 }
 
-/// Pins two links to each other.
 pub(super) fn pin(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     assemble(builder, picks, JointForm::Revolute)
 }
@@ -142,7 +140,6 @@ pub(super) fn motor(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     Ok(())
 }
 
-/// A point on a link.
 pub(super) fn point(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     let [first, second] = two(picks)?;
     let link = builder.link_at(first).unwrap_or(LinkId::GROUND);
@@ -162,7 +159,6 @@ pub(super) fn trace(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     Ok(())
 }
 
-/// A spring between two places.
 pub(super) fn spring(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     between(
         builder,
@@ -173,7 +169,6 @@ pub(super) fn spring(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     )
 }
 
-/// A damper between two places.
 pub(super) fn damper(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     between(builder, picks, ActionKind::Damper, "damper", "damping 1")
 }
@@ -255,4 +250,73 @@ fn two(picks: &[Pick]) -> Result<[&Pick; 2], String> {
         [first, second, ..] => Ok([first, second]),
         _ => Err("pick two places".to_owned()),
     }
+}
+
+/// The fewest teeth of a wheel.
+const TEETH: u32 = 20;
+/// No ratio of two wheels has larger terms.
+const MOST: u32 = 12;
+
+/// Two wheels that mesh where it was picked.
+pub(super) fn gear(builder: &mut Builder<'_>, picks: &[Pick]) -> Result<(), String> {
+    let [first, second, touch] = picks else {
+        return Err("pick two wheels, and where they touch".to_owned());
+    };
+    let [(a, center), (b, other)] = [builder.wheel_at(first)?, builder.wheel_at(second)?];
+    let radii = [distance(center, touch.place), distance(other, touch.place)];
+    let sizes = teeth(radii)?;
+    join(
+        builder,
+        [End::Link(a), End::Link(b)],
+        JointForm::Gear { sizes, on: None },
+    )
+}
+
+/// A belt over two wheels of the same size.
+pub(super) fn belt(builder: &mut Builder<'_>, picks: &[Pick]) -> Result<(), String> {
+    let [first, second] = picks else {
+        return Err("pick two wheels".to_owned());
+    };
+    let [(a, _), (b, _)] = [builder.wheel_at(first)?, builder.wheel_at(second)?];
+    let sizes = [TEETH, TEETH].map(|teeth| teeth.to_string());
+    join(
+        builder,
+        [End::Link(a), End::Link(b)],
+        JointForm::Belt { sizes, on: None },
+    )
+}
+
+fn join(builder: &mut Builder<'_>, ends: [End; 2], kind: JointForm) -> Result<(), String> {
+    let name = builder.names().numbered("mesh");
+    let ends = ends.map(|end| builder.name(&end));
+    if ends[0] == ends[1] {
+        return Err("both places are on the same wheel; pick another".to_owned());
+    }
+    builder.add(Command::Join(Assembly {
+        name,
+        kind,
+        ends,
+        at: None,
+        along: None,
+    }));
+    Ok(())
+}
+
+/// Numbers of teeth whose ratio comes nearest to that of two radii.
+fn teeth([first, second]: [f64; 2]) -> Result<Pair, String> {
+    let wanted = first / second;
+    if !(wanted.is_finite() && wanted > 0.0) {
+        return Err("wheels touch between their centres; pick a place there".to_owned());
+    }
+    let mut best = [1, 1];
+    let error = |[a, b]: [u32; 2]| (f64::from(a) / f64::from(b) / wanted).ln().abs();
+    for a in 1..=MOST {
+        for b in 1..=MOST {
+            if error([a, b]) < error(best) - 1e-12 {
+                best = [a, b];
+            }
+        }
+    }
+    let unit = TEETH.div_ceil(best[0].min(best[1]));
+    Ok(best.map(|size| (unit * size).to_string()))
 }

@@ -3,7 +3,6 @@
 mod attachment;
 mod build;
 mod pick;
-mod rolling;
 
 pub(crate) use pick::{NamedPick, Pick, Picking};
 
@@ -51,7 +50,6 @@ pub enum Tool {
     Disc,
 }
 
-/// The description of a tool.
 struct Row {
     tool: Tool,
     name: &'static str,
@@ -119,14 +117,14 @@ const ROWS: [Row; 17] = [
         name: "Gears",
         picks: &["one wheel", "the other wheel", "where they touch"],
         help: "lets two wheels mesh",
-        build: rolling::gear,
+        build: build::gear,
     },
     Row {
         tool: Tool::Belt,
         name: "Belt",
         picks: &["one wheel", "the other wheel"],
         help: "puts a belt over two wheels",
-        build: rolling::belt,
+        build: build::belt,
     },
     Row {
         tool: Tool::Weld,
@@ -213,8 +211,7 @@ impl Tool {
     }
 
     /// Returns the descriptions of the places to pick, in this order.
-    #[must_use]
-    pub fn picks(self) -> &'static [&'static str] {
+    pub(crate) fn picks(self) -> &'static [&'static str] {
         self.row().picks
     }
 

@@ -4,7 +4,6 @@ use super::Tool;
 use crate::editor::Item;
 use crate::editor::drawing::{Drawing, Hit};
 
-/// A place that was picked.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Pick {
     /// Where, in the scene.
@@ -41,7 +40,6 @@ pub(crate) struct NamedPick {
 }
 
 impl NamedPick {
-    /// Names the picks in a drawing.
     pub(crate) fn all(picks: &[Pick], drawing: Option<&Drawing>) -> Vec<Self> {
         let named = picks.iter().map(|pick| Self {
             place: pick.place,

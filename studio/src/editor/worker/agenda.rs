@@ -1,6 +1,6 @@
 //! The tasks to do, in pieces.
 
-use super::{Finding, Led, Previewed, Task, Work, broken};
+use super::{Finding, Led, Previewed, Task, Text, Use, Work, broken};
 use crate::dialogue::{Session, hear};
 use crate::edit::{Drag, Workspace, apply_all};
 use crate::editor::curves::Curves;
@@ -10,7 +10,6 @@ use mech_compiler::catch;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-/// The tasks to do, in pieces.
 #[derive(Default)]
 pub(in crate::editor) struct Agenda {
     /// The tasks that hold and lead. They come first: the user watches the drag.
@@ -18,11 +17,9 @@ pub(in crate::editor) struct Agenda {
     held: Option<(u64, Drag)>,
     /// Whether something was led last.
     was_led: bool,
-    /// The other tasks that were given.
     given: VecDeque<Task>,
     /// The tasks that follow from the last text, done when no given task waits.
     follows: VecDeque<Task>,
-    /// The task that is being done.
     present: Option<Task>,
 }
 
@@ -30,26 +27,26 @@ impl Agenda {
     /// Notes something to do. Of texts that are to be read, of places to which something is led, and of mechanisms that need something
     /// besides positions, the last one alone is wanted.
     pub(super) fn add(&mut self, task: Task) {
-        if let Task::Hold(..) | Task::Lead { .. } = task {
-            let is_lead = |task: &Task| matches!(task, Task::Lead { .. });
+        if let Task::Hold(..) | Task::Lead(..) = task {
+            let is_lead = |task: &Task| matches!(task, Task::Lead(..));
             self.drags.retain(|other| !is_lead(other));
             self.drags.push_back(task);
             return;
         }
-        let is_read = |task: &Task| matches!(task, Task::Read { .. });
-        let is_preview = |task: &Task| matches!(task, Task::Preview { .. });
+        let is_read = |task: &Task| matches!(task, Task::Read(_));
+        let is_preview = |task: &Task| matches!(task, Task::Preview(..));
         if is_read(&task) {
             self.given.retain(|other| !is_read(other));
         } else if is_preview(&task) {
             self.given.retain(|other| !is_preview(other));
-        } else if let Task::Derive { what: wanted, .. } = &task {
-            let is_it = |other: &Task| matches!(other, Task::Derive { what, .. } if what == wanted);
+        } else if let Task::Of(_, Use::Derive(_, wanted)) = &task {
+            let is_it =
+                |other: &Task| matches!(other, Task::Of(_, Use::Derive(_, what)) if what == wanted);
             self.given.retain(|other| !is_it(other));
         }
         self.given.push_back(task);
     }
 
-    /// Whether there is nothing to do.
     pub(super) fn is_done(&self) -> bool {
         self.drags.is_empty() && self.given.is_empty() && self.follows.is_empty()
     }
@@ -71,7 +68,7 @@ impl Agenda {
         } else {
             self.drags.pop_front().or_else(|| others(self))
         }?;
-        self.was_led = matches!(task, Task::Lead { .. });
+        self.was_led = matches!(task, Task::Lead(..));
         let work = Work::of(&task);
         self.present = Some(task);
         Some(work)
@@ -88,105 +85,79 @@ impl Agenda {
     }
 
     fn fulfil(&mut self, task: Task) -> Option<Finding> {
-        match task {
-            Task::Try {
-                number,
-                document,
-                index,
-                gesture,
-            } => match apply_all(&document, index, &gesture.title, &gesture.commands) {
-                Ok(applied) => {
+        Some(match task {
+            Task::Try(number, Text { document, index }, gesture) => {
+                let tried = apply_all(&document, index, &gesture.title, &gesture.commands);
+                let tried = tried.map(|applied| {
                     let (document, reading) = (applied.document.clone(), applied.reading.clone());
                     let snapshot = Arc::new(Snapshot::analysed(document, index, reading));
                     self.go_on_with(&snapshot);
-                    Some(Finding::Tried(number, Box::new(Ok((applied, snapshot)))))
-                }
-                Err(refusal) => Some(Finding::Tried(number, Box::new(Err(refusal)))),
-            },
-            Task::Read { document, index } => {
-                let snapshot = Arc::new(Snapshot::of(document, index));
-                self.go_on_with(&snapshot);
-                Some(Finding::Read(snapshot))
+                    (applied, snapshot)
+                });
+                Finding::Tried(number, Box::new(tried))
             }
-            Task::Ghost {
-                number,
-                document,
-                index,
-            } => Some(Finding::Ghost(number, Snapshot::of(document, index))),
-            Task::Preview {
-                number,
-                document,
-                index,
-                has_bodies,
-                needs,
-            } => {
-                let previewed = Previewed::of(number, document, index, has_bodies, &needs);
-                Some(Finding::Previewed(Box::new(previewed)))
+            Task::Read(text) => {
+                let snapshot = Arc::new(Snapshot::of(text.document, text.index));
+                self.go_on_with(&snapshot);
+                Finding::Read(snapshot)
+            }
+            Task::Ghost(number, text) => {
+                Finding::Ghost(number, Snapshot::of(text.document, text.index))
+            }
+            Task::Preview(number, text, has_bodies, needs) => {
+                let previewed = Previewed::of(number, text, has_bodies, &needs);
+                Finding::Previewed(Box::new(previewed))
             }
             Task::Hold(hold, text) => {
                 let number = hold.number;
                 match hold.begin(&text) {
                     Ok(drag) => {
                         self.held = Some((number, drag));
-                        None
+                        return None;
                     }
-                    Err(refusal) => Some(Finding::NotHeld(number, refusal)),
+                    Err(refusal) => Finding::NotHeld(number, refusal),
                 }
             }
-            Task::Lead { number, to } => {
-                let held = self.held.as_ref().filter(|(held, _)| *held == number);
-                held.map(|(_, drag)| Finding::Led(Box::new(Led::of(number, drag, to))))
+            Task::Lead(number, to) => {
+                let (_, drag) = self.held.as_ref().filter(|(held, _)| *held == number)?;
+                Finding::Led(Box::new(Led::of(number, drag, to)))
             }
             Task::Export(order) => {
                 let made = order.make();
-                Some(Finding::Made(order.path, made))
+                Finding::Made(order.path, made)
             }
-            Task::Ask {
-                document,
-                index,
-                line,
-            } => {
+            Task::Ask(Text { document, index }, line) => {
                 let mut workspace = Workspace::of(document.source().clone());
                 workspace.choose(index);
                 let (said, turn) = hear(&line, &mut Session::of(workspace));
-                let done = turn.map(drop);
-                Some(Finding::Answered { line, said, done })
+                Finding::Answered(line, said, turn.map(drop))
             }
-            Task::Measure { snapshot, wanted } => {
-                Some(Finding::Measured(Box::new(Curves::of(snapshot, wanted))))
+            Task::Of(snapshot, Use::Measure(wanted)) => {
+                Finding::Measured(Box::new(Curves::of(snapshot, *wanted)))
             }
-            Task::Derive {
-                number,
-                snapshot,
-                what,
-            } => {
+            Task::Of(snapshot, Use::Derive(number, what)) => {
                 let (model, compiled) = snapshot.moving()?;
-                let found = what.compile(model, compiled);
-                Some(Finding::Derived {
-                    number,
-                    what,
-                    found,
-                })
+                Finding::Derived(number, what, what.compile(model, compiled))
             }
-            Task::Move(snapshot) => {
+            Task::Of(snapshot, Use::Move) => {
                 let made = snapshot.played()?;
-                Some(Finding::Moves(snapshot, Box::new(made)))
+                Finding::Moves(snapshot, Box::new(made))
             }
-            Task::Mend(snapshot) => {
+            Task::Of(snapshot, Use::Mend) => {
                 let mendings = snapshot.mendings();
-                Some(Finding::Mended(snapshot, mendings))
+                Finding::Mended(snapshot, mendings)
             }
-            Task::Report(snapshot) => {
+            Task::Of(snapshot, Use::Report) => {
                 let (model, compiled) = snapshot.moving()?;
                 let found = motion(model, compiled);
-                Some(Finding::Reported(snapshot, found))
+                Finding::Reported(snapshot, found)
             }
-        }
+        })
     }
 
     /// Takes up the tasks that follow from a new text, in place of those of an earlier one.
     fn go_on_with(&mut self, snapshot: &Arc<Snapshot>) {
-        let follows: [fn(Arc<Snapshot>) -> Task; 3] = [Task::Move, Task::Mend, Task::Report];
-        self.follows = follows.map(|task| task(snapshot.clone())).into();
+        let follows = [Use::Move, Use::Mend, Use::Report];
+        self.follows = follows.map(|what| Task::Of(snapshot.clone(), what)).into();
     }
 }

@@ -1,9 +1,12 @@
 //! The items that are held during a drag.
 
-use crate::document::Document;
+use super::Text;
 use crate::edit::{Command, Drag, Dragged, Follower, Refusal};
 use crate::editor::Gesture;
+use crate::editor::range::Path;
 use crate::editor::snapshot::Snapshot;
+use crate::play::{Derived, Mechanism};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// The item to be held, and its followers.
@@ -22,13 +25,11 @@ pub(in crate::editor) struct Hold {
 
 /// The text in which something is held.
 pub(in crate::editor) enum Held {
-    /// One that was analysed already.
     Known(Arc<Snapshot>),
-    /// One of which nothing is known yet, and the number of the mechanism in it.
-    Text(Document, usize),
+    /// One of which nothing is known yet.
+    Text(Text),
 }
 
-/// Where something that is held was led.
 #[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(in crate::editor) struct Led {
     /// Which of all drags it was.
@@ -40,7 +41,6 @@ pub(in crate::editor) struct Led {
 }
 
 impl Hold {
-    /// Takes hold of it.
     pub(super) fn begin(self, text: &Held) -> Result<Drag, Refusal> {
         let Self {
             path,
@@ -58,7 +58,7 @@ impl Hold {
             (None, Held::Known(snapshot)) => {
                 Drag::begin(&snapshot.document, snapshot.index, &path, pose)
             }
-            (None, Held::Text(document, index)) => Drag::begin(document, *index, &path, pose),
+            (None, Held::Text(text)) => Drag::begin(&text.document, text.index, &path, pose),
         };
         drag?.with(from, followers)
     }
@@ -75,6 +75,44 @@ impl Led {
             number,
             to,
             outcome,
+        }
+    }
+}
+
+/// The compiler's findings on a text while something is dragged: only those that the window shows, which would have to free the others.
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
+pub(in crate::editor) struct Previewed {
+    /// Which of all drags it is of.
+    pub(in crate::editor) number: u64,
+    pub(in crate::editor) fault: Option<String>,
+    /// The mechanism with its bodies, if these are wanted and it moves.
+    pub(in crate::editor) mechanism: Option<Mechanism>,
+    /// The whole paths of its traced points.
+    pub(in crate::editor) paths: Vec<Path>,
+}
+
+impl Previewed {
+    /// Reads a text. Bodies may be wanted, with arrows that need something besides positions.
+    pub(super) fn of(number: u64, text: Text, has_bodies: bool, needs: &BTreeSet<Derived>) -> Self {
+        let snapshot = Snapshot::of(text.document, text.index);
+        let first = snapshot.messages().first();
+        let fault = first.and_then(|message| message.text.lines().next());
+        let fault = fault.map(ToOwned::to_owned);
+        let played = has_bodies.then(|| snapshot.played()).flatten();
+        let (mechanism, paths) = match played.and_then(Result::ok) {
+            Some((mut mechanism, _, paths)) => {
+                for what in needs {
+                    mechanism.prepare(*what);
+                }
+                (Some(mechanism), paths)
+            }
+            None => (None, snapshot.paths()),
+        };
+        Self {
+            number,
+            fault,
+            mechanism,
+            paths,
         }
     }
 }

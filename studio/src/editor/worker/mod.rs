@@ -5,11 +5,8 @@
 
 mod agenda;
 mod hold;
-mod preview;
 #[cfg(feature = "transfer")]
 mod remote;
-#[cfg(feature = "transfer")]
-mod server;
 #[cfg(not(target_arch = "wasm32"))]
 mod thread;
 #[cfg(feature = "transfer")]
@@ -17,23 +14,21 @@ mod transfer;
 mod work;
 
 use agenda::Agenda;
-pub(super) use hold::{Held, Hold, Led};
-pub(super) use preview::Previewed;
-#[cfg(feature = "transfer")]
-pub use remote::Port;
+pub(super) use hold::{Held, Hold, Led, Previewed};
 #[cfg(feature = "transfer")]
 pub(super) use remote::Remote;
 #[cfg(feature = "transfer")]
-pub use server::Server;
+pub use remote::{Port, Server};
 pub(super) use work::Work;
 
 use super::Gesture;
-use super::curves::{Curves, Wanted};
+use super::curves::Curves;
 use super::order::{Made, Order};
 use super::snapshot::{Played, Snapshot};
 use crate::document::Document;
-use crate::edit::{Applied, Refusal};
+use crate::edit::{Applied, Refusal, Workspace};
 use crate::failure::Failure;
+use crate::job::Measure;
 use crate::mend::Mending;
 use crate::play::Derived;
 use mech_compiler::Compiled;
@@ -42,111 +37,105 @@ use std::sync::Arc;
 #[cfg(not(target_arch = "wasm32"))]
 use thread::Threads;
 
+/// A text, and the number of a mechanism in it.
+#[derive(Clone)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
+pub(super) struct Text {
+    pub(super) document: Document,
+    pub(super) index: usize,
+}
+
+impl Text {
+    pub(super) fn of(workspace: &Workspace) -> Self {
+        Self {
+            document: workspace.document(),
+            index: workspace.index(),
+        }
+    }
+}
+
+// What is skipped is sent otherwise. It stands at the end, as what is sent is known by its place.
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Task {
-    /// A gesture is tried on a text.
-    Try {
-        number: u64,
-        document: Document,
-        index: usize,
-        gesture: Gesture,
-    },
-    /// A text is read.
-    Read { document: Document, index: usize },
+    /// A gesture with a number is tried on a text.
+    Try(u64, Text, Gesture),
+    Read(Text),
     /// The text that a repair would make, by the number of the repair, is read to be seen.
-    Ghost {
-        number: usize,
-        document: Document,
-        index: usize,
-    },
+    Ghost(usize, Text),
     /// A text is read that will be another at once: while something is dragged, by the number of the drag. Bodies may be wanted, and what
     /// arrows need.
-    Preview {
-        number: u64,
-        document: Document,
-        index: usize,
-        has_bodies: bool,
-        needs: BTreeSet<Derived>,
-    },
-    /// Something is taken hold of in a text.
-    Hold(Box<Hold>, Held),
-    /// The held item is led to a place, as the drag counts.
-    Lead { number: u64, to: [f64; 2] },
-    /// A mechanism is measured.
-    Measure {
-        snapshot: Arc<Snapshot>,
-        wanted: Wanted,
-    },
+    Preview(u64, Text, bool, BTreeSet<Derived>),
+    /// The item that is held in the drag with this number is led to a place, as the drag counts.
+    Lead(u64, [f64; 2]),
     /// A file is written.
     Export(Box<Order>),
     /// A line of the dialogue is answered that leaves the text as it is.
-    Ask {
-        document: Document,
-        index: usize,
-        line: String,
-    },
-    /// A mechanism is compiled once more, to compute something besides positions. It has a number.
-    Derive {
-        number: u64,
-        snapshot: Arc<Snapshot>,
-        what: Derived,
-    },
-    /// The mechanism of a snapshot is made, to be played.
-    Move(Arc<Snapshot>),
-    /// The repairs of a snapshot are looked for.
-    Mend(Arc<Snapshot>),
-    /// What the mechanism of a snapshot does is measured for the report.
-    Report(Arc<Snapshot>),
+    Ask(Text, String),
+    /// Something is taken hold of in a text.
+    #[cfg_attr(feature = "transfer", serde(skip))]
+    Hold(Box<Hold>, Held),
+    /// Something is done with a snapshot.
+    #[cfg_attr(feature = "transfer", serde(skip))]
+    Of(Arc<Snapshot>, Use),
 }
 
+/// What is done with a snapshot.
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
+pub(super) enum Use {
+    Measure(Box<Measure>),
+    /// It is compiled once more, to compute something besides positions. The task has a number.
+    Derive(u64, Derived),
+    /// Its mechanism is made, to be played.
+    Move,
+    /// Its repairs are looked for.
+    Mend,
+    /// What its mechanism does is measured for the report.
+    Report,
+}
+
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Finding {
-    /// The result of the gesture with this number, and the snapshot after it; or why it is refused.
-    Tried(u64, Box<Result<(Applied, Arc<Snapshot>), Refusal>>),
-    /// The snapshot of a text.
-    Read(Arc<Snapshot>),
     /// The text that a repair would make, by the number of the repair.
     Ghost(usize, Snapshot),
     /// Why something, by the number of its drag, cannot be held.
     NotHeld(u64, Refusal),
     /// Where something that is held was led.
     Led(Box<Led>),
-    /// The preview of a text while something is dragged.
     Previewed(Box<Previewed>),
-    /// The mechanism of a snapshot, to be played.
-    Moves(Arc<Snapshot>, Box<Result<Played, Failure>>),
-    /// The repairs of a snapshot.
-    Mended(Arc<Snapshot>, Result<Vec<Mending>, Failure>),
-    /// What the mechanism of a snapshot does, as the lines of a report.
-    Reported(Arc<Snapshot>, Result<String, Failure>),
-    Measured(Box<Curves>),
     /// A mechanism that was compiled once more, by the number of the task; none if that is not possible.
-    Derived {
-        number: u64,
-        what: Derived,
-        found: Option<Box<Compiled>>,
-    },
-    /// What is to be written, or why it could not be made.
+    Derived(u64, Derived, Option<Box<Compiled>>),
+    /// What is to be written to a path, or why it could not be made.
     Made(String, Result<Made, Failure>),
-    /// A note on the written file, or why nothing was written.
-    Exported(Result<String, Failure>),
-    /// What is said to a line of the dialogue, and how it ended.
-    Answered {
-        line: String,
-        said: String,
-        done: Result<(), Failure>,
-    },
+    /// A line of the dialogue, what is said to it, and how it ended.
+    Answered(String, String, Result<(), Failure>),
     /// The work that was not done, and why: an invariant of our own is broken, or the user has stopped it.
     Undone(Undone, Failure),
     /// Work begins that takes its time, perhaps.
     Begun(Work),
-    /// It has ended.
     Ended(Work),
+    /// The result of the gesture with this number, and the snapshot after it; or why it is refused.
+    #[cfg_attr(feature = "transfer", serde(skip))]
+    Tried(u64, Box<Result<(Applied, Arc<Snapshot>), Refusal>>),
+    #[cfg_attr(feature = "transfer", serde(skip))]
+    Read(Arc<Snapshot>),
+    /// The mechanism of a snapshot, to be played.
+    #[cfg_attr(feature = "transfer", serde(skip))]
+    Moves(Arc<Snapshot>, Box<Result<Played, Failure>>),
+    #[cfg_attr(feature = "transfer", serde(skip))]
+    Mended(Arc<Snapshot>, Result<Vec<Mending>, Failure>),
+    /// What the mechanism of a snapshot does, as the lines of a report.
+    #[cfg_attr(feature = "transfer", serde(skip))]
+    Reported(Arc<Snapshot>, Result<String, Failure>),
+    #[cfg_attr(feature = "transfer", serde(skip))]
+    Measured(Box<Curves>),
+    /// A note on the written file, or why nothing was written.
+    #[cfg_attr(feature = "transfer", serde(skip))]
+    Exported(Result<String, Failure>),
 }
 
-/// The work that was not done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Undone {
-    /// A gesture was not tried.
     Try,
     /// The item held in the drag with this number was not led.
     Drag(u64),
@@ -154,11 +143,9 @@ pub(super) enum Undone {
     Preview(u64),
     /// The findings that follow from the present text were not made.
     Follow,
-    /// Quantities were not measured.
     Measure,
     /// Something that nobody waits for.
     Else,
-    /// Nothing is done any more.
     All,
 }
 
@@ -166,13 +153,13 @@ impl Task {
     /// Returns the work that stays undone if this task fails.
     const fn undone(&self) -> Undone {
         match self {
-            Self::Try { .. } => Undone::Try,
+            Self::Try(..) => Undone::Try,
             Self::Hold(hold, _) => Undone::Drag(hold.number),
-            Self::Lead { number, .. } => Undone::Drag(*number),
-            Self::Preview { number, .. } => Undone::Preview(*number),
-            Self::Read { .. } | Self::Move(_) | Self::Mend(_) | Self::Report(_) => Undone::Follow,
-            Self::Measure { .. } => Undone::Measure,
-            Self::Ghost { .. } | Self::Export(_) | Self::Ask { .. } | Self::Derive { .. } => {
+            Self::Lead(number, _) => Undone::Drag(*number),
+            Self::Preview(number, ..) => Undone::Preview(*number),
+            Self::Read(_) | Self::Of(_, Use::Move | Use::Mend | Use::Report) => Undone::Follow,
+            Self::Of(_, Use::Measure(_)) => Undone::Measure,
+            Self::Ghost(..) | Self::Export(_) | Self::Ask(..) | Self::Of(_, Use::Derive(..)) => {
                 Undone::Else
             }
         }
@@ -181,19 +168,13 @@ impl Task {
 
 /// Does tasks: beside the window, in pieces, or at once.
 pub(super) enum Worker {
-    /// At once: for tests, which want to know what comes when.
-    Immediate {
-        agenda: Agenda,
+    /// In pieces, of which one is done after each picture: where there are no threads. Or at once: for tests, which want to know what comes when.
+    Here {
+        agenda: Box<Agenda>,
         found: VecDeque<Finding>,
+        /// Whether a picture was shown since the last piece; none if all is done at once.
+        is_shown: Option<bool>,
     },
-    /// In pieces, of which one is done after each picture: where there are no threads.
-    InPieces {
-        agenda: Agenda,
-        found: VecDeque<Finding>,
-        /// Whether a picture was shown since the last piece.
-        is_shown: bool,
-    },
-    /// In threads of their own.
     #[cfg(not(target_arch = "wasm32"))]
     Threads(Threads),
     /// In another program, as that of a page's worker.
@@ -202,44 +183,40 @@ pub(super) enum Worker {
 }
 
 impl Worker {
-    /// One that does everything at once.
     pub(super) fn immediate() -> Self {
-        Self::Immediate {
-            agenda: Agenda::default(),
-            found: VecDeque::new(),
-        }
+        Self::here(None)
     }
 
     /// One that does a piece after each picture.
     pub(super) fn in_pieces() -> Self {
-        Self::InPieces {
-            agenda: Agenda::default(),
+        Self::here(Some(false))
+    }
+
+    fn here(is_shown: Option<bool>) -> Self {
+        Self::Here {
+            agenda: Box::default(),
             found: VecDeque::new(),
-            is_shown: false,
+            is_shown,
         }
     }
 
     /// One with threads of its own, which call `wake` when they have found something out.
-    ///
-    /// # Errors
-    /// If the system has no thread for it.
     #[cfg(not(target_arch = "wasm32"))]
     pub(super) fn beside(wake: impl Fn() + Send + Sync + 'static) -> std::io::Result<Self> {
         Threads::new(wake).map(Self::Threads)
     }
 
-    /// Gives it something to do.
     pub(super) fn give(&mut self, task: Task) -> Result<(), Failure> {
         match self {
-            Self::Immediate { agenda, found } => {
+            Self::Here {
+                agenda,
+                found,
+                is_shown,
+            } => {
                 agenda.add(task);
-                while !agenda.is_done() {
+                while is_shown.is_none() && !agenda.is_done() {
                     found.extend(agenda.go_on());
                 }
-                Ok(())
-            }
-            Self::InPieces { agenda, .. } => {
-                agenda.add(task);
                 Ok(())
             }
             #[cfg(not(target_arch = "wasm32"))]
@@ -252,7 +229,7 @@ impl Worker {
     /// Ends all work that was given. Returns whether it can be ended: what is done at once, or in pieces, cannot.
     pub(super) fn stop(&mut self) -> bool {
         match self {
-            Self::Immediate { .. } | Self::InPieces { .. } => false,
+            Self::Here { .. } => false,
             #[cfg(not(target_arch = "wasm32"))]
             Self::Threads(threads) => {
                 threads.stop();
@@ -268,10 +245,10 @@ impl Worker {
 
     /// Does the next piece between pictures, if it works so, once a picture has shown what the last one found. Returns whether there is more.
     pub(super) fn go_on(&mut self) -> bool {
-        let Self::InPieces {
+        let Self::Here {
             agenda,
             found,
-            is_shown,
+            is_shown: Some(is_shown),
         } = self
         else {
             return false;
@@ -286,7 +263,7 @@ impl Worker {
     /// The next of what was found out.
     pub(super) fn next(&mut self) -> Option<Finding> {
         match self {
-            Self::Immediate { found, .. } | Self::InPieces { found, .. } => found.pop_front(),
+            Self::Here { found, .. } => found.pop_front(),
             #[cfg(not(target_arch = "wasm32"))]
             Self::Threads(threads) => threads.next(),
             #[cfg(feature = "transfer")]

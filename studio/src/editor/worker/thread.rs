@@ -46,9 +46,6 @@ const STACK: usize = 16 << 20;
 
 impl Threads {
     /// Threads that call `wake` when they have found something out.
-    ///
-    /// # Errors
-    /// If the system has no thread.
     pub(super) fn new(wake: impl Fn() + Send + Sync + 'static) -> std::io::Result<Self> {
         let (found, findings) = channel();
         let wake = Arc::new(wake);
@@ -71,16 +68,12 @@ impl Threads {
         })
     }
 
-    /// Gives a task.
-    ///
-    /// # Errors
-    /// If its thread has ended, which is a mistake of ours.
     pub(super) fn give(&self, task: Task) -> Result<(), Failure> {
         let order = (task, self.stop.clone());
         let to = match &order.0 {
-            Task::Hold(..) | Task::Lead { .. } => &self.drags,
+            Task::Hold(..) | Task::Lead(..) => &self.drags,
             // A film takes its time, and nothing else waits for it.
-            Task::Export(_) | Task::Ask { .. } => {
+            Task::Export(_) | Task::Ask(..) => {
                 self.do_apart(order);
                 return Ok(());
             }
@@ -106,7 +99,6 @@ impl Threads {
         }
     }
 
-    /// Ends all work.
     pub(super) fn stop(&mut self) {
         std::mem::take(&mut self.stop).set();
     }

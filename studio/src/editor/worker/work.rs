@@ -1,45 +1,38 @@
 //! What is being done beside the window, in words.
 
-use super::Task;
+use super::{Task, Use};
 use std::fmt::{self, Display, Formatter};
 
-/// What is being done beside the window.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(in crate::editor) enum Work {
     /// A gesture with this title is tried.
     Trying(String),
-    /// The mechanism is analysed.
     Analysing,
-    /// Something is dragged.
     Dragging,
-    /// Quantities are measured.
     Measuring,
     /// A file of this name is written.
     Writing(String),
     /// This line of the dialogue is answered.
     Answering(String),
-    /// What arrows need is prepared.
     Deriving,
     /// The mechanism is prepared to be played.
     Preparing,
-    /// Repairs are looked for.
     Mending,
 }
 
 impl Work {
-    /// What a task is.
     pub(super) fn of(task: &Task) -> Self {
         match task {
-            Task::Try { gesture, .. } => Self::Trying(gesture.title.clone()),
-            Task::Read { .. } | Task::Ghost { .. } => Self::Analysing,
-            Task::Preview { .. } | Task::Hold(..) | Task::Lead { .. } => Self::Dragging,
-            Task::Measure { .. } | Task::Report(_) => Self::Measuring,
+            Task::Try(_, _, gesture) => Self::Trying(gesture.title.clone()),
+            Task::Read(_) | Task::Ghost(..) => Self::Analysing,
+            Task::Preview(..) | Task::Hold(..) | Task::Lead(..) => Self::Dragging,
             Task::Export(order) => Self::Writing(order.path.clone()),
-            Task::Ask { line, .. } => Self::Answering(line.clone()),
-            Task::Derive { .. } => Self::Deriving,
-            Task::Move(_) => Self::Preparing,
-            Task::Mend(_) => Self::Mending,
+            Task::Ask(_, line) => Self::Answering(line.clone()),
+            Task::Of(_, Use::Measure(_) | Use::Report) => Self::Measuring,
+            Task::Of(_, Use::Derive(..)) => Self::Deriving,
+            Task::Of(_, Use::Move) => Self::Preparing,
+            Task::Of(_, Use::Mend) => Self::Mending,
         }
     }
 }

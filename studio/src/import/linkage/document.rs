@@ -1,12 +1,10 @@
-//! The content of a document: connectors, links and ratios, with the numbers by which they name each other resolved.
+//! The content of a document: connectors, links and ratios, with the numbers by which they name each other resolved; and its units.
 
-use super::element::Id;
-use super::units::Units;
+use super::element::{Element, Id};
+use crate::document::Message;
 use crate::import::color::Color;
-use crate::import::drawing::{Pair, Sizes};
-use crate::import::omission::Omission;
+use crate::import::drawing::{Omission, Pair, Sizes};
 
-/// The content of a document.
 pub(super) struct Document {
     pub(super) units: Units,
     pub(super) connectors: Vec<Connector>,
@@ -15,7 +13,6 @@ pub(super) struct Document {
     pub(super) omissions: Vec<Omission>,
 }
 
-/// A pin.
 #[expect(
     clippy::struct_excessive_bools,
     reason = "each is a flag of the format"
@@ -85,4 +82,59 @@ pub(super) struct Ratio {
     /// By their numbers.
     pub(super) links: [usize; 2],
     pub(super) sizes: Sizes,
+}
+
+/// Documents count in pixels, 96 to the inch.
+const PIXELS: f64 = 96.0;
+
+/// The names of units in a document, in the text, and how long an inch is in them.
+const UNITS: [(&str, &str, f64); 5] = [
+    ("Millimeters", "millimetres", 25.4),
+    ("Centimeters", "centimetres", 2.54),
+    ("Meters", "metres", 0.0254),
+    ("Inches", "inches", 1.0),
+    ("Feet", "feet", 1.0 / 12.0),
+];
+
+/// The unit of length, and how long a pixel is in it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Units {
+    pub(super) name: &'static str,
+    pub(super) scale: f64,
+}
+
+/// Millimetres: what a document is in that does not say.
+impl Default for Units {
+    fn default() -> Self {
+        let (_, name, inch) = UNITS[0];
+        let scale = inch / PIXELS;
+        Self { name, scale }
+    }
+}
+
+impl Units {
+    pub(super) fn read(program: &Element<'_>) -> Result<Self, Message> {
+        let factor = match program.number("scalefactor")? {
+            None | Some(0.0) => 1.0,
+            Some(factor) if factor > 0.0 => factor,
+            Some(_) => {
+                return Err(program.wrong_at("scalefactor", "`scalefactor` is below zero"));
+            }
+        };
+        let Some(word) = program.text("units") else {
+            let scale = Self::default().scale * factor;
+            return Ok(Self {
+                scale,
+                ..Self::default()
+            });
+        };
+        let known = UNITS.iter().find(|(known, _, _)| *known == word);
+        let (_, name, inch) = known.ok_or_else(|| {
+            let known = UNITS.map(|(known, _, _)| format!("`{known}`")).join(", ");
+            let text = format!("`units` is `{word}`, which is not known; known are {known}");
+            program.wrong_at("units", text)
+        })?;
+        let scale = inch / PIXELS * factor;
+        Ok(Self { name, scale })
+    }
 }

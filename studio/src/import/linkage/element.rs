@@ -10,7 +10,6 @@ use std::str::FromStr;
 /// The number by which a document names a connector or a link.
 pub(super) type Id = i64;
 
-/// An element of a document.
 #[derive(Clone, Copy)]
 pub(super) struct Element<'d> {
     node: Node<'d, 'd>,
@@ -21,7 +20,6 @@ impl<'d> Element<'d> {
         Self { node }
     }
 
-    /// Its name.
     pub(super) fn name(&self) -> &'d str {
         self.node.tag_name().name()
     }
@@ -38,7 +36,6 @@ impl<'d> Element<'d> {
         self.node.attributes().len() == 0 && text.trim().is_empty() && self.children().count() == 0
     }
 
-    /// The names of its attributes.
     pub(super) fn attributes(&self) -> impl Iterator<Item = &'d str> {
         self.node.attributes().map(|attribute| attribute.name())
     }
@@ -49,7 +46,6 @@ impl<'d> Element<'d> {
         start..start + 1 + self.name().len()
     }
 
-    /// Makes a message on the element itself.
     pub(super) fn wrong(&self, text: impl Into<String>) -> Message {
         let text = text.into();
         Message {
@@ -92,7 +88,6 @@ impl<'d> Element<'d> {
         }
     }
 
-    /// A finite number.
     pub(super) fn number(&self, name: &str) -> Result<Option<f64>, Message> {
         let Some(text) = self.text(name) else {
             return Ok(None);
@@ -110,12 +105,10 @@ impl<'d> Element<'d> {
         }
     }
 
-    /// A number that has to be there.
     pub(super) fn needed_number(&self, name: &str) -> Result<f64, Message> {
         self.number(name)?.ok_or_else(|| self.missing(name))
     }
 
-    /// A whole number from 0 on.
     pub(super) fn whole(&self, name: &str) -> Result<Option<u32>, Message> {
         self.parsed(name, "no whole number from 0 on")
     }

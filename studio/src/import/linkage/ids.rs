@@ -3,7 +3,7 @@
 use super::document::{Connector, Fastening, Link};
 use super::element::{Element, Id};
 use crate::document::Message;
-use crate::import::omission::Omission;
+use crate::import::drawing::Omission;
 use std::collections::BTreeMap;
 
 /// The losses of something with a name.
@@ -16,6 +16,8 @@ pub(super) struct Losses<'o> {
 pub(super) struct Ids {
     pub(super) connectors: BTreeMap<Id, usize>,
     pub(super) links: BTreeMap<Id, usize>,
+    /// By how much lengths of the document are multiplied.
+    pub(super) scale: f64,
 }
 
 impl Losses<'_> {

@@ -11,19 +11,17 @@ mod sliding;
 mod tags;
 mod translation;
 mod unions;
-mod units;
 mod unknown;
 
 use crate::document::Message;
 use crate::import::Imported;
-use crate::import::omission::Omission;
+use crate::import::drawing::Omission;
 use element::Element;
 use roxmltree::{ParsingOptions, TextPos};
 
 /// The most nodes of a tree that is read: elements, texts and comments.
 const MOST_NODES: u32 = 100_000;
 
-/// Reads a document.
 pub(super) fn read(text: &str) -> Result<Imported, Message> {
     if let Some(place) = tags::overfull(text) {
         let most = tags::MOST;

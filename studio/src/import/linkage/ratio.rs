@@ -3,7 +3,6 @@
 use super::document::Ratio;
 use super::element::Element;
 use super::ids::{Ids, Losses};
-use super::units::Units;
 use crate::document::Message;
 use crate::import::drawing::{LARGEST, Pair, Sizes};
 
@@ -14,7 +13,6 @@ const DECIMALS: i32 = 9;
 pub(super) fn read(
     element: &Element<'_>,
     ids: &Ids,
-    units: &Units,
     losses: &mut Losses<'_>,
 ) -> Result<Option<Ratio>, Message> {
     let is_chain = match element.text("type") {
@@ -48,7 +46,7 @@ pub(super) fn read(
     // Only chains have wheels of a size.
     let has_radii = element.flag("sizeassize")? && is_chain;
     let sizes = if has_radii {
-        Sizes::Radii(sizes.map(|size| size * units.scale))
+        Sizes::Radii(sizes.map(|size| size * ids.scale))
     } else {
         let teeth = teeth(sizes);
         let text = "the sizes of this ratio are no decimal numbers between 1e-9 and 1e15";
@@ -76,7 +74,6 @@ fn teeth(sizes: Pair) -> Option<[u64; 2]> {
     })
 }
 
-/// The greatest common divisor.
 fn divisor(a: u64, b: u64) -> u64 {
     if b == 0 { a } else { divisor(b, a % b) }
 }

@@ -1,15 +1,13 @@
 //! Reads a document.
 
-use super::document::{Connector, Cylinder, Document, Link, Slide};
+use super::document::{Connector, Cylinder, Document, Link, Slide, Units};
 use super::element::Element;
 use super::ids::{Ids, Losses, numbered};
 use super::ratio;
-use super::units::Units;
 use super::unknown::Unknown;
 use crate::document::Message;
 use crate::import::color::Color;
-use crate::import::drawing::MOST;
-use crate::import::omission::Omission;
+use crate::import::drawing::{MOST, Omission};
 
 /// The bit of the layers of what belongs to the mechanism.
 const MECHANISM_LAYER: u32 = 16;
@@ -25,7 +23,6 @@ struct Elements<'d> {
     omissions: Vec<Omission>,
 }
 
-/// Reads a document below its root.
 pub(super) fn read(root: &Element<'_>) -> Result<Document, Message> {
     if root.name() != "linkage2" {
         return Err(root.wrong(format!(
@@ -39,22 +36,23 @@ pub(super) fn read(root: &Element<'_>) -> Result<Document, Message> {
     let ids = Ids {
         connectors: numbered(&elements.connectors)?,
         links: numbered(&elements.links)?,
+        scale: units.scale,
     };
     let mut omissions = elements.omissions;
     let connectors = elements.connectors.iter();
     let mut connectors = connectors
-        .map(|element| connector(element, &ids, &units, &mut omissions))
+        .map(|element| connector(element, &ids, &mut omissions))
         .collect::<Result<Vec<_>, _>>()?;
     let links = elements.links.iter();
     let mut links = links
-        .map(|element| link(element, &ids, &units, &mut omissions))
+        .map(|element| link(element, &ids, &mut omissions))
         .collect::<Result<Vec<_>, _>>()?;
     let ratios = elements.ratios.iter().zip(1..);
     let ratios = ratios
         .map(|(element, number)| {
             let of = format!("ratio {number}");
             let omissions = &mut omissions;
-            ratio::read(element, &ids, &units, &mut Losses { of, omissions })
+            ratio::read(element, &ids, &mut Losses { of, omissions })
         })
         .collect::<Result<Vec<_>, _>>()?;
     let ratios = ratios.into_iter().flatten().collect();
@@ -109,7 +107,6 @@ impl<'d> Elements<'d> {
 fn connector(
     element: &Element<'_>,
     ids: &Ids,
-    units: &Units,
     omissions: &mut Vec<Omission>,
 ) -> Result<Connector, Message> {
     let id = element.id()?;
@@ -133,14 +130,14 @@ fn connector(
             losses.note(what);
         }
     }
-    let slide = slide(element, ids, units, &mut losses)?;
+    let slide = slide(element, ids, &mut losses)?;
     if slide.is_none() && element.flag("slider")? {
         losses.note("it slides, but no two connectors say where");
     }
     Ok(Connector {
         id,
         name: element.own_name(),
-        at: at.map(|part| part * units.scale),
+        at: at.map(|part| part * ids.scale),
         is_anchor: element.flag("anchor")?,
         is_input,
         turns,
@@ -162,7 +159,6 @@ fn is_of_mechanism(element: &Element<'_>) -> Result<bool, Message> {
 fn slide(
     element: &Element<'_>,
     ids: &Ids,
-    units: &Units,
     losses: &mut Losses<'_>,
 ) -> Result<Option<Slide>, Message> {
     let radius = element.number("slideradius")?.unwrap_or(0.0);
@@ -181,19 +177,14 @@ fn slide(
         _ => return Ok(None),
     };
     // Its sign says on which side of the limits the centre is, which is seen from the connector itself.
-    let radius = radius.abs() * units.scale;
+    let radius = radius.abs() * ids.scale;
     Ok(Some(Slide {
         limits,
         radius: (radius > 0.0).then_some(radius),
     }))
 }
 
-fn link(
-    element: &Element<'_>,
-    ids: &Ids,
-    units: &Units,
-    omissions: &mut Vec<Omission>,
-) -> Result<Link, Message> {
+fn link(element: &Element<'_>, ids: &Ids, omissions: &mut Vec<Omission>) -> Result<Link, Message> {
     let id = element.id()?;
     let of = format!("link {id}");
     let mut losses = Losses { of, omissions };
@@ -217,7 +208,7 @@ fn link(
     Ok(Link {
         id,
         name: element.own_name(),
-        cylinder: cylinder(element, (&connectors, units), &mut losses)?,
+        cylinder: cylinder(element, (&connectors, ids), &mut losses)?,
         connectors,
         is_wheel: element.flag("gear")?,
         is_of_mechanism: is_of_mechanism(element)?,
@@ -229,7 +220,7 @@ fn link(
 
 fn cylinder(
     element: &Element<'_>,
-    (connectors, units): (&[usize], &Units),
+    (connectors, ids): (&[usize], &Ids),
     losses: &mut Losses<'_>,
 ) -> Result<Option<Cylinder>, Message> {
     if !element.flag("actuator")? {
@@ -254,7 +245,7 @@ fn cylinder(
     Ok(Some(Cylinder {
         ends: [first, second],
         // One that goes backwards becomes shorter first.
-        stroke: stroke.map(|stroke| stroke * units.scale * cycles.signum()),
+        stroke: stroke.map(|stroke| stroke * ids.scale * cycles.signum()),
         cycles: (!is_manual && cycles != 0.0).then_some(cycles.abs()),
     }))
 }

@@ -2,8 +2,7 @@
 
 use super::document::{Document, Slide};
 use super::unions::Unions;
-use crate::import::drawing::{End, Pair};
-use crate::import::omission::Omission;
+use crate::import::drawing::{End, Omission, Pair};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The largest distance of a connector from its arc, as a part of the radius.

@@ -4,13 +4,13 @@ use super::document::{Connector, Document, Link};
 use super::sliding::{Guide, guides};
 use super::unions::{Member, Unions};
 use crate::import::Imported;
-use crate::import::drawing::{self, Direction, Drawing, End, Form, Motor, Pair, Point, Speed};
-use crate::import::omission::Omission;
+use crate::import::drawing::{
+    self, Direction, Drawing, End, Form, Motor, Omission, Pair, Point, Speed,
+};
 
 /// Documents have six decimals of a pixel.
 const ROUNDING: f64 = 0.500_001e-6;
 
-/// The drawing of a document.
 pub(super) fn translate(mut document: Document) -> Imported {
     let mut omissions = std::mem::take(&mut document.omissions);
     let unions = Unions::of(&document, &mut omissions);
@@ -132,22 +132,16 @@ impl Translation<'_> {
     /// A point with a name, where a path is recorded or nothing else marks the end of a link.
     fn point(&mut self, number: usize, ends: &[End], has_joint: bool) {
         let connector = &self.document.connectors[number];
-        let moving = ends.iter().find_map(|end| match end {
-            End::Link(link) => Some(*link),
-            End::Ground => None,
-        });
         let is_fixed = ends.contains(&End::Ground);
-        if connector.is_traced && (is_fixed || moving.is_none()) {
+        if connector.is_traced && (is_fixed || ends.is_empty()) {
             self.omit(number, "its path is a point, as it does not move");
         }
-        let is_traced = connector.is_traced && !is_fixed;
-        if let Some(link) = moving.filter(|_| is_traced || !has_joint) {
-            self.drawing.links[link].points.push(Point {
-                name: name_at(connector, "point"),
-                at: connector.at,
-                is_traced,
-            });
-        }
+        let point = Point {
+            name: name_at(connector, "point"),
+            at: connector.at,
+            is_traced: connector.is_traced && !is_fixed,
+        };
+        self.drawing.mark(ends, point, has_joint);
     }
 
     /// Makes the joint of a guide.
@@ -219,7 +213,6 @@ impl Translation<'_> {
         }
     }
 
-    /// Wheels that roll on each other.
     fn ratios(&mut self) {
         for ratio in &self.document.ratios {
             let links = ratio.links;

@@ -1,8 +1,7 @@
 //! Which links of a document are one link of the drawing.
 
 use super::document::{Document, Fastening};
-use crate::import::drawing::End;
-use crate::import::omission::Omission;
+use crate::import::drawing::{End, Omission};
 use std::collections::BTreeSet;
 
 /// The number of the ground among links, before the first of them.
@@ -12,7 +11,6 @@ const GROUND: usize = 0;
 pub(super) struct Unions {
     /// The member for each link; none for pictures, and for links that carry nothing.
     ends: Vec<Option<Member>>,
-    /// The links of each union, in their order.
     pub(super) links: Vec<Vec<usize>>,
     /// The connectors of each link, with those that are fastened to it.
     pub(super) connectors: Vec<Vec<usize>>,

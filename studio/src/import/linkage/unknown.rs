@@ -1,7 +1,7 @@
 //! The attributes and elements of a document that are not read.
 
 use super::element::Element;
-use crate::import::omission::Omission;
+use crate::import::drawing::Omission;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Attributes that are read, or that only the editor of drawings needs.
@@ -56,7 +56,6 @@ const LOOKS: [&str; 8] = [
     "ygrid",
 ];
 
-/// The attributes and elements of a document that are not read.
 #[derive(Default)]
 pub(super) struct Unknown<'d> {
     looks: BTreeSet<&'d str>,
@@ -65,7 +64,6 @@ pub(super) struct Unknown<'d> {
 }
 
 impl<'d> Unknown<'d> {
-    /// Notes the attributes of an element that are not read.
     pub(super) fn note_attributes(&mut self, element: &Element<'d>) {
         for name in element.attributes() {
             if LOOKS.contains(&name) {

@@ -1,15 +1,13 @@
 //! Links since June 2023: everything has a name, and the last letters check the link.
 
-use super::checks::checked;
-use super::digits::decimal;
+use super::digits::{checked, decimal};
 use super::linkage::{Force, Ids, Joint, Link, Linkage, mass_of, name_of, parts_of};
 use super::query::Field;
 use super::sections::{Draft, Generation, JointDraft, Sections, fields, flags_and_id};
 use crate::document::Message;
 use crate::import::color::Color;
-use crate::import::omission::Omission;
+use crate::import::drawing::Omission;
 
-/// The form of these links.
 struct Compact;
 
 /// The first letters of links that are not welded into another, and of those that are. Which one tells whether PMKS+ computes the mass
@@ -19,7 +17,6 @@ const PARTS: &str = "Namg4567";
 /// The number of fields after the angle of a joint: a slot, a speed and a mass.
 const MORE: usize = 5;
 
-/// Reads a query.
 pub(super) fn read(query: Field<'_>) -> Result<Linkage, Message> {
     Sections::of(checked(query)?)?.read::<Compact>()
 }
@@ -173,7 +170,6 @@ pub(super) fn is_color(text: &str) -> bool {
     text.len() == 6 && text.bytes().all(|digit| digit.is_ascii_hexdigit())
 }
 
-/// A colour of six hexadecimal digits.
 pub(super) fn colored(
     field: &Field<'_>,
     link: &str,

@@ -8,9 +8,8 @@ use super::linkage::{Force, Ids, Joint, Link, Linkage, mass_of, name_of, parts_o
 use super::query::Field;
 use super::sections::{Draft, Generation, HEADS, JointDraft, Sections, fields, flags_and_id};
 use crate::document::Message;
-use crate::import::omission::Omission;
+use crate::import::drawing::Omission;
 
-/// The form of these links.
 struct Early;
 
 /// Whether a query is one of these: it ends with the end of a section, and its first joint has no name.
@@ -21,7 +20,6 @@ pub(super) fn is_early(query: &Field<'_>) -> bool {
     query.text().ends_with('.') && count == 4
 }
 
-/// Reads a query.
 pub(super) fn read(query: Field<'_>) -> Result<Linkage, Message> {
     Sections::of(query)?.read::<Early>()
 }

@@ -1,14 +1,11 @@
-//! The content of a link: joints, links and forces, with the names by which they call each other resolved.
+//! The content of a link: joints, links and forces, with the names by which they call each other resolved; and its units.
 
 use super::query::Field;
-use super::units::Unit;
 use crate::document::Message;
 use crate::import::color::Color;
-use crate::import::drawing::{MOST, Mass, Pair};
-use crate::import::omission::Omission;
+use crate::import::drawing::{MOST, Mass, Omission, Pair};
 use std::collections::BTreeMap;
 
-/// The content of a link.
 pub(super) struct Linkage {
     /// The unit of length, if it is known.
     pub(super) unit: Option<Unit>,
@@ -29,7 +26,6 @@ pub(super) struct Speeds {
     pub(super) sliding: f64,
 }
 
-/// A joint.
 #[expect(
     clippy::struct_excessive_bools,
     reason = "each is a flag of the format"
@@ -69,17 +65,14 @@ pub(super) struct Link {
     pub(super) is_block: bool,
     /// By their numbers, each once.
     pub(super) joints: Vec<usize>,
-    /// The links that are welded into it, by their numbers.
     pub(super) welded: Vec<usize>,
     pub(super) mass: Option<Mass>,
     pub(super) color: Option<Color>,
 }
 
-/// A force on a link.
 pub(super) struct Force {
     pub(super) name: String,
     pub(super) link: usize,
-    /// Where it acts.
     pub(super) at: Pair,
     /// Its parts along x and y, in the scene at the start.
     pub(super) parts: Pair,
@@ -122,7 +115,6 @@ impl<'q> Ids<'q> {
         Ok(())
     }
 
-    /// Whether there is one with this id.
     pub(super) fn has(&self, id: &Field<'q>) -> bool {
         self.numbers.contains_key(id.text())
     }
@@ -177,7 +169,6 @@ impl Joint {
     }
 }
 
-/// A mass, if there is any.
 pub(super) fn mass_of(
     field: &Field<'_>,
     mass: f64,
@@ -204,3 +195,48 @@ pub(super) fn parts_of([from, to]: [Pair; 2], is_outward: bool, magnitude: f64) 
     let factor = magnitude / length * if is_outward { 1.0 } else { -1.0 };
     [x * factor, y * factor]
 }
+
+/// The acceleration of gravity in metres, as PMKS+ has it.
+const GRAVITY: f64 = 9.806_65;
+/// The same in inches: how many pounds of mass a pound of force gives an inch a second squared.
+const GRAVITY_IN_INCHES: f64 = GRAVITY / 0.0254;
+
+/// A unit of length. Masses become such that forces keep their numbers.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Unit {
+    pub(super) name: &'static str,
+    /// The remark in the text on masses and forces.
+    pub(super) remark: &'static str,
+    /// A mass of 1 of the link in the text.
+    pub(super) mass: f64,
+    /// A moment of inertia of 1 of the link in the text.
+    pub(super) inertia: f64,
+    pub(super) gravity: f64,
+}
+
+/// By their numbers in a link.
+pub(super) const UNITS: [Unit; 3] = [
+    // Pounds of mass and pound square inches; forces are in pounds.
+    Unit {
+        name: "inches",
+        remark: "Forces are in pounds, torques in inch pounds, masses in units of 386.09 pounds, which fit these.",
+        mass: 1.0 / GRAVITY_IN_INCHES,
+        inertia: 1.0 / GRAVITY_IN_INCHES,
+        gravity: GRAVITY_IN_INCHES,
+    },
+    // Grams and kilogram square centimetres; forces are in newtons.
+    Unit {
+        name: "centimetres",
+        remark: "Forces are in newtons, torques in newton centimetres, masses in units of 100 kilograms, which fit these.",
+        mass: 1e-5,
+        inertia: 1e-2,
+        gravity: 100.0 * GRAVITY,
+    },
+    Unit {
+        name: "metres",
+        remark: "Forces are in newtons, torques in newton metres, masses in kilograms.",
+        mass: 1.0,
+        inertia: 1.0,
+        gravity: GRAVITY,
+    },
+];

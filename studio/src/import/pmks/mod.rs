@@ -2,7 +2,6 @@
 //!
 //! `compact`, `early` and `plain` read three generations of links. All make a [`Linkage`](linkage::Linkage); `translation` makes a drawing of it.
 
-mod checks;
 mod compact;
 mod corrections;
 mod digits;
@@ -12,7 +11,6 @@ mod plain;
 mod query;
 mod sections;
 mod translation;
-mod units;
 
 use crate::document::Message;
 use crate::import::Imported;
@@ -25,14 +23,13 @@ const BEGINNINGS: [&str; 4] = ["https://", "http://", "?", "j="];
 const NATIVE: &str = "pmks2:";
 
 /// Whether a text is a link, or the query of one.
-pub(super) fn is_link(text: &str) -> bool {
+pub(crate) fn is_link(text: &str) -> bool {
     // A file may begin with a mark of its encoding.
     let text = text.trim_start_matches('\u{feff}').trim_start();
     let mut beginnings = BEGINNINGS.iter();
     beginnings.any(|beginning| text.starts_with(beginning)) || sections::has_sections(text)
 }
 
-/// Reads a link.
 pub(super) fn read(text: &str) -> Result<Imported, Message> {
     let query = Query::of(text)?;
     let whole = query.whole();

@@ -1,11 +1,11 @@
 //! Links before April 2023: plain numbers, a line for each joint, link and force.
 
-use super::linkage::{Force, Ids, Joint, Link, Linkage, Speeds, mass_of, name_of, parts_of};
+use super::linkage::{
+    Force, Ids, Joint, Link, Linkage, Speeds, UNITS, Unit, mass_of, name_of, parts_of,
+};
 use super::query::Field;
-use super::units::{UNITS, Unit};
 use crate::document::Message;
-use crate::import::drawing::LARGEST;
-use crate::import::omission::Omission;
+use crate::import::drawing::{LARGEST, Omission};
 
 /// The units of length, as a link writes them, with their numbers.
 const WORDS: [(&str, usize); 4] = [("cm", 1), ("m", 2), ("in", 0), ("inch", 0)];
@@ -14,7 +14,6 @@ const READ: [&str; 4] = ["j=", "l=", "f=", "s="];
 /// The word for a missing number.
 const NONE: &str = "Null";
 
-/// Whether a query is one of these.
 pub(super) fn is_plain(query: &str) -> bool {
     query.starts_with("j=")
 }
@@ -26,7 +25,6 @@ struct Draft<'q> {
     friction: f64,
 }
 
-/// Reads a query.
 pub(super) fn read(query: &Field<'_>) -> Result<Linkage, Message> {
     let mut omissions = Vec::new();
     let joint_lines = section(query, "j=")?;
@@ -86,7 +84,6 @@ fn section<'q>(query: &Field<'q>, mark: &str) -> Result<impl Iterator<Item = Fie
     Ok(lines(found))
 }
 
-/// The lines with something in them.
 fn lines(field: Field<'_>) -> impl Iterator<Item = Field<'_>> {
     let lines = field.split('\n');
     lines.filter(|line| !line.text().trim().is_empty())

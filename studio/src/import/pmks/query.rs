@@ -9,7 +9,6 @@ pub(super) struct Query {
     places: Vec<usize>,
 }
 
-/// A stretch of a query.
 #[derive(Clone, Copy)]
 pub(super) struct Field<'q> {
     query: &'q Query,
@@ -55,7 +54,6 @@ impl Query {
         Ok(Self { text, places })
     }
 
-    /// All of it.
     pub(super) fn whole(&self) -> Field<'_> {
         Field {
             query: self,
@@ -70,7 +68,6 @@ impl<'q> Field<'q> {
         &self.query.text[self.start..self.end]
     }
 
-    /// Makes a message on it.
     pub(super) fn wrong(&self, text: impl Into<String>) -> Message {
         let places = &self.query.places;
         Message {
@@ -79,7 +76,6 @@ impl<'q> Field<'q> {
         }
     }
 
-    /// The stretches between separators.
     pub(super) fn split(self, separator: char) -> impl Iterator<Item = Self> {
         let query = self.query;
         let mut start = self.start;

@@ -2,11 +2,10 @@
 
 use super::corrections::Correction;
 use super::digits::{decimal, digit, flags, whole};
-use super::linkage::{Force, Ids, Joint, Link, Linkage, Slot, Speeds};
+use super::linkage::{Force, Ids, Joint, Link, Linkage, Slot, Speeds, UNITS, Unit};
 use super::query::Field;
-use super::units::{UNITS, Unit};
 use crate::document::Message;
-use crate::import::omission::Omission;
+use crate::import::drawing::Omission;
 
 /// The first letters of entries in the last section that only the editor of drawings needs: locks of joints, links and forces, references
 /// of mass centres, goals of a synthesis, and lengths that are held.
@@ -17,7 +16,6 @@ const SETTINGS: usize = 2;
 /// The number of sections before the joints: settings with flags, decimals, whole numbers, and choices.
 pub(super) const HEADS: usize = 4;
 
-/// The sections of a link.
 pub(super) struct Sections<'q> {
     body: Field<'q>,
     unit: Option<Unit>,
@@ -115,7 +113,6 @@ impl<'q> Sections<'q> {
         })
     }
 
-    /// Reads the linkage from them.
     pub(super) fn read<G: Generation>(self) -> Result<Linkage, Message> {
         let mut omissions = self.omissions;
         let mut joint_ids = Ids::of("joint");
@@ -174,7 +171,6 @@ impl<'q> Sections<'q> {
     }
 }
 
-/// The fields of something, which has so many.
 pub(super) fn fields<'q, const COUNT: usize>(
     field: &Field<'q>,
     what: &str,
@@ -200,7 +196,6 @@ pub(super) fn flags_and_id<'q>(
     Ok((flags(&bits)?, id))
 }
 
-/// The slot in which a joint slides.
 fn slot_of<'q>(
     joint: &Joint,
     [carrier, first, second]: [Field<'q>; 3],
@@ -278,7 +273,6 @@ fn read_extras<'q>(
     Ok(corrections)
 }
 
-/// The beginning of an entry.
 fn short(text: &str) -> String {
     text.chars().take(20).collect()
 }

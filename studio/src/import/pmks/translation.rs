@@ -3,9 +3,8 @@
 use super::linkage::{Force, Joint, Link, Linkage};
 use crate::import::Imported;
 use crate::import::drawing::{
-    self, Direction, Drawing, End, Form, Load, Mass, Motor, Pair, Point, Speed,
+    self, Direction, Drawing, End, Form, Load, Mass, Motor, Omission, Pair, Point, Speed,
 };
-use crate::import::omission::Omission;
 use crate::text::rounded;
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::TAU;
@@ -15,7 +14,6 @@ const ROUNDING: f64 = 0.000_501;
 /// Angles in degrees that people draw at.
 const USUAL: f64 = 15.0;
 
-/// The drawing of a linkage.
 pub(super) fn translate(mut linkage: Linkage) -> Imported {
     fold(&mut linkage);
     let omissions = std::mem::take(&mut linkage.omissions);
@@ -260,7 +258,12 @@ impl Translation<'_> {
         // The path of a block is that of its pin.
         let is_traced = joint.is_traced && !has_block;
         let is_fixed = joint.along.is_none() && ends.contains(&End::Ground);
-        self.point(joint, &links, (is_traced && !is_fixed, first.is_some()));
+        let point = Point {
+            name: joint.name.clone(),
+            at: joint.at,
+            is_traced: is_traced && !is_fixed,
+        };
+        self.drawing.mark(&links, point, first.is_some());
     }
 
     /// Returns the speed of an input, if known.
@@ -343,21 +346,6 @@ impl Translation<'_> {
             *own = Some(own.map_or(mass, |own| together(own, mass)));
         }
         Some(slide)
-    }
-
-    /// A point with a name, where a path is recorded or nothing else marks the end of a link.
-    fn point(&mut self, joint: &Joint, links: &[End], (is_traced, has_joint): (bool, bool)) {
-        let moving = links.iter().find_map(|end| match end {
-            End::Link(link) => Some(*link),
-            End::Ground => None,
-        });
-        if let Some(link) = moving.filter(|_| is_traced || !has_joint) {
-            self.drawing.links[link].points.push(Point {
-                name: joint.name.clone(),
-                at: joint.at,
-                is_traced,
-            });
-        }
     }
 
     /// The direction of a slider. What is a usual angle but for rounding is that angle.

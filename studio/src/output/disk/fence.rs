@@ -5,13 +5,11 @@
 
 use super::place::{folder_of, is_same, target};
 use crate::failure::Failure;
-use crate::output::file::{Output, Over};
+use crate::output::kind::{Output, Over, ends_in};
 use std::ffi::OsStr;
-use std::fs;
-use std::io;
 use std::path::{Component, Path, PathBuf};
+use std::{fs, io};
 
-/// The fence of a script: where it may write.
 pub(crate) struct Fence {
     /// The script; none if its lines come from elsewhere.
     script: Option<PathBuf>,
@@ -25,9 +23,6 @@ pub(crate) struct Fence {
 
 impl Fence {
     /// The fence of a script in a file. Lines from elsewhere, such as a pipe, have the present folder.
-    ///
-    /// # Errors
-    /// If the folder, or something that is allowed, cannot be found.
     pub(crate) fn around(script: Option<&Path>, allowed: &[PathBuf]) -> Result<Self, Failure> {
         let lost = |path: &Path, error: &io::Error| {
             Failure::file(format!("cannot find `{}`: {error}", path.display()))
@@ -113,7 +108,7 @@ impl Fence {
                 "`{path}` is hidden, as its name or its folder begins with a dot; `--allow-write {path}` lets the script write it"
             ));
         }
-        let is_rust = matches!(output.over, Over::Nothing(_)) && !ends_in_mech(target);
+        let is_rust = matches!(output.over, Over::Nothing(_)) && !ends_in(target, &["mech"]);
         if is_rust {
             return refused(format!(
                 "`{path}` is Rust, which a build may run; `--allow-write {path}` lets the script make it"
@@ -128,11 +123,6 @@ impl Fence {
         }
         Ok(())
     }
-}
-
-fn ends_in_mech(path: &Path) -> bool {
-    let ending = path.extension();
-    ending.is_some_and(|ending| ending.eq_ignore_ascii_case("mech"))
 }
 
 /// Whether a part of a path begins with a dot.

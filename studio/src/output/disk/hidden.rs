@@ -28,17 +28,11 @@ pub(crate) fn keep(path: &Path, bytes: &[u8], like: &Path) -> Result<(), Failure
 }
 
 /// Makes a hidden file that belongs to another, which tells who may read it.
-///
-/// # Errors
-/// If it is there already, or cannot be made.
 pub(crate) fn create_like(path: &Path, like: &Path) -> io::Result<File> {
     rights::create(path, rights::like(like).as_ref())
 }
 
 /// Removes a file, if it is there.
-///
-/// # Errors
-/// If it cannot be removed.
 pub(crate) fn remove(path: &Path) -> Result<(), Failure> {
     match fs::remove_file(path) {
         Err(error) if error.kind() != ErrorKind::NotFound => {

@@ -2,8 +2,7 @@
 
 use super::place::{is_same, is_stream};
 use crate::failure::Failure;
-use crate::output::file::{Output, Over};
-use crate::output::kind::OutputKind;
+use crate::output::kind::{Output, OutputKind, Over};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;

@@ -5,8 +5,7 @@ use super::fence::Fence;
 use super::place::{is_stream, target, unwritten};
 use super::rule;
 use crate::failure::Failure;
-use crate::output::file::{Output, Over};
-use crate::output::kind::OutputKind;
+use crate::output::kind::{Output, OutputKind, Over};
 use std::fs::OpenOptions;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -100,9 +99,6 @@ impl Writer {
     }
 
     /// Writes what is to be written at the end, all or nothing. Gives the files, and their kinds.
-    ///
-    /// # Errors
-    /// If one of them cannot be written. All stay as they were then.
     pub(crate) fn finish(self) -> Result<Vec<(OutputKind, PathBuf)>, Failure> {
         let planned = self.planned.unwrap_or_default();
         for Planned {
@@ -145,7 +141,6 @@ impl Planned {
     }
 }
 
-/// Writes files, all or nothing.
 fn write_all(outputs: &[(&Output, &Path)]) -> Result<(), Failure> {
     let mut drafts = Vec::new();
     for (output, target) in outputs {

@@ -13,7 +13,6 @@ fn dragged(text: &str, path: &str, to: [f64; 2]) -> Dragged {
     drag.move_to(to).expect("it can be there")
 }
 
-/// The place in the scene of a point of a link.
 fn place(dragged: &Dragged, link: &str, point: &str) -> [f64; 2] {
     let model = &dragged.model;
     let id = model.link_ids().find(|id| model.link(*id).name == link);

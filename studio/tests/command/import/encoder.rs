@@ -67,7 +67,6 @@ impl Encoder {
         self.raw_link(format!("YR{id},{id},0,0,0,0,c5cae9,{joints},,"))
     }
 
-    /// The block of a slider.
     pub(super) fn block(self, id: &str, joints: [&str; 2]) -> Self {
         let joints = joints.join(",");
         self.raw_link(format!("YP{id},{id},0,0,0,0,,{joints},,"))
@@ -87,12 +86,10 @@ impl Encoder {
         format!("{bits}.SS.K,0.{units}.{}.N_", sections.join("."))
     }
 
-    /// The query of the link.
     pub(super) fn query(&self) -> String {
         checked(&self.body())
     }
 
-    /// The link.
     pub(super) fn url(&self) -> String {
         format!("https://app.pmksplus.com/?{}", self.query())
     }

@@ -25,7 +25,6 @@ fn imported(name: &str, text: &str) -> (String, String) {
     (answer.out, answer.err)
 }
 
-/// The text that becomes of a sample.
 #[track_caller]
 fn imported_sample(name: &str) -> String {
     imported(&format!("{name}.linkage2"), &sample(name)).0

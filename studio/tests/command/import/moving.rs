@@ -5,10 +5,8 @@ use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{LinkId, Model};
 use mech_studio::{Document, Reading, Source};
 
-/// A place in the scene.
 pub(super) type Place = [f64; 2];
 
-/// An imported mechanism that moves.
 pub(super) struct Moving {
     model: Model,
     compiled: Box<Compiled>,

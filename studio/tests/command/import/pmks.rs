@@ -11,7 +11,6 @@ fn import(word: &str) -> Answer {
     mech_in(&folder.path("."), &["import", word])
 }
 
-/// Imports a link: returns the text, and the omissions.
 #[track_caller]
 fn imported(link: &str) -> (String, String) {
     let answer = import(link);

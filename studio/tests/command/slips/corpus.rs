@@ -20,7 +20,6 @@ pub(super) fn analyse(text: &str) -> (Document, Reading) {
     (document, reading)
 }
 
-/// Reads all correct texts of these folders.
 pub(super) fn read() -> Vec<Correct> {
     const FOLDERS: [&str; 5] = [
         "docs",
@@ -42,7 +41,6 @@ pub(super) fn read() -> Vec<Correct> {
     correct.collect()
 }
 
-/// Collects what may be correct.
 fn collect(path: &Path, found: &mut Vec<String>) {
     if path.is_dir() {
         let entries = fs::read_dir(path).expect("a folder");

@@ -15,7 +15,6 @@ pub(super) struct Answer {
     pub(super) said: Option<Said>,
     pub(super) check: Duration,
     pub(super) fix: Duration,
-    /// The line of the slip.
     pub(super) line: String,
 }
 
@@ -150,7 +149,6 @@ pub(super) fn is_placed(slip: &Slip, message: &Message) -> bool {
     !is_whole && (is_near || names(&message.text) || names(&slip.text[place.clone()]))
 }
 
-/// The lines on which the slip stands.
 fn line(slip: &Slip) -> String {
     let start = slip.text[..slip.place.start]
         .rfind('\n')

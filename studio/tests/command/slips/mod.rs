@@ -3,6 +3,7 @@
 //! `SLIPS=all` makes many more, in long texts too, and shows the worst answers to each kind. `SLIPS_SEED` makes others,
 //! and `SLIPS_KIND` only those of the kinds in whose names this stands, with all answers.
 
+mod around;
 mod corpus;
 #[path = "../../../../tests/support/src/dice.rs"]
 #[expect(dead_code, unreachable_pub, reason = "what all tests share")]

@@ -38,7 +38,6 @@ fn change(correct: &Correct, make: Make, dice: &mut Dice) -> Option<Change> {
 }
 
 impl Change {
-    /// The outermost statement around it.
     fn statement(&self, text: &Text<'_>) -> Option<Range<usize>> {
         let all = text.statements().into_iter().map(|one| text.bytes(one));
         let around = all.filter(|one| one.start <= self.old.start && self.old.end <= one.end);

@@ -4,7 +4,6 @@ use super::dice::Dice;
 use mech_compiler::syntax::lexer::{Kind, Lexeme, Lexer};
 use std::ops::Range;
 
-/// A text with one slip.
 pub(super) struct Slip {
     pub(super) text: String,
     /// Where the slip stands in that text.
@@ -74,7 +73,6 @@ impl<'t> Text<'t> {
         (!all.is_empty()).then(|| *dice.pick(&all))
     }
 
-    /// The text with something else in this place.
     pub(super) fn with(&self, place: Range<usize>, new: &str) -> Slip {
         let (before, after) = (&self.text[..place.start], &self.text[place.end..]);
         Slip {
@@ -106,7 +104,6 @@ impl<'t> Text<'t> {
         self.lexemes[words.start].start..self.lexemes[words.end - 1].end
     }
 
-    /// Whether a name is declared there.
     pub(super) fn is_declared(&self, index: usize) -> bool {
         let is_path = self.is(index + 1, "::");
         index > 0 && DECLARING.contains(&self.word(index - 1)) && self.is_name(index) && !is_path
@@ -159,7 +156,6 @@ impl<'t> Text<'t> {
         self.is_name(index) && (index == 0 || ["{", "}", ";"].contains(&self.word(index - 1)))
     }
 
-    /// The partner of a bracket.
     pub(super) fn partner(&self, index: usize) -> Option<usize> {
         let mut depth = 0_i32;
         let mut step = |one: &usize| {
@@ -176,14 +172,12 @@ impl<'t> Text<'t> {
         }
     }
 
-    /// The bracket around a word.
     pub(super) fn bracket(&self, index: usize) -> Option<usize> {
         let is_open = |one: &usize| self.lexemes[*one].kind == Kind::Open;
         let is_around = |one: &usize| self.partner(*one).is_some_and(|end| end > index);
         (0..index).rev().filter(is_open).find(is_around)
     }
 
-    /// The names in these words.
     pub(super) fn names(&self, words: Range<usize>) -> Vec<String> {
         let names = words.filter(|&one| self.is_declared(one) || self.is_used(one));
         names.map(|one| self.word(one).to_owned()).collect()

@@ -6,7 +6,6 @@ use mech_compiler::syntax::{Message, parse};
 use proc_macro2::TokenStream;
 use std::collections::BTreeSet;
 
-/// The text before each place.
 const BEFORE: &str = "struct N_; param p_ = 1; gravity (0, -1);
 link l_ { mass 1; } link m_ { point a_ = (0, 0); mass 1; }
 joint j_ = revolute(ground, l_) at (0, 0); joint k_ = revolute(l_, m_) at (1, 0);

@@ -86,7 +86,6 @@ fn files_in(folder: &str, ending: &str) -> Vec<String> {
     found
 }
 
-/// The text of a file of the repository.
 fn text_of(path: &str) -> String {
     let text = fs::read_to_string(repository(path)).expect(path);
     text.replace("\r\n", "\n")

@@ -12,19 +12,14 @@ use std::{fs, thread};
 
 impl Scene {
     /// Does what a verb says. Returns whether it is a gesture.
-    pub(super) fn does(
-        &mut self,
-        verb: &str,
-        words: &mut Words,
-        block: Option<&str>,
-    ) -> Result<bool, String> {
-        if let Some(user) = self.begun(verb, words, block)? {
+    pub(super) fn does(&mut self, verb: &str, words: &mut Words<'_>) -> Result<bool, String> {
+        if let Some(user) = self.begun(verb, words)? {
             let noted = &mut self.texts.noted;
             noted.insert("start".to_owned(), user.text().to_owned());
             self.user = Some(user);
             return Ok(true);
         }
-        if on_disk(&self.texts, verb, words, block)? {
+        if on_disk(&self.texts, verb, words)? {
             return Ok(true);
         }
         let Self { user, texts, .. } = self;
@@ -40,9 +35,9 @@ impl Scene {
             ("copy", Some(user)) => {
                 texts.noted.insert("copied".to_owned(), user.copy());
             }
-            ("paste", Some(user)) => user.paste(&texts.take(words, block)?),
-            ("retype", Some(user)) => user.type_all(&texts.take(words, block)?),
-            ("at-once", Some(user)) => at_once(user, texts, block.unwrap_or_default())?,
+            ("paste", Some(user)) => user.paste(&texts.take(words)?),
+            ("retype", Some(user)) => user.type_all(&texts.take(words)?),
+            ("at-once", Some(user)) => at_once(user, texts, words.block.unwrap_or_default())?,
             (_, Some(user)) => {
                 let is_gesture = by_pointer(user, verb, words)?
                     || by_keys(user, verb, words)?
@@ -54,13 +49,8 @@ impl Scene {
     }
 
     /// Somebody who begins before a window, as a verb says. The window before is no more.
-    fn begun(
-        &mut self,
-        verb: &str,
-        words: &mut Words,
-        block: Option<&str>,
-    ) -> Result<Option<User>, String> {
-        let text = |words: &mut Words| self.texts.take(words, block);
+    fn begun(&mut self, verb: &str, words: &mut Words<'_>) -> Result<Option<User>, String> {
+        let text = |words: &mut Words| self.texts.take(words);
         let user = match verb {
             "new" => User::new(),
             "unnamed" => User::without_file(),
@@ -84,20 +74,15 @@ impl Scene {
 }
 
 /// Does what other programs do with files.
-fn on_disk(
-    texts: &Texts,
-    verb: &str,
-    words: &mut Words,
-    block: Option<&str>,
-) -> Result<bool, String> {
+fn on_disk(texts: &Texts, verb: &str, words: &mut Words<'_>) -> Result<bool, String> {
     let file = |words: &mut Words| Ok::<_, String>(texts.folder.0.join(words.text()?));
     let done = match verb {
         "make-folder" => fs::create_dir(file(words)?),
         "delete-file" => fs::remove_file(file(words)?),
-        "write-file" => fs::write(file(words)?, texts.take(words, block)?),
+        "write-file" => fs::write(file(words)?, texts.take(words)?),
         // Another file takes its place, as many editors do it.
         "replace-file" => {
-            let (file, text) = (file(words)?, texts.take(words, block)?);
+            let (file, text) = (file(words)?, texts.take(words)?);
             let draft = file.with_extension("new");
             fs::write(&draft, text).and_then(|()| fs::rename(&draft, file))
         }
@@ -108,7 +93,7 @@ fn on_disk(
 }
 
 /// At places of the scene.
-fn by_pointer(user: &mut User, verb: &str, words: &mut Words) -> Result<bool, String> {
+fn by_pointer(user: &mut User, verb: &str, words: &mut Words<'_>) -> Result<bool, String> {
     match verb {
         "at" => {
             for place in words.all(Words::place)? {
@@ -130,7 +115,7 @@ fn by_pointer(user: &mut User, verb: &str, words: &mut Words) -> Result<bool, St
 }
 
 /// By keys, and by what is no gesture.
-fn by_keys(user: &mut User, verb: &str, words: &mut Words) -> Result<bool, String> {
+fn by_keys(user: &mut User, verb: &str, words: &mut Words<'_>) -> Result<bool, String> {
     match verb {
         "key" => {
             for key in words.all(Words::key)? {
@@ -156,7 +141,7 @@ fn by_keys(user: &mut User, verb: &str, words: &mut Words) -> Result<bool, Strin
 }
 
 /// With what has a name in the window.
-fn by_name(user: &mut User, verb: &str, words: &mut Words) -> Result<bool, String> {
+fn by_name(user: &mut User, verb: &str, words: &mut Words<'_>) -> Result<bool, String> {
     match verb {
         "click" => user.click_on(&words.text()?),
         "click-beginning" => user.click_on_beginning(&words.text()?),
@@ -183,7 +168,7 @@ fn at_once(user: &mut User, texts: &Texts, block: &str) -> Result<(), String> {
     let mut done = Ok(());
     user.at_once(|editor| {
         done = block.lines().try_for_each(|line| {
-            let mut words = Words::of(line)?;
+            let mut words = Words::of(line, None)?;
             within_frame(editor, texts, &mut words)?;
             words.end()
         });
@@ -191,15 +176,15 @@ fn at_once(user: &mut User, texts: &Texts, block: &str) -> Result<(), String> {
     done
 }
 
-fn within_frame(editor: &mut Editor, texts: &Texts, words: &mut Words) -> Result<(), String> {
+fn within_frame(editor: &mut Editor, texts: &Texts, words: &mut Words<'_>) -> Result<(), String> {
     match &*words.text()? {
         "link" => editor.perform(Command::Link {
             name: words.text()?,
         }),
-        "type" => editor.type_text(&texts.take(words, None)?),
+        "type" => editor.type_text(&texts.take(words)?),
         "open" => editor.open(Workspace::unsaved(
             words.text()?,
-            texts.take(words, None)?.as_str(),
+            texts.take(words)?.as_str(),
         )),
         "say" => editor.say(&words.text()?),
         "choose-bar" => editor.choose(Tool::Bar),

@@ -37,14 +37,13 @@ impl Finding {
 }
 
 impl Scene {
-    /// Judges what a line says.
-    pub(super) fn judge(&mut self, mut words: Words, line: &Line) -> Result<(), String> {
-        let (texts, block) = (&self.texts, line.block.as_deref());
+    pub(super) fn judge(&mut self, mut words: Words<'_>, line: &Line) -> Result<(), String> {
+        let texts = &self.texts;
         if let Some(user) = &mut self.user {
             if words.takes("until") {
-                finding(Some(user), texts, &words, block)?;
+                finding(Some(user), texts, &words)?;
                 let is_so = |user: &User| {
-                    let finding = finding(Some(user), texts, &words, block);
+                    let finding = finding(Some(user), texts, &words);
                     finding.is_ok_and(|finding| finding.is_so)
                 };
                 user.wait_until("it is never so", is_so);
@@ -56,7 +55,7 @@ impl Scene {
         }
         let is_expected = !words.takes("not");
         let user = self.user.as_ref();
-        let Finding { is_so, found } = finding(user, texts, &words, block)?;
+        let Finding { is_so, found } = finding(user, texts, &words)?;
         if is_so == is_expected {
             return Ok(());
         }
@@ -70,7 +69,7 @@ impl Scene {
 }
 
 /// Judges what comes of something that is done. Returns whether the word is such a judge.
-fn by_doing(user: &mut User, words: &mut Words) -> Result<bool, String> {
+fn by_doing(user: &mut User, words: &mut Words<'_>) -> Result<bool, String> {
     if words.takes("plays") {
         plays(user);
     } else if words.takes("mended") {
@@ -88,7 +87,7 @@ fn by_doing(user: &mut User, words: &mut Words) -> Result<bool, String> {
 }
 
 /// Closes the window by the click that a line names, or as the system does it. Returns whether it is closed.
-fn closes(user: &mut User, words: &mut Words) -> Result<bool, String> {
+fn closes(user: &mut User, words: &mut Words<'_>) -> Result<bool, String> {
     if words.is_at_end() {
         return Ok(user.close());
     }
@@ -124,7 +123,6 @@ fn is_mended(user: &mut User, repair: &str) {
     plays(user);
 }
 
-/// Returns the offered repairs, in words.
 pub(super) fn offers(user: &User) -> Vec<String> {
     let offered = user.editor().mendings().iter();
     offered.map(|mending| mending.words.clone()).collect()
@@ -135,18 +133,13 @@ fn is_near(one: [f64; 2], other: [f64; 2], tolerance: f64) -> bool {
 }
 
 /// Finds what the words of a judge ask for.
-fn finding(
-    user: Option<&User>,
-    texts: &Texts,
-    words: &Words,
-    block: Option<&str>,
-) -> Result<Finding, String> {
+fn finding(user: Option<&User>, texts: &Texts, words: &Words<'_>) -> Result<Finding, String> {
     let mut words = words.clone();
     let verb = words.text()?;
-    let mut found = of_disk(texts, &verb, &mut words, block)?;
+    let mut found = of_disk(texts, &verb, &mut words)?;
     if found.is_none() {
         let user = user.ok_or("nobody is there")?;
-        found = of_text(user, texts, &verb, &mut words, block)?;
+        found = of_text(user, texts, &verb, &mut words)?;
         if found.is_none() {
             found = of_drawing(user, &verb, &mut words)?;
         }
@@ -159,19 +152,14 @@ fn finding(
 }
 
 /// Of the files in the folder.
-fn of_disk(
-    texts: &Texts,
-    verb: &str,
-    words: &mut Words,
-    block: Option<&str>,
-) -> Result<Option<Finding>, String> {
+fn of_disk(texts: &Texts, verb: &str, words: &mut Words<'_>) -> Result<Option<Finding>, String> {
     let names = texts.folder.names();
     let finding = match verb {
         "on-disk" => {
             let found = fs::read(texts.folder.0.join(words.text()?));
             let found = found.map_err(|error| error.to_string())?;
             let found = String::from_utf8_lossy(&found);
-            Finding::text(&found, &texts.take(words, block)?)
+            Finding::text(&found, &texts.take(words)?)
         }
         "files" => Finding::equal(&names, &words.all(Words::text)?),
         "has-file" => Finding::of(names.contains(&words.text()?), names),
@@ -185,14 +173,13 @@ fn of_text(
     user: &User,
     texts: &Texts,
     verb: &str,
-    words: &mut Words,
-    block: Option<&str>,
+    words: &mut Words<'_>,
 ) -> Result<Option<Finding>, String> {
     let text = user.text();
     let made = user.editor().workspace().history().made().iter();
     let made: Vec<String> = made.map(|step| step.text.clone()).collect();
     let finding = match verb {
-        "is" => Finding::text(text, &texts.take(words, block)?),
+        "is" => Finding::text(text, &texts.take(words)?),
         "has" => Finding::of(text.contains(&words.text()?), text),
         "begins" => Finding::of(text.starts_with(&words.text()?), text),
         "ends" => Finding::of(text.ends_with(&words.text()?), text),
@@ -200,16 +187,16 @@ fn of_text(
             let expected = words.number()?;
             Finding::equal(&text.matches(&words.text()?).count(), &expected)
         }
-        "offers-are" => Finding::text(&offers(user).join("\n"), &texts.take(words, None)?),
+        "offers-are" => Finding::text(&offers(user).join("\n"), &texts.take(words)?),
         "steps" => Finding::equal(&made.len(), &words.number()?),
-        "history" => Finding::equal(&made, &words.all(|words| texts.take(words, None))?),
+        "history" => Finding::equal(&made, &words.all(|words| texts.take(words))?),
         _ => return Ok(None),
     };
     Ok(Some(finding))
 }
 
 /// Of what is drawn, and how it moves.
-fn of_drawing(user: &User, verb: &str, words: &mut Words) -> Result<Option<Finding>, String> {
+fn of_drawing(user: &User, verb: &str, words: &mut Words<'_>) -> Result<Option<Finding>, String> {
     let player = user.editor().player();
     let finding = match verb {
         "moves" => Finding::of(player.is_some(), "nothing that moves"),
@@ -286,7 +273,7 @@ fn beside(user: &User, copies: &[(String, [f64; 2])]) -> Finding {
 }
 
 /// Of what is told, offered and selected.
-fn of_editor(user: &User, verb: &str, words: &mut Words) -> Result<Option<Finding>, String> {
+fn of_editor(user: &User, verb: &str, words: &mut Words<'_>) -> Result<Option<Finding>, String> {
     let (editor, notice) = (user.editor(), user.editor().notice());
     let finding = match verb {
         "tells" => Finding::of(user.tells(&words.text()?), notice),

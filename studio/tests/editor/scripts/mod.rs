@@ -45,7 +45,6 @@ const WITH_BLOCK: [&str; 7] = [
     "at-once",
 ];
 
-/// A line with its block.
 struct Line {
     number: usize,
     text: String,
@@ -53,7 +52,6 @@ struct Line {
 }
 
 impl Line {
-    /// The lines of a script.
     fn all_of(script: &str) -> Result<Vec<Self>, String> {
         let mut lines: Vec<Self> = Vec::new();
         for (number, line) in (1..).zip(script.lines()) {
@@ -95,8 +93,8 @@ struct Texts {
 
 impl Texts {
     /// A text that a line names or shows.
-    fn take(&self, words: &mut Words, block: Option<&str>) -> Result<String, String> {
-        let mut text = match block {
+    fn take(&self, words: &mut Words<'_>) -> Result<String, String> {
+        let mut text = match words.block {
             Some(block) => block.to_owned(),
             None => self.named(words.word()?)?,
         };
@@ -125,7 +123,6 @@ impl Texts {
     }
 }
 
-/// The state of a case.
 struct Scene {
     user: Option<User>,
     texts: Texts,
@@ -152,13 +149,13 @@ impl Scene {
     fn perform(&mut self, line: &Line) -> Result<(), String> {
         let done = catch_unwind(AssertUnwindSafe(|| {
             let folder = self.texts.folder.0.display().to_string();
-            let words = Words::of(&line.text.replace("FOLDER", &folder))?;
+            let words = Words::of(&line.text.replace("FOLDER", &folder), line.block.as_deref())?;
             let mut rest = words.clone();
             let verb = rest.text()?;
             if line.block.is_some() && !WITH_BLOCK.contains(&&*verb) {
                 return Err(format!("{verb} has no block"));
             }
-            if self.does(&verb, &mut rest, line.block.as_deref())? {
+            if self.does(&verb, &mut rest)? {
                 return rest.end();
             }
             self.judged += 1;
@@ -239,7 +236,6 @@ impl Walk {
     }
 }
 
-/// Walks a script.
 fn walk(file: &Path) -> Walk {
     let name = format!("{}", file.file_name().expect("a name").display());
     let script = fs::read_to_string(file).expect("a script");

@@ -5,7 +5,6 @@ use mech_studio::editor::Item;
 use std::str::FromStr;
 use std::vec::IntoIter;
 
-/// A word of a line.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Word {
     Name(String),
@@ -13,12 +12,15 @@ pub(super) enum Word {
     Place([f64; 2]),
 }
 
-/// The words that are still to be taken.
+/// The words that are still to be taken, and the block below them.
 #[derive(Clone)]
-pub(super) struct Words(IntoIter<Word>);
+pub(super) struct Words<'b> {
+    left: IntoIter<Word>,
+    pub(super) block: Option<&'b str>,
+}
 
-impl Words {
-    pub(super) fn of(line: &str) -> Result<Self, String> {
+impl<'b> Words<'b> {
+    pub(super) fn of(line: &str, block: Option<&'b str>) -> Result<Self, String> {
         let (mut words, mut rest) = (Vec::new(), line.trim());
         while let Some(first) = rest.chars().next() {
             let (word, after) = match first {
@@ -32,22 +34,25 @@ impl Words {
             words.push(word);
             rest = after.trim_start();
         }
-        Ok(Self(words.into_iter()))
+        let left = words.into_iter();
+        Ok(Self { left, block })
     }
 
     pub(super) fn is_at_end(&self) -> bool {
-        self.0.as_slice().is_empty()
+        self.left.as_slice().is_empty()
     }
 
     /// Nothing is left.
     pub(super) fn end(&self) -> Result<(), String> {
-        let left = self.0.as_slice();
+        let left = self.left.as_slice();
         let is_at_end = left.is_empty().then_some(());
         is_at_end.ok_or_else(|| format!("too much: {left:?}"))
     }
 
     pub(super) fn word(&mut self) -> Result<Word, String> {
-        self.0.next().ok_or_else(|| "a word is missing".to_owned())
+        self.left
+            .next()
+            .ok_or_else(|| "a word is missing".to_owned())
     }
 
     /// A word in quotes or without.
@@ -89,9 +94,9 @@ impl Words {
 
     /// Takes this word if it is the next one. Returns whether it is.
     pub(super) fn takes(&mut self, name: &str) -> bool {
-        let takes = self.0.as_slice().first() == Some(&Word::Name(name.to_owned()));
+        let takes = self.left.as_slice().first() == Some(&Word::Name(name.to_owned()));
         if takes {
-            self.0.next();
+            self.left.next();
         }
         takes
     }

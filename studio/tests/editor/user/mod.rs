@@ -29,7 +29,6 @@ impl DroppedFile for Dropped {
     }
 }
 
-/// Somebody who uses the studio, and counts the gestures.
 pub(crate) struct User {
     harness: Harness<'static, Studio>,
     gestures: usize,
@@ -292,7 +291,6 @@ impl User {
         copied
     }
 
-    /// Pastes what the clipboard has.
     pub(crate) fn paste(&mut self, text: &str) {
         self.harness.event(Event::Paste(text.to_owned()));
         self.harness.run_steps(3);
@@ -304,14 +302,12 @@ impl User {
         self.harness.run_steps(2);
     }
 
-    /// Types.
     pub(crate) fn type_text(&mut self, text: &str) {
         self.harness.event(Event::Text(text.to_owned()));
         self.harness.run_steps(2);
         self.gestures += 1;
     }
 
-    /// Presses a key.
     pub(crate) fn key(&mut self, key: Key) {
         self.modifiers = Modifiers::NONE;
         self.harness.event(Event::ModifiersChanged(self.modifiers));
@@ -335,7 +331,6 @@ impl User {
         }
     }
 
-    /// Drops a file on the window.
     pub(crate) fn drop_file(&mut self, path: &Path) {
         let dropped = Arc::new(Dropped(path.to_owned()));
         self.harness.input_mut().dropped_files.push(dropped);
@@ -385,7 +380,6 @@ impl User {
         viewports.any(|viewport| viewport.commands.contains(command))
     }
 
-    /// Waits for so many pictures.
     pub(crate) fn wait(&mut self, pictures: usize) {
         self.harness.run_steps(pictures);
     }
@@ -429,7 +423,6 @@ impl User {
         self.click_on("Write");
     }
 
-    /// Opens a file by its name.
     #[track_caller]
     pub(crate) fn open(&mut self, path: &str) {
         self.click_on("File");
@@ -488,7 +481,6 @@ impl User {
         all.map(name).collect()
     }
 
-    /// Opens the menu of what has this name.
     #[track_caller]
     pub(crate) fn open_menu_of(&mut self, label: &str) {
         self.harness.get_by_label(label).click_secondary();

@@ -56,25 +56,18 @@ impl User {
         });
     }
 
-    /// Clicks a place of the scene.
     pub(crate) fn click(&mut self, place: [f64; 2]) {
         self.mean(&[place]);
-        let at = self.pixel(place);
-        self.press(at);
-        self.release(at);
-        self.gestures += 1;
+        self.click_at(self.pixel(place));
     }
 
     /// Clicks a place of the scene with Shift held.
     pub(crate) fn click_with_shift(&mut self, place: [f64; 2]) {
         self.modifiers = Modifiers::SHIFT;
         self.harness.event(Event::ModifiersChanged(self.modifiers));
-        let at = self.pixel(place);
-        self.press(at);
-        self.release(at);
+        self.click_at(self.pixel(place));
         self.modifiers = Modifiers::NONE;
         self.harness.event(Event::ModifiersChanged(self.modifiers));
-        self.gestures += 1;
     }
 
     /// Drags what is at a place of the scene to another.
@@ -93,12 +86,7 @@ impl User {
     pub(crate) fn hold(&mut self, from: [f64; 2], to: [f64; 2]) {
         self.mean(&[from, to]);
         let [from, to] = [from, to].map(|place| self.pixel(place));
-        self.press(from);
-        for part in [0.3, 0.7, 1.0] {
-            self.harness
-                .event(Event::PointerMoved(from + part * (to - from)));
-            self.harness.run_steps(1);
-        }
+        self.press_and_move(from, to);
     }
 
     /// Lets the button go at a place of the scene.
@@ -109,12 +97,7 @@ impl User {
 
     fn press_and_release(&mut self, from: [f64; 2], to: [f64; 2]) {
         let [from, to] = [from, to].map(|place| self.pixel(place));
-        self.press(from);
-        for part in [0.3, 0.7, 1.0] {
-            self.harness
-                .event(Event::PointerMoved(from + part * (to - from)));
-            self.harness.run_steps(1);
-        }
+        self.press_and_move(from, to);
         self.release(to);
         self.gestures += 1;
     }
@@ -122,10 +105,7 @@ impl User {
     /// Clicks near a place of the scene, without Alt.
     pub(crate) fn click_near(&mut self, place: [f64; 2]) {
         self.mean(&[]);
-        let at = self.pixel(place);
-        self.press(at);
-        self.release(at);
-        self.gestures += 1;
+        self.click_at(self.pixel(place));
     }
 
     /// Presses as soon as the pointer arrives, and is far away before the next picture.
@@ -162,6 +142,21 @@ impl User {
         self.harness.run_steps(1);
     }
 
+    fn click_at(&mut self, at: Pos2) {
+        self.press(at);
+        self.release(at);
+        self.gestures += 1;
+    }
+
+    fn press_and_move(&mut self, from: Pos2, to: Pos2) {
+        self.press(from);
+        for part in [0.3, 0.7, 1.0] {
+            let at = from + part * (to - from);
+            self.harness.event(Event::PointerMoved(at));
+            self.harness.run_steps(1);
+        }
+    }
+
     fn press(&mut self, at: Pos2) {
         self.harness.event(Event::PointerMoved(at));
         self.harness.run_steps(1);
@@ -189,9 +184,6 @@ impl User {
         let rect = self.harness.get_by_label(label).rect();
         #[expect(clippy::cast_possible_truncation, reason = "parts of a window")]
         let parts = parts.map(|part| part as f32);
-        let at = rect.min + Vec2::from(parts) * rect.size();
-        self.press(at);
-        self.release(at);
-        self.gestures += 1;
+        self.click_at(rect.min + Vec2::from(parts) * rect.size());
     }
 }

@@ -4,12 +4,10 @@ use super::Paint;
 use crate::editor::Item;
 use crate::editor::drawing::{Drawing, Handle};
 use crate::editor::index::HandleKind;
-use eframe::egui;
-use eframe::egui::{Color32, Painter, Pos2, Stroke, Vec2};
+use eframe::egui::{self, Color32, Painter, Pos2, Stroke, Vec2};
 use mech_compiler::model::{JointId, JointKind, LinkId};
 use std::collections::HashSet;
 
-/// The radius of a pin.
 pub(super) const PIN: f32 = 6.0;
 
 impl Paint<'_> {

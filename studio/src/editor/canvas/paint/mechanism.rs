@@ -6,8 +6,7 @@ use crate::editor::Item;
 use crate::editor::colors::distinct;
 use crate::editor::drawing::Drawing;
 use crate::motion::Basis;
-use eframe::egui;
-use eframe::egui::{Color32, Painter, Pos2, Stroke, Vec2};
+use eframe::egui::{self, Color32, Painter, Pos2, Stroke, Vec2};
 use mech_compiler::model::{LinkId, ShapeKind};
 
 impl Paint<'_> {
@@ -55,7 +54,6 @@ impl Paint<'_> {
         }
     }
 
-    /// The shapes that a link declares.
     pub(super) fn shapes(
         &self,
         painter: &Painter,
@@ -100,7 +98,6 @@ impl Paint<'_> {
         (length * self.shown.scale()) as f32
     }
 
-    /// Springs, dampers and loads.
     pub(super) fn actions(&self, painter: &Painter, drawing: &Drawing, visuals: &egui::Visuals) {
         for (name, ends) in drawing.actions() {
             let item = Item::Action(name.to_owned());

@@ -9,8 +9,7 @@ use crate::editor::selection::Selection;
 use crate::editor::settings::Visible;
 use crate::editor::snap::{Snapped, grid};
 use crate::editor::{Arrow, ArrowKind, Editor, Item};
-use eframe::egui;
-use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Stroke, Vec2};
+use eframe::egui::{self, Align2, Color32, FontId, Painter, Pos2, Stroke, Vec2};
 use handle::NameSpaces;
 use mechanism::outline;
 
@@ -113,7 +112,6 @@ impl Paint<'_> {
         }
     }
 
-    /// Velocities, accelerations and forces.
     fn arrows(&self, painter: &Painter) {
         for Arrow {
             kind,

@@ -1,0 +1,90 @@
+//! Rates of a mechanism that is played, and the forces in its joints.
+
+use super::{Derived, Mechanism, Rates};
+use crate::motion::Mover;
+use crate::painting::poses_of;
+use mech_compiler::program::Forces;
+use mech_runtime::{Acceleration, Velocity};
+
+/// The place, velocity and acceleration of a point while the motors have rates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointRates {
+    /// Where it is in the scene.
+    pub place: [f64; 2],
+    /// Its velocity.
+    pub velocity: [f64; 2],
+    /// Its acceleration, where it is determined.
+    pub acceleration: Option<[f64; 2]>,
+}
+
+impl Mechanism {
+    /// The velocities and accelerations of its points, while its motors have these rates; none where they are not
+    /// [prepared](Self::prepare) or not determined.
+    pub(crate) fn point_rates(&self, rates: &Rates) -> Vec<PointRates> {
+        let program = self.with(Derived::Rates);
+        let program = program.and_then(|found| found.moving.as_ref());
+        let Some(program) = program else {
+            return Vec::new();
+        };
+        let mut machine = Mover::of(&self.model, program);
+        machine.put_back(&self.position);
+        let [first, second] = self.all_rates(rates);
+        let Ok(found) = machine.motion([&first, &second]) else {
+            return Vec::new();
+        };
+        let poses = poses_of(&self.position.poses);
+        let accelerations = found.accelerations.as_deref().unwrap_or_default();
+        let points = self.points.iter().filter_map(|spot| {
+            let link = spot.link.checked_sub(1)?;
+            let &[angular, x, y] = found.velocities.get(link)?;
+            let velocity = Velocity { angular, x, y };
+            let pose = *poses.get(link)?;
+            let acceleration = accelerations.get(link).map(|&[angular, x, y]| {
+                let acceleration = Acceleration { angular, x, y };
+                acceleration.of_point(pose, velocity.angular, spot.at)
+            });
+            Some(PointRates {
+                place: pose.apply(spot.at),
+                velocity: velocity.of_point(pose, spot.at),
+                acceleration,
+            })
+        });
+        points.collect()
+    }
+
+    /// The force that the first link of each joint exerts on the second, with the place of the joint, while its motors have these rates and
+    /// its loads these numbers; none where forces are not [prepared](Self::prepare) or not determined. Loads that are not given are zero.
+    #[must_use]
+    pub fn reactions(&self, rates: &Rates, loads: &[f64]) -> Vec<([f64; 2], [f64; 2])> {
+        let program = self
+            .with(Derived::Forces)
+            .and_then(|found| found.forced.inverse_dynamics.as_ref());
+        let Some(program) = program else {
+            return Vec::new();
+        };
+        let mut machine = Mover::of(&self.model, program);
+        machine.put_back(&self.position);
+        let declared = self.model.actions.loads.iter();
+        let count = declared.map(|load| load.kind.numbers()).sum();
+        let mut loads = loads.to_vec();
+        loads.resize(count, 0.0);
+        let [first, second] = self.all_rates(rates);
+        let Ok(Forces::InverseDynamics(found)) = machine.forces([&first, &second], &loads) else {
+            return Vec::new();
+        };
+        let joints = self.model.declared_joints().zip(&found.reactions);
+        let reactions = joints.filter_map(|(joint, &[x, y, _])| Some((self.joint(joint)?, [x, y])));
+        reactions.collect()
+    }
+
+    /// The rates of all motors, and their second rates.
+    fn all_rates(&self, rates: &Rates) -> [Vec<f64>; 2] {
+        [&rates.first, &rates.second].map(|given| {
+            let mut all = vec![0.0; self.model.motors.len()];
+            for (value, rate) in all.iter_mut().zip(given) {
+                *value = *rate;
+            }
+            all
+        })
+    }
+}
