@@ -65,7 +65,7 @@ fn what_rolls_in_random_loops_keeps_its_ratio() {
 /// The pinion is on the ground, the bar and its guide are both in the loop.
 #[test]
 fn a_rack_between_two_unknowns() {
-    let rack = model(include_str!("leaps/texts/rack1.txt"));
+    let rack = model(include_str!("../cases/leaps/rack1.txt"));
     assert!(hold(&rack, &mut Dice::new(1)) > 20);
 }
 

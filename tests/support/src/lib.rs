@@ -31,7 +31,7 @@ pub use closure::{coordinate, factor, size, slip, with_ground, worst_gap, worst_
 pub use dice::Dice;
 pub use fixtures::{SOURCES, four_bar_text};
 pub use folder::{Case, folder, repository};
-pub use grow::{Grown, grow, grow_coupled, grow_coupled_from, grow_from, in_own_frames};
+pub use grow::{Grown, grow, grow_coupled, grow_coupled_from, grow_from, grow_wild, in_own_frames};
 pub use measure::{apart, cross, differences, dot, in_f64, lengths, reach};
 pub use painted::painted_outside;
 pub use rustc::rustc;
