@@ -1,21 +1,33 @@
 //! Mechanisms that several tests use.
 
-macro_rules! sources {
-    ($($name:literal: $path:literal,)*) => { &[$(($name, include_str!($path)),)*] };
+use crate::{folder, models};
+use mech_compiler::model::Model;
+
+/// Sources of the gallery's mechanisms.
+const GALLERY: [&str; 6] = [
+    include_str!("../../../examples/gallery/src/mechanisms/andrews.rs"),
+    include_str!("../../../examples/gallery/src/mechanisms/four_bar.rs"),
+    include_str!("../../../examples/gallery/src/mechanisms/geared_piston.rs"),
+    include_str!("../../../examples/gallery/src/mechanisms/jansen.rs"),
+    include_str!("../../../examples/gallery/src/mechanisms/rocker_arm.rs"),
+    include_str!("../../../examples/gallery/src/mechanisms/watt.rs"),
+];
+
+/// The gallery's mechanisms and the zoo's, which the tests expand too.
+#[must_use]
+pub fn known() -> Vec<Model> {
+    let gallery = GALLERY.into_iter().map(ToOwned::to_owned);
+    let zoo = folder("../tests/zoo").into_iter().map(|case| case.text);
+    let sources = gallery.chain(zoo);
+    sources.flat_map(|source| models(&source)).collect()
 }
 
-/// Names and sources of the gallery's mechanisms, then of the zoo's, which the tests expand too: the last have params.
-pub const SOURCES: &[(&str, &str)] = sources![
-    "andrews": "../../../examples/gallery/src/mechanisms/andrews.rs",
-    "four_bar": "../../../examples/gallery/src/mechanisms/four_bar.rs",
-    "geared_piston": "../../../examples/gallery/src/mechanisms/geared_piston.rs",
-    "jansen": "../../../examples/gallery/src/mechanisms/jansen.rs",
-    "rocker_arm": "../../../examples/gallery/src/mechanisms/rocker_arm.rs",
-    "watt": "../../../examples/gallery/src/mechanisms/watt.rs",
-    "rolling": "../../tests/zoo/rolling.rs",
-    "special": "../../tests/zoo/special.rs",
-    "changed": "../../tests/changed/zoo.rs",
-];
+/// Those with params, which the tests expand too.
+#[must_use]
+pub fn with_own_params() -> Vec<Model> {
+    let texts = folder("../tests/subjects/changed").into_iter();
+    texts.flat_map(|case| models(&case.text)).collect()
+}
 
 /// Declares the four-bar with ground 4, crank 1, coupler 3.5 and rocker 3, and with masses. Its motor and more follow its name.
 #[macro_export]

@@ -29,7 +29,7 @@ pub use cases::{cases, seeds};
 pub use chain::{chain, chain_text, uneven_chain_text};
 pub use closure::{coordinate, factor, size, slip, with_ground, worst_gap, worst_stretch};
 pub use dice::Dice;
-pub use fixtures::{SOURCES, four_bar_text};
+pub use fixtures::{four_bar_text, known, with_own_params};
 pub use folder::{Case, folder, repository};
 pub use grow::{Grown, grow, grow_coupled, grow_coupled_from, grow_from, grow_wild, in_own_frames};
 pub use measure::{apart, cross, differences, dot, in_f64, lengths, reach};

@@ -1,0 +1,33 @@
+//! Expands the mechanisms of the tests of generated code, which are texts: those of a folder are a file of Rust.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Every text of a folder as `mechanism!`, in the order of their names.
+fn expand(folder: &Path) -> io::Result<String> {
+    let files = fs::read_dir(folder)?.map(|file| file.map(|file| file.path()));
+    let mut files = files.collect::<io::Result<Vec<PathBuf>>>()?;
+    files.retain(|path| path.extension().is_some_and(|end| end == "mech"));
+    files.sort();
+    let mut code = String::new();
+    for path in files {
+        let text = fs::read_to_string(&path)?;
+        let text = text.replacen("struct ", "pub struct ", 1);
+        code += &format!("mech_runtime::mechanism! {{\n{text}}}\n");
+    }
+    Ok(code)
+}
+
+fn main() -> io::Result<()> {
+    let out = PathBuf::from(std::env::var_os("OUT_DIR").expect("cargo says where"));
+    println!("cargo::rerun-if-changed=build.rs");
+    let subjects = fs::read_dir("tests/subjects")?.map(|folder| folder.map(|folder| folder.path()));
+    for folder in subjects.chain([Ok("tests/zoo".into())]) {
+        let folder = folder?;
+        println!("cargo::rerun-if-changed={}", folder.display());
+        let name = folder.file_name().expect("a folder").to_string_lossy();
+        fs::write(out.join(format!("{name}.rs")), expand(&folder)?)?;
+    }
+    Ok(())
+}
