@@ -121,34 +121,34 @@ cases! {
     andrews: mech_gallery::andrews::AndrewsSqueezer, "../../examples/gallery/src/mechanisms/andrews.rs", turn;
     jansen: mech_gallery::jansen::JansenLeg, "../../examples/gallery/src/mechanisms/jansen.rs", turn;
     rocker_arm: mech_gallery::rocker_arm::RockerArm, "../../examples/gallery/src/mechanisms/rocker_arm.rs", turn_all_three;
-    slanted_guide: zoo::SlantedGuide, "zoo/slanted_guide.mech", turn;
-    quick_return: zoo::QuickReturn, "zoo/quick_return.mech", turn;
-    trammel: zoo::Trammel, "zoo/trammel.mech", to_and_fro;
-    scotch_yoke: zoo::ScotchYoke, "zoo/scotch_yoke.mech", turn;
-    rider: zoo::Rider, "zoo/rider.mech", turn_both;
-    gear_on_rocker: zoo::GearOnRocker, "zoo/gear_on_rocker.mech", turn;
-    planetary: zoo::Planetary, "zoo/planetary.mech", turn;
-    differential: zoo::Differential, "zoo/differential.mech", turn_both;
-    clock: zoo::Clock, "zoo/clock.mech", turn;
-    two_racks: zoo::TwoRacks, "zoo/two_racks.mech", to_and_fro;
-    rolling_wheel: zoo::Rolling, "zoo/rolling.mech", to_and_fro;
-    geared_five_bar: zoo::GearedFiveBar, "zoo/geared_five_bar.mech", swing;
-    tied_five_bar: zoo::TiedFiveBar, "zoo/tied_five_bar.mech", nudge;
-    slotted_arm: zoo::SlottedArm, "zoo/slotted_arm.mech", turn;
-    welded: zoo::Welded, "zoo/welded.mech", turn;
-    wedge: zoo::Wedge, "zoo/wedge.mech", to_and_fro;
-    three_cranks: zoo::ThreeCranks, "zoo/three_cranks.mech", swing;
-    two_guides: zoo::TwoGuides, "zoo/two_guides.mech", turn;
-    four_gears: zoo::FourGears, "zoo/four_gears.mech", turn;
-    three_planets: zoo::ThreePlanets, "zoo/three_planets.mech", turn;
-    stephenson_from_its_far_side: zoo::StephensonFar, "zoo/stephenson_far.mech", to;
-    double_butterfly: zoo::DoubleButterfly, "zoo/double_butterfly.mech", swing;
+    slanted_guide: zoo::SlantedGuide, "subjects/zoo/slanted_guide.mech", turn;
+    quick_return: zoo::QuickReturn, "subjects/zoo/quick_return.mech", turn;
+    trammel: zoo::Trammel, "subjects/zoo/trammel.mech", to_and_fro;
+    scotch_yoke: zoo::ScotchYoke, "subjects/zoo/scotch_yoke.mech", turn;
+    rider: zoo::Rider, "subjects/zoo/rider.mech", turn_both;
+    gear_on_rocker: zoo::GearOnRocker, "subjects/zoo/gear_on_rocker.mech", turn;
+    planetary: zoo::Planetary, "subjects/zoo/planetary.mech", turn;
+    differential: zoo::Differential, "subjects/zoo/differential.mech", turn_both;
+    clock: zoo::Clock, "subjects/zoo/clock.mech", turn;
+    two_racks: zoo::TwoRacks, "subjects/zoo/two_racks.mech", to_and_fro;
+    rolling_wheel: zoo::Rolling, "subjects/zoo/rolling.mech", to_and_fro;
+    geared_five_bar: zoo::GearedFiveBar, "subjects/zoo/geared_five_bar.mech", swing;
+    tied_five_bar: zoo::TiedFiveBar, "subjects/zoo/tied_five_bar.mech", nudge;
+    slotted_arm: zoo::SlottedArm, "subjects/zoo/slotted_arm.mech", turn;
+    welded: zoo::Welded, "subjects/zoo/welded.mech", turn;
+    wedge: zoo::Wedge, "subjects/zoo/wedge.mech", to_and_fro;
+    three_cranks: zoo::ThreeCranks, "subjects/zoo/three_cranks.mech", swing;
+    two_guides: zoo::TwoGuides, "subjects/zoo/two_guides.mech", turn;
+    four_gears: zoo::FourGears, "subjects/zoo/four_gears.mech", turn;
+    three_planets: zoo::ThreePlanets, "subjects/zoo/three_planets.mech", turn;
+    stephenson_from_its_far_side: zoo::StephensonFar, "subjects/zoo/stephenson_far.mech", to;
+    double_butterfly: zoo::DoubleButterfly, "subjects/zoo/double_butterfly.mech", swing;
 }
 
 #[test]
 fn single_precision() {
     let case = Case {
-        source: include_str!("zoo/single.mech"),
+        source: include_str!("subjects/zoo/single.mech"),
         motion: turn,
     };
     check::<zoo::Single>(&case, 1e-6);

@@ -21,9 +21,9 @@ const MOVES: usize = 12;
 const RATES: [f64; 2] = [0.75, -0.5];
 
 /// A mechanism, and how it is moved.
-struct Case {
-    text: String,
-    motors: Vec<Vec<f64>>,
+pub(crate) struct Case {
+    pub(crate) text: String,
+    pub(crate) motors: Vec<Vec<f64>>,
 }
 
 /// What a mechanism shows after a move.
@@ -83,7 +83,7 @@ impl Case {
     }
 
     /// A module that moves the mechanism in the same way and compares.
-    fn module<T: Real>(&self, number: usize, kind: &str) -> String {
+    pub(crate) fn module<T: Real>(&self, number: usize, kind: &str) -> String {
         let text = self.text.replacen(';', &format!(": {kind};"), 1);
         let (model, motors) = (model(&text), &self.motors);
         let expected = expected::<T>(&model, motors);
@@ -271,19 +271,26 @@ fn what_is_shared_gives_the_bits_of_the_interpreter() {
             let _ = write!(calls, "f32_{number}::run();");
         }
     }
-    let _ = write!(
-        program,
-        "const fn mix(all: u64, bits: u64) -> u64 {{ (all ^ bits).wrapping_mul(0x0100_0000_01b3).rotate_left(17) }}
-        fn main() {{ {calls} }}"
-    );
-    let root = Path::new(env!("CARGO_TARGET_TMPDIR")).join("alike");
-    let mut rustc = mech_test_support::rustc(&root);
-    let source = root.join("alike.rs");
-    fs::write(&source, format!("#![allow(dead_code)]\n{program}")).expect("a file");
     // Optimised, so that several rows are computed at once, but with all checks.
     let flags = ["-C", "opt-level=2", "-C", "debug-assertions"];
+    run("alike", &program, &calls, &flags);
+}
+
+/// Compiles some modules with these flags, and makes these calls.
+#[track_caller]
+pub(crate) fn run(name: &str, modules: &str, calls: &str, flags: &[&str]) {
+    let root = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let mut rustc = mech_test_support::rustc(&root);
+    let source = root.join(name).with_extension("rs");
+    let program = format!(
+        "#![allow(dead_code)]
+        {modules}
+        const fn mix(all: u64, bits: u64) -> u64 {{ (all ^ bits).wrapping_mul(0x0100_0000_01b3).rotate_left(17) }}
+        fn main() {{ {calls} }}"
+    );
+    fs::write(&source, program).expect("a file");
     let status = rustc.args(flags).arg(&source).status();
     assert!(status.expect("the compiler runs").success(), "they compile");
-    let status = Command::new(root.join("alike")).status();
-    assert!(status.expect("a program").success(), "all bits are equal");
+    let status = Command::new(root.join(name)).status();
+    assert!(status.expect("a program").success(), "they move");
 }

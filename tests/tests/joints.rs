@@ -2,19 +2,12 @@
 
 use super::zoo;
 use mech_runtime::{Coordinate, JointInfo, JointKind, Mechanism};
+use mech_test_support::{cross, dot};
 use std::f64::consts::{PI, TAU};
 
 include!(concat!(env!("OUT_DIR"), "/joints.rs"));
 
 type Vector = [f64; 2];
-
-fn dot([a, b]: Vector, [c, d]: Vector) -> f64 {
-    a * c + b * d
-}
-
-fn cross([a, b]: Vector, [c, d]: Vector) -> f64 {
-    a * d - b * c
-}
 
 #[track_caller]
 fn near(found: f64, expected: f64, what: &str) {

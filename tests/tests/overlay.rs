@@ -6,7 +6,7 @@ use mech_compiler::model::{LinkId, Measure, Model};
 use mech_compiler::symbols::{moving_points, symbols};
 use mech_runtime::overlay::{self, Arrows};
 use mech_runtime::{Canvas, Outline, Overlay, Pose};
-use mech_test_support::{folder, mechanisms};
+use mech_test_support::{dot, folder, mechanisms};
 
 include!(concat!(env!("OUT_DIR"), "/overlay.rs"));
 
@@ -23,7 +23,7 @@ fn diagram(model: &Model, compiled: &Compiled) -> Vec<Symbol> {
 
 /// All mechanisms of the zoo.
 fn zoo() -> Vec<(Model, Compiled)> {
-    let texts = folder("../tests/zoo").into_iter();
+    let texts = folder("../tests/subjects/zoo").into_iter();
     texts.flat_map(|case| mechanisms(&case.text)).collect()
 }
 
@@ -81,10 +81,6 @@ impl Moment {
 
 fn away([x, y]: Vector, [u, v]: Vector, length: f64) -> Vector {
     [x + length * u, y + length * v]
-}
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
 }
 
 #[track_caller]

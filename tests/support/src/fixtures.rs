@@ -17,7 +17,9 @@ const GALLERY: [&str; 6] = [
 #[must_use]
 pub fn known() -> Vec<Model> {
     let gallery = GALLERY.into_iter().map(ToOwned::to_owned);
-    let zoo = folder("../tests/zoo").into_iter().map(|case| case.text);
+    let zoo = folder("../tests/subjects/zoo")
+        .into_iter()
+        .map(|case| case.text);
     let sources = gallery.chain(zoo);
     sources.flat_map(|source| models(&source)).collect()
 }

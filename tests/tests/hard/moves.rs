@@ -37,7 +37,7 @@ pub(crate) fn make<T: Real>(bed: &Bed<'_, T>, fact: &str) -> bool {
         (constants(goals), constant(end))
     };
     match word {
-        "by" | "expanded" | "point" | "seen" | "=" => return false,
+        "by" | "with" | "expanded" | "point" | "seen" | "=" => return false,
         "moves" => {
             let (count, steps) = steps();
             let count: u32 = count.parse().expect("a number");

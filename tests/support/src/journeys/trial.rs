@@ -252,22 +252,35 @@ impl<'a> Trial<'a> {
         }
     }
 
+    /// So many moves of the one motor, each to where its value leads; none where nothing is known. Where it may not go on, it begins again.
+    fn wander<T: Real>(
+        &mut self,
+        line: &Line<'_>,
+        machine: &mut Machine<'_, T>,
+        moves: u32,
+        mut next: impl FnMut(f64) -> f64,
+    ) {
+        let (begin, mut path) = (machine.position().clone(), Vec::new());
+        for _ in 0..moves {
+            let to = next(motors(machine)[0]);
+            let is_known = (to - line.start).abs() < line.reach;
+            if is_known && !self.judged(line, machine, to, &mut path) {
+                machine.put_back(begin.clone());
+                path.clear();
+            }
+        }
+    }
+
     pub(super) fn leaps<T: Real>(
         &mut self,
         line: &Line<'_>,
         machine: &mut Machine<'_, T>,
         dice: &mut Dice,
     ) {
-        let begin = machine.position().clone();
-        let mut path = Vec::new();
-        for _ in 0..12 {
+        self.wander(line, machine, 12, |_| {
             let far = *dice.pick(&[0.3, 1.0, 1.0, 1.0]) * line.reach;
-            let to = line.start + dice.between(-far, far);
-            if !self.judged(line, machine, to, &mut path) {
-                machine.put_back(begin.clone());
-                path.clear();
-            }
-        }
+            line.start + dice.between(-far, far)
+        });
     }
 
     pub(super) fn stops<T: Real>(
@@ -276,29 +289,22 @@ impl<'a> Trial<'a> {
         machine: &mut Machine<'_, T>,
         dice: &mut Dice,
     ) {
-        let begin = machine.position().clone();
-        let mut path = Vec::new();
         let crossings = line.track.crossings();
         let unit = if self.subject.slides(0) {
             line.reach / 12.0
         } else {
             1.0
         };
-        for _ in 0..24 {
-            let at = machine.position().motors[0].to_f64();
+        self.wander(line, machine, 24, |at| {
             let by = *dice.pick(&[1e-7, 1e-7, 1e-5, 1e-3, 1e-3, 0.1, 1.0, 1.0, PI])
                 * unit
                 * *dice.pick(&[1.0, -1.0]);
-            let to = if crossings.is_empty() || dice.once_in(2) {
+            if crossings.is_empty() || dice.once_in(2) {
                 at + by
             } else {
                 *dice.pick(&crossings) + if dice.once_in(3) { 0.0 } else { by }
-            };
-            if (to - line.start).abs() < line.reach && !self.judged(line, machine, to, &mut path) {
-                machine.put_back(begin.clone());
-                path.clear();
             }
-        }
+        });
     }
 
     pub(super) fn steps<T: Real>(&mut self, line: &Line<'_>, machine: &mut Machine<'_, T>) {
