@@ -13,8 +13,13 @@ fn expand(folder: &Path) -> io::Result<String> {
     let mut code = String::new();
     for path in files {
         let text = fs::read_to_string(&path)?;
-        let text = text.replacen("struct ", "pub struct ", 1);
-        code += &format!("mech_runtime::mechanism! {{\n{text}}}\n");
+        // What it is, is the documentation of the struct.
+        let text = match text.strip_prefix("// ") {
+            Some(about) => format!("/// {about}"),
+            None => text,
+        };
+        let expanded = format!("mech_runtime::mechanism! {{\n{text}}}\n");
+        code += &expanded.replacen("\nstruct ", "\npub struct ", 1);
     }
     Ok(code)
 }
