@@ -3,20 +3,26 @@
 use crate::{folder, models};
 use mech_compiler::model::Model;
 
-/// Sources of the gallery's mechanisms.
-const GALLERY: [&str; 6] = [
-    include_str!("../../../examples/gallery/src/mechanisms/andrews.rs"),
-    include_str!("../../../examples/gallery/src/mechanisms/four_bar.rs"),
-    include_str!("../../../examples/gallery/src/mechanisms/geared_piston.rs"),
-    include_str!("../../../examples/gallery/src/mechanisms/jansen.rs"),
-    include_str!("../../../examples/gallery/src/mechanisms/rocker_arm.rs"),
-    include_str!("../../../examples/gallery/src/mechanisms/watt.rs"),
+macro_rules! gallery {
+    ($($name:literal),*) => {
+        [$(($name, include_str!(concat!("../../../examples/gallery/src/mechanisms/", $name, ".rs")))),*]
+    };
+}
+
+/// Names and sources of the gallery's mechanisms.
+pub const GALLERY: [(&str, &str); 6] = gallery![
+    "andrews",
+    "four_bar",
+    "geared_piston",
+    "jansen",
+    "rocker_arm",
+    "watt"
 ];
 
 /// The gallery's mechanisms and the zoo's, which the tests expand too.
 #[must_use]
 pub fn known() -> Vec<Model> {
-    let gallery = GALLERY.into_iter().map(ToOwned::to_owned);
+    let gallery = GALLERY.map(|(_, source)| source.to_owned()).into_iter();
     let zoo = folder("../tests/subjects/zoo")
         .into_iter()
         .map(|case| case.text);
