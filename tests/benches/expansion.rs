@@ -1,7 +1,7 @@
 //! How long `mechanism!` itself takes, from the tokens of the text to those of the code: each mechanism of the gallery, and
 //! chains by their number of loops.
 
-use mech_test_support::{bodies, chain_text, median};
+use mech_test_support::{GALLERY, bodies, chain_text, median};
 use proc_macro2::TokenStream;
 use quote::quote;
 use std::hint::black_box;
@@ -9,33 +9,6 @@ use std::time::Instant;
 
 /// What an expansion in the gallery may take.
 const THRESHOLD: f64 = 5.0;
-
-const GALLERY: [(&str, &str); 6] = [
-    (
-        "andrews",
-        include_str!("../../examples/gallery/src/mechanisms/andrews.rs"),
-    ),
-    (
-        "four_bar",
-        include_str!("../../examples/gallery/src/mechanisms/four_bar.rs"),
-    ),
-    (
-        "geared_piston",
-        include_str!("../../examples/gallery/src/mechanisms/geared_piston.rs"),
-    ),
-    (
-        "jansen",
-        include_str!("../../examples/gallery/src/mechanisms/jansen.rs"),
-    ),
-    (
-        "rocker_arm",
-        include_str!("../../examples/gallery/src/mechanisms/rocker_arm.rs"),
-    ),
-    (
-        "watt",
-        include_str!("../../examples/gallery/src/mechanisms/watt.rs"),
-    ),
-];
 
 fn main() {
     println!("{:>16} {:>10} {:>12}", "gallery", "ms", "at most");

@@ -7,7 +7,7 @@ use mech_compiler::model::{JointKind, Method, Model, Precision};
 use mech_compiler::program::Program;
 use mech_compiler::structure::Diagnosis;
 use mech_runtime::{Pose, Real};
-use mech_test_support::{Dice, SOURCES, grow, grow_coupled, model, models, shuffled, size};
+use mech_test_support::{Dice, grow, grow_coupled, known, model, shuffled, size};
 
 /// Methods, and from how many differences their iterations are started.
 const METHODS: [(Method, u8); 5] = [
@@ -223,16 +223,12 @@ fn nothing_in_the_gallery_is_worse_than_estimated() {
     let mut dice = Dice::new(5);
     for precision in [Precision::F64, Precision::F32] {
         let mut seen = Seen::default();
-        let named = SOURCES[..8].iter().flat_map(|(file, source)| {
-            let models = models(source).into_iter();
-            models.map(move |model| (file, model))
-        });
-        for (number, (file, mut model)) in named.enumerate() {
+        for (number, mut model) in known().into_iter().enumerate() {
             model.precision = precision;
             let all = [0.1, 1.0, 5.0].iter().cycle().skip(number);
             // One after the other where few cases are asked for.
             for &degrees in all.take(if cases() < 100 { 1 } else { 3 }) {
-                let what = format!("{file} {degrees}°");
+                let what = format!("{degrees}°");
                 hold(&with_step(&model, degrees), &what, &mut seen, &mut dice);
             }
         }
@@ -313,9 +309,8 @@ const CRANKED: &str = "struct SixBar;
 #[test]
 fn what_an_accuracy_accepts_is_as_accurate() {
     let mut dice = Dice::new(11);
-    let others = SOURCES[..8].iter().flat_map(|(_, source)| models(source));
     let (mut accepted, mut counted) = (0, 0);
-    for model in [model(CRANKED)].into_iter().chain(others) {
+    for model in [model(CRANKED)].into_iter().chain(known()) {
         let Some(exact) = exact(&model) else {
             continue;
         };

@@ -121,34 +121,34 @@ cases! {
     andrews: mech_gallery::andrews::AndrewsSqueezer, "../../examples/gallery/src/mechanisms/andrews.rs", turn;
     jansen: mech_gallery::jansen::JansenLeg, "../../examples/gallery/src/mechanisms/jansen.rs", turn;
     rocker_arm: mech_gallery::rocker_arm::RockerArm, "../../examples/gallery/src/mechanisms/rocker_arm.rs", turn_all_three;
-    slanted_guide: zoo::SlantedGuide, "zoo/mod.rs", turn;
-    quick_return: zoo::QuickReturn, "zoo/mod.rs", turn;
-    trammel: zoo::Trammel, "zoo/mod.rs", to_and_fro;
-    scotch_yoke: zoo::ScotchYoke, "zoo/mod.rs", turn;
-    rider: zoo::Rider, "zoo/mod.rs", turn_both;
-    gear_on_rocker: zoo::GearOnRocker, "zoo/mod.rs", turn;
-    planetary: zoo::rolling::Planetary, "zoo/rolling.rs", turn;
-    differential: zoo::rolling::Differential, "zoo/rolling.rs", turn_both;
-    clock: zoo::rolling::Clock, "zoo/rolling.rs", turn;
-    two_racks: zoo::rolling::TwoRacks, "zoo/rolling.rs", to_and_fro;
-    rolling_wheel: zoo::rolling::Rolling, "zoo/rolling.rs", to_and_fro;
-    geared_five_bar: zoo::rolling::GearedFiveBar, "zoo/rolling.rs", swing;
-    tied_five_bar: zoo::rolling::TiedFiveBar, "zoo/rolling.rs", nudge;
-    slotted_arm: zoo::special::SlottedArm, "zoo/special.rs", turn;
-    welded: zoo::special::Welded, "zoo/special.rs", turn;
-    wedge: zoo::special::Wedge, "zoo/special.rs", to_and_fro;
-    three_cranks: zoo::special::ThreeCranks, "zoo/special.rs", swing;
-    two_guides: zoo::special::TwoGuides, "zoo/special.rs", turn;
-    four_gears: zoo::special::FourGears, "zoo/special.rs", turn;
-    three_planets: zoo::special::ThreePlanets, "zoo/special.rs", turn;
-    stephenson_from_its_far_side: zoo::special::StephensonFar, "zoo/special.rs", to;
-    double_butterfly: zoo::special::DoubleButterfly, "zoo/special.rs", swing;
+    slanted_guide: zoo::SlantedGuide, "subjects/zoo/slanted_guide.mech", turn;
+    quick_return: zoo::QuickReturn, "subjects/zoo/quick_return.mech", turn;
+    trammel: zoo::Trammel, "subjects/zoo/trammel.mech", to_and_fro;
+    scotch_yoke: zoo::ScotchYoke, "subjects/zoo/scotch_yoke.mech", turn;
+    rider: zoo::Rider, "subjects/zoo/rider.mech", turn_both;
+    gear_on_rocker: zoo::GearOnRocker, "subjects/zoo/gear_on_rocker.mech", turn;
+    planetary: zoo::Planetary, "subjects/zoo/planetary.mech", turn;
+    differential: zoo::Differential, "subjects/zoo/differential.mech", turn_both;
+    clock: zoo::Clock, "subjects/zoo/clock.mech", turn;
+    two_racks: zoo::TwoRacks, "subjects/zoo/two_racks.mech", to_and_fro;
+    rolling_wheel: zoo::Rolling, "subjects/zoo/rolling.mech", to_and_fro;
+    geared_five_bar: zoo::GearedFiveBar, "subjects/zoo/geared_five_bar.mech", swing;
+    tied_five_bar: zoo::TiedFiveBar, "subjects/zoo/tied_five_bar.mech", nudge;
+    slotted_arm: zoo::SlottedArm, "subjects/zoo/slotted_arm.mech", turn;
+    welded: zoo::Welded, "subjects/zoo/welded.mech", turn;
+    wedge: zoo::Wedge, "subjects/zoo/wedge.mech", to_and_fro;
+    three_cranks: zoo::ThreeCranks, "subjects/zoo/three_cranks.mech", swing;
+    two_guides: zoo::TwoGuides, "subjects/zoo/two_guides.mech", turn;
+    four_gears: zoo::FourGears, "subjects/zoo/four_gears.mech", turn;
+    three_planets: zoo::ThreePlanets, "subjects/zoo/three_planets.mech", turn;
+    stephenson_from_its_far_side: zoo::StephensonFar, "subjects/zoo/stephenson_far.mech", to;
+    double_butterfly: zoo::DoubleButterfly, "subjects/zoo/double_butterfly.mech", swing;
 }
 
 #[test]
 fn single_precision() {
     let case = Case {
-        source: include_str!("zoo/mod.rs"),
+        source: include_str!("subjects/zoo/single.mech"),
         motion: turn,
     };
     check::<zoo::Single>(&case, 1e-6);
@@ -187,5 +187,5 @@ fn a_loop_on_a_moving_carrier_is_the_same_loop() {
 
 #[test]
 fn nobody_sees_the_die_of_a_slot() {
-    assert_eq!(zoo::special::SlottedArm::LINKS, ["crank", "arm"]);
+    assert_eq!(zoo::SlottedArm::LINKS, ["crank", "arm"]);
 }

@@ -5,7 +5,10 @@ use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::Model;
 use mech_runtime::Real;
-use mech_test_support::{Dice, chain_text, grow_from, model, part_of, text, uneven_chain_text};
+use mech_test_support::{
+    Dice, chain_text, folder, grow_from, model, part_of, text, uneven_chain_text,
+};
+use std::f64::consts::{PI, TAU};
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
@@ -18,9 +21,9 @@ const MOVES: usize = 12;
 const RATES: [f64; 2] = [0.75, -0.5];
 
 /// A mechanism, and how it is moved.
-struct Case {
-    text: String,
-    motors: Vec<Vec<f64>>,
+pub(crate) struct Case {
+    pub(crate) text: String,
+    pub(crate) motors: Vec<Vec<f64>>,
 }
 
 /// What a mechanism shows after a move.
@@ -55,8 +58,32 @@ impl Case {
         Self { text, motors }
     }
 
+    /// A hard case that goes onto its change points, beside and past them, and towards where it cannot go, by one of two methods.
+    fn hard(text: String, number: usize) -> Self {
+        const VALUES: [f64; 14] = [
+            1.0,
+            2.5,
+            PI,
+            3.2,
+            PI + 1e-9,
+            4.0,
+            TAU,
+            7.5,
+            40.0,
+            3.0,
+            -0.5,
+            0.0,
+            1e-7,
+            1.5,
+        ];
+        let method = ["", "method newton;"][number % 2];
+        let motors = VALUES.map(|value| vec![value]).to_vec();
+        let text = text + method;
+        Self { text, motors }
+    }
+
     /// A module that moves the mechanism in the same way and compares.
-    fn module<T: Real>(&self, number: usize, kind: &str) -> String {
+    pub(crate) fn module<T: Real>(&self, number: usize, kind: &str) -> String {
         let text = self.text.replacen(';', &format!(": {kind};"), 1);
         let (model, motors) = (model(&text), &self.motors);
         let expected = expected::<T>(&model, motors);
@@ -80,8 +107,9 @@ impl Case {
                 pub fn run() {{
                     let mut moved = {name}::new();
                     for (step, (motors, expected)) in MOTORS.iter().zip(EXPECTED).enumerate() {{
-                        let is_ok = moved.{call}.is_ok();
-                        let mut numbers: Vec<{kind}> = Vec::new();
+                        let reached = moved.{call}.err().map(|blocked| blocked.reached);
+                        let is_ok = reached.is_none();
+                        let mut numbers: Vec<{kind}> = reached.into_iter().flatten().collect();
                         numbers.extend(moved.poses().iter().flat_map(|pose| [pose.cos, pose.sin, pose.x, pose.y]));
                         if is_ok {{ {rates} }}
                         let bits = numbers.into_iter().map(|number| f64::from(number).to_bits());
@@ -101,7 +129,12 @@ fn expected<T: Real>(model: &Model, motors: &[Vec<f64>]) -> Vec<(bool, u64)> {
         let motors: Vec<T> = motors.iter().map(|&motor| T::from_f64(motor)).collect();
         let before = machine.position().clone();
         let mut is_ok = machine.move_to(&motors).is_ok();
-        let mut rates = Vec::new();
+        let (mut reached, mut rates) = (Vec::new(), Vec::new());
+        if !is_ok {
+            let mut toward = machine.clone();
+            let _ = toward.move_toward(&motors);
+            reached.clone_from(&toward.position().motors);
+        }
         if let (true, Some(moving)) = (is_ok, &compiled.moving) {
             let mut moving = Machine::<T>::new(moving);
             moving.put_back(machine.position().clone());
@@ -111,11 +144,12 @@ fn expected<T: Real>(model: &Model, motors: &[Vec<f64>]) -> Vec<(bool, u64)> {
                 rates.extend(found.accelerations.into_iter().flatten());
             } else {
                 machine.put_back(before);
-                is_ok = false;
+                (is_ok, reached) = (false, motors);
             }
         }
         let poses = machine.position().poses.iter().flatten();
-        let numbers = poses.chain(rates.iter().flatten()).copied().collect();
+        let numbers = reached.iter().chain(poses).chain(rates.iter().flatten());
+        let numbers = numbers.copied().collect();
         Shown { is_ok, numbers }.mixed()
     });
     steps.collect()
@@ -217,25 +251,46 @@ fn what_is_shared_gives_the_bits_of_the_interpreter() {
             cases.push(Case::new(text, &mut dice));
         }
     }
+    let soft = cases.len();
+    let mut hard = folder("hard");
+    hard.retain(|case| case.marks("expanded").next().is_some());
+    assert!(hard.len() > 12, "{}", hard.len());
+    for (number, case) in hard.iter().enumerate() {
+        cases.push(Case::hard(case.statements().collect(), number));
+    }
     let (mut program, mut calls) = (String::new(), String::new());
     for (number, case) in cases.iter().enumerate() {
-        program += &case.module::<f64>(number, "f64");
-        program += &case.module::<f32>(number, "f32");
-        let _ = write!(calls, "f64_{number}::run(); f32_{number}::run();");
+        // Of hard cases each has one precision.
+        let hard = number.checked_sub(soft).map(|number| number / 2 % 2);
+        if hard != Some(1) {
+            program += &case.module::<f64>(number, "f64");
+            let _ = write!(calls, "f64_{number}::run();");
+        }
+        if hard != Some(0) {
+            program += &case.module::<f32>(number, "f32");
+            let _ = write!(calls, "f32_{number}::run();");
+        }
     }
-    let _ = write!(
-        program,
-        "const fn mix(all: u64, bits: u64) -> u64 {{ (all ^ bits).wrapping_mul(0x0100_0000_01b3).rotate_left(17) }}
-        fn main() {{ {calls} }}"
-    );
-    let root = Path::new(env!("CARGO_TARGET_TMPDIR")).join("alike");
-    let mut rustc = mech_test_support::rustc(&root);
-    let source = root.join("alike.rs");
-    fs::write(&source, format!("#![allow(dead_code)]\n{program}")).expect("a file");
     // Optimised, so that several rows are computed at once, but with all checks.
     let flags = ["-C", "opt-level=2", "-C", "debug-assertions"];
+    run("alike", &program, &calls, &flags);
+}
+
+/// Compiles some modules with these flags, and makes these calls.
+#[track_caller]
+pub(crate) fn run(name: &str, modules: &str, calls: &str, flags: &[&str]) {
+    let root = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let mut rustc = mech_test_support::rustc(&root);
+    let source = root.join(name).with_extension("rs");
+    let program = format!(
+        "#![allow(dead_code)]
+        {modules}
+        const fn mix(all: u64, bits: u64) -> u64 {{ (all ^ bits).wrapping_mul(0x0100_0000_01b3).rotate_left(17) }}
+        fn main() {{ {calls} }}"
+    );
+    fs::write(&source, program).expect("a file");
     let status = rustc.args(flags).arg(&source).status();
     assert!(status.expect("the compiler runs").success(), "they compile");
-    let status = Command::new(root.join("alike")).status();
-    assert!(status.expect("a program").success(), "all bits are equal");
+    let status = Command::new(root.join(name)).status();
+    assert!(status.expect("a program").success(), "they move");
 }

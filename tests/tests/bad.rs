@@ -1,65 +1,12 @@
 //! Whatever numbers a mechanism is given, in whatever order: it moves, or says why not and is as it was. Nothing panics, and what it
 //! tells are numbers.
 
-use super::zoo::rolling::Differential;
-use mech_runtime::{GaussLegendre, Phase, Pose, Scalar, mechanism};
+use super::zoo::Differential;
+use mech_runtime::{GaussLegendre, Phase, Pose, Scalar};
 use proptest::prelude::*;
 use std::fmt::Debug;
 
-mechanism! {
-    /// With everything that forces do.
-    struct Forced;
-    ground { point a = (0, 0); point d = (4, 0); }
-    link crank { point a = (0, 0); point b = (1, 0); mass 2 at (0.5, 0) inertia 0.2; }
-    link coupler { point b = (0, 0); point c = (3.5, 0); point tip = (2, 1); mass 1 at (1, 0) inertia 0.3; }
-    link rocker { point d = (0, 0); point c = (3, 0); }
-    joint ja = revolute(ground.a, crank.a);
-    joint jb = revolute(crank.b, coupler.b);
-    joint jc = revolute(coupler.c, rocker.c);
-    joint jd = revolute(ground.d, rocker.d);
-    motor ja;
-    start { coupler near 50 deg; }
-    gravity (0, -9.81);
-    load push = force(coupler.tip);
-    load twist = torque(rocker);
-    spring coil = linear(coupler.tip, ground.d) stiffness 3 rest 1;
-    effects { velocity; acceleration; force; dynamics; trace coupler.tip 16; }
-}
-
-mechanism! {
-    /// With lengths that change, in single precision.
-    struct Changing: f32;
-    param rod = 3.5;
-    ground { point a = (0, 0); point d = (4, 0); line guide = (0, 2) -> (1, 0); }
-    link crank { point a = (0, 0); point b = (1, 0); }
-    link coupler { point b = (0, 0); point c = (rod, 0); point tip = (rod / 2, 1); }
-    link rocker { point d = (0, 0); point c = (3, 0); }
-    link slider { line guide = (0, 0) -> (1, 0); }
-    joint ja = revolute(ground.a, crank.a);
-    joint jb = revolute(crank.b, coupler.b);
-    joint jc = revolute(coupler.c, rocker.c);
-    joint jd = revolute(ground.d, rocker.d);
-    joint js = prismatic(ground.guide, slider.guide);
-    motor ja;
-    motor js;
-    start { coupler near 50 deg; }
-    effects { velocity; sensitivity; }
-}
-
-mechanism! {
-    /// That follows laws, iterates, and is blocked here and there.
-    struct Lawful;
-    link crank; link coupler; link rocker; link slider;
-    joint a = revolute(ground, crank) at (0, 0);
-    joint b = revolute(crank, coupler) at (1.8, 0.6);
-    joint c = revolute(coupler, rocker) at (3.3, 2.9);
-    joint d = revolute(ground, rocker) at (4, 0);
-    joint s = prismatic(ground, slider) at (0, 5) along (1, 0);
-    motor a = exp(t) * sin(t);
-    motor s = t * sqrt(1 + t) / (2 - t);
-    method newton;
-    effects { velocity; acceleration; }
-}
+include!(concat!(env!("OUT_DIR"), "/bad.rs"));
 
 /// Numbers of which many are none, or are beyond all others.
 fn number() -> impl Strategy<Value = f64> + Clone {

@@ -1,28 +1,9 @@
 //! What is reported of a move that does not succeed: names, units and where.
 
-use mech_runtime::{Blocked, BlockedOf, Cause, Mechanism, Place, Reached, mechanism};
+use mech_runtime::{Blocked, BlockedOf, Cause, Mechanism, Place, Reached};
 use std::f64::consts::PI;
 
-mechanism! {
-    /// A crank too long for its rod, on a carriage.
-    struct Short;
-    param rod = 2.0;
-    link carriage;
-    link crank { point shaft = (0, 0); point pin = (3, 0); }
-    link coupler { point big = (0, 0); point small = (rod, 0); }
-    link block { point pin = (0, 0); line axis = (0, 0) -> (1, 0); }
-    ground { line rail = (0, 0) -> (0, 1); }
-    link frame { line rail = (0, 0) -> (0, 1); point shaft = (0, 0); line bed = (0, 0) -> (1, 0); }
-    joint lift = prismatic(ground.rail, frame.rail);
-    joint hold = weld(frame, carriage);
-    joint turn = revolute(frame.shaft, crank.shaft);
-    joint big = revolute(crank.pin, coupler.big);
-    joint small = revolute(coupler.small, block.pin);
-    joint bed = prismatic(frame.bed, block.axis);
-    motor turn;
-    motor lift;
-    start { turn = 10 deg; coupler near -10 deg; }
-}
+include!(concat!(env!("OUT_DIR"), "/blocked.rs"));
 
 /// The crank's pin is as far aside as the rod is long.
 fn limit(rod: f64) -> f64 {

@@ -7,8 +7,10 @@
 )]
 
 use super::literature::Andrews;
-use mech_runtime::{Cause, GaussLegendre, mechanism};
+use mech_runtime::{Cause, GaussLegendre};
 use std::f64::consts::{PI, TAU};
+
+include!(concat!(env!("OUT_DIR"), "/dynamics.rs"));
 
 #[test]
 fn andrews_squeezer_is_where_the_literature_says_after_three_hundredths_of_a_second() {
@@ -44,18 +46,6 @@ fn andrews_squeezer_is_where_the_literature_says_after_three_hundredths_of_a_sec
     relative(squeezer.delta_rate(), 0.573_569_928_479_080_8, 1e-5);
     relative(squeezer.beta_acceleration(), -24_631.763_169_451_96, 1e-5);
     relative(squeezer.phi_acceleration(), 566_749.364_517_621_3, 1e-5);
-}
-
-mechanism! {
-    /// A point on a string without weight.
-    struct Pendulum;
-    ground { point pivot = (0, 0); }
-    link bob { point pivot = (0, 0); mass 2 at (1.5, 0); }
-    joint swing = revolute(ground.pivot, bob.pivot);
-    motor swing;
-    start { swing = -90 deg; }
-    gravity (0, -9.81);
-    effects { dynamics; }
 }
 
 /// The complete elliptic integral of the first kind by the arithmetic-geometric mean of Gauss.
@@ -118,24 +108,6 @@ fn the_orders_of_the_methods_are_those_of_gauss() {
     }
 }
 
-mechanism! {
-    /// A four-bar whose crank turns right round, in gravity, with a spring.
-    struct CrankRocker;
-    ground { point o = (0, 0); point p = (4, 0); }
-    link crank { point shaft = (0, 0); point pin = (1, 0); mass 5 at (0.1, 0.05) inertia 2; }
-    link coupler { point left = (0, 0); point right = (4, 0); mass 1 at (2, 0.3) inertia 0.8; }
-    link rocker { point pin = (2.5, 0); point shaft = (0, 0); mass 0.5 at (1.2, 0) inertia 0.2; }
-    joint a = revolute(ground.o, crank.shaft);
-    joint b = revolute(crank.pin, coupler.left);
-    joint c = revolute(coupler.right, rocker.pin);
-    joint d = revolute(ground.p, rocker.shaft);
-    motor a;
-    start { coupler near 40 deg; }
-    gravity (0, -9.81);
-    spring soft = torsional(d) stiffness 3 rest 110 deg;
-    effects { dynamics; }
-}
-
 #[test]
 fn energy_does_not_drift_in_a_thousand_turns() {
     let mut machine = CrankRocker::new();
@@ -174,21 +146,6 @@ fn power_is_the_change_of_energy() {
     );
 }
 
-mechanism! {
-    /// Two arms of one chain: the double pendulum, whose equations are in every book.
-    struct DoublePendulum;
-    ground { point o = (0, 0); }
-    link upper { point o = (0, 0); point elbow = (1.2, 0); mass 1.5 at (1.2, 0); }
-    link fore { point elbow = (0, 0); mass 0.7 at (0.9, 0); }
-    joint a = revolute(ground.o, upper.o);
-    joint b = revolute(upper.elbow, fore.elbow);
-    motor a;
-    motor b;
-    start { a = -50 deg; b = 20 deg; }
-    gravity (0, -9.81);
-    effects { dynamics; }
-}
-
 #[test]
 fn a_double_pendulum_is_accelerated_as_in_the_book() {
     // Angles from the vertical, masses at the ends (Goldstein): solved for the second rates here.
@@ -223,28 +180,6 @@ fn a_double_pendulum_is_accelerated_as_in_the_book() {
     }
 }
 
-mechanism! {
-    /// A five-bar that nobody drives, held up by a spring.
-    struct Bouncing;
-    ground { point o = (0, 0); point p = (3, 0); point hook = (1.5, 5.5); }
-    link left { point shaft = (0, 0); point knee = (2, 0); mass 1 at (1, 0) inertia 0.3; }
-    link right { point shaft = (0, 0); point knee = (2, 0); mass 1 at (1, 0) inertia 0.3; }
-    link reach { point knee = (0, 0); point tip = (2, 0); mass 0.6 at (1, 0) inertia 0.2; }
-    link brace { point knee = (0, 0); point tip = (2, 0); mass 0.6 at (1, 0) inertia 0.2; }
-    joint a = revolute(ground.o, left.shaft);
-    joint b = revolute(ground.p, right.shaft);
-    joint c = revolute(left.knee, reach.knee);
-    joint d = revolute(right.knee, brace.knee);
-    joint e = revolute(reach.tip, brace.tip);
-    motor a;
-    motor b;
-    start { a = 80 deg; b = 100 deg; reach near 55 deg; }
-    gravity (0, -9.81);
-    spring coil = linear(reach.tip, ground.hook) stiffness 60 rest 0.5;
-    damper oil = torsional(e) damping 0;
-    effects { dynamics; }
-}
-
 #[test]
 fn a_five_bar_that_nobody_drives_bounces_on_its_spring() {
     let mut bouncing = Bouncing::new();
@@ -259,32 +194,6 @@ fn a_five_bar_that_nobody_drives_bounces_on_its_spring() {
     println!("kinetic up to {most}, energy off by {worst:e}");
     assert!(most > 1.0, "it hardly moves: {most}");
     assert!(worst < 1e-6 * most, "{worst:e} of {most}");
-}
-
-mechanism! {
-    /// A block that a spring and a damper bring to rest.
-    struct Damped;
-    ground { point wall = (0, 0); }
-    link block { point pin = (1, 0); mass 1 at (1, 0); }
-    joint x = prismatic(ground, block) at (1, 0) along (1, 0);
-    motor x;
-    spring coil = linear(ground.wall, block.pin) stiffness 1000 rest 0.9;
-    damper oil = linear(ground.wall, block.pin) damping 80;
-    effects { dynamics; }
-}
-
-mechanism! {
-    /// A wheel on a swing arm, between a spring and a damper.
-    struct Suspension;
-    ground { point pivot = (0, 0); point seat = (0.1, 0.35); }
-    link arm { point pivot = (0, 0); point strut = (0.2, 0.02); mass 4 at (0.4, 0) inertia 0.1; }
-    joint turn = revolute(ground.pivot, arm.pivot);
-    motor turn;
-    start { turn = -10 deg; }
-    gravity (0, -9.81);
-    spring coil = linear(arm.strut, ground.seat) stiffness 60000 rest 0.36;
-    damper oil = linear(arm.strut, ground.seat) damping 2500;
-    effects { dynamics; }
 }
 
 /// What has come to rest stays there, however long it is waited for: its forces cancel each other but for rounding.

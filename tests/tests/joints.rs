@@ -1,18 +1,13 @@
 //! What mechanisms tell of their joints, beside where the poses of their links put these.
 
 use super::zoo;
-use mech_runtime::{Coordinate, JointInfo, JointKind, Mechanism, mechanism};
+use mech_runtime::{Coordinate, JointInfo, JointKind, Mechanism};
+use mech_test_support::{cross, dot};
 use std::f64::consts::{PI, TAU};
 
+include!(concat!(env!("OUT_DIR"), "/joints.rs"));
+
 type Vector = [f64; 2];
-
-fn dot([a, b]: Vector, [c, d]: Vector) -> f64 {
-    a * c + b * d
-}
-
-fn cross([a, b]: Vector, [c, d]: Vector) -> f64 {
-    a * d - b * c
-}
 
 #[track_caller]
 fn near(found: f64, expected: f64, what: &str) {
@@ -108,28 +103,6 @@ fn check_in_motion<M: Mechanism<Scalar = f64>>() {
     }
 }
 
-mechanism! {
-    /// So many joints that they stand in a table, and not all of them in its rows.
-    struct Presses;
-    part Press(unit = 1) {
-        port frame { point shaft = (0, 0); line guide = (0, 0.5 * unit) -> (1, 0); }
-        port crank { point pin = (unit, 0); }
-        link rod { point pin = (0, 0); point end = (4 * unit, 0); }
-        link ram { point end = (0, 0); line way = (0, 0) -> (1, 0); point tool = (unit, 0); }
-        link tool { point tool = (0, 0) turned 10 deg; }
-        joint big = revolute(crank.pin, rod.pin);
-        joint small = revolute(rod.end, ram.end);
-        joint slide = prismatic(frame.guide, ram.way);
-        joint fixed = weld(ram.tool, tool.tool);
-        start { rod near 10 deg; }
-    }
-    ground { point shaft = (0, 0); }
-    link axle { point shaft = (0, 0); }
-    joint main = revolute(ground.shaft, axle.shaft);
-    motor main;
-    use press[20]: Press(unit = 1 + 0.1 * k) { frame = ground, crank = axle };
-}
-
 macro_rules! cases {
     ($($test:ident: $mechanism:ty;)*) => {
         $(
@@ -150,31 +123,14 @@ cases! {
     quick_return: zoo::QuickReturn;
     scotch_yoke: zoo::ScotchYoke;
     gear_on_rocker: zoo::GearOnRocker;
-    planetary: zoo::rolling::Planetary;
-    differential: zoo::rolling::Differential;
-    two_racks: zoo::rolling::TwoRacks;
-    rolling_wheel: zoo::rolling::Rolling;
-    slotted_arm: zoo::special::SlottedArm;
-    welded: zoo::special::Welded;
+    planetary: zoo::Planetary;
+    differential: zoo::Differential;
+    two_racks: zoo::TwoRacks;
+    rolling_wheel: zoo::Rolling;
+    slotted_arm: zoo::SlottedArm;
+    welded: zoo::Welded;
     presses: Presses;
-    double_butterfly: zoo::special::DoubleButterfly;
-}
-
-mechanism! {
-    /// A crank in line with a ram, of which little is asked.
-    struct Press;
-    param throw = 1.0;
-    ground { point shaft = (0, 0); line bed = (0, 0) -> (1, 0); }
-    link crank { point shaft = (0, 0); point pin = (throw, 0); }
-    link rod { point big = (0, 0); point small = (4, 0); }
-    link ram { point pin = (0, 0); line axis = (0, 0) -> (1, 0); }
-    joint turn = revolute(ground.shaft, crank.shaft);
-    joint big = revolute(crank.pin, rod.big);
-    joint small = revolute(rod.small, ram.pin);
-    joint bed = prismatic(ground.bed, ram.axis);
-    motor turn;
-    start { turn = 60 deg; rod near -10 deg; }
-    show ram, bed;
+    double_butterfly: zoo::DoubleButterfly;
 }
 
 #[test]

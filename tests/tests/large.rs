@@ -1,13 +1,10 @@
 //! Large mechanisms: the Rust compiler nests a scope for every `let` of a function, and its stack overflows at about three thousand
 //! of them where there is debug information.
 
-use mech_compiler::model::JointKind;
-use mech_test_support::{chain, chain_text};
+use super::alike::{Case, run};
+use mech_test_support::chain_text;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use std::fmt::Write as _;
-use std::fs;
-use std::path::Path;
-use std::process::Command;
 
 /// What a function holds at most.
 const MOST_LETS: usize = 512;
@@ -178,94 +175,38 @@ fn no_function_is_long_whatever_the_effects() {
     }
 }
 
-/// A module with a chain, and a function that turns its crank there and back by a few degrees: its joints stay closed.
-fn module(loops: usize, text: &str) -> String {
-    let model = chain(loops);
-    let mut pins = String::new();
-    for joint in &model.joints {
-        let JointKind::Revolute(a, b) = joint.kind else {
-            panic!("a chain has revolute joints only")
-        };
-        let ([x, y], [a, b]) = (
-            model.axis(a).at,
-            [a, b].map(|axis| model.axis(axis).link.index()),
-        );
-        let _ = write!(pins, "({a}, {b}, [{x:?}, {y:?}]), ");
-    }
-    format!(
-        "pub mod chain_{loops} {{
-            mech_runtime::mechanism! {{ {text} }}
-            const PINS: &[(usize, usize, [f64; 2])] = &[{pins}];
-            pub fn run() {{
-                let mut chain = Chain::new();
-                for degrees in [1, 2, 3, 2, 1, 0, -1, -2_i32] {{
-                    chain.move_to([f64::from(degrees).to_radians()]).expect(\"it moves\");
-                    let place = |link: usize, at| if link == 0 {{ at }} else {{ chain.poses()[link - 1].apply(at) }};
-                    for &(a, b, at) in PINS {{
-                        let (a, b) = (place(a, at), place(b, at));
-                        let gap = (a[0] - b[0]).hypot(a[1] - b[1]);
-                        assert!(gap < 1e-9, \"a joint is open by {{gap}}\");
-                    }}
-                    let last = chain.poses()[chain.poses().len() - 1];
-                    assert!(degrees == 0 || last.sin != 0.0, \"it moves\");
-                }}
-            }}
-        }}\n"
-    )
-}
-
 /// Large mechanisms are compiled as users do it first, without optimisation and with all debug information, on the compiler's
-/// ordinary stack; then they close.
+/// ordinary stack; then they move as the interpreter does.
 #[test]
 fn large_ones_compile_in_debug() {
-    let root = Path::new(env!("CARGO_TARGET_TMPDIR")).join("large");
+    let forced = heavy(
+        60,
+        "effects { velocity; acceleration; force; dynamics; overlay; }",
+    );
     let chains = [
-        (
-            60,
-            heavy(
-                60,
-                "effects { velocity; acceleration; force; dynamics; overlay; }",
-            ),
-        ),
-        (200, chain_text(200)),
-        (220, heavy(220, "effects { velocity; acceleration; }")),
-        (600, chain_text(600) + "method newton;"),
+        forced,
+        chain_text(200),
+        heavy(220, "effects { velocity; acceleration; }"),
+        chain_text(600) + "method newton;",
     ];
-    let mut program = "#![allow(dead_code)]\n".to_owned();
-    let mut calls = String::new();
-    for (loops, text) in &chains {
-        program += &module(*loops, text);
-        let _ = write!(calls, "chain_{loops}::run();");
+    let (mut modules, mut calls) = (String::new(), String::new());
+    for (number, text) in chains.into_iter().enumerate() {
+        let motors =
+            [1, 2, 3, 2, 1, 0, -1, -2_i32].map(|degrees| vec![f64::from(degrees).to_radians()]);
+        let motors = motors.to_vec();
+        modules += &Case { text, motors }.module::<f64>(number, "f64");
+        let _ = write!(calls, "f64_{number}::run();");
     }
     let motors = 150;
-    let mut laws = String::new();
+    let _ = write!(modules, "mech_runtime::mechanism! {{ {} }}", lawful(motors));
+    calls +=
+        "let (mut lawful, t) = (Lawful::new(), 0.7_f64); lawful.at_time(t).expect(\"it moves\");";
     for number in 0..motors {
         let _ = write!(
-            laws,
+            calls,
             "let law = ({number}.0 * t).sin() * (-{number}.0 * t).exp() * (2.0 * t).cos() / (1.0 + t * t);
             assert!((lawful.j_{number}() - law).abs() < 1e-12, \"{{law}}\");"
         );
     }
-    let _ = write!(
-        program,
-        "mech_runtime::mechanism! {{ {} }}
-        fn main() {{
-            {calls}
-            let mut lawful = Lawful::new();
-            let t = 0.7_f64;
-            lawful.at_time(t).expect(\"it moves\");
-            {laws}
-        }}",
-        lawful(motors)
-    );
-    let mut rustc = mech_test_support::rustc(&root);
-    let source = root.join("large.rs");
-    fs::write(&source, &program).expect("a file");
-    let status = rustc.args(["-C", "debuginfo=2"]).arg(&source).status();
-    assert!(status.expect("the compiler runs").success(), "they compile");
-    let status = Command::new(root.join("large")).status();
-    assert!(
-        status.expect("a program").success(),
-        "large mechanisms move"
-    );
+    run("large", &modules, &calls, &["-C", "debuginfo=2"]);
 }

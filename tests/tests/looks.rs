@@ -4,11 +4,11 @@ use i_overlay::core::fill_rule::FillRule;
 use i_overlay::core::overlay_rule::OverlayRule;
 use i_overlay::float::single::SingleFloatOverlay;
 use mech_compiler::evaluate::Machine;
-use mech_compiler::model::{JointKind, LinkId, Measure, Model, StartValue};
+use mech_compiler::model::{JointKind, LinkId, Measure, Model};
 use mech_compiler::structure::Pin;
 use mech_compiler::{Compiled, Looks, Outline, Painted, compile, looks};
 use mech_runtime::Palette;
-use mech_test_support::{Sample, cases, for_all, model, painted_outside, samples};
+use mech_test_support::{Sample, for_all, model, painted_outside, samples};
 use nalgebra::{Complex, Isometry2, Point2, Translation2, UnitComplex};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
@@ -138,61 +138,47 @@ fn larger(corners: &[[f64; 2]], times: f64) -> Vec<[f64; 2]> {
     moved.collect()
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(u32::try_from(cases(60)).expect("not so many")))]
-
-    #[test]
-    fn meshing_teeth_do_not_overlap(
-        teeth in [9..90_i32, 9..90_i32],
-        [x, y] in [-5.0..5.0, -5.0..5.0],
-        start in -3.0..3.0,
-        turns in prop::collection::vec(-9.0..9.0, 4),
-    ) {
-        let apart = f64::hypot(x, y).max(0.01);
-        let [a, b] = teeth;
-        let text = format!(
-            "struct Gears; ground {{ point a = (0, 0); point b = ({x}, {y}); }} link one {{ point o = (0, 0); }} link two {{ point o = (0, 0); }} \
-             joint a = revolute(ground.a, one.o); joint b = revolute(ground.b, two.o); joint g = gear(one, two, {a} : {b}); \
+/// Two wheels, a wheel in a ring, or a pinion and its rack; and how far they are turned.
+fn meshing() -> impl Strategy<Value = (String, f64)> {
+    let wheels = |names: &str, [x, y]: [f64; 2], sizes: String, start: f64| {
+        format!(
+            "struct {names}; ground {{ point a = (0, 0); point b = ({x}, {y}); }} link one {{ point o = (0, 0); }} link two {{ point o = (0, 0); }} \
+             joint a = revolute(ground.a, one.o); joint b = revolute(ground.b, two.o); joint g = gear(one, two, {sizes}); \
              motor a; start {{ a = {start}; b = 0.3; }}"
-        );
-        if apart > 0.01 {
-            do_not_overlap(&text, &turns);
-        }
-    }
-
-    #[test]
-    fn nor_do_those_in_a_ring(
-        teeth in 12..40_i32,
-        more in 12..60_i32,
-        start in -3.0..3.0,
-        turns in prop::collection::vec(-9.0..9.0, 4),
-    ) {
+        )
+    };
+    let apart = [-5.0..5.0, -5.0..5.0].prop_filter("apart", |[x, y]| f64::hypot(*x, *y) > 0.01);
+    let outside = ([9..90_i32, 9..90_i32], apart, -3.0..3.0)
+        .prop_map(move |([a, b], at, start)| wheels("Gears", at, format!("{a} : {b}"), start));
+    let inside = (12..40_i32, 12..60_i32, -3.0..3.0).prop_map(move |(teeth, more, start)| {
         let ring = teeth + more;
-        let text = format!(
-            "struct Ring; ground {{ point a = (1, 0); point b = (0, 0); }} link one {{ point o = (0, 0); }} link two {{ point o = (0, 0); }} \
-             joint a = revolute(ground.a, one.o); joint b = revolute(ground.b, two.o); joint g = gear(one, two, {teeth} : -{ring}); \
-             motor a; start {{ a = {start}; b = 0.3; }}"
-        );
-        do_not_overlap(&text, &turns);
-    }
+        wheels("Ring", [-1.0, 0.0], format!("{teeth} : -{ring}"), start)
+    });
+    let radius = prop_oneof![0.5..3.0, -3.0..-0.5];
+    let rack = (radius, [-3.0..3.0, -1.0..1.0], -3.0..3.0).prop_map(
+        |(radius, [along, offset], start)| {
+            let (sin, cos) = f64::sin_cos(along);
+            format!(
+                "struct Rack; ground {{ point o = (0, 0); line l = ({}, {}) -> ({cos}, {sin}); }} link pinion {{ point o = (0, 0); }} \
+                 link bar {{ line l = ({offset}, 0.7) -> (1, 0); }} \
+                 joint a = revolute(ground.o, pinion.o); joint s = prismatic(ground.l, bar.l); joint r = rack(pinion, bar, radius {radius}); \
+                 motor a in -3.5 ..= 3.5; start {{ a = {start}; }}",
+                sin * 2.0,
+                -cos * 2.0
+            )
+        },
+    );
+    let wheels = prop_oneof![outside, inside].prop_map(|text| (text, 9.0));
+    prop_oneof![2 => wheels, 1 => rack.prop_map(|text| (text, 3.0))]
+}
 
-    #[test]
-    fn nor_do_those_of_a_rack(
-        radius in prop_oneof![0.5..3.0, -3.0..-0.5],
-        [along, offset] in [-3.0..3.0, -1.0..1.0],
-        start in -3.0..3.0,
-        turns in prop::collection::vec(-3.0..3.0, 4),
-    ) {
-        let (sin, cos) = f64::sin_cos(along);
-        let text = format!(
-            "struct Rack; ground {{ point o = (0, 0); line l = ({}, {}) -> ({cos}, {sin}); }} link pinion {{ point o = (0, 0); }} \
-             link bar {{ line l = ({offset}, 0.7) -> (1, 0); }} \
-             joint a = revolute(ground.o, pinion.o); joint s = prismatic(ground.l, bar.l); joint r = rack(pinion, bar, radius {radius}); \
-             motor a in -3.5 ..= 3.5; start {{ a = {start}; }}",
-            sin * 2.0, -cos * 2.0
-        );
+#[test]
+fn meshing_teeth_do_not_overlap() {
+    let turns = prop::collection::vec(-1.0..1.0_f64, 4);
+    for_all(180, &(meshing(), turns), |((text, far), turns)| {
+        let turns: Vec<f64> = turns.into_iter().map(|turn| far * turn).collect();
         do_not_overlap(&text, &turns);
-    }
+    });
 }
 
 /// Whether an outline of a link's body covers a place on the link.
@@ -492,7 +478,10 @@ fn a_box_costs_little_however_small_the_pieces_of_a_move_are() {
 fn nothing_is_painted_outside_of_the_box() {
     let (mut several, mut beyond) = (0, 0);
     for_all(100, &samples(1..8), |Sample { grown, mut dice }: Sample| {
-        let model = resized(grown.model, 10_f64.powf(dice.between(-3.0, 6.0)));
+        let (mut model, times) = (grown.model, 10_f64.powf(dice.between(-3.0, 6.0)));
+        for axis in &mut model.axes {
+            axis.at = axis.at.map(|part| part * times);
+        }
         let Ok(compiled) = compile(&model) else {
             return;
         };
@@ -506,26 +495,4 @@ fn nothing_is_painted_outside_of_the_box() {
     });
     println!("several motors: something beyond {beyond} of {several} boxes");
     assert!(50 * beyond <= several, "{beyond} of {several}");
-}
-
-/// The same mechanism, so many times as large.
-fn resized(mut model: Model, times: f64) -> Model {
-    for axis in &mut model.axes {
-        axis.at = axis.at.map(|part| part * times);
-    }
-    for joint in &mut model.joints {
-        if let JointKind::Rack { radius, .. } = &mut joint.kind {
-            *radius *= times;
-        }
-    }
-    let slides = |value: &StartValue| {
-        matches!(
-            model.joints[value.joint.index()].kind,
-            JointKind::Prismatic(..)
-        )
-    };
-    for value in model.start.values.iter_mut().filter(|value| slides(value)) {
-        value.value *= times;
-    }
-    model
 }

@@ -4,10 +4,11 @@ use mech_compiler::evaluate::Machine;
 use mech_compiler::structure::{Diagnosis, MeshTrouble};
 use mech_compiler::syntax::Parsed;
 use mech_compiler::{compile, repair, reporter};
-use mech_runtime::mechanism;
 use mech_test_support::{model, parsed};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
+
+include!(concat!(env!("OUT_DIR"), "/mesh.rs"));
 
 /// Two wheels on the ground, the axes as far apart as said.
 fn text(distance: [f64; 2], sizes: &str) -> String {
@@ -124,28 +125,6 @@ fn wheels_on_one_shaft_do_not_mesh() {
     }
     let belt = text([0.0; 2], "20 : 40").replace("gear(", "belt(");
     assert_eq!(trouble(&belt), Some(MeshTrouble::OneShaft));
-}
-
-mechanism! {
-    /// A clock: the hand of hours turns by way of a layshaft, a moon on its hand by way of two motors.
-    struct Clock;
-    ground { point shaft = (0, 0); point layshaft = (1, 0); }
-    link minute { point shaft = (0, 0); }
-    link layshaft { point shaft = (0, 0); }
-    link hour { point shaft = (0, 0); point moon = (2, 0); }
-    link moon { point pin = (0, 0); }
-    link date { point shaft = (0, 0); }
-    joint a = revolute(ground.shaft, minute.shaft);
-    joint b = revolute(ground.layshaft, layshaft.shaft);
-    joint c = revolute(hour.shaft, ground.shaft);
-    joint d = revolute(hour.moon, moon.pin);
-    joint e = revolute(ground.shaft, date.shaft);
-    joint quick = gear(minute, layshaft, 15 : 45);
-    joint slow = gear(layshaft, hour, 12 : 48);
-    joint lunar = gear(date, moon, 30 : 17 on hour);
-    motor a;
-    motor e;
-    start { a = 0.5; c = -0.25; d = 20 deg; }
 }
 
 /// By how much two angles differ, apart from whole turns.

@@ -4,7 +4,7 @@
 use mech_compiler::compile;
 use mech_compiler::model::{JointKind, Model};
 use mech_test_support::sketch::{Bond, Sketch};
-use mech_test_support::{Dice, SOURCES, cases, model, models, seeds};
+use mech_test_support::{Dice, cases, known, model, seeds, with_own_params};
 use std::f64::consts::{PI, TAU};
 
 /// What is farther from a change point, as a part of the loop's size, is not told.
@@ -199,16 +199,10 @@ fn decimals_hide_the_change_points_of_roberts() {
 
 #[test]
 fn ordinary_mechanisms_come_near_no_change_point() {
-    for (name, source) in SOURCES {
-        for model in models(source) {
-            if let Ok(compiled) = compile(&model) {
-                assert!(
-                    compiled.notes.is_empty(),
-                    "{name}, {}: {:?}",
-                    model.name,
-                    compiled.notes
-                );
-            }
+    for model in known().into_iter().chain(with_own_params()) {
+        if let Ok(compiled) = compile(&model) {
+            let (name, notes) = (&model.name, &compiled.notes);
+            assert!(notes.is_empty(), "{name}: {notes:?}");
         }
     }
 }

@@ -5,8 +5,10 @@ use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{LinkId, Measure, Model};
 use mech_compiler::symbols::{moving_points, symbols};
 use mech_runtime::overlay::{self, Arrows};
-use mech_runtime::{Canvas, Outline, Overlay, Pose, mechanism};
-use mech_test_support::{SOURCES, mechanisms};
+use mech_runtime::{Canvas, Outline, Overlay, Pose};
+use mech_test_support::{dot, folder, mechanisms};
+
+include!(concat!(env!("OUT_DIR"), "/overlay.rs"));
 
 type Vector = [f64; 2];
 type Spot = overlay::Spot<f64, LinkId>;
@@ -21,9 +23,8 @@ fn diagram(model: &Model, compiled: &Compiled) -> Vec<Symbol> {
 
 /// All mechanisms of the zoo.
 fn zoo() -> Vec<(Model, Compiled)> {
-    let others = SOURCES[6..8].iter().map(|(_, source)| *source);
-    let sources = [include_str!("zoo/mod.rs")].into_iter().chain(others);
-    sources.flat_map(mechanisms).collect()
+    let texts = folder("../tests/subjects/zoo").into_iter();
+    texts.flat_map(|case| mechanisms(&case.text)).collect()
 }
 
 /// Where everything is at a moment, and a little before and after it.
@@ -80,10 +81,6 @@ impl Moment {
 
 fn away([x, y]: Vector, [u, v]: Vector, length: f64) -> Vector {
     [x + length * u, y + length * v]
-}
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
 }
 
 #[track_caller]
@@ -294,49 +291,6 @@ fn blocks_lie_on_the_lines_of_their_guides() {
         }
     }
     assert!(count > 10, "{count}");
-}
-
-mechanism! {
-    /// With every effect that is drawn.
-    struct FourBar;
-    link crank { point pin = (0.8, 0.6); }
-    link coupler { point tip = (2.5, 3); }
-    link rocker;
-    joint a = revolute(ground, crank) at (0, 0);
-    joint b = revolute(crank, coupler) at (0.8, 0.6);
-    joint c = revolute(coupler, rocker) at (3.3, 2.9);
-    joint d = revolute(ground, rocker) at (4, 0);
-    motor a;
-    effects { acceleration; overlay; trace coupler.tip 8; }
-}
-
-mechanism! {
-    /// In single precision, with only a part of it shown.
-    struct Part: f32;
-    link crank { point pin = (0.8, 0.6); }
-    link coupler { point tip = (2.5, 3); }
-    link rocker;
-    joint a = revolute(ground, crank) at (0, 0);
-    joint b = revolute(crank, coupler) at (0.8, 0.6);
-    joint c = revolute(coupler, rocker) at (3.3, 2.9);
-    joint d = revolute(ground, rocker) at (4, 0);
-    motor a;
-    show crank;
-    effects { velocity; overlay; }
-}
-
-mechanism! {
-    /// With a spring and a damper between the same points, and both about a joint.
-    struct Suspension;
-    ground { point seat = (1, 1); }
-    link arm { point strut = (1, 0); mass 2 at (1, 0); }
-    joint a = revolute(ground, arm) at (0, 0);
-    motor a;
-    spring coil = linear(arm.strut, ground.seat) stiffness 100 rest 1;
-    damper oil = linear(ground.seat, arm.strut) damping 3;
-    spring twist = torsional(a) stiffness 2 rest 0;
-    damper brake = torsional(a) damping 1;
-    effects { force; overlay; }
 }
 
 /// Notes what is painted.

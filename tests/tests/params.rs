@@ -8,8 +8,9 @@ use mech_compiler::program::ParamRates;
 use mech_compiler::program::{Position, Program, Watch};
 use mech_runtime::Pose;
 use mech_test_support::{
-    Dice, SOURCES, Sample, apart, cases, coordinate, differences, for_all, in_own_frames, models,
-    reach, samples, scale, size, vary, with_ground, with_params, worst_gap, worst_stretch,
+    Dice, Sample, apart, cases, coordinate, differences, for_all, in_own_frames, known, reach,
+    samples, scale, size, vary, with_ground, with_own_params, with_params, worst_gap,
+    worst_stretch,
 };
 use proptest::prelude::*;
 use std::f64::consts::TAU;
@@ -455,7 +456,7 @@ fn params_go_with_every_method() {
 fn sensitivities_of_special_mechanisms_are_those_of_their_positions() {
     let mut seen = Seen::default();
     let (mut dice, mut refused) = (Dice::new(7), 0);
-    for mut model in SOURCES.iter().flat_map(|(_, source)| models(source)) {
+    for mut model in known().into_iter().chain(with_own_params()) {
         for motor in &mut model.motors {
             motor.range = None;
         }

@@ -1,17 +1,12 @@
 //! The parts of the library do what they are known for; views tell what the mechanism tells.
 
-use mech_runtime::{Mechanism, Point2, mechanism};
+use mech_runtime::{Mechanism, Point2};
 use std::f64::consts::{PI, TAU};
+
+include!(concat!(env!("OUT_DIR"), "/parts_library.rs"));
 
 fn apart(a: Point2<f64>, b: [f64; 2]) -> f64 {
     (a.x - b[0]).hypot(a.y - b[1])
-}
-
-mechanism! {
-    struct Inversor;
-    use mech_runtime::parts::Peaucellier;
-    use it: Peaucellier { frame = ground };
-    motor it.drive;
 }
 
 #[test]
@@ -27,13 +22,6 @@ fn the_inversor_draws_a_straight_line() {
     }
 }
 
-mechanism! {
-    struct Copier;
-    use mech_runtime::parts::Pantograph;
-    use it: Pantograph(arm = 3, ratio = 1.5) { frame = ground };
-    motor it.pivot; motor it.elbow;
-}
-
 #[test]
 fn a_pantograph_copies() {
     let mut copier = Copier::new();
@@ -47,14 +35,6 @@ fn a_pantograph_copies() {
     }
 }
 
-mechanism! {
-    struct Lift;
-    use mech_runtime::parts::ScissorStage;
-    use low: ScissorStage { base = ground };
-    use high: ScissorStage { base = low.top };
-    motor low.rise; motor high.rise;
-}
-
 #[test]
 fn a_scissor_lift_stays_level() {
     let mut lift = Lift::new();
@@ -65,21 +45,6 @@ fn a_scissor_lift_stays_level() {
         assert!(top.rotation.angle().abs() < 1e-12);
         assert!((top.translation.y - 4.0 * angle.sin()).abs() < 1e-12);
     }
-}
-
-mechanism! {
-    struct Legs;
-    use mech_runtime::parts::JansenLeg;
-    use mech_runtime::parts::KlannLeg;
-    ground { point shaft = (0, 0); }
-    link axle { point shaft = (0, 0); }
-    joint main = revolute(ground.shaft, axle.shaft);
-    motor main;
-    use jansen[6]: JansenLeg(phase = k * 60 deg) { frame = ground, crank = axle };
-    use mirror[6]: JansenLeg(phase = k * 60 deg) mirrored { frame = ground, crank = axle };
-    use klann[4]: KlannLeg(phase = k * 90 deg) { frame = ground, crank = axle };
-    use large: KlannLeg(unit = 10) { frame = ground, crank = axle };
-    use scaled: KlannLeg scaled 10 { frame = ground, crank = axle };
 }
 
 #[test]
@@ -142,31 +107,12 @@ fn a_mirrored_leg_is_the_mirror_image_of_the_other_turn() {
     }
 }
 
-mechanism! {
-    struct Gears;
-    use mech_runtime::parts::EpicyclicStage;
-    ground { point o = (0, 0); }
-    link sun { point o = (0, 0); }
-    link arm { point o = (0, 0); }
-    joint sun_turns = revolute(ground.o, sun.o);
-    joint arm_turns = revolute(ground.o, arm.o);
-    use stage: EpicyclicStage(sun = 12, planet = 18) { sun_wheel = sun, ring_wheel = ground, arm = arm };
-    motor sun_turns;
-}
-
 #[test]
 fn a_planetary_stage_reduces_exactly() {
     let mut gears = Gears::new();
     gears.move_to([60.0 * TAU]).expect("it turns");
     // 1 + 48 / 12 turns of the sun for one of the arm.
     assert!((gears.arm_turns() - 12.0 * TAU).abs() < 1e-9);
-}
-
-mechanism! {
-    struct Index;
-    use mech_runtime::parts::Geneva;
-    use it: Geneva(slots = 4) { frame = ground };
-    motor it.drive;
 }
 
 #[test]
@@ -186,13 +132,6 @@ fn a_geneva_wheel_steps_and_dwells() {
     assert!((index.it().index() - dwelling).abs() < 1e-9);
 }
 
-mechanism! {
-    struct Coupled;
-    use mech_runtime::parts::Oldham;
-    use it: Oldham { frame = ground };
-    motor it.input;
-}
-
 #[test]
 fn an_oldham_coupling_turns_alike() {
     let mut coupled = Coupled::new();
@@ -202,13 +141,6 @@ fn an_oldham_coupling_turns_alike() {
         let off = (coupled.it().output() - angle).rem_euclid(TAU);
         assert!(off.min(TAU - off) < 1e-12);
     }
-}
-
-mechanism! {
-    struct Press;
-    use mech_runtime::parts::Toggle;
-    use it: Toggle(upper = 1, lower = 1.5) { frame = ground };
-    motor it.swing;
 }
 
 #[test]
@@ -221,16 +153,6 @@ fn a_toggle_presses() {
         let depth = -y + (1.5_f64 * 1.5 - x * x).sqrt();
         assert!((press.it().guide() - depth).abs() < 1e-12);
     }
-}
-
-mechanism! {
-    struct Engine;
-    use mech_runtime::parts::EngineBank;
-    ground { point shaft = (0, 0); }
-    link crank { point shaft = (0, 0); }
-    joint main = revolute(ground.shaft, crank.shaft);
-    motor main;
-    use bank[2]: EngineBank(angle = 45 deg + k * 90 deg) { frame = ground, crank = crank };
 }
 
 #[test]
@@ -246,28 +168,6 @@ fn pistons_follow_the_crank() {
             assert!((engine.bank(k).bore() - expected).abs() < 1e-12);
         }
     }
-}
-
-mechanism! {
-    /// A part with loads, springs, rates and parts of its own.
-    struct Hands;
-    part Finger(length = 1) {
-        port palm { point root = (0, 0); }
-        link bone { point root = (0, 0); point tip = (0, length); mass 2 at (0, length / 2); }
-        joint root = revolute(palm.root, bone.root);
-        load push = force(bone.tip);
-    }
-    part Hand {
-        port arm { point wrist = (0, 0); }
-        link palm { point wrist = (0, 0); }
-        joint wrist = revolute(arm.wrist, palm.wrist);
-        use finger[2]: Finger(length = k + 1) { palm = palm at (k, 2) };
-    }
-    use hand[2]: Hand { arm = ground at (10 * k, 0) };
-    motor hand[0].wrist; motor hand[1].wrist;
-    motor hand[0].finger[0].root; motor hand[0].finger[1].root;
-    motor hand[1].finger[0].root; motor hand[1].finger[1].root;
-    effects { velocity; force; trace hand[*].finger[1].bone.tip 4; }
 }
 
 #[test]

@@ -6,8 +6,8 @@ use mech_compiler::evaluate::{Machine, Stop};
 use mech_compiler::model::{Effects, LinkId, Method, Model, Precision, Shown};
 use mech_compiler::program::{Position, Program};
 use mech_test_support::{
-    Dice, SOURCES, Sample, add_cam, cases, coupled_samples, differences, for_all, grow, models,
-    samples, seeds, shuffled, size,
+    Dice, Sample, add_cam, cases, coupled_samples, differences, for_all, grow, known, samples,
+    seeds, shuffled, size, with_own_params,
 };
 
 /// A step of the time, in which motors move about a unit a unit.
@@ -249,7 +249,7 @@ fn what_is_shown_moves_as_it_does_in_the_whole() {
 fn rates_of_the_zoo_and_the_gallery_are_those_of_their_positions() {
     let mut seen = Seen::default();
     let mut dice = Dice::new(5);
-    for mut model in SOURCES.iter().flat_map(|(_, source)| models(source)) {
+    for mut model in known().into_iter().chain(with_own_params()) {
         with_effects(&mut model);
         compare(&model, &mut dice, 12, &mut seen);
     }

@@ -2,13 +2,13 @@
 //! within is refused with a place where the mechanism breaks it. Four-bars have closed forms.
 
 use mech_compiler::evaluate::Machine;
-use mech_compiler::model::{AxisId, AxisKind, JointId, JointKind, LinkId, Model};
+use mech_compiler::model::{AxisId, AxisKind, JointId, JointKind, LinkId, Model, Precision};
 use mech_compiler::program::Program;
 use mech_compiler::structure::{Diagnosis, RequirementTrouble};
 use mech_compiler::{Analysis, analyse, compile};
 
 use mech_test_support::{
-    Dice, SOURCES, bodies, cases, coordinate, folder, for_all, four_bar_text, samples, seeds, text,
+    Dice, cases, coordinate, folder, for_all, four_bar_text, known_texts, samples, seeds, text,
     with_ground,
 };
 use proc_macro2::TokenStream;
@@ -149,6 +149,9 @@ impl Count {
         let analysis = analyse(body.clone());
         let whole = Model {
             show: None,
+            method: None,
+            accuracy: None,
+            precision: Precision::F64,
             ..analysis.parsed.model
         };
         let Ok(compiled) = compile(&whole) else {
@@ -254,10 +257,8 @@ impl Count {
 #[test]
 fn limits_beside_true_extremes_are_decided_in_the_gallery() {
     let (mut count, mut dice) = (Count::default(), Dice::new(3));
-    for (_, source) in SOURCES {
-        for body in bodies(source) {
-            count.judge(&body, &mut dice, 3);
-        }
+    for body in known_texts() {
+        count.judge(&body, &mut dice, 3);
     }
     println!("{count:?}");
     assert!(

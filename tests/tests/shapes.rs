@@ -1,36 +1,10 @@
 //! Shapes and views that a mechanism declares.
 
 use super::recorder::Recorder;
-use mech_runtime::{Canvas, Frame, Mechanism, Outline, Palette, Pose, Smooth, mechanism, raster};
+use mech_runtime::{Canvas, Frame, Mechanism, Outline, Palette, Pose, Smooth, raster};
 use proptest::prelude::*;
 
-mechanism! {
-    /// A crank drawn as a textbook bar, a ring that turns with its follower.
-    struct Barred;
-    look none;
-    const WIDTH = 0.5;
-    ground { point shaft = (0, 0); ring (0, 0) radius 0.5 hole 0.3 on plane 0 color 1; }
-    link crank { point shaft = (0, 0); point pin = (2, 0); bar [(0, 0), (2, 0), (2, 1)] width WIDTH on plane 2 color 2; }
-    link arm { point pin = (0, 0); ring (1, 0) radius 0.75 hole 0.5 on plane 1 color 5; }
-    joint a = revolute(ground.shaft, crank.shaft);
-    joint b = revolute(crank.pin, arm.pin);
-    motor a;
-    motor b;
-}
-
-mechanism! {
-    struct SoftCrank: f32;
-    quality smooth;
-    look none;
-    link crank;
-    joint a = revolute(ground, crank) at (1, 2);
-    joint b = revolute(crank, rod) at (3, 2);
-    link rod;
-    joint c = revolute(rod, block) at (6, 2);
-    link block;
-    joint d = prismatic(ground, block) at (6, 2) along (1, 0);
-    motor a;
-}
+include!(concat!(env!("OUT_DIR"), "/shapes.rs"));
 
 #[test]
 fn a_table_has_every_kind_of_outline() {

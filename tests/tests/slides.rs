@@ -7,7 +7,7 @@ use mech_compiler::model::Model;
 use mech_compiler::repair::{Repair, offers};
 use mech_compiler::structure::Diagnosis;
 use mech_compiler::syntax::Parsed;
-use mech_test_support::{Dice, cases, model, parsed, seeds};
+use mech_test_support::{Dice, cases, model, parsed, seeds, shuffle};
 use nalgebra::{DMatrix, DVector, RowDVector};
 use std::fmt::Write as _;
 
@@ -63,9 +63,7 @@ impl Network {
             let b = (a + 1 + dice.below(bodies - 1)) % bodies;
             add(dice, [a, b]);
         }
-        for index in (1..slides.len()).rev() {
-            slides.swap(index, dice.below(index + 1));
-        }
+        shuffle(&mut slides, dice);
         let pinions = (0..dice.below(3)).filter_map(|_| pinion(dice, bodies, &slides));
         let pinions = pinions.collect();
         Self {
@@ -163,9 +161,7 @@ impl Network {
             }
         }
         lines.extend(motors.iter().map(|joint| format!("motor j{joint};")));
-        for index in (1..lines.len()).rev() {
-            lines.swap(index, dice.below(index + 1));
-        }
+        shuffle(&mut lines, dice);
         format!("struct Slides; allow coupled; {}", lines.concat())
     }
 }
@@ -220,9 +216,7 @@ fn networks_of_slides_move_as_linear_algebra_says() {
         // Motors until nothing is free; sometimes one less or one more.
         let joints = network.slides.len() + network.pinions.len();
         let mut order: Vec<usize> = (0..joints).collect();
-        for index in (1..joints).rev() {
-            order.swap(index, dice.below(index + 1));
-        }
+        shuffle(&mut order, dice);
         let mut motors: Vec<usize> = Vec::new();
         let mut driven = rows.clone();
         for &joint in &order {

@@ -2,27 +2,11 @@
 
 use mech_compiler::evaluate::Machine;
 use mech_compiler::program::Forces;
-use mech_runtime::{Cause, mechanism};
-use mech_test_support::mechanisms;
+use mech_runtime::Cause;
+use mech_test_support::mechanism_of;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-mechanism! {
-    /// A press: a slider-crank whose slide is loaded.
-    struct Press;
-    const R = 0.5; const L = 2;
-    ground { point shaft = (0, 0); line bed = (0, 0) -> (1, 0); }
-    link crank { point shaft = (0, 0); point pin = (R, 0); }
-    link rod { point big = (0, 0); point small = (L, 0); }
-    link ram { point pin = (0, 0); line axis = (0, 0) -> (1, 0); }
-    joint turn = revolute(ground.shaft, crank.shaft);
-    joint big = revolute(crank.pin, rod.big);
-    joint small = revolute(rod.small, ram.pin);
-    joint bed = prismatic(ground.bed, ram.axis);
-    motor turn;
-    start { turn = 60 deg; rod near -10 deg; }
-    load work = force(ram.pin);
-    effects { force; }
-}
+include!(concat!(env!("OUT_DIR"), "/statics.rs"));
 
 #[test]
 fn a_press_needs_the_torque_that_textbooks_say() {
@@ -77,23 +61,6 @@ fn at_the_dead_centre_the_advantage_is_infinite_and_no_torque_is_needed() {
     assert!(advantage.abs() > 1e14, "{advantage}");
 }
 
-mechanism! {
-    /// The same driven from its slide: at the dead centre forces are not determined.
-    struct Engine;
-    ground { point shaft = (0, 0); line bed = (0, 0) -> (1, 0); }
-    link crank { point shaft = (0, 0); point pin = (0.5, 0); mass 1 at (0.5, 0); }
-    link rod { point big = (0, 0); point small = (2, 0); }
-    link piston { point pin = (0, 0); line axis = (0, 0) -> (1, 0); mass 2; }
-    joint turn = revolute(ground.shaft, crank.shaft);
-    joint big = revolute(crank.pin, rod.big);
-    joint small = revolute(rod.small, piston.pin);
-    joint bed = prismatic(ground.bed, piston.axis);
-    motor bed;
-    start { bed = 2; crank near 80 deg; }
-    gravity (0, -10);
-    effects { force; dynamics; }
-}
-
 #[test]
 fn at_a_dead_point_forces_are_an_error() {
     let mut engine = Engine::new();
@@ -108,21 +75,6 @@ fn at_a_dead_point_forces_are_an_error() {
     let before = engine;
     assert!(engine.simulate(0.01, [0.0]).is_err());
     assert_eq!(engine, before);
-}
-
-mechanism! {
-    /// A train of gears that lifts a weight, in single precision.
-    struct Hoist: f32;
-    ground { point in_shaft = (0, 0); point out_shaft = (3, 0); }
-    link pinion { point shaft = (0, 0); }
-    link drum { point shaft = (0, 0); point rope = (0, 1.5); mass 4 at (0, 1.5); }
-    joint fast = revolute(ground.in_shaft, pinion.shaft);
-    joint slow = revolute(ground.out_shaft, drum.shaft);
-    joint mesh = gear(pinion, drum, 20 : 40);
-    motor fast;
-    gravity (0, -10);
-    load brake = torque(drum);
-    effects { force; }
 }
 
 #[test]
@@ -166,15 +118,8 @@ fn loads_that_are_not_finite_are_refused() {
 
 #[test]
 fn generated_code_finds_what_the_interpreter_finds() {
-    let compiled = mechanisms(include_str!("statics.rs"));
-    let (_, press) = compiled
-        .iter()
-        .find(|(model, _)| model.name == "Press")
-        .expect("it is above");
-    let (_, engine) = compiled
-        .iter()
-        .find(|(model, _)| model.name == "Engine")
-        .expect("it is above");
+    let (_, press) = mechanism_of::<Press>(include_str!("subjects/statics/press.mech"));
+    let (_, engine) = mechanism_of::<Engine>(include_str!("subjects/statics/engine.mech"));
     let mut generated = Press::new();
     generated.set_work([-3.0, 1.0]).expect("finite");
     let inverse_dynamics = press.forced.inverse_dynamics.as_ref().expect("asked for");

@@ -1,39 +1,10 @@
 //! Traces: the path of a point is where it was reported to be after each move that succeeded, and nothing else.
 
 use super::recorder::Recorder;
-use mech_runtime::{Frame, Mechanism, Outline, Point2, Pose, Reached, Trace, View, mechanism};
+use mech_runtime::{Frame, Mechanism, Outline, Point2, Pose, Reached, Trace, View};
 use proptest::prelude::*;
 
-mechanism! {
-    /// A crank-rocker whose coupler draws a curve, with every method that moves it.
-    struct FourBar;
-    look none;
-    ground { polygon [(-1, -1), (5, -1), (5, 5), (-1, 5)] on plane 0 color 1; }
-    link crank { point pin = (0.8, 0.6); }
-    link coupler { point tip = (2.5, 3); circle (2.5, 3) radius 0.2 on plane 2 color 3; }
-    link rocker;
-    joint a = revolute(ground, crank) at (0, 0);
-    joint b = revolute(crank, coupler) at (0.8, 0.6);
-    joint c = revolute(coupler, rocker) at (3.3, 2.9);
-    joint d = revolute(ground, rocker) at (4, 0);
-    motor a in -420 deg ..= 420 deg;
-    effects { velocity; trace coupler.tip 5; trace crank.pin 3 color 7; }
-}
-
-mechanism! {
-    /// A slider-crank that cannot be pulled beyond its length, in single precision.
-    struct SliderCrank: f32;
-    link crank;
-    link rod { point middle = (2.5, 0.25); }
-    link block;
-    joint a = revolute(ground, crank) at (0, 0);
-    joint b = revolute(crank, rod) at (1, 0.5);
-    joint c = revolute(rod, block) at (4, 0);
-    joint x = prismatic(ground, block) at (4, 0) along (1, 0);
-    motor x;
-    show x;
-    effects { trace rod.middle 4; }
-}
+include!(concat!(env!("OUT_DIR"), "/trace.rs"));
 
 fn places<const N: usize>(trace: &Trace<f64, N>) -> Vec<Point2<f64>> {
     trace.iter().collect()

@@ -2,9 +2,11 @@
 //! literature on Andrews' squeezer.
 
 use super::literature::{Andrews, FourBar, SliderCrank, Tracer, rows};
-use mech_runtime::{Cause, Velocity, mechanism};
+use mech_runtime::{Cause, Velocity};
 use mech_test_support::differences;
 use std::f64::consts::TAU;
+
+include!(concat!(env!("OUT_DIR"), "/velocity.rs"));
 
 #[track_caller]
 fn near(found: f64, expected: f64, scale: f64, tolerance: f64) {
@@ -172,22 +174,6 @@ fn bad_rates_are_refused_and_leave_it_as_it_was() {
     assert_eq!(four_bar, before);
 }
 
-mechanism! {
-    /// A crank whose rod lies in line with it at a quarter turn: blocked beyond.
-    struct Rocker;
-    ground { point a = (0, 0); point d = (5, 0); }
-    link crank { point a = (0, 0); point b = (3, 0); }
-    link coupler { point b = (0, 0); point c = (3.5, 0); }
-    link rocker { point d = (0, 0); point c = (2, 0); }
-    joint ja = revolute(ground.a, crank.a);
-    joint jb = revolute(crank.b, coupler.b);
-    joint jc = revolute(coupler.c, rocker.c);
-    joint jd = revolute(ground.d, rocker.d);
-    motor ja;
-    start { ja = 40 deg; rocker near 120 deg; }
-    effects { velocity; }
-}
-
 #[test]
 fn at_a_dead_point_rates_are_an_error_and_not_a_large_number() {
     let mut rocker = Rocker::new();
@@ -217,18 +203,6 @@ fn at_a_dead_point_rates_are_an_error_and_not_a_large_number() {
 
 #[test]
 fn a_slots_coordinate_has_the_rates_of_its_differences() {
-    mechanism! {
-        struct Slotted;
-        ground { point a = (0, 0); point d = (3, 0.5); }
-        link crank { point a = (0, 0); point b = (1, 0); }
-        link arm { point d = (0, 0); line way = (0.2, 0.1) -> (1, 0.3); }
-        joint ja = revolute(ground.a, crank.a);
-        joint jd = revolute(ground.d, arm.d);
-        joint s = slot(crank.b, arm.way);
-        motor ja;
-        start { ja = 30 deg; arm near 160 deg; }
-        effects { velocity; acceleration; }
-    }
     let mut slotted = Slotted::new();
     let at = |time: f64| 0.7 + 1.3 * time + 0.5 * 0.4 * time * time;
     let mut slide = |time: f64| {

@@ -136,7 +136,10 @@ impl Document {
     }
 
     /// Finds the faults in the texts of the parts that are kept for other mechanisms.
-    pub(crate) fn faults_of_parts(&self) -> Result<Vec<Message>, Failure> {
+    ///
+    /// # Errors
+    /// If the compiler itself fails, which is a mistake of ours.
+    pub fn faults_of_parts(&self) -> Result<Vec<Message>, Failure> {
         let mut found = Vec::new();
         for part in &self.parts {
             proc_macro2::extra::invalidate_current_thread_spans();

@@ -44,7 +44,8 @@ impl Workspace {
     }
 
     /// A text that is in no file, with a proposal for its name.
-    pub(crate) fn proposed(path: impl Into<PathBuf>, text: impl Into<String>) -> Self {
+    #[must_use]
+    pub fn proposed(path: impl Into<PathBuf>, text: impl Into<String>) -> Self {
         Self {
             path: path.into(),
             history: History::new(text),

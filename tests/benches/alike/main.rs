@@ -5,13 +5,11 @@
 
 mod race;
 
-use mech_test_support::median;
+use mech_test_support::{House, median};
 use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
-use std::fs::{self, File};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
-use std::time::{Instant, SystemTime};
 
 const ROUNDS: usize = 5;
 
@@ -31,16 +29,18 @@ fn main() {
         let [one, twelve] = [&texts[0], &texts[1]].map(part);
         print(what, one, twelve);
     }
-    let house = House::build(&[
-        ("empty", "fn main() {}\n".to_owned()),
-        ("leg", program(&one)),
-        ("walker", program(&twelve)),
-        ("race", race::program(mechanism)),
-    ]);
-    for name in ["empty", "leg", "walker"] {
-        house.cargo(name, "");
+    let names = ["empty", "leg", "walker", "race"];
+    let root = Path::new(env!("CARGO_TARGET_TMPDIR")).join("alike-bench");
+    let house = House::new(&root, &names, &[("mech-runtime", "mech-runtime")], "");
+    house.put("empty", "fn main() {}\n");
+    house.put("leg", &program(&one));
+    house.put("walker", &program(&twelve));
+    house.put("race", &race::program(mechanism));
+    let names = ["empty", "leg", "walker"];
+    for name in names {
+        house.cargo(name, "release", "");
     }
-    let [empty, leg, walker] = ["empty", "leg", "walker"].map(|name| house.code(name));
+    let [empty, leg, walker] = names.map(|name| code(&house.binary(name, "release")));
     print(
         "machine code, bytes beside an empty program",
         leg - empty,
@@ -48,8 +48,8 @@ fn main() {
     );
     let mut times = [const { Vec::new() }; 3];
     for _ in 0..ROUNDS {
-        for (times, name) in times.iter_mut().zip(["empty", "leg", "walker"]) {
-            times.push(house.rebuild(name));
+        for (times, name) in times.iter_mut().zip(names) {
+            times.push(house.rebuild(name, "release"));
         }
     }
     let [empty, leg, walker] = times.map(|times| median(times.into_iter()));
@@ -59,8 +59,8 @@ fn main() {
     );
     for flags in ["", "-C target-cpu=x86-64-v3"] {
         println!("a position of a walker beside its legs one by one, flags `{flags}`");
-        house.cargo("race", flags);
-        house.run("race");
+        house.cargo("race", "release", flags);
+        print!("{}", house.run("race", "release", &[]));
     }
 }
 
@@ -158,78 +158,11 @@ fn count(tokens: TokenStream) -> usize {
     count
 }
 
-/// A workspace with these crates.
-struct House(PathBuf);
-
-impl House {
-    fn build(crates: &[(&str, String)]) -> Self {
-        let root = Path::new(env!("CARGO_TARGET_TMPDIR")).join("alike-bench");
-        let ours = Path::new(env!("CARGO_MANIFEST_DIR"))
-            .parent()
-            .expect("the workspace");
-        for (name, program) in crates {
-            let folder = root.join(name);
-            fs::create_dir_all(folder.join("src")).expect("a folder");
-            let manifest = format!(
-                "[package]\nname = \"{name}\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[dependencies]\nmech-runtime = {{ path = '{}' }}\n",
-                ours.join("mech-runtime").display()
-            );
-            write(&folder.join("Cargo.toml"), &manifest);
-            write(&folder.join("src/main.rs"), program);
-        }
-        let members: Vec<&str> = crates.iter().map(|(name, _)| *name).collect();
-        let workspace = format!("[workspace]\nresolver = \"3\"\nmembers = {members:?}\n");
-        write(&root.join("Cargo.toml"), &workspace);
-        // The same versions of everything, all of which are here already: nothing is asked of the network.
-        fs::copy(ours.join("Cargo.lock"), root.join("Cargo.lock")).expect("the lock file");
-        Self(root)
-    }
-
-    fn cargo(&self, name: &str, flags: &str) {
-        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-        let status = Command::new(cargo)
-            .args(["build", "--offline", "--quiet", "--release", "-p", name])
-            .current_dir(&self.0)
-            .env("CARGO_TARGET_DIR", self.0.join("target"))
-            .env("RUSTFLAGS", flags)
-            .status()
-            .expect("cargo runs");
-        assert!(status.success(), "{name} is built");
-    }
-
-    fn binary(&self, name: &str) -> PathBuf {
-        let program = self.0.join("target/release").join(name);
-        program.with_extension(std::env::consts::EXE_EXTENSION)
-    }
-
-    fn run(&self, name: &str) {
-        let status = Command::new(self.binary(name)).status().expect("it runs");
-        assert!(status.success(), "{name} runs");
-    }
-
-    /// Bytes of machine code, as `size` of binutils counts them.
-    fn code(&self, name: &str) -> usize {
-        let output = Command::new("size").arg(self.binary(name)).output();
-        let output = output.expect("binutils are installed").stdout;
-        let output = String::from_utf8(output).expect("text");
-        let mut words = output.lines().nth(1).expect("a line").split_whitespace();
-        words.next().expect("a number").parse().expect("a number")
-    }
-
-    /// Milliseconds from a change in the crate to the new program.
-    fn rebuild(&self, name: &str) -> f64 {
-        let main = self.0.join(name).join("src/main.rs");
-        let file = File::options()
-            .append(true)
-            .open(main)
-            .expect("the program");
-        file.set_modified(SystemTime::now()).expect("a new date");
-        let start = Instant::now();
-        self.cargo(name, "");
-        start.elapsed().as_secs_f64() * 1e3
-    }
-}
-
-fn write(path: &Path, text: &str) {
-    fs::write(path, text).expect("a file");
+/// Bytes of machine code, as `size` of binutils counts them.
+fn code(program: &Path) -> usize {
+    let output = Command::new("size").arg(program).output();
+    let output = output.expect("binutils are installed").stdout;
+    let output = String::from_utf8(output).expect("text");
+    let mut words = output.lines().nth(1).expect("a line").split_whitespace();
+    words.next().expect("a number").parse().expect("a number")
 }

@@ -4,9 +4,8 @@
 mod cases;
 
 use cases::cases;
-use std::fs;
-use std::path::Path;
-use std::process::Command;
+use mech_test_support::House;
+use std::path::{Path, PathBuf};
 
 /// A program that expands the text of each file it is given, and prints how many milliseconds that took.
 const PROGRAM: &str = r#"
@@ -27,18 +26,20 @@ fn main() {
     let root = Path::new(env!("CARGO_TARGET_TMPDIR")).join("errors");
     let cases = cases();
     let mut texts = Vec::new();
-    fs::create_dir_all(root.join("src")).expect("a folder");
+    let others = "proc-macro2 = { version = \"1\", default-features = false }\nquote = { version = \"1\", default-features = false }\n";
+    let ours = [("mech-compiler", "mech-macros/compiler")];
+    let house = House::new(&root, &["errors"], &ours, others);
     for (number, case) in cases.iter().enumerate() {
-        let path = root.join(format!("{number}.txt"));
-        fs::write(&path, &case.text).expect("a file");
-        texts.push(path);
+        let name = format!("{number}.txt");
+        house.write(&name, &case.text);
+        texts.push(root.join(name));
     }
     let mut slow = Vec::new();
     println!(
         "{:>24} {:>6} {:>10} {:>10}",
         "error", "links", "ms", "at most"
     );
-    for (case, time) in cases.iter().zip(measured(&root, &texts)) {
+    for (case, time) in cases.iter().zip(measured(&house, &texts)) {
         println!(
             "{:>24} {:>6} {time:>10.0} {:>10.0}",
             case.name, case.links, case.most
@@ -51,37 +52,10 @@ fn main() {
 }
 
 /// The milliseconds until each error is reported.
-fn measured(root: &Path, texts: &[std::path::PathBuf]) -> Vec<f64> {
-    let ours = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .parent()
-        .expect("the workspace");
-    let compiler = ours.join("mech-macros/compiler");
-    let manifest = format!(
-        "[package]\nname = \"errors\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[workspace]\n[dependencies]\n\
-         mech-compiler = {{ path = '{}' }}\nproc-macro2 = {{ version = \"1\", default-features = false }}\n\
-         quote = {{ version = \"1\", default-features = false }}\n",
-        compiler.display()
-    );
-    fs::write(root.join("Cargo.toml"), manifest).expect("a file");
-    fs::write(root.join("src/main.rs"), PROGRAM).expect("a file");
-    // The same versions of everything, all of which are here already: nothing is asked of the network.
-    fs::copy(ours.join("Cargo.lock"), root.join("Cargo.lock")).expect("the lock file");
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let output = Command::new(cargo)
-        .args(["run", "--offline", "--quiet", "--"])
-        .args(texts)
-        .current_dir(root)
-        .env("CARGO_TARGET_DIR", root.join("target"))
-        .output()
-        .expect("cargo runs");
-    let output_text = String::from_utf8_lossy(&output.stdout);
-    assert!(
-        output.status.success(),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
-    output_text
-        .lines()
-        .map(|line| line.parse().expect("a number"))
-        .collect()
+fn measured(house: &House, texts: &[PathBuf]) -> Vec<f64> {
+    house.put("errors", PROGRAM);
+    house.cargo("errors", "dev", "");
+    let printed = house.run("errors", "dev", texts);
+    let numbers = printed.lines().map(|line| line.parse().expect("a number"));
+    numbers.collect()
 }

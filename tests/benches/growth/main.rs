@@ -17,56 +17,50 @@ mod bed;
 mod dense;
 mod plot;
 
-use mech_test_support::chain_text;
+use mech_test_support::{House, chain_text, repository};
 use plot::Line;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 use std::time::Instant;
 
 /// The chains that are compiled.
 const CHAINS: [usize; 4] = [1, 10, 100, 1000];
 
+/// The crate in which they run.
+const BED: &str = "growth-bed";
+
 fn main() {
-    let ours = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .parent()
-        .expect("the workspace");
     let root = Path::new(env!("CARGO_TARGET_TMPDIR")).join("growth");
-    fs::create_dir_all(root.join("src")).expect("a folder");
-    write(&root.join("Cargo.toml"), &manifest(ours));
-    // The same versions of everything, all of which are here already: nothing is asked of the network.
-    fs::copy(ours.join("Cargo.lock"), root.join("Cargo.lock")).expect("the lock file");
-    for (name, text) in [
-        ("bed.rs", include_str!("bed.rs")),
-        ("dense.rs", include_str!("dense.rs")),
-    ] {
-        write(&root.join("src").join(name), text);
-    }
+    let ours = [
+        ("mech-runtime", "mech-runtime"),
+        ("mech-compiler", "mech-macros/compiler"),
+        ("mech-test-support", "tests/support"),
+    ];
+    let others =
+        "nalgebra = { version = \"0.35.0\", default-features = false, features = [\"alloc\"] }\n";
+    let house = House::new(&root, &[BED], &ours, others);
+    house.write(&format!("{BED}/src/bed.rs"), include_str!("bed.rs"));
+    house.write(&format!("{BED}/src/dense.rs"), include_str!("dense.rs"));
     // First without the chains, so that what is compiled with them can be timed.
-    write(&root.join("src/main.rs"), &program(&[]));
-    build(&root);
-    write(&root.join("src/main.rs"), &program(&CHAINS));
+    house.put(BED, &program(&[]));
+    house.cargo(BED, "release", "");
+    house.put(BED, &program(&CHAINS));
     let start = Instant::now();
-    build(&root);
+    house.cargo(BED, "release", "");
     println!(
         "{CHAINS:?} loops compiled in {:.1} s, release",
         start.elapsed().as_secs_f64()
     );
-    let bed = root.join("target/release/growth-bed");
-    let output = Command::new(bed.with_extension(std::env::consts::EXE_EXTENSION))
-        .output()
-        .expect("it runs");
-    let text = String::from_utf8(output.stdout).expect("text");
+    let text = house.run(BED, "release", &[]);
     print!("{text}");
-    eprint!("{}", String::from_utf8_lossy(&output.stderr));
-    assert!(output.status.success(), "the chains move");
 
     let lines = lines(&text);
     for line in &lines {
         println!("{:<24} grows as loops^{:.2}", line.name, line.exponent());
     }
-    write(&ours.join("docs/growth.svg"), &plot::svg(&lines));
+    let picture = repository().join("docs/growth.svg");
+    fs::write(picture, plot::svg(&lines)).expect("a file");
 }
 
 /// What the bed printed: `point` lines of a name, a number of loops and nanoseconds a position.
@@ -107,31 +101,4 @@ fn program(chains: &[usize]) -> String {
     }
     let _ = writeln!(text, "fn main() {{\n    bed::run(vec![\n{calls}    ]);\n}}");
     text
-}
-
-fn build(root: &Path) {
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let status = Command::new(cargo)
-        .args(["build", "--offline", "--quiet", "--release"])
-        .current_dir(root)
-        .env("CARGO_TARGET_DIR", root.join("target"))
-        .status()
-        .expect("cargo runs");
-    assert!(status.success(), "the chains are built");
-}
-
-fn write(path: &Path, text: &str) {
-    fs::write(path, text).expect("a file");
-}
-
-fn manifest(ours: &Path) -> String {
-    let path = |folder: &str| ours.join(folder).display().to_string();
-    format!(
-        "[package]\nname = \"growth-bed\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[workspace]\n[dependencies]\n\
-         mech-runtime = {{ path = '{}' }}\nmech-compiler = {{ path = '{}' }}\nmech-test-support = {{ path = '{}' }}\n\
-         nalgebra = {{ version = \"0.35.0\", default-features = false, features = [\"alloc\"] }}\n",
-        path("mech-runtime"),
-        path("mech-macros/compiler"),
-        path("tests/support"),
-    )
 }

@@ -1,21 +1,49 @@
 //! Mechanisms that several tests use.
 
-macro_rules! sources {
-    ($($name:literal: $path:literal,)*) => { &[$(($name, include_str!($path)),)*] };
+use crate::{bodies, folder, models};
+use mech_compiler::model::Model;
+use proc_macro2::TokenStream;
+
+macro_rules! gallery {
+    ($($name:literal),*) => {
+        [$(($name, include_str!(concat!("../../../examples/gallery/src/mechanisms/", $name, ".rs")))),*]
+    };
 }
 
-/// Names and sources of the gallery's mechanisms, then of the zoo's, which the tests expand too: the last have params.
-pub const SOURCES: &[(&str, &str)] = sources![
-    "andrews": "../../../examples/gallery/src/mechanisms/andrews.rs",
-    "four_bar": "../../../examples/gallery/src/mechanisms/four_bar.rs",
-    "geared_piston": "../../../examples/gallery/src/mechanisms/geared_piston.rs",
-    "jansen": "../../../examples/gallery/src/mechanisms/jansen.rs",
-    "rocker_arm": "../../../examples/gallery/src/mechanisms/rocker_arm.rs",
-    "watt": "../../../examples/gallery/src/mechanisms/watt.rs",
-    "rolling": "../../tests/zoo/rolling.rs",
-    "special": "../../tests/zoo/special.rs",
-    "changed": "../../tests/changed/zoo.rs",
+/// Names and sources of the gallery's mechanisms.
+pub const GALLERY: [(&str, &str); 6] = gallery![
+    "andrews",
+    "four_bar",
+    "geared_piston",
+    "jansen",
+    "rocker_arm",
+    "watt"
 ];
+
+/// The gallery's mechanisms and the zoo's, which the tests expand too.
+#[must_use]
+pub fn known() -> Vec<Model> {
+    sources().flat_map(|source| models(&source)).collect()
+}
+
+/// Their texts.
+#[must_use]
+pub fn known_texts() -> Vec<TokenStream> {
+    sources().flat_map(|source| bodies(&source)).collect()
+}
+
+fn sources() -> impl Iterator<Item = String> {
+    let gallery = GALLERY.map(|(_, source)| source.to_owned()).into_iter();
+    let zoo = folder("../tests/subjects/zoo").into_iter();
+    gallery.chain(zoo.map(|case| case.text))
+}
+
+/// Those with params, which the tests expand too.
+#[must_use]
+pub fn with_own_params() -> Vec<Model> {
+    let texts = folder("../tests/subjects/changed").into_iter();
+    texts.flat_map(|case| models(&case.text)).collect()
+}
 
 /// Declares the four-bar with ground 4, crank 1, coupler 3.5 and rocker 3, and with masses. Its motor and more follow its name.
 #[macro_export]

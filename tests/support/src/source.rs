@@ -37,14 +37,18 @@ pub fn models(source: &str) -> Vec<Model> {
     bodies.map(|body| read(body).model).collect()
 }
 
-/// The text of every `mechanism!` of a source file, in order.
+/// The text of every `mechanism!` of a source file, in order; or the text, if the file is that of a mechanism.
 ///
 /// # Panics
-/// If the file is not Rust: the caller has just compiled it.
+/// If the file is neither Rust nor of a mechanism: the caller has just compiled it.
 #[must_use]
 pub fn bodies(source: &str) -> Vec<TokenStream> {
+    let tokens: TokenStream = source.parse().expect("tokens");
+    if !source.contains("mechanism!") {
+        return vec![tokens];
+    }
     let mut found = Vec::new();
-    collect(source.parse().expect("the file is Rust"), &mut found);
+    collect(tokens, &mut found);
     found
 }
 

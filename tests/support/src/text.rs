@@ -1,11 +1,15 @@
 //! Mechanisms as text.
 
-use mech_compiler::model::{AxisId, Joint, JointKind, LinkId, Model, Ratio};
+use mech_compiler::model::{AxisId, Joint, JointKind, LinkId, Model, Precision, Ratio};
 
 /// The text of a `mechanism!`, in the form of a drawing. Where a mechanism is not drawn, a comment says where its second axis is.
 #[must_use]
 pub fn text(model: &Model) -> String {
-    let mut text = format!("struct {};\n", model.name);
+    let precision = match model.precision {
+        Precision::F32 => ": f32",
+        Precision::F64 => "",
+    };
+    let mut text = format!("struct {}{precision};\n", model.name);
     for link in model.declared_links() {
         text += &format!("link {};\n", model.link(link).name);
     }
@@ -89,7 +93,9 @@ fn kind(model: &Model, joint: &Joint) -> String {
             law,
         } => {
             let [shaft, follower] = [shaft, follower].map(|id| &model.joint(id).name);
-            format!("cam({shaft}, {follower}, {})", model.law(law).written)
+            // Where it was written for a motor, its variable is the time.
+            let law = model.law(law).written.replace("(t)", "(q)");
+            format!("cam({shaft}, {follower}, {})", law.replace(" t", " q"))
         }
     }
 }

@@ -4,6 +4,8 @@ use mech_runtime::overlay::Arrows;
 use mech_runtime::{Blocked, Cause, Overlay, mechanism};
 use mech_test_support::differences;
 
+include!(concat!(env!("OUT_DIR"), "/beside.rs"));
+
 /// A loaded four-bar of whose numbers two are params, or constants.
 macro_rules! loaded {
     ($name:ident: $scalar:ident, $word:ident $crank:tt $rod:tt) => {
@@ -237,21 +239,6 @@ fn laws_go_with_the_params_in_them() {
     }
 }
 
-mechanism! {
-    /// A cam whose lift and pace are params.
-    struct Lobed;
-    param lift = 0.2;
-    param pace = 1.0;
-    ground { point o = (0, 0); line way = (0, 1) -> 90 deg; }
-    link shaft { point o = (0, 0); }
-    link follower { line way = (0, 0) -> 90 deg; point tip = (0.5, 0); }
-    joint s = revolute(ground.o, shaft.o);
-    joint f = prismatic(ground.way, follower.way);
-    joint c = cam(s, f, sqrt(lift) * (1 - cos(pace * q)));
-    motor s;
-    effects { velocity; sensitivity; }
-}
-
 #[test]
 fn cams_go_with_the_params_in_their_laws() {
     let mut lobed = Lobed::new();
@@ -285,31 +272,6 @@ fn a_law_without_a_value_stops_the_move() {
         (Cause::NotFinite, lawful.motors())
     );
     assert_eq!(lawful, before);
-}
-
-mechanism! {
-    /// Every function of the language, of params.
-    struct Computed;
-    param p = 0.6;
-    param q = 1.7;
-    const ROOT = hypot(p, q) - min(p, q) / 4;
-    ground { point o = (0, 0); }
-    link a {
-        point o = (0, 0);
-        point b = (2 + asin(p) + acos(p / 2), atan2(p, q) + atan(q));
-        point c = (ROOT + exp(-p), abs(p - q) + max(p, q * q));
-        point d = (floor(3 * q) + sign(p - q), mod(5 * q, p));
-        point e = (sqrt(q) - tan(p / 2), sin(p) * cos(q));
-    }
-    link b { point b = (0, 0); point c = (1, 0); }
-    link c { point c = (0, 0); }
-    joint ja = revolute(ground.o, a.o);
-    joint jb = revolute(a.b, b.b);
-    joint jc = revolute(b.c, c.c);
-    motor ja;
-    motor jb;
-    motor jc;
-    effects { sensitivity; }
 }
 
 #[test]

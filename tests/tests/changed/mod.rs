@@ -2,13 +2,16 @@
 
 mod beside;
 mod shapes;
-mod zoo;
+mod zoo {
+    //! Mechanisms with params.
+    include!(concat!(env!("OUT_DIR"), "/changed.rs"));
+}
 
 use mech_compiler::evaluate::{Machine, sensitivities};
 use mech_runtime::{Blocked, Cause, Mechanism, Phase, Reached, Real};
 use mech_test_support::{
-    differences, in_f64, mechanism_of, reach, size, with_ground, with_params, worst_gap,
-    worst_stretch,
+    Case, differences, folder, in_f64, mechanism_of, reach, size, with_ground, with_params,
+    worst_gap, worst_stretch,
 };
 use zoo::{
     Arm, Coupled, FourBar, Geared, Leaning, Lifted, Loose, QuickReturn, Rolling, SliderCrank,
@@ -66,7 +69,9 @@ where
     M: Changed,
     M::Scalar: Real,
 {
-    let (model, compiled) = mechanism_of::<M>(include_str!("zoo.rs"));
+    let named = |case: &Case| case.name.replace('_', "") == M::NAME.to_lowercase();
+    let case = folder("../tests/subjects/changed").into_iter().find(named);
+    let (model, compiled) = mechanism_of::<M>(&case.expect("its text").text);
     let sensitive = compiled.sensitive.as_ref().expect("it was asked for");
     let mut machine = Machine::<M::Scalar>::new(&compiled.program);
     let mut mechanism = M::new();

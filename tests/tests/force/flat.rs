@@ -5,7 +5,7 @@ use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::program::Forces;
 use mech_runtime::Real;
-use mech_test_support::{Dice, cases, model, seeds};
+use mech_test_support::{Dice, cases, model, seeds, shuffle};
 
 /// The rate of its motor: what is left of the forces by which links are turned and stopped is nothing.
 const RATE: f64 = 3.0;
@@ -63,11 +63,8 @@ impl Parallelogram {
             joint("l", "b.r", "c.r"),
             joint("m", "ground.p", "c.p"),
         ];
-        for shuffled in [&mut links[..], &mut joints[..]] {
-            for last in (1..shuffled.len()).rev() {
-                shuffled.swap(last, dice.below(last + 1));
-            }
-        }
+        shuffle(&mut links, dice);
+        shuffle(&mut joints, dice);
         // Between two links, single precision does not keep positions on their branch.
         let between = dice.once_in(2) && precision == "f64";
         let (b, a) = (angle.to_degrees(), angle.to_degrees() + 60.0);

@@ -13,7 +13,7 @@ use mech_compiler::model::Model;
 use mech_compiler::program::{Forces, Inertia, InverseDynamics};
 use mech_compiler::{Compiled, compile};
 use mech_test_support::{
-    Dice, SOURCES, Sample, coupled_samples, differences, for_all, models, reach, samples, size,
+    Dice, Sample, coupled_samples, differences, for_all, known, reach, samples, size,
 };
 use proptest::prelude::*;
 use random_actions::load_up;
@@ -279,7 +279,7 @@ fn forces_in_random_mechanisms_obey_newton_and_euler_and_virtual_work() {
 fn forces_in_the_zoo_and_the_gallery_do_too() {
     let mut seen = Seen::default();
     let mut dice = Dice::new(11);
-    for mut model in SOURCES[..8].iter().flat_map(|(_, source)| models(source)) {
+    for mut model in known() {
         load_up(&mut model, &mut dice);
         check(&model, &mut dice, 8, &mut seen);
     }

@@ -1,62 +1,152 @@
 //! Plain geometry in double precision: circles and lines, with no help from the product.
 
-/// A point of a closed dyad, and the sine of its transmission angle with the sign of its side.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct ClosedForm {
-    pub(crate) at: [f64; 2],
-    pub(crate) sine: f64,
+use mech_compiler::model::Law;
+use mech_test_support::law;
+
+/// Where a point of a link should be, as the motor has it.
+pub(crate) struct Expected {
+    pub(crate) link: String,
+    pub(crate) on_link: [f64; 2],
+    place: Place,
+    pub(crate) tolerance: Tolerance,
+    /// Whether it is held only where rounding does not hide the side.
+    pub(crate) only_seen: bool,
 }
 
-/// The coupler–rocker joint of a four-bar `g a b c` at a crank angle, the crank shaft at the origin and the rocker shaft at
-/// (g, 0); on the left of the way from the crank pin to the rocker shaft if `left`. A discriminant below zero is zero.
-pub(crate) fn four_bar([g, a, b, c]: [f64; 4], angle: f64, left: bool) -> ClosedForm {
-    let pin = [a * angle.cos(), a * angle.sin()];
-    let half = (angle / 2.0).sin();
-    let square = (g - a).powi(2) + 4.0 * g * a * half * half;
-    let distance = square.sqrt();
-    let outer = (b + c - distance) * (b + c + distance);
-    let inner = (distance - (b - c).abs()) * (distance + (b - c).abs());
-    let root = (outer * inner).max(0.0).sqrt();
-    let root = if left { root } else { -root };
-    let along = (square + (b - c) * (b + c)) / (2.0 * square);
-    let across = root / (2.0 * square);
-    let [u, v] = [g - pin[0], -pin[1]];
-    ClosedForm {
-        at: [
-            pin[0] + along * u - across * v,
-            pin[1] + along * v + across * u,
-        ],
-        sine: root / (2.0 * b * c),
-    }
+enum Place {
+    Formulas([Law; 2]),
+    Closed(ClosedForm, [f64; 2]),
 }
 
-/// How far the block of a slider-crank is along its guide, which lies `offset` above the shaft.
-pub(crate) fn slider_crank(r: f64, l: f64, offset: f64, angle: f64) -> ClosedForm {
-    let height = offset - r * angle.sin();
-    let root = ((l - height) * (l + height)).max(0.0).sqrt();
-    ClosedForm {
-        at: [r * angle.cos() + root, offset],
-        sine: root / l,
-    }
+/// How far it may be off.
+pub(crate) enum Tolerance {
+    /// As the sine of a transmission angle says.
+    Sine(Law),
+    /// The same, of a closed form.
+    Closed(ClosedForm),
+    /// So many times.
+    Within(f64),
 }
 
-/// A point mirrored in the line through two others.
-pub(crate) fn mirrored([x, y]: [f64; 2], [a, b]: [f64; 2], [c, d]: [f64; 2]) -> [f64; 2] {
-    let (u, v) = (c - a, d - b);
-    let across = 2.0 * (u * (y - b) - v * (x - a)) / (u * u + v * v);
-    [x + across * v, y - across * u]
+/// What has a closed form.
+#[derive(Clone, Copy)]
+pub(crate) enum ClosedForm {
+    /// The joint of coupler and rocker, by the lengths of ground, crank, coupler and rocker, on the left of the way from the crank's pin to
+    /// the rocker's shaft.
+    FourBar([f64; 4]),
+    /// The block of a slider-crank, by the lengths of crank and rod, and how far its guide lies above the shaft.
+    SliderCrank([f64; 3]),
 }
 
-/// Where a function changes its sign.
-pub(crate) fn bisect(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let rises = f(high) > 0.0;
-    for _ in 0..200 {
-        let middle = f64::midpoint(low, high);
-        if (f(middle) > 0.0) == rises {
-            high = middle;
-        } else {
-            low = middle;
+fn numbers<const N: usize>(text: &str) -> [f64; N] {
+    let numbers: Vec<f64> = text.split(' ').map(constant).collect();
+    numbers.try_into().expect("as many numbers")
+}
+
+/// The value of a formula without a variable.
+pub(crate) fn constant(text: &str) -> f64 {
+    law(text).at(0.0, &[])
+}
+
+impl ClosedForm {
+    fn read(text: &str) -> Option<Self> {
+        let (word, lengths) = text.split_once(' ')?;
+        match word {
+            "four_bar" => Some(Self::FourBar(numbers(lengths))),
+            "slider_crank" => Some(Self::SliderCrank(numbers(lengths))),
+            _ => None,
         }
     }
-    f64::midpoint(low, high)
+
+    /// The point, and the sine of its transmission angle with the sign of its side. A discriminant below zero is zero.
+    fn at(self, angle: f64) -> ([f64; 2], f64) {
+        match self {
+            Self::FourBar([g, a, b, c]) => {
+                let pin = [a * angle.cos(), a * angle.sin()];
+                let half = (angle / 2.0).sin();
+                let square = (g - a).powi(2) + 4.0 * g * a * half * half;
+                let distance = square.sqrt();
+                let outer = (b + c - distance) * (b + c + distance);
+                let inner = (distance - (b - c).abs()) * (distance + (b - c).abs());
+                let root = (outer * inner).max(0.0).sqrt();
+                let along = (square + (b - c) * (b + c)) / (2.0 * square);
+                let across = root / (2.0 * square);
+                let [u, v] = [g - pin[0], -pin[1]];
+                let at = [
+                    pin[0] + along * u - across * v,
+                    pin[1] + along * v + across * u,
+                ];
+                (at, root / (2.0 * b * c))
+            }
+            Self::SliderCrank([r, l, offset]) => {
+                let height = offset - r * angle.sin();
+                let root = ((l - height) * (l + height)).max(0.0).sqrt();
+                ([r * angle.cos() + root, offset], root / l)
+            }
+        }
+    }
+}
+
+impl Expected {
+    /// Reads `LINK X Y = …`.
+    pub(crate) fn new(fact: &str) -> Self {
+        let (point, should) = fact.split_once(" = ").expect("a point and a place");
+        let (link, on_link) = point.split_once(' ').expect("a link and a place on it");
+        let formulas = |text: &str| {
+            let (x, y) = text.split_once(", ").expect("two formulas");
+            Place::Formulas([law(x), law(y)])
+        };
+        let (place, tolerance) = if let Some((at, sine)) = should.split_once(" sine ") {
+            let sine = ClosedForm::read(sine)
+                .map_or_else(|| Tolerance::Sine(law(sine)), Tolerance::Closed);
+            (formulas(at), sine)
+        } else if let Some((at, within)) = should.split_once(" within ") {
+            (formulas(at), Tolerance::Within(constant(within)))
+        } else {
+            let (closed, origin) = should.split_once(" from ").unwrap_or((should, "0, 0"));
+            let (x, y) = origin.split_once(", ").expect("two numbers");
+            match ClosedForm::read(closed) {
+                Some(form) => (
+                    Place::Closed(form, [x, y].map(constant)),
+                    Tolerance::Closed(form),
+                ),
+                None => (formulas(should), Tolerance::Sine(law("1"))),
+            }
+        };
+        Self {
+            link: link.to_owned(),
+            on_link: numbers(on_link),
+            place,
+            tolerance,
+            only_seen: false,
+        }
+    }
+
+    /// The same, held only where rounding does not hide the side.
+    pub(crate) fn where_seen(self) -> Self {
+        Self {
+            only_seen: true,
+            ..self
+        }
+    }
+
+    /// Where it should be.
+    pub(crate) fn at(&self, motor: f64) -> [f64; 2] {
+        match &self.place {
+            Place::Formulas(formulas) => formulas.each_ref().map(|law| law.at(motor, &[])),
+            Place::Closed(form, [x, y]) => {
+                let ([u, v], _) = form.at(motor);
+                [x + u, y + v]
+            }
+        }
+    }
+
+    /// The sine of the transmission angle.
+    pub(crate) fn sine(&self, motor: f64) -> f64 {
+        match &self.tolerance {
+            Tolerance::Sine(law) => law.at(motor, &[]),
+            Tolerance::Closed(form) => form.at(motor).1,
+            Tolerance::Within(_) => 1.0,
+        }
+    }
 }

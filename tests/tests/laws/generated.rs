@@ -1,83 +1,14 @@
 //! Mechanisms that are moved by the time alone.
 
-use mech_runtime::{Cause, mechanism};
+use mech_runtime::Cause;
+use mech_test_support::mechanism_of;
 
-mechanism! {
-    /// A four-bar that is driven at an even speed, with an arm that swings on its coupler.
-    pub struct FourBar;
-    const SPEED = 1.5;
-    link crank; link coupler; link rocker; link arm { point tip = (3.5, 4); }
-    joint a = revolute(ground, crank) at (0, 0);
-    joint b = revolute(crank, coupler) at (0.8, 0.6);
-    joint c = revolute(coupler, rocker) at (3.3, 2.9);
-    joint d = revolute(ground, rocker) at (4, 0);
-    joint e = revolute(coupler, arm) at (2, 3);
-    motor a = SPEED * t;
-    motor e = 0.3 * sin(2 * t) * exp(-0.1 * t);
-    effects { velocity; acceleration; }
-}
-
-mechanism! {
-    /// The same without effects, and with a motor that has no law.
-    pub struct Plain;
-    link crank; link coupler; link rocker; link arm { point tip = (3.5, 4); }
-    joint a = revolute(ground, crank) at (0, 0);
-    joint b = revolute(crank, coupler) at (0.8, 0.6);
-    joint c = revolute(coupler, rocker) at (3.3, 2.9);
-    joint d = revolute(ground, rocker) at (4, 0);
-    joint e = revolute(coupler, arm) at (2, 3);
-    motor a = 1.5 * t;
-    motor e;
-}
-
-mechanism! {
-    /// A slide that stops being anywhere when the time is one.
-    pub struct Ending;
-    ground { line rail = (0, 0) -> (1, 0); point o = (0, 0); }
-    link cart { line rail = (0, 0) -> (1, 0); }
-    link wheel { point o = (0, 0); }
-    joint x = prismatic(ground.rail, cart.rail);
-    joint w = revolute(ground.o, wheel.o);
-    motor x = sqrt(1 - t);
-    motor w = 1 / (t - 3) + 2 * t;
-    effects { velocity; }
-}
-
-mechanism! {
-    /// A wheel in single precision, whose motor turns fifty times a second, and another geared to it.
-    pub struct Fast: f32;
-    ground { point o = (0, 0); point p = (3, 0); }
-    link wheel { point o = (0, 0); }
-    link other { point o = (0, 0); }
-    joint w = revolute(ground.o, wheel.o);
-    joint v = revolute(ground.p, other.o);
-    joint mesh = gear(wheel, other, 20 : 40);
-    motor w = 2 * PI * 50 * t;
-    effects { velocity; }
-}
-
-mechanism! {
-    /// A motor that must not leave its range.
-    pub struct Ranged;
-    ground { point o = (0, 0); }
-    link wheel { point o = (0, 0); }
-    joint w = revolute(ground.o, wheel.o);
-    motor w = 2 * sin(t) in -1 ..= 1;
-}
-
-mechanism! {
-    /// A motor that stays where it is.
-    pub struct Still;
-    ground { point o = (0, 0); }
-    link wheel { point o = (0, 0); }
-    joint w = revolute(ground.o, wheel.o);
-    motor w = 0.25;
-}
+include!(concat!(env!("OUT_DIR"), "/laws.rs"));
 
 #[test]
 fn the_time_gives_motors_the_values_of_their_laws() {
-    let source = include_str!("generated.rs");
-    let (_, compiled) = mech_test_support::mechanisms(source).swap_remove(0);
+    let source = include_str!("../subjects/laws/four_bar.mech");
+    let (_, compiled) = mechanism_of::<FourBar>(source);
     let timing = compiled.timing.expect("motors have laws");
     let (mut timed, mut given) = (FourBar::new(), FourBar::new());
     for step in 0..500 {

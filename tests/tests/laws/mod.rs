@@ -2,7 +2,6 @@
 
 mod generated;
 mod jet;
-mod moving;
 
 use jet::{Jet, jet};
 use mech_compiler::model::{Effects, Law, Model, Now};

@@ -1,28 +1,8 @@
-//! Coupled loops, by name, in which leaps went wrong once or easily could.
+//! Coupled loops in which two pins coincide: what hangs on these turns with the crank as one body.
 
-use super::families::{assert_leaps, none, targets, values, wrong_in_steps};
-use super::reading::Subject;
+use super::parallel::{none, wrong_in_steps};
 use mech_compiler::evaluate::Machine;
-
-#[test]
-fn robots_whose_loops_wait_for_each_other() {
-    let subject = Subject::of(include_str!("texts/rpr121.txt"));
-    let to = vec![
-        -1.130_138_241_821_159_9,
-        1.737_036_454_520_985,
-        -1.980_555_410_391_568_8,
-    ];
-    let mut all = vec![to];
-    all.extend(targets(&subject, 2, 12, &[3.0, 3.0, 3.0]));
-    assert_leaps(&subject, &all);
-}
-
-/// A whole turn of what gears turn leads coupled loops back to where they were: nothing may be leapt over on the way.
-#[test]
-fn coupled_behind_gears_that_speed_up() {
-    let subject = Subject::of(include_str!("texts/s991460.txt"));
-    assert_leaps(&subject, &values(&[1.153_595_189_303_182_2, -0.9]));
-}
+use mech_test_support::journeys::Subject;
 
 /// How far links of coupled loops in which two pins coincide are off: what hangs on these turns with the crank as one body.
 fn off_one_body(subject: &Subject, machine: &Machine<'_, f64>, body: usize) -> f64 {
@@ -40,8 +20,8 @@ fn off_one_body(subject: &Subject, machine: &Machine<'_, f64>, body: usize) -> f
 #[test]
 fn coupled_loops_go_straight_on_through_their_change_points() {
     for text in [
-        include_str!("texts/s990355.txt"),
-        include_str!("texts/s990599.txt"),
+        include_str!("../../cases/leaps/s990355.txt"),
+        include_str!("../../cases/leaps/s990599.txt"),
     ] {
         let subject = Subject::of(text);
         let mut found = Vec::new();
@@ -58,7 +38,7 @@ fn coupled_loops_go_straight_on_through_their_change_points() {
 /// Only where rounding hides the branch a move is refused. Wherever it is not, it goes on from there to either side.
 #[test]
 fn coupled_loops_do_not_stay_at_their_change_points() {
-    let subject = Subject::of(include_str!("texts/s990355.txt"));
+    let subject = Subject::of(include_str!("../../cases/leaps/s990355.txt"));
     let change_point: f64 = 2.999_944_305_4;
     let mut found = Vec::new();
     for distance in [0.0, 1e-12, 1e-9, 1e-8, 1e-7, 2e-7, 3e-7, 1e-6, 1e-5, 1e-4] {
@@ -83,12 +63,4 @@ fn coupled_loops_do_not_stay_at_their_change_points() {
         }
     }
     none(&subject, &found);
-}
-
-/// Coupled loops near their dead point, and a slide behind them that goes far out: both are at their ends in one leap.
-#[test]
-fn coupled_s990519() {
-    let subject = Subject::of(include_str!("texts/s990519.txt"));
-    let far = values(&[0.405, 0.41, 1.0, 5.0, 32.6, -0.1, -20.0]);
-    assert_leaps(&subject, &far);
 }

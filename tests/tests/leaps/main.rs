@@ -3,18 +3,12 @@
 //!
 //! `MECH_CASES=1000` for a thousand mechanisms a test, `MECH_SEED=7` for others; the tables are printed with `--nocapture`.
 
-mod closure;
-mod comparing;
 mod coupled;
-mod drawing;
-mod families;
 mod journeys;
-mod page;
+mod named;
+mod narrow;
 mod parallel;
 mod proved;
-mod random;
-mod reading;
 mod shown;
 mod sound;
 mod starts;
-mod tally;

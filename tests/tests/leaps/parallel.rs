@@ -1,13 +1,41 @@
 //! Parallelograms stay parallelograms, however far a move goes: random rows of them whose change points coincide or nearly do, and
 //! some by name.
 
-use super::families::{assert_leaps, none, wrong_in_steps};
-use super::reading::Subject;
 use mech_compiler::evaluate::Machine;
+use mech_test_support::journeys::Subject;
 use mech_test_support::judge::wrap;
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fmt::Write as _;
+
+/// What is wrong with the first of so many equal steps, by so much in all, after which links are off by more than a millionth.
+pub(crate) fn wrong_in_steps(
+    subject: &Subject,
+    far: f64,
+    steps: u32,
+    off: impl Fn(&Machine<'_, f64>) -> f64,
+) -> Option<String> {
+    let mut machine = Machine::<f64>::new(&subject.compiled.program);
+    (1..=steps).find_map(|step| {
+        let to = far * f64::from(step) / f64::from(steps);
+        let outcome = machine.move_to(&[to]);
+        let off = off(&machine);
+        let fails = outcome.is_err() || off > 1e-6;
+        fails.then(|| format!("to {far} in {steps} steps: at {to} {outcome:?}, off by {off:.2e}"))
+    })
+}
+
+/// Tests that nothing wrong was found with a mechanism.
+#[track_caller]
+pub(crate) fn none(subject: &Subject, found: &[String]) {
+    assert!(
+        found.is_empty(),
+        "{} wrong\n{}\n{}",
+        found.len(),
+        found[..4.min(found.len())].join("\n"),
+        subject.text
+    );
+}
 
 /// One parallelogram: from the crank before it to the next.
 #[derive(Clone, Copy, Debug)]
@@ -190,9 +218,7 @@ fn three_change_points_that_nearly_coincide() {
 /// short distance of its pins.
 #[test]
 fn a_parallelogram_that_is_nearly_a_rhombus() {
-    let subject = Subject::of(include_str!("texts/near-rhombus.txt"));
-    let targets: Vec<Vec<f64>> = (1..60).map(|step| vec![2.5 * f64::from(step)]).collect();
-    assert_leaps(&subject, &targets);
+    let subject = Subject::of(include_str!("../../cases/leaps/near-rhombus.txt"));
     let mut machine = Machine::<f64>::new(&subject.compiled.program);
     for step in 1..=600 {
         let target = [5.0 * f64::from(step)];
@@ -212,7 +238,11 @@ fn a_parallelogram_behind_gears_stays_one() {
         ("1 : 3", 1.0 / 3.0),
         ("100 : 1", 100.0),
     ] {
-        let subject = Subject::with(include_str!("texts/worm-parallelogram.txt"), "RATIO", ratio);
+        let subject = Subject::with(
+            include_str!("../../cases/leaps/worm-parallelogram.txt"),
+            "RATIO",
+            ratio,
+        );
         for step in [0.1, 1.0, 5.0, 30.0, 200.0] {
             let step: f64 = step / speed * 0.025;
             let mut machine = Machine::<f64>::new(&subject.compiled.program);
@@ -271,7 +301,7 @@ fn a_parallelogram_with_a_redundant_crank() {
 /// side that faces the one that only slides does not turn.
 #[test]
 fn a_parallelogram_that_is_flat_for_a_moment() {
-    let subject = Subject::of(include_str!("texts/touch.txt"));
+    let subject = Subject::of(include_str!("../../cases/leaps/touch.txt"));
     for to in [4.3, 4.44, 5.0, 3.9] {
         for steps in [1_u32, 2, 10, 100, 1000, 10_000] {
             let mut machine = Machine::<f64>::new(&subject.compiled.program);

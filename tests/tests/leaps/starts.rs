@@ -1,18 +1,15 @@
 //! What compiles, moves: from its start each motor goes a little in one direction at least, or stops in both at a real limit.
 
-use super::drawing::{Drawing, coupled, sequential};
-use super::random::runner;
-use super::reading::Subject;
 use mech_compiler::evaluate::{Machine, Stop};
+use mech_test_support::journeys::{Family, Subject};
 use mech_test_support::judge::{Curve, End};
-use mech_test_support::{cases, seeds};
-use proptest::strategy::{Strategy, ValueTree as _};
+use mech_test_support::{Dice, cases, seeds};
 
 /// Moves that are tried.
 const SMALL: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-6];
 
 /// The motors that cannot be moved although they could be.
-fn stuck(subject: &Subject) -> Vec<String> {
+pub(crate) fn stuck(subject: &Subject) -> Vec<String> {
     let program = &subject.compiled.program;
     let start = Machine::<f64>::new(program);
     let motors = &program.start.motors;
@@ -55,75 +52,29 @@ fn stuck(subject: &Subject) -> Vec<String> {
     all
 }
 
-fn stuck_of(strategy: &impl Strategy<Value = Drawing>, default: u64) -> Vec<String> {
-    let mut all = Vec::new();
-    for seed in seeds(cases(default)) {
-        let drawn = strategy
-            .new_tree(&mut runner(seed))
-            .expect("a drawing")
-            .current()
-            .drawn();
-        if let Ok(subject) = Subject::read(&drawn.text) {
-            all.extend(
-                stuck(&subject)
-                    .into_iter()
-                    .map(|text| format!("seed {seed}: {text}\n{}", drawn.text)),
-            );
+#[test]
+fn what_compiles_moves() {
+    for (family, usual) in [(Family::Wild, 90), (Family::Coupled, 30)] {
+        let (mut all, mut compiled) = (Vec::new(), 0);
+        for seed in seeds(cases(usual)) {
+            let text = family.text(&mut Dice::new(seed), false);
+            if let Ok(subject) = Subject::read(&text) {
+                compiled += 1;
+                let stuck = stuck(&subject).into_iter();
+                all.extend(stuck.map(|what| format!("seed {seed}: {what}\n{text}")));
+            }
         }
+        println!("{family:?}: {compiled} compiled");
+        assert!(all.is_empty(), "{} stuck: {}", all.len(), all[0]);
+        assert!(compiled > 0, "none was tried");
     }
-    all
-}
-
-#[track_caller]
-fn assert_none(wrong: &[String]) {
-    assert!(
-        wrong.is_empty(),
-        "{} stuck, the first: {}",
-        wrong.len(),
-        wrong[0]
-    );
-}
-
-#[test]
-fn sequential_mechanisms_that_compile_move() {
-    assert_none(&stuck_of(&sequential(6), 60));
-}
-
-#[test]
-fn coupled_mechanisms_that_compile_move() {
-    assert_none(&stuck_of(&coupled(), 20));
 }
 
 #[test]
 fn a_strut_moves() {
-    assert_none(&stuck(&Subject::of(include_str!("texts/strut.txt"))));
-    let subject = Subject::of(include_str!("texts/strut.txt"));
+    let subject = Subject::of(include_str!("../../cases/leaps/strut.txt"));
     let mut machine = Machine::<f64>::new(&subject.compiled.program);
     let start = subject.compiled.program.start.motors.clone();
     let to = [start[0] + 0.05, start[1]];
     assert_eq!(machine.move_to(&to), Ok(()), "from {start:?} to {to:?}");
-}
-
-#[test]
-fn named_mechanisms_move() {
-    let texts = [
-        include_str!("texts/polar.txt"),
-        include_str!("texts/rpr121.txt"),
-        include_str!("texts/s1008.txt"),
-        include_str!("texts/s1022.txt"),
-        include_str!("texts/s25.txt"),
-        include_str!("texts/s5180.txt"),
-        include_str!("texts/s5256.txt"),
-        include_str!("texts/t3.txt"),
-        include_str!("texts/tanhalf.txt"),
-    ];
-    let wrong: Vec<String> = texts
-        .into_iter()
-        .flat_map(|text| {
-            stuck(&Subject::of(text))
-                .into_iter()
-                .map(move |why| format!("{why}\n{text}"))
-        })
-        .collect();
-    assert_none(&wrong);
 }

@@ -8,6 +8,8 @@ pub(super) struct Bound {
     pub(super) proved: f64,
     pub(super) seen: f64,
     pub(super) place: Vec<f64>,
+    /// Whether all boxes were looked at, down to rounding.
+    pub(super) is_complete: bool,
 }
 
 impl Default for Bound {
@@ -16,6 +18,7 @@ impl Default for Bound {
             proved: f64::NEG_INFINITY,
             seen: f64::INFINITY,
             place: Vec::new(),
+            is_complete: false,
         }
     }
 }
@@ -36,6 +39,9 @@ impl Bound {
         self.seen - self.proved
     }
 }
+
+/// What is nearer to zero than this part of the slack cannot be told from it.
+const ALIKE: f64 = 1e-3;
 
 /// What a least value has to be.
 #[derive(Clone, Copy, Debug)]
@@ -59,7 +65,8 @@ impl Limit {
     /// Whether it is broken at the place that was seen.
     pub(super) fn is_broken(self, bound: &Bound) -> bool {
         if self.is_strict {
-            bound.seen <= 0.0
+            // Equal but for rounding is equal.
+            bound.seen <= ALIKE * self.slack
         } else {
             bound.seen < -self.slack
         }

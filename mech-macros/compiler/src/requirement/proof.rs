@@ -22,7 +22,7 @@ const WELL_KNOWN: f64 = 1e-10;
 const ROUNDING: f64 = 1e-9;
 
 /// A place where a condition does not hold is the worst if nothing is worse by more than this part.
-const WORST: f64 = 1e-3;
+const WORST: f64 = 1e-6;
 
 /// More loops than this that may change their side are not tried with every side of each.
 const MOST_SIDES: usize = 4;
@@ -248,8 +248,11 @@ impl Case<'_> {
             limit.is_kept(found)
                 || limit.is_broken(found) && found.gap() <= WORST * found.seen.abs()
         });
-        if limit.is_kept(&least) {
+        if limit.is_kept(&least) || search.is_nowhere(&least) {
             return Ok(());
+        }
+        if least.place.is_empty() {
+            return Err(RequirementTrouble::TooHard);
         }
         let value = search.value_at(&least.place, subject);
         let value = value.map_or(f64::NAN, Interval::middle);

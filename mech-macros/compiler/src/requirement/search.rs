@@ -99,6 +99,11 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// Whether the loops are nowhere on these sides, but within rounding of where they change them.
+    pub(super) fn is_nowhere(&self, bound: &Bound) -> bool {
+        bound.is_complete && bound.place.is_empty() && self.sides.are_told()
+    }
+
     /// The intervals that may still be computed.
     pub(super) fn left(&self) -> usize {
         self.left
@@ -308,6 +313,7 @@ impl<'a> Search<'a> {
             }
         }
         bound.proved = stuck.min(bound.seen);
+        bound.is_complete = true;
         bound
     }
 

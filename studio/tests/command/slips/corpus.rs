@@ -26,7 +26,7 @@ pub(super) fn read() -> Vec<Correct> {
         "examples",
         "studio/src/editor/example",
         "tests/cases",
-        "tests/tests/zoo",
+        "tests/tests/subjects/zoo",
     ];
     let mut found = Vec::new();
     for folder in FOLDERS {

@@ -26,7 +26,7 @@ pub fn grow_coupled_from(motor: &mut Dice, additions: &[Dice]) -> Grown {
 
 impl Grown {
     /// Adds anything; what waits for something else, if it has to.
-    fn add_coupled(&mut self, dice: &mut Dice, must_wait: bool) {
+    pub(super) fn add_coupled(&mut self, dice: &mut Dice, must_wait: bool) {
         match dice.below(if must_wait { 4 } else { 8 }) {
             0 => self.platform(dice),
             1 => self.geared_ring(dice),

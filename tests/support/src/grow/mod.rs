@@ -2,6 +2,7 @@
 //! coherent and sequential, with as many loops as there are dyads.
 
 mod coupled;
+mod wild;
 
 use crate::{Dice, add_axis, on_any_ground, shuffled};
 pub use coupled::{grow_coupled, grow_coupled_from};
@@ -13,6 +14,7 @@ use mech_compiler::plan::{self, Step};
 use mech_compiler::structure;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
+pub use wild::grow_wild;
 
 /// A mechanism and what is known about it.
 #[derive(Clone, Debug)]

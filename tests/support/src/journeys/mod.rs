@@ -1,19 +1,19 @@
 //! Journeys of random mechanisms, held against the judge.
 
 mod subject;
+mod trial;
 
 pub use subject::{Judged, Subject, Track, apart, off};
 
-use crate::judge::Judge;
 use crate::sketch::Sketch;
-use crate::{Dice, symmetric, worst_gap};
-use mech_compiler::evaluate::{Machine, Stop};
+use crate::{Dice, grow_wild, symmetric, text};
+use mech_compiler::evaluate::Machine;
 use mech_compiler::model::Precision;
 use mech_compiler::program::Real;
 use std::collections::BTreeMap;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 use std::ops::Range;
-use std::time::Instant;
+use trial::{Line, Trial, motors};
 
 /// What is done with a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,20 +37,40 @@ pub enum Family {
     Fast,
     /// Anything.
     Generic,
+    /// Anything with racks, cams and what nearly is a parallelogram, in any place or on a lattice.
+    Wild,
+    /// The same with loops that wait for each other.
+    Coupled,
     /// This text, in random journeys.
     Text(String),
 }
 
 impl Family {
     /// All of them.
-    pub const ALL: [Self; 4] = [Self::Symmetric, Self::Rows, Self::Fast, Self::Generic];
+    pub const ALL: [Self; 6] = [
+        Self::Symmetric,
+        Self::Rows,
+        Self::Fast,
+        Self::Generic,
+        Self::Wild,
+        Self::Coupled,
+    ];
 
-    fn text(&self, dice: &mut Dice, single: bool) -> String {
+    /// The text of one of them.
+    #[must_use]
+    pub fn text(&self, dice: &mut Dice, single: bool) -> String {
         let mut sketch: Sketch = match self {
             Self::Symmetric => symmetric::symmetric(dice),
             Self::Rows => symmetric::row(dice),
             Self::Fast => symmetric::fast(dice),
             Self::Generic => symmetric::generic(dice),
+            Self::Wild | Self::Coupled => {
+                let mut model = grow_wild(dice, *self == Self::Coupled).model;
+                if single {
+                    model.precision = Precision::F32;
+                }
+                return text(&model);
+            }
             Self::Text(text) => return text.clone(),
         };
         sketch.single = single;
@@ -90,8 +110,6 @@ pub struct Tally {
     pub faults: BTreeMap<Fault, [usize; 2]>,
     /// Some of them as text.
     pub examples: BTreeMap<Fault, Vec<String>>,
-    /// How long the judge took, of everything, in seconds.
-    pub judging: f64,
     /// Why the judge gave up.
     pub reasons: BTreeMap<String, usize>,
 }
@@ -143,20 +161,6 @@ pub fn tally(
     tally
 }
 
-/// Whether it goes on from here, or what is wrong.
-type Verdict = Result<bool, (Fault, String)>;
-
-/// Moves, as far as it goes; and why no farther.
-fn go<T: Real>(machine: &mut Machine<'_, T>, to: &[T]) -> Option<Stop> {
-    let stop = machine.move_to(to).err()?;
-    let _ = machine.move_toward(to);
-    Some(stop)
-}
-
-/// What is off by this counts as elsewhere, unless so many roundings explain it.
-const ELSEWHERE: f64 = 0.02;
-const ROUNDINGS: f64 = 16.0;
-
 fn journeys<T: Real>(
     kind: Kind,
     subject: &Subject,
@@ -165,19 +169,8 @@ fn journeys<T: Real>(
 ) -> Vec<(Fault, String)> {
     let judge = subject.judge();
     let mut machine = Machine::<T>::new(&subject.compiled.program);
-    let mut trial = Trial {
-        subject,
-        judge: &judge,
-        found: Vec::new(),
-        moves: 0,
-        judging: 0.0,
-    };
-    let start: Vec<f64> = machine
-        .position()
-        .motors
-        .iter()
-        .map(|value| value.to_f64())
-        .collect();
+    let mut trial = Trial::new(subject, &judge);
+    let start = motors(&machine);
     let gap = judge.gap(&judge.start(), &start);
     if gap > if trial.is_single() { 1e-3 } else { 1e-7 } {
         trial.find(
@@ -194,17 +187,10 @@ fn journeys<T: Real>(
         } else {
             2.5 * TAU
         };
-        let begin = Instant::now();
-        let track = Track::new(&judge, start[0], reach);
-        tally.judging += begin.elapsed().as_secs_f64();
-        if let Some(why) = track.gave_up() {
+        let line = Line::new(&judge, start[0], reach);
+        if let Some(why) = line.track.gave_up() {
             *tally.reasons.entry(why.to_owned()).or_default() += 1;
         }
-        let line = Line {
-            track,
-            start: start[0],
-            reach,
-        };
         match kind {
             Kind::Steps => trial.steps(&line, &mut machine),
             Kind::Leaps => trial.leaps(&line, &mut machine, dice),
@@ -212,309 +198,36 @@ fn journeys<T: Real>(
         }
     }
     tally.moves += trial.moves;
-    tally.judging += trial.judging;
     trial.found
 }
 
-/// All that one motor can do.
-struct Line<'a> {
-    track: Track<'a>,
-    start: f64,
-    reach: f64,
-}
-
-/// One mechanism on trial.
-struct Trial<'a> {
-    subject: &'a Subject,
-    judge: &'a Judge<'a>,
-    found: Vec<(Fault, String)>,
-    moves: usize,
-    judging: f64,
-}
-
-/// The numbers of a position's motors.
-fn motors<T: Real>(machine: &Machine<'_, T>) -> Vec<f64> {
-    machine
-        .position()
-        .motors
-        .iter()
-        .map(|value| value.to_f64())
-        .collect()
-}
-
-impl Trial<'_> {
-    fn find(&mut self, fault: Fault, what: String) {
-        self.found.push((fault, what));
-    }
-
-    fn is_single(&self) -> bool {
-        self.subject.model.precision == Precision::F32
-    }
-
-    /// Moves the one motor and judges it. Whether it may go on from there.
-    fn judged<T: Real>(
-        &mut self,
-        line: &Line<'_>,
-        machine: &mut Machine<'_, T>,
-        to: f64,
-        path: &mut Vec<f64>,
-    ) -> bool {
-        let (from, to) = (motors(machine)[0], T::from_f64(to));
-        let stop = go(machine, &[to]);
-        path.push(to.to_f64());
-        let at = motors(machine)[0];
-        let loose = 1.0 + at.abs();
-        let verdict = self.verdict(&line.track, machine, [at, to.to_f64()], stop, loose);
-        self.conclude(verdict, || format!("path {path:?}: from {from} at {at}"))
-    }
-
-    fn conclude(&mut self, verdict: Verdict, story: impl Fn() -> String) -> bool {
-        self.moves += 1;
-        match verdict {
-            Ok(goes_on) => goes_on,
-            Err((fault, what)) => {
-                self.find(fault, format!("{}: {what}", story()));
-                false
-            }
-        }
-    }
-
-    /// Whether a machine is where the judge says, at this value of this track, on its way to that value; or what is wrong.
-    fn verdict<T: Real>(
-        &self,
-        track: &Track<'_>,
-        machine: &Machine<'_, T>,
-        [at, goal]: [f64; 2],
-        stop: Option<Stop>,
-        length: f64,
-    ) -> Verdict {
-        let single = self.is_single();
-        let loose = if single { 1e-3 } else { 1e-6 } * length;
-        let poses = self.subject.poses(machine.position());
-        // Whether rounding decides how it goes on where curves nearly cross, is nobody's mistake.
-        let unsure = track.nearest() < if single { 0.05 } else { 2e-5 };
-        let blame = |fault, what| Err((if unsure { Fault::Unknown } else { fault }, what));
-        let judged = track.judge(at);
-        let extent = self.subject.extent(&poses);
-        let gap = worst_gap(&self.subject.model, &poses) / extent;
-        // What is redundant closes as well as the rest is known.
-        let allowed = match (single, self.subject.model.allow.redundant) {
-            (true, true) => 3e-4,
-            (true, false) => 3e-5,
-            (false, _) => 1e-9,
+/// What is wrong with moves to these targets: each from where the one before ended, if they are in a row, or else from the start.
+#[must_use]
+pub fn faults(subject: &Subject, targets: &[Vec<f64>], in_a_row: bool) -> Vec<(Fault, String)> {
+    let judge = subject.judge();
+    let mut machine = Machine::<f64>::new(&subject.compiled.program);
+    let begin = machine.position().clone();
+    let start = &begin.motors;
+    let far = targets.iter().map(|to| (to[0] - start[0]).abs());
+    let reach = far.fold(0.0, f64::max);
+    let line = (start.len() == 1).then(|| Line::new(&judge, start[0], reach));
+    let mut trial = Trial::new(subject, &judge);
+    let (mut place, mut path, mut paths) = (judge.start(), Vec::new(), Vec::new());
+    for to in targets {
+        let next = match &line {
+            Some(line) => trial
+                .judged(line, &mut machine, to[0], &mut path)
+                .then(|| place.clone()),
+            None => trial.leap(&mut machine, &place, to, &mut paths),
         };
-        if gap > allowed {
-            return Err((Fault::Torn, format!("torn by {gap:.1e}")));
-        }
-        match judged {
-            Judged::Reached(there, condition) => {
-                let least = if single { [2e-4, 1e-5] } else { [1e-6, 1e-9] };
-                // What rounding of the motor, as gears make it greater, does to the position: no number of this precision tells more.
-                let epsilon = if single {
-                    f64::from(f32::EPSILON)
-                } else {
-                    f64::EPSILON
-                };
-                let turned = 1.0 + at.abs() * self.subject.gain();
-                let hidden = ROUNDINGS * epsilon * turned * condition;
-                let elsewhere = ELSEWHERE.max(hidden);
-                let allowed = least[0].max(least[1] * condition).min(elsewhere);
-                let off = apart(&poses, &there, extent);
-                if off > allowed {
-                    let fault = if off > elsewhere {
-                        Fault::Elsewhere
-                    } else {
-                        Fault::Off
-                    };
-                    return blame(
-                        fault,
-                        format!("off by {off:.2e}, condition {condition:.1e}"),
-                    );
-                }
-            }
-            Judged::Beyond(end) if (at - end).abs() > loose => {
-                return blame(Fault::Passes, format!("the judge stops at {end}"));
-            }
-            Judged::Beyond(_) => {}
-            // Whoever goes there, or stops on the way, is not blamed.
-            Judged::Far => return Ok(false),
-            Judged::Unknown => {
-                return Err((
-                    Fault::Unknown,
-                    format!("the judge gives up: {:?}", track.gave_up()),
-                ));
-            }
-        }
-        let Some(stop) = stop else {
-            return Ok(true);
-        };
-        let end = match track.judge(goal) {
-            Judged::Beyond(end) => end,
-            Judged::Reached(..) => goal,
-            Judged::Far | Judged::Unknown => return Ok(false),
-        };
-        if (at - end).abs() > loose {
-            return blame(
-                Fault::StopsEarly,
-                format!("it stops by {stop:?}, the judge at {end}"),
-            );
-        }
-        // From a dead point it goes back the way it came.
-        Ok(true)
-    }
-
-    /// Leaps of several motors, long and short.
-    fn several<T: Real>(&mut self, machine: &mut Machine<'_, T>, dice: &mut Dice) {
-        let (begin, start) = (machine.position().clone(), motors(machine));
-        let mut place = self.judge.start();
-        let mut path: Vec<Vec<f64>> = Vec::new();
-        for _ in 0..12 {
-            let from = motors(machine);
-            let only = dice.below(2 * from.len());
-            let far = *dice.pick(&[0.05, 0.5, 1.0, 1.0]);
-            let goal = (0..from.len()).map(|motor| {
-                let reach = far
-                    * if self.subject.slides(motor) {
-                        crate::size(&self.subject.model)
-                    } else {
-                        TAU
-                    };
-                let to = dice.between(-reach, reach)
-                    + if far < 0.5 { from[motor] } else { start[motor] };
-                T::from_f64(if only >= from.len() || only == motor {
-                    to
-                } else {
-                    from[motor]
-                })
-            });
-            let goal: Vec<T> = goal.collect();
-            let to: Vec<f64> = goal.iter().map(|value| value.to_f64()).collect();
-            let instant = Instant::now();
-            let track = Track::of_move(self.judge, &place, [&from, &to]);
-            self.judging += instant.elapsed().as_secs_f64();
-            let stop = go(machine, &goal);
-            let longest = (0..to.len())
-                .max_by(|a, b| {
-                    (to[*a] - from[*a])
-                        .abs()
-                        .total_cmp(&(to[*b] - from[*b]).abs())
-                })
-                .unwrap_or(0);
-            let length = to[longest] - from[longest];
-            let at = if stop.is_none() {
-                1.0
-            } else {
-                (motors(machine)[longest] - from[longest]) / length
-            };
-            path.push(to);
-            let verdict = self.verdict(&track, machine, [at, 1.0], stop, 1.0 + 1.0 / length.abs());
-            let goes_on = self.conclude(verdict, || {
-                format!("path {path:?}: from {from:?}, part {at}")
-            });
-            if let Some(target) = track.target().filter(|_| goes_on) {
-                place = target;
-            } else {
-                machine.put_back(begin.clone());
-                place = self.judge.start();
-                path.clear();
-            }
-        }
-    }
-
-    fn leaps<T: Real>(&mut self, line: &Line<'_>, machine: &mut Machine<'_, T>, dice: &mut Dice) {
-        let begin = machine.position().clone();
-        let mut path = Vec::new();
-        for _ in 0..12 {
-            let far = *dice.pick(&[0.3, 1.0, 1.0, 1.0]) * line.reach;
-            let to = line.start + dice.between(-far, far);
-            if !self.judged(line, machine, to, &mut path) {
-                machine.put_back(begin.clone());
-                path.clear();
-            }
-        }
-    }
-
-    fn stops<T: Real>(&mut self, line: &Line<'_>, machine: &mut Machine<'_, T>, dice: &mut Dice) {
-        let begin = machine.position().clone();
-        let mut path = Vec::new();
-        let crossings = line.track.crossings();
-        let unit = if self.subject.slides(0) {
-            line.reach / 12.0
+        if let Some(next) = next.filter(|_| in_a_row) {
+            place = next;
         } else {
-            1.0
-        };
-        for _ in 0..24 {
-            let at = machine.position().motors[0].to_f64();
-            let by = *dice.pick(&[1e-7, 1e-7, 1e-5, 1e-3, 1e-3, 0.1, 1.0, 1.0, PI])
-                * unit
-                * *dice.pick(&[1.0, -1.0]);
-            let to = if crossings.is_empty() || dice.once_in(2) {
-                at + by
-            } else {
-                *dice.pick(&crossings) + if dice.once_in(3) { 0.0 } else { by }
-            };
-            if (to - line.start).abs() < line.reach && !self.judged(line, machine, to, &mut path) {
-                machine.put_back(begin.clone());
-                path.clear();
-            }
-        }
-    }
-
-    fn steps<T: Real>(&mut self, line: &Line<'_>, machine: &mut Machine<'_, T>) {
-        let begin = machine.position().clone();
-        let step = if self.subject.slides(0) {
-            line.reach / 14_400.0
-        } else {
-            TAU / 7200.0
-        };
-        for sign in [1.0, -1.0] {
             machine.put_back(begin.clone());
-            let mut rows = vec![self.subject.poses(&begin)];
-            let mut path = Vec::new();
-            for number in 1..14_400_u32 {
-                let to = line.start + sign * step * f64::from(number);
-                if number % 500 == 0 {
-                    path.clear();
-                    if !self.judged(line, machine, to, &mut path) {
-                        break;
-                    }
-                } else if machine.move_to(&[T::from_f64(to)]).is_err() {
-                    self.judged(line, machine, to, &mut path);
-                    break;
-                }
-                self.moves += 1;
-                rows.push(self.subject.poses(machine.position()));
-            }
-            if let Some(what) = jump(&rows) {
-                let what = format!("steps of {}: {what}, from {}", sign * step, line.start);
-                self.find(Fault::Jumped, what);
-            }
+            place = judge.start();
+            path.clear();
+            paths.clear();
         }
     }
-}
-
-/// Whether a link jumps between two rows while its neighbours in time hardly move.
-fn jump(rows: &[Vec<[f64; 4]>]) -> Option<String> {
-    let wrapped = |angle: f64| angle - TAU * (angle / TAU).round();
-    for link in 1..rows[0].len() {
-        let angle = |row: &Vec<[f64; 4]>| row[link][1].atan2(row[link][0]);
-        let turns: Vec<f64> = rows
-            .windows(2)
-            .map(|pair| wrapped(angle(&pair[1]) - angle(&pair[0])).abs())
-            .collect();
-        for (number, turn) in turns.iter().enumerate() {
-            if *turn > 20.0_f64.to_radians() {
-                let mut near =
-                    turns[number.saturating_sub(8)..(number + 9).min(turns.len())].to_vec();
-                near.sort_by(f64::total_cmp);
-                if *turn > 12.0 * near[near.len() / 2] {
-                    return Some(format!(
-                        "link {link} jumps by {:.0} deg in step {number}",
-                        turn.to_degrees()
-                    ));
-                }
-            }
-        }
-    }
-    None
+    trial.found
 }

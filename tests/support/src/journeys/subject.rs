@@ -85,14 +85,6 @@ impl Subject {
         gains.product()
     }
 
-    /// Whether a link only turns and slides as something that rolls has it.
-    #[must_use]
-    pub fn is_rolling(&self, link: usize) -> bool {
-        let rollings = self.compiled.structure.rollings.iter();
-        let mut ends = rollings.flat_map(|rolling| rolling.ends);
-        ends.any(|(end, _)| end.link().index() == link)
-    }
-
     /// The judge at a position.
     #[must_use]
     pub fn judge_at(&self, at: &Position<f64>) -> Judge<'_> {

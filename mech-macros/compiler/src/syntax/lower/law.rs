@@ -27,6 +27,7 @@ pub(super) fn read(
     let law = LawReading {
         input,
         formulas: Formulas::default(),
+        measured: Vec::new(),
     };
     let mut inner = Reader {
         passing,

@@ -3,7 +3,7 @@
 use super::draft::Draft;
 use super::name::Referent;
 use super::quantity::Quantity;
-use super::reader::Reader;
+use super::reader::{Measuring, Reader};
 use super::{coordinate, find};
 use crate::model::{self, AxisKind, Formula, LinkId, Measured, Summary};
 use crate::syntax::Place;
@@ -13,20 +13,17 @@ use crate::syntax::spelling;
 /// The name of the transmission angles of all dyads.
 const TRANSMISSION: &str = "transmission";
 
-/// What a requirement measures, as far as it is read.
-pub(super) struct Measuring<'r> {
-    /// The mechanism that is measured.
-    pub(super) draft: &'r Draft,
-    /// What each variable stands for.
-    pub(super) measured: Vec<Measured>,
+/// The mechanism that a requirement measures.
+pub(super) struct OfDraft<'d>(pub(super) &'d Draft);
+
+impl Measuring for OfDraft<'_> {
+    fn measure(&self, reader: &mut Reader, expr: &MeasuredExpr, place: Place) -> Option<Quantity> {
+        reader.measured(self.0, expr, place)
+    }
 }
 
 impl Reader<'_> {
-    /// A number that is measured, or a constant.
-    pub(super) fn measured(&mut self, expr: &MeasuredExpr, place: Place) -> Option<Quantity> {
-        let Some(draft) = self.measuring.as_ref().map(|measuring| measuring.draft) else {
-            return self.report.refuse(place, "only `expect` measures");
-        };
+    fn measured(&mut self, draft: &Draft, expr: &MeasuredExpr, place: Place) -> Option<Quantity> {
         let quantity = match expr {
             MeasuredExpr::Named(name) if self.is_constant(name)? => {
                 return self.constant(&name.name, place);
@@ -60,7 +57,7 @@ impl Reader<'_> {
 
     /// A new variable of the requirement.
     fn variable_for(&mut self, measured: Measured) -> Option<Quantity> {
-        let all = &mut self.measuring.as_mut()?.measured;
+        let all = &mut self.law.as_mut()?.measured;
         let known = all.iter().position(|known| *known == measured);
         let number = known.unwrap_or_else(|| {
             all.push(measured);

@@ -1,15 +1,14 @@
 //! Reading at a place of the text: what names and numbers mean there.
 
 use super::constant::{Constants, Passing};
-use super::measured::Measuring;
 use super::name::Names;
 use super::quantity::{Quantity, Spot};
 use super::report::{Report, StatementPlace};
 use super::scope::Scope;
 use super::similarity::Similarity;
 use super::unknown::Unknown;
-use crate::model::{Formulas, Params};
-use crate::syntax::ast::Statement;
+use crate::model::{Formulas, Measured, Params};
+use crate::syntax::ast::{MeasuredExpr, Statement};
 use crate::syntax::{Noun, Place};
 use proc_macro2::Ident;
 
@@ -37,8 +36,8 @@ pub(super) struct Reader<'r> {
     pub(super) why_fixed: Option<&'static str>,
     /// The law or requirement that is read.
     pub(super) law: Option<LawReading>,
-    /// What a requirement measures, if one is read.
-    pub(super) measuring: Option<Measuring<'r>>,
+    /// What measures, if a requirement is read.
+    pub(super) measuring: Option<&'r dyn Measuring>,
     pub(super) params: &'r mut Params,
     pub(super) report: &'r mut Report,
 }
@@ -49,6 +48,14 @@ pub(super) struct LawReading {
     pub(super) input: Quantity,
     /// Its formulas.
     pub(super) formulas: Formulas,
+    /// What its variables stand for, if it is a requirement.
+    pub(super) measured: Vec<Measured>,
+}
+
+/// What measures a mechanism.
+pub(super) trait Measuring {
+    /// A number that is measured, or a constant.
+    fn measure(&self, reader: &mut Reader, expr: &MeasuredExpr, place: Place) -> Option<Quantity>;
 }
 
 impl<'r> Reader<'r> {

@@ -3,7 +3,7 @@
 use super::angle::{is_angle, is_degrees_perhaps, is_half_in_degrees, is_in_degrees};
 use super::draft::Draft;
 use super::find;
-use super::measured::Measuring;
+use super::measured::OfDraft;
 use super::quantity::Quantity;
 use super::reader::{LawReading, Reader};
 use crate::bug::bug;
@@ -162,13 +162,12 @@ fn bounds(
     let law = LawReading {
         input: fixed,
         formulas: Formulas::default(),
+        measured: Vec::new(),
     };
+    let measuring = OfDraft(draft);
     let mut inner = Reader {
         law: Some(law),
-        measuring: Some(Measuring {
-            draft,
-            measured: Vec::new(),
-        }),
+        measuring: Some(&measuring),
         ..reader.fixed(WHY_FIXED)
     };
     let first = inner.quantity(subject);
@@ -177,12 +176,14 @@ fn bounds(
         .map(|(expr, _)| inner.quantity(expr))
         .collect();
     let (mut first, mut others) = (first?, others.into_iter().collect::<Option<Vec<_>>>()?);
-    let (Some(LawReading { mut formulas, .. }), Some(Measuring { measured, .. })) =
-        (inner.law.take(), inner.measuring.take())
+    let Some(LawReading {
+        mut formulas,
+        measured,
+        ..
+    }) = inner.law.take()
     else {
         bug!("a requirement has lost its formulas");
     };
-    drop(inner);
     let last = limits.last().map_or(subject, |(last, _)| last);
     let place = subject.place.to(last.place);
     // What is measured is the subject, on whichever side it stands.

@@ -48,7 +48,10 @@ impl Reader<'_> {
                 let (a, b) = (self.quantity(a), self.quantity(b));
                 self.call_both(*function, [a?, b?], expr.place)
             }
-            ExprKind::Measured(measured) => self.measured(measured, expr.place),
+            ExprKind::Measured(measured) => match self.measuring {
+                Some(measuring) => measuring.measure(self, measured, expr.place),
+                None => self.report.refuse(expr.place, "only `expect` measures"),
+            },
         }
     }
 
