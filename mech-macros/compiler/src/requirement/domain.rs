@@ -5,6 +5,7 @@ use crate::certify::{Enclosure, Interval, Sources, Verdict, certify};
 use crate::compiled::Compiled;
 use crate::model::{JointKind, Model, MotorId, Requirement};
 use crate::motion::watching::Domain;
+use crate::plan::Loop;
 use crate::program::{BlockId, Gauge, Program, Value};
 use crate::structure::RequirementTrouble;
 
@@ -202,7 +203,9 @@ fn take_reach(
         way[motor] = Interval::new(start, *end);
         match certify(program, &way) {
             Verdict::Proved { touching: own } => {
-                touching.iter_mut().for_each(|all| all.extend(&own))
+                if let Some(all) = &mut touching {
+                    all.extend(&own);
+                }
             }
             // What other motors have a part in may go farther where they stand elsewhere.
             Verdict::Blocked(blocked) if blocked.motors == [motor] => {
@@ -237,5 +240,5 @@ pub(super) fn unknowns(
 ) -> Vec<crate::model::JointId> {
     let number = program.loop_of(block);
     let ring = number.and_then(|number| compiled.plan.loops().nth(number));
-    ring.map_or(Vec::new(), |ring| ring.unknowns())
+    ring.map_or(Vec::new(), Loop::unknowns)
 }

@@ -12,6 +12,7 @@ use crate::model::{
     AxisId, Condition, FormulaId, JointId, Measured, Model, MotorId, Quantity, RequiredBound,
     Requirement, Spot, Summary,
 };
+use crate::plan::Loop;
 use crate::program::{Gauge, Program, Value};
 use crate::structure::{RequirementTrouble, Witness};
 
@@ -177,7 +178,7 @@ impl Case<'_> {
 
     fn unknowns(&self, dyad: Option<usize>) -> Vec<JointId> {
         let ring = dyad.and_then(|number| self.compiled.plan.loops().nth(number));
-        ring.map_or(Vec::new(), |ring| ring.unknowns())
+        ring.map_or(Vec::new(), Loop::unknowns)
     }
 
     /// Proves it with these loops on their other side.
@@ -256,7 +257,7 @@ impl Case<'_> {
         }
         let value = search.value_at(&least.place, subject);
         let value = value.map_or(f64::NAN, Interval::middle);
-        let at = |place: &[f64]| self.at(field.ranges, place);
+        let at = |place: &[f64]| at(field.ranges, place);
         if !limit.is_broken(&least) || !self.is_reached(field, search, &least.place) {
             return Err(RequirementTrouble::Undecided {
                 value,
@@ -290,13 +291,6 @@ impl Case<'_> {
         }
     }
 
-    /// The motors that have a part, with their values at a place.
-    fn at(&self, ranges: &Ranges, place: &[f64]) -> Vec<(MotorId, f64)> {
-        let motors = ranges.motors.iter();
-        let values = motors.filter_map(|&motor| Some((MotorId::new(motor), *place.get(motor)?)));
-        values.collect()
-    }
-
     /// Whether the mechanism comes to a place from its start, and is there as it was proved to be.
     fn is_reached(&self, field: &Field<'_>, search: &mut Search<'_>, place: &[f64]) -> bool {
         let program = &self.compiled.program;
@@ -318,6 +312,13 @@ impl Case<'_> {
         }
         true
     }
+}
+
+/// The motors that have a part, with their values at a place.
+fn at(ranges: &Ranges, place: &[f64]) -> Vec<(MotorId, f64)> {
+    let motors = ranges.motors.iter();
+    let values = motors.filter_map(|&motor| Some((MotorId::new(motor), *place.get(motor)?)));
+    values.collect()
 }
 
 /// The poses of all links at a place to which the motors go together, or one after the other.

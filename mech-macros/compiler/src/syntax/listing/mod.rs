@@ -373,7 +373,9 @@ impl Reader {
             MeasuredExpr::Transmission(joint) => self.name(joint, Noun::Joint),
             MeasuredExpr::Angle(from, to) => {
                 self.name(from, Noun::Body);
-                to.iter().for_each(|to| self.name(to, Noun::Body));
+                if let Some(to) = to {
+                    self.name(to, Noun::Body);
+                }
             }
             MeasuredExpr::Distance(spots) => {
                 for spot in spots {

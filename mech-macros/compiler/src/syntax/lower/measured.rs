@@ -191,12 +191,10 @@ impl Reader<'_> {
         place: Place,
     ) -> Option<Quantity> {
         let inner = self.quantity(of)?;
-        match inner.formula {
-            Some(formula) => self.variable_for(Measured::Summary(summary, formula)),
-            None => {
-                let text = format!("`{of}` never changes; leave `{word}` out");
-                self.report.refuse(place, text)
-            }
+        if let Some(formula) = inner.formula {
+            return self.variable_for(Measured::Summary(summary, formula));
         }
+        let text = format!("`{of}` never changes; leave `{word}` out");
+        self.report.refuse(place, text)
     }
 }

@@ -222,6 +222,39 @@ fn bounds(
             is_strict,
         });
     }
+    check_formulas(reader, &formulas, place, &written)?;
+    let kinds = kinds(draft, &formulas, &measured);
+    let kind = kinds[subject_formula.index()];
+    for (number, ((limit, _), bound)) in limits.iter().zip(&bounds).enumerate() {
+        check_kinds(reader, [subject, limit], [kind, kinds[bound.limit.index()]])?;
+        if kind == Kind::Angle
+            && let Some(value) = fixed_limits[number]
+            && is_degrees_perhaps(reader.report, limit, value)
+        {
+            return None;
+        }
+    }
+    let angles = [kind, kinds[bounds[0].limit.index()]];
+    Some(ReadCondition {
+        place,
+        written,
+        formulas,
+        measured,
+        condition: Condition::Bounds {
+            subject: subject_formula,
+            is_angle: angles.contains(&Kind::Angle),
+            bounds,
+        },
+    })
+}
+
+/// Complains about params, about more numbers than anybody could read, and where nothing is measured.
+fn check_formulas(
+    reader: &mut Reader,
+    formulas: &Formulas,
+    place: Place,
+    written: &str,
+) -> Option<()> {
     if formulas
         .all()
         .iter()
@@ -246,29 +279,7 @@ fn bounds(
         let text = format!("nothing is measured in `{written}`: it never changes");
         return reader.report.refuse(place, text);
     }
-    let kinds = kinds(draft, &formulas, &measured);
-    let kind = kinds[subject_formula.index()];
-    for (number, ((limit, _), bound)) in limits.iter().zip(&bounds).enumerate() {
-        check_kinds(reader, [subject, limit], [kind, kinds[bound.limit.index()]])?;
-        if kind == Kind::Angle
-            && let Some(value) = fixed_limits[number]
-            && is_degrees_perhaps(reader.report, limit, value)
-        {
-            return None;
-        }
-    }
-    let angles = [kind, kinds[bounds[0].limit.index()]];
-    Some(ReadCondition {
-        place,
-        written,
-        formulas,
-        measured,
-        condition: Condition::Bounds {
-            subject: subject_formula,
-            is_angle: angles.contains(&Kind::Angle),
-            bounds,
-        },
-    })
+    Some(())
 }
 
 /// The kind of a number.
@@ -411,17 +422,16 @@ fn lower_case(reader: &mut Reader, draft: &mut Draft, case: &CaseExpr) -> Option
     let motor = motor(reader, draft, &case.motor)?;
     let joint = draft.model.motor(motor).joint;
     let numbers: Vec<&Expr> = case.values.iter().collect();
-    let is_told = match draft.model.joint(joint).kind {
-        JointKind::Revolute(..) => is_half_in_degrees(reader.report, &numbers),
-        _ => {
-            let mut numbers = numbers.iter();
-            numbers.any(|number| is_angle(reader.report, number, "a length"))
-        }
+    let is_turning = matches!(draft.model.joint(joint).kind, JointKind::Revolute(..));
+    let is_told = if is_turning {
+        is_half_in_degrees(reader.report, &numbers)
+    } else {
+        let mut numbers = numbers.iter();
+        numbers.any(|number| is_angle(reader.report, number, "a length"))
     };
     if is_told {
         return None;
     }
-    let is_turning = matches!(draft.model.joint(joint).kind, JointKind::Revolute(..));
     let mut fixed = reader.fixed(WHY_FIXED);
     let values: Option<Vec<f64>> = case.values.iter().map(|value| fixed.value(value)).collect();
     let values = values?;
