@@ -145,6 +145,7 @@ struct Count {
 
 impl Count {
     /// Asks for limits of everything in a mechanism beside its extremes, for one motor.
+    #[expect(clippy::too_many_lines, reason = "one question after the other")]
     fn judge(&mut self, body: &TokenStream, dice: &mut Dice, most: usize) {
         let analysis = analyse(body.clone());
         let whole = Model {
