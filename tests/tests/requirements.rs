@@ -182,7 +182,7 @@ impl Count {
         for (subject, measured) in subjects {
             let [least, greatest] = extremes(&whole, program, measured, motor, [low, high]);
             let wide = greatest - least;
-            if wide < 1e-6 * whole.size() || wide > 6.0 * whole.size().max(1.0) {
+            if wide <= 1e-6 * whole.size() || wide > 6.0 * whole.size().max(1.0) {
                 continue;
             }
             let slack = MARGIN * wide;

@@ -73,7 +73,7 @@ impl<'m, T: Real> Bed<'m, T> {
     }
 
     /// Moves it; wherever it then is, it is whole, and if it did not move, nothing changed.
-    pub(crate) fn go(&mut self, value: f64) -> Result<(), Stop> {
+    pub(crate) fn move_to(&mut self, value: f64) -> Result<(), Stop> {
         let before = self.machine.position().clone();
         let result = self.machine.move_to(&[T::from_f64(value)]);
         if result.is_err() {
@@ -88,7 +88,7 @@ impl<'m, T: Real> Bed<'m, T> {
     #[track_caller]
     pub(crate) fn must(&mut self, value: f64) {
         let from = self.motor();
-        if let Err(stop) = self.go(value) {
+        if let Err(stop) = self.move_to(value) {
             panic!("from {from} to {value}: {stop:?}");
         }
         self.assert_right();

@@ -59,7 +59,7 @@ pub(crate) fn make<T: Real>(bed: &Bed<'_, T>, fact: &str) -> bool {
                 sweep(bed.fresh(), &words(corners), step);
             }
         }
-        "go" => go(bed.fresh(), constants(rest)),
+        "go" => visit(bed.fresh(), constants(rest)),
         "at" => {
             let (value, point) = rest.split_once(": ").expect("a value and a point");
             let (mut bed, value) = (bed.fresh(), constant(value));
@@ -142,7 +142,7 @@ fn sweep<T: Real>(mut bed: Bed<'_, T>, corners: &[f64], step: f64) {
     }
 }
 
-fn go<T: Real>(mut bed: Bed<'_, T>, values: impl Iterator<Item = f64>) {
+fn visit<T: Real>(mut bed: Bed<'_, T>, values: impl Iterator<Item = f64>) {
     for value in values {
         bed.must(value);
     }
@@ -213,9 +213,9 @@ fn ends_at<T: Real>(
     is_reason: impl Fn(&Stop) -> bool,
 ) {
     let start = bed.motor();
-    let refused = bed.go(target).expect_err("it ends before");
+    let refused = bed.move_to(target).expect_err("it ends before");
     let stop = bed.toward(target).expect("it ends before");
-    let again = bed.go(target).expect_err("it is there");
+    let again = bed.move_to(target).expect_err("it is there");
     assert!([refused, stop, again].iter().all(is_reason), "{refused:?}");
     let ends = |bed: &Bed<'_, T>| {
         let off = bed.motor() - limit;
@@ -237,7 +237,7 @@ fn ends_at<T: Real>(
 fn tries<T: Real>(bed: &Bed<'_, T>, rest: &str) {
     let (mut right, mut refused) = (0, 0);
     let mut attempt = |bed: &mut Bed<'_, T>, value| {
-        match bed.go(value) {
+        match bed.move_to(value) {
             Ok(()) => right += 1,
             Err(_) => refused += 1,
         }
@@ -265,7 +265,7 @@ fn near_its_singularity<T: Real>(start: &Bed<'_, T>) {
             continue;
         }
         let limit = bed.motor();
-        bed.go(limit + sign * 0.1)
+        bed.move_to(limit + sign * 0.1)
             .expect_err("it is singular before");
         for digits in 1..=8 {
             let near = limit - sign * 10.0_f64.powi(-digits);

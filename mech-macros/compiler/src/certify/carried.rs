@@ -174,7 +174,8 @@ impl<'c> Trial<'c> {
     }
 }
 
-fn is_same(a: Interval, b: Interval) -> bool {
+/// Tests whether two enclosures may be of the same number, and are as narrow as rounding lets them be.
+pub(crate) fn is_same(a: Interval, b: Interval) -> bool {
     a.low() <= b.high() && b.low() <= a.high() && is_tight(a) && is_tight(b)
 }
 

@@ -8,7 +8,7 @@ use super::tape::{Outcome, Tape};
 use crate::program::{BlockId, Op, Program, Value};
 use std::collections::BTreeSet;
 
-/// What is known of the loops on a box.
+/// The loops on a box: how far they are known to close.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Sight {
     /// All of them close everywhere.
@@ -49,13 +49,13 @@ impl<'p> Enclosure<'p> {
         }
     }
 
-    /// Whether all loops close at the middle of the last box.
+    /// Tests whether all loops close at the middle of the last box.
     pub(crate) fn closes_at_centre(&self) -> bool {
         let mut tests = 0..self.tape.tests();
         tests.all(|test| self.tape.at_centre(test) <= Outcome::Passes)
     }
 
-    /// Whether these loops close everywhere on the last box, and none of them comes near a dead point or change point.
+    /// Tests whether these loops close everywhere on the last box, and stay clear of dead points and change points.
     pub(crate) fn is_clear(&self, blocks: &[BlockId]) -> bool {
         blocks.iter().all(|block| {
             let tests = 0..self.tape.tests();
@@ -102,7 +102,7 @@ pub(crate) struct Sources {
 }
 
 impl Sources {
-    /// What some values are computed from.
+    /// Finds the origins of some values.
     pub(crate) fn of(program: &Program, found: &[Value]) -> Self {
         let made_from = made_from(program, found.to_vec(), &HeldValues::new());
         let mut ops = made_from.iter().map(|value| program.node(*value).op);
@@ -120,7 +120,7 @@ impl Sources {
         }
     }
 
-    /// Whether the values are computed from this one.
+    /// Tests whether the values are computed from this one.
     pub(crate) fn contain(&self, value: Value) -> bool {
         self.made_from.contains(&value)
     }

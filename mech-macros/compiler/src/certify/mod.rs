@@ -22,6 +22,7 @@ mod tape;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use carried::is_same;
 pub(crate) use enclosure::{Enclosure, Sight, Sources, side_changes};
 pub(crate) use group::motors_of;
 pub use interval::Interval;

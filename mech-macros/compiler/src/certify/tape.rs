@@ -40,9 +40,29 @@ pub(super) struct Tape<'p> {
     middles: Vec<Interval>,
     /// Which step makes a value, if it depends on motors.
     steps: Vec<Option<usize>>,
+    wholes: Vec<WholeAngle>,
     forms: Forms,
     centre: Vec<f64>,
     evaluations: usize,
+}
+
+/// An angle that is followed over whole turns. It lies within half a turn of a reference, wherever the branch cut of its arc tangent is.
+#[derive(Clone, Copy, Debug)]
+struct WholeAngle {
+    value: Value,
+    /// What its tangent is the quotient of.
+    sin: Value,
+    cos: Value,
+    reference: Interval,
+}
+
+impl WholeAngle {
+    fn range(self, values: &[Interval]) -> Interval {
+        let [sin, cos] = [self.sin, self.cos].map(|value| values[value.index()]);
+        let [across, along] = [self.reference.sin(), self.reference.cos()];
+        let beyond = (sin * along - cos * across).atan2(cos * along + sin * across);
+        self.reference + beyond
+    }
 }
 
 impl<'p> Tape<'p> {
@@ -74,6 +94,7 @@ impl<'p> Tape<'p> {
         tape.choose_sides(program, turned);
         for &(state, value) in carried {
             tape.set_state(state, value);
+            tape.wholes.extend(whole_angle(program, state, value));
         }
         tape.sort(found);
         tape
@@ -107,6 +128,7 @@ impl<'p> Tape<'p> {
             values: vec![Interval::ENTIRE; nodes.len()],
             middles: vec![Interval::ENTIRE; nodes.len()],
             steps: vec![None; nodes.len()],
+            wholes: Vec::new(),
             forms: Forms::new(motors, 0),
             centre: vec![0.0; motors],
             evaluations: 0,
@@ -271,6 +293,10 @@ impl<'p> Tape<'p> {
         // Of what comes from outside nothing is known.
         let range = natural(op, |operand| values[operand.index()]).unwrap_or(Interval::ENTIRE);
         match op {
+            Op::Add(..) => match self.wholes.iter().find(|whole| whole.value == value) {
+                Some(whole) => whole.range(values),
+                None => range,
+            },
             Op::Choose(test, ..)
                 if self.directions[value.index()] && values[test.index()].low() < 0.0 =>
             {
@@ -483,4 +509,19 @@ impl Tape<'_> {
             |(step, value): (usize, &Value)| (self.values[value.index()], self.forms.range(step));
         self.moving.iter().enumerate().map(ranges).collect()
     }
+}
+
+/// The angle that is carried under this number, if it is followed over whole turns.
+fn whole_angle(program: &Program, state: usize, reference: Interval) -> Option<WholeAngle> {
+    let mut angles = program.follows.iter().zip(&program.followed);
+    let (_, (_, principal)) = angles.find(|(follow, _)| follow.angle == state)?;
+    let Op::Atan2(sin, cos) = program.node(*principal).op else {
+        return None;
+    };
+    Some(WholeAngle {
+        value: program.state[state],
+        sin,
+        cos,
+        reference,
+    })
 }

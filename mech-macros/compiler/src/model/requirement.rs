@@ -1,4 +1,4 @@
-//! What a mechanism is for: conditions on quantities, which are proved for every value of the motors.
+//! Requirements: conditions on quantities, which are proved for every value of the motors.
 
 use super::{AxisId, FormulaId, Formulas, JointId, JointKind, LinkId, Model, MotorId, Origin};
 

@@ -230,7 +230,8 @@ fn ranged_of(model: &Model, motors: &[usize]) -> Option<usize> {
     motors.iter().copied().find(has_range)
 }
 
-fn unknowns(plan: &Plan, program: &Program, block: BlockId) -> Vec<JointId> {
+/// The joints of unknown coordinate of the loop that a block closes.
+pub(crate) fn unknowns(plan: &Plan, program: &Program, block: BlockId) -> Vec<JointId> {
     let Some(ring) = program
         .loop_of(block)
         .and_then(|number| plan.loops().nth(number))

@@ -1,8 +1,8 @@
 //! A program that computes what a requirement measures, beside positions.
 
+use super::Program;
 use super::builder::SsaBuilder;
-use super::node::{Op, Value};
-use super::{Program, Ssa};
+use super::node::{Op, Slot, Value};
 use crate::bug::bug;
 use crate::model::{
     AxisId, AxisKind, InputId, JointId, JointKind, LinkId, Measured, Model, Quantity, Requirement,
@@ -16,7 +16,7 @@ pub(crate) struct Gauge {
     pub(crate) program: Program,
     /// The values of the requirement's formulas, by their numbers.
     pub(crate) formulas: Vec<Value>,
-    /// The angles that it measures, over whole turns.
+    /// The angles over whole turns that it measures, and those from which gears, racks and cams move what it measures.
     pub(crate) angles: Vec<GaugedAngle>,
     /// For each variable that sums up the motion the state in which its value is put.
     pub(crate) summaries: Vec<Option<usize>>,
@@ -29,6 +29,8 @@ pub(crate) struct GaugedAngle {
     pub(crate) reference: usize,
     /// The angle from the reference, between −π and π.
     pub(crate) beyond: Value,
+    /// Whether the requirement measures it.
+    pub(crate) is_measured: bool,
 }
 
 impl Gauge {
@@ -62,18 +64,20 @@ impl Gauge {
             summaries.push(state);
         }
         let Measures {
-            mut ssa, angles, ..
+            mut ssa,
+            mut angles,
+            ..
         } = measures;
         let formulas = requirement.formulas.evaluate(&mut ssa);
+        angles.extend(followed(program, &mut ssa, &formulas));
         let SsaBuilder {
             ssa, start, state, ..
         } = ssa;
-        let Ssa { nodes, blocks } = ssa;
         Some(Self {
             program: Program {
-                ssa: Ssa { nodes, blocks },
-                start,
+                ssa,
                 state,
+                start,
                 ..program.clone()
             },
             formulas,
@@ -81,6 +85,32 @@ impl Gauge {
             summaries,
         })
     }
+}
+
+/// The angles that a program follows over whole turns and from which these values are computed.
+fn followed(program: &Program, ssa: &mut SsaBuilder, values: &[Value]) -> Vec<GaugedAngle> {
+    let mut needed = vec![false; ssa.ssa.nodes.len()];
+    for value in values {
+        needed[value.index()] = true;
+    }
+    for index in (0..needed.len()).rev() {
+        if needed[index] {
+            for operand in ssa.ssa.nodes[index].op.operands() {
+                needed[operand.index()] = true;
+            }
+        }
+    }
+    let states = program.follows.iter().map(|follow| follow.angle);
+    let needed = states.filter(|state| needed[program.state[*state].index()]);
+    let angles = needed.map(|state| {
+        let last = ssa.make(Op::Last(Slot::State(state)));
+        GaugedAngle {
+            reference: state,
+            beyond: ssa.sub(program.state[state], last),
+            is_measured: false,
+        }
+    });
+    angles.collect()
 }
 
 /// A program to which measures are added.
@@ -176,6 +206,7 @@ impl Measures<'_> {
         self.angles.push(GaugedAngle {
             reference: reference.index,
             beyond,
+            is_measured: true,
         });
         self.ssa.add(reference.last, beyond)
     }

@@ -119,7 +119,7 @@ impl Words<'_> {
         )
     }
 
-    /// Values of motors in words: `with joint a at 30 deg`.
+    /// Values of motors in words: ``at `a = 30 deg` ``.
     fn at_values(&self, at: &[(MotorId, f64)]) -> String {
         let values = at.iter().map(|(motor, value)| {
             let name = &self.model.joint(self.model.motor(*motor).joint).name;

@@ -8,8 +8,6 @@ pub(super) struct Bound {
     pub(super) proved: f64,
     pub(super) seen: f64,
     pub(super) place: Vec<f64>,
-    /// Whether all boxes were looked at, down to rounding.
-    pub(super) is_complete: bool,
 }
 
 impl Default for Bound {
@@ -18,7 +16,6 @@ impl Default for Bound {
             proved: f64::NEG_INFINITY,
             seen: f64::INFINITY,
             place: Vec::new(),
-            is_complete: false,
         }
     }
 }

@@ -1,11 +1,11 @@
 //! The values of the motors for which a requirement is proved.
 
 use crate::certify::cone::Cuts;
-use crate::certify::{Enclosure, Interval, Sources, Verdict, certify};
+use crate::certify::{Enclosure, Interval, Sources, Verdict, certify, is_same};
 use crate::compiled::Compiled;
 use crate::model::{JointKind, Model, MotorId, Requirement};
+use crate::motion::proof::unknowns;
 use crate::motion::watching::Domain;
-use crate::plan::Loop;
 use crate::program::{BlockId, Gauge, Program, Value};
 use crate::structure::RequirementTrouble;
 
@@ -34,6 +34,11 @@ impl Ranges {
     }
 }
 
+/// A place as a box.
+pub(super) fn points(place: &[f64]) -> Vec<Interval> {
+    place.iter().copied().map(Interval::point).collect()
+}
+
 /// All values of the motors that a requirement is about.
 pub(super) fn ranges(
     model: &Model,
@@ -50,7 +55,7 @@ pub(super) fn ranges(
         ..
     } = Sources::of(&gauge.program, found);
     if let Some(block) = iterated {
-        let unknowns = unknowns(compiled, program, block);
+        let unknowns = unknowns(&compiled.plan, program, block);
         return Err(RequirementTrouble::Iterated { unknowns });
     }
     if let Some(param) = inputs.iter().find_map(|&input| {
@@ -60,13 +65,7 @@ pub(super) fn ranges(
         return Err(RequirementTrouble::Varies { param });
     }
     let mut ranges = Ranges {
-        all: program
-            .start
-            .motors
-            .iter()
-            .copied()
-            .map(Interval::point)
-            .collect(),
+        all: points(&program.start.motors),
         motors: inputs,
         round: Vec::new(),
         touching: None,
@@ -79,6 +78,9 @@ pub(super) fn ranges(
         if let Some(case) = cases.find(|case| case.motor == motor) {
             let [low, high] = case.ends;
             ranges.all[number] = Interval::new(low, high);
+            if [low, high] == [start; 2] {
+                ranges.motors.retain(|motor| *motor != number);
+            }
             continue;
         }
         if let Some(range) = model.motor(motor).range {
@@ -109,8 +111,6 @@ const TRIALS: usize = 4;
 const PARTS: [f64; 3] = [0.11, 0.47, 0.83];
 /// Places are spread by multiples of this.
 const SPREAD: f64 = 0.618_033_988_749_894_9;
-/// An interval that is no wider than this, relative to its numbers, is as narrow as rounding lets it be.
-const TIGHT: f64 = 1e-9;
 
 /// Lets motors stand that have no part in what is found, though it is computed from them: they only carry it along. What is the same has
 /// enclosures that overlap wherever it is computed; what is not differs by more than rounding at some place.
@@ -130,14 +130,9 @@ fn hold_idle(ranges: &mut Ranges, tested: &[usize], gauge: &Gauge, found: &[Valu
         return;
     };
     let mut values = |place: &[f64]| {
-        let point: Vec<Interval> = place.iter().copied().map(Interval::point).collect();
-        enclosure.run(&point);
+        enclosure.run(&points(place));
         let values = found.iter().map(|value| enclosure.on_box(*value));
         values.collect::<Vec<Interval>>()
-    };
-    let is_same = |(a, b): (&Interval, &Interval)| {
-        let tight = |one: &Interval| one.width() <= TIGHT * (1.0 + one.abs().high());
-        a.low() <= b.high() && b.low() <= a.high() && tight(a) && tight(b)
     };
     let part = |range: Interval, part: f64| range.low() + part * range.width();
     for motor in ranges.motors.clone() {
@@ -154,7 +149,8 @@ fn hold_idle(ranges: &mut Ranges, tested: &[usize], gauge: &Gauge, found: &[Valu
             let before = values(&place);
             PARTS.iter().all(|value| {
                 place[motor] = part(ranges.all[motor], *value);
-                before.iter().zip(&values(&place)).all(is_same)
+                let same = |(a, b): (&Interval, &Interval)| is_same(*a, *b);
+                before.iter().zip(&values(&place)).all(same)
             })
         });
         if is_idle {
@@ -230,15 +226,4 @@ fn take_reach(
     ranges.touching = touching;
     ranges.all[motor] = Interval::new(ends[0], ends[1]);
     Ok(())
-}
-
-/// The joints of unknown coordinate of the loop that a block closes.
-pub(super) fn unknowns(
-    compiled: &Compiled,
-    program: &Program,
-    block: BlockId,
-) -> Vec<crate::model::JointId> {
-    let number = program.loop_of(block);
-    let ring = number.and_then(|number| compiled.plan.loops().nth(number));
-    ring.map_or(Vec::new(), Loop::unknowns)
 }

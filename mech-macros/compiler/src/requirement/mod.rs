@@ -6,7 +6,6 @@
 
 mod bound;
 mod domain;
-mod follow;
 mod proof;
 mod search;
 mod sides;

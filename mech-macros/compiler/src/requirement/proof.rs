@@ -1,10 +1,10 @@
 //! The proof of a condition, or a place where it does not hold.
 
 use super::Proof;
-use super::bound::Limit;
+use super::bound::{Bound, Limit};
 use super::domain::{Ranges, ranges};
 use super::search::{BUDGET, Goal, Search};
-use super::sides::Sides;
+use super::sides::{Way, subsets, turns_until_back};
 use crate::certify::{Interval, Sources, side_changes};
 use crate::compiled::Compiled;
 use crate::evaluate::Machine;
@@ -13,7 +13,7 @@ use crate::model::{
     Requirement, Spot, Summary,
 };
 use crate::plan::Loop;
-use crate::program::{Gauge, Program, Value};
+use crate::program::{BlockId, Gauge, Position, Program, Value};
 use crate::structure::{RequirementTrouble, Witness};
 
 /// A number that sums up the motion is known well enough if this part of it is open.
@@ -128,15 +128,12 @@ impl Case<'_> {
             return Err(RequirementTrouble::NoDyad { unknowns });
         };
         let mut found = gauge.formulas.clone();
+        found.extend(gauge.angles.iter().map(|angle| angle.beyond));
         found.sort_unstable();
         found.dedup();
-        let ranges = ranges(model, compiled, requirement, &gauge, &found)?;
-        let field = Field {
-            gauge: &gauge,
-            found: &found,
-            ranges: &ranges,
-        };
-        let crossing = side_changes(&gauge.program, &found, ranges.touching.as_deref());
+        let mut ranges = ranges(model, compiled, requirement, &gauge, &found)?;
+        let mut crossing = side_changes(&gauge.program, &found, ranges.touching.as_deref());
+        crossing.sort_unstable();
         if crossing.len() > MOST_SIDES {
             return Err(RequirementTrouble::TooHard);
         }
@@ -151,20 +148,45 @@ impl Case<'_> {
                 (None, None) => return Err(RequirementTrouble::TooHard),
             }
         }
-        let mut effort = 0;
-        for sides in 0..1_usize << crossing.len() {
-            let turned = crossing.iter().enumerate();
-            let turned = turned.filter(|(index, _)| sides >> index & 1 == 1);
-            let turned = turned.map(|(_, block)| *block).collect();
-            let left = BUDGET >> crossing.len();
-            let sides = Sides::new(
-                &compiled.program,
-                [crossing.clone(), turned],
-                ranges.only_motor(),
-            );
-            effort += self.prove_on(&field, sides, left, (subject, bounds))?;
+        let way = self.way(&mut ranges, &crossing)?;
+        let way = way.as_ref();
+        let mut all = subsets(&crossing);
+        all.retain(|turned| way.is_none_or(|way| way.comes_to(turned)));
+        let each = BUDGET / all.len();
+        let searches = all
+            .into_iter()
+            .map(|turned| Search::new(&gauge, &ranges, &found, way, turned, each));
+        let mut searches: Vec<Search<'_>> = searches.collect();
+        let field = Field {
+            gauge: &gauge,
+            found: &found,
+            ranges: &ranges,
+        };
+        self.prove_on_all(&field, &mut searches, (subject, bounds))?;
+        let spent = searches.iter().map(|search| each - search.left());
+        Ok(spent.sum())
+    }
+
+    /// The way of the only motor that has a part, if loops change their side on it. A motor that goes round gets as many turns as it
+    /// takes until all loops are back on their sides.
+    fn way(
+        &self,
+        ranges: &mut Ranges,
+        crossing: &[BlockId],
+    ) -> Result<Option<Way<'_>>, RequirementTrouble> {
+        let (false, &[motor]) = (crossing.is_empty(), &ranges.motors[..]) else {
+            return Ok(None);
+        };
+        let program = &self.compiled.program;
+        let start = Interval::point(program.start.motors[motor]);
+        if ranges.round.contains(&motor) {
+            let turn = ranges.all[motor].width();
+            let turns = turns_until_back(program, crossing, motor, turn);
+            let half = 0.5 * turn * turns.ok_or(RequirementTrouble::TooHard)?;
+            ranges.all[motor] = start + Interval::new(-half, half);
         }
-        Ok(effort)
+        let way = Way::new(program, crossing, motor, ranges.all[motor].hull(start));
+        way.map(Some).ok_or(RequirementTrouble::TooHard)
     }
 
     /// The loop whose transmission angle is meant.
@@ -181,67 +203,135 @@ impl Case<'_> {
         ring.map_or(Vec::new(), Loop::unknowns)
     }
 
-    /// Proves it with these loops on their other side.
-    fn prove_on(
+    /// Proves it wherever loops lie on any of their sides. What sums up the motion is taken over all sides.
+    fn prove_on_all(
         &self,
         field: &Field<'_>,
-        sides: Sides<'_>,
-        left: usize,
+        searches: &mut [Search<'_>],
         (subject, bounds): (FormulaId, &[RequiredBound]),
-    ) -> Result<usize, RequirementTrouble> {
+    ) -> Result<(), RequirementTrouble> {
         let gauge = field.gauge;
-        let mut search = Search::new(gauge, field.ranges, field.found, sides, left);
         let subject = gauge.formulas[subject.index()];
-        let goal = Goal {
-            value: subject,
-            sign: 1.0,
-        };
-        match search.endless(goal) {
-            Some(Ok(())) => {}
-            Some(Err(motor)) => {
-                let motor = MotorId::new(motor);
-                return Err(RequirementTrouble::Endless { motor });
+        for search in &mut *searches {
+            match search.endless() {
+                Some(Ok(())) => {}
+                Some(Err(motor)) => {
+                    let motor = MotorId::new(motor);
+                    return Err(RequirementTrouble::Endless { motor });
+                }
+                None => return Err(RequirementTrouble::TooHard),
             }
-            None => return Err(RequirementTrouble::TooHard),
         }
         let mut places = Vec::new();
         let measured = self.requirement.measured.iter().zip(&gauge.summaries);
         for (measured, state) in measured {
             if let (Measured::Summary(summary, of), Some(state)) = (measured, state) {
                 let value = gauge.formulas[of.index()];
-                let summed = sum_up(&mut search, *summary, value);
-                search.put(*state, summed.value);
+                let summed = self.sum_up(field, searches, *summary, value)?;
+                for search in &mut *searches {
+                    search.put(*state, summed.value);
+                }
                 places.extend(summed.places);
             }
         }
         for bound in bounds {
-            self.keep(field, &mut search, (subject, bound), &places)?;
+            let limit = self.limit(gauge, &mut searches[0], subject, bound);
+            for search in &mut *searches {
+                self.prove_bound(field, search, subject, bound, limit, &places)?;
+            }
         }
-        Ok(left - search.left())
+        Ok(())
     }
 
-    /// Proves that a bound is kept. `places` are those of what sums up the motion, if anything does.
-    fn keep(
+    /// What the margin of a bound has to be; the search is one with loops on their sides of the start.
+    fn limit(
         &self,
-        field: &Field<'_>,
+        gauge: &Gauge,
         search: &mut Search<'_>,
-        (subject, bound): (Value, &RequiredBound),
-        places: &[Vec<f64>],
-    ) -> Result<(), RequirementTrouble> {
-        let gauge = field.gauge;
-        let [margin, other] =
-            [bound.margin, bound.limit].map(|formula| gauge.formulas[formula.index()]);
+        subject: Value,
+        bound: &RequiredBound,
+    ) -> Limit {
+        let other = gauge.formulas[bound.limit.index()];
         let sizes = [other, subject].map(|value| {
             let at_start = search.value_at(&gauge.program.start.motors, value);
             at_start.map_or(0.0, |value| value.middle().abs())
         });
-        let slack = ROUNDING * sizes[0].max(sizes[1]).max(self.unit());
-        let limit = Limit {
+        Limit {
             is_strict: bound.is_strict,
-            slack,
+            slack: ROUNDING * sizes[0].max(sizes[1]).max(self.unit()),
+        }
+    }
+
+    /// Bounds a number that sums up the motion.
+    fn sum_up(
+        &self,
+        field: &Field<'_>,
+        searches: &mut [Search<'_>],
+        summary: Summary,
+        value: Value,
+    ) -> Result<Summed, RequirementTrouble> {
+        let mut end = |sign: f64| self.end(field, searches, Goal { value, sign });
+        let one = |(value, place)| Summed {
+            value,
+            places: vec![place],
         };
+        match summary {
+            Summary::Min => end(1.0).map(one),
+            Summary::Max => end(-1.0).map(one),
+            Summary::Swing => {
+                let ((low, first), (high, second)) = (end(1.0)?, end(-1.0)?);
+                Ok(Summed {
+                    value: high - low,
+                    places: vec![first, second],
+                })
+            }
+        }
+    }
+
+    /// Bounds the least value, times its sign, over all sides of loops; with the place where one end of the bounds is attained, to which the
+    /// mechanism comes.
+    fn end(
+        &self,
+        field: &Field<'_>,
+        searches: &mut [Search<'_>],
+        goal: Goal,
+    ) -> Result<(Interval, Vec<f64>), RequirementTrouble> {
+        let mut proved = f64::INFINITY;
+        let mut least: Option<(Bound, usize)> = None;
+        for (number, search) in searches.iter_mut().enumerate() {
+            let spend = search.left() / 3;
+            let found = search.least(goal, spend, |found| {
+                found.gap() <= WELL_KNOWN * found.seen.abs()
+            });
+            proved = proved.min(found.proved);
+            if least
+                .as_ref()
+                .is_none_or(|(least, _)| found.seen < least.seen)
+            {
+                least = Some((found, number));
+            }
+        }
+        let Some((Bound { seen, place, .. }, number)) = least else {
+            return Err(RequirementTrouble::TooHard);
+        };
+        if place.is_empty() || self.reach(field, &mut searches[number], &place).is_none() {
+            return Err(RequirementTrouble::TooHard);
+        }
+        Ok((Interval::new(goal.sign * proved, goal.sign * seen), place))
+    }
+
+    /// Proves that a bound is kept. `places` are those of what sums up the motion, if anything does.
+    fn prove_bound(
+        &self,
+        field: &Field<'_>,
+        search: &mut Search<'_>,
+        subject: Value,
+        bound: &RequiredBound,
+        limit: Limit,
+        places: &[Vec<f64>],
+    ) -> Result<(), RequirementTrouble> {
         let goal = Goal {
-            value: margin,
+            value: field.gauge.formulas[bound.margin.index()],
             sign: 1.0,
         };
         let all = search.left();
@@ -249,29 +339,32 @@ impl Case<'_> {
             limit.is_kept(found)
                 || limit.is_broken(found) && found.gap() <= WORST * found.seen.abs()
         });
-        if limit.is_kept(&least) || search.is_nowhere(&least) {
+        if limit.is_kept(&least) {
             return Ok(());
         }
         if least.place.is_empty() {
             return Err(RequirementTrouble::TooHard);
         }
-        let value = search.value_at(&least.place, subject);
-        let value = value.map_or(f64::NAN, Interval::middle);
         let at = |place: &[f64]| at(field.ranges, place);
-        if !limit.is_broken(&least) || !self.is_reached(field, search, &least.place) {
-            return Err(RequirementTrouble::Undecided {
-                value,
-                at: at(&least.place),
-                open: least.gap(),
-            });
-        }
+        let reached = self.reach(field, search, &least.place);
+        let measured = reached.and_then(|position| search.measure(&position, subject));
+        let (true, Some(value)) = (limit.is_broken(&least), measured) else {
+            let value = search.value_at(&least.place, subject);
+            return Err(value.map_or(RequirementTrouble::TooHard, |value| {
+                RequirementTrouble::Undecided {
+                    value: value.middle(),
+                    at: at(&least.place),
+                    open: least.gap(),
+                }
+            }));
+        };
         let places = if places.is_empty() {
             vec![at(&least.place)]
         } else {
             places.iter().map(|place| at(place)).collect()
         };
         let way = if bound.is_upper { 1.0 } else { -1.0 };
-        let proved = value + way * (least.gap() + slack);
+        let proved = value + way * (least.gap() + limit.slack);
         Err(RequirementTrouble::Fails(Witness {
             value,
             is_upper: bound.is_upper,
@@ -291,26 +384,26 @@ impl Case<'_> {
         }
     }
 
-    /// Whether the mechanism comes to a place from its start, and is there as it was proved to be.
-    fn is_reached(&self, field: &Field<'_>, search: &mut Search<'_>, place: &[f64]) -> bool {
+    /// The position at a place to which the mechanism comes from its start; nothing if it does not, or is not there as it was proved to
+    /// be.
+    fn reach(
+        &self,
+        field: &Field<'_>,
+        search: &mut Search<'_>,
+        place: &[f64],
+    ) -> Option<Position<f64>> {
         let program = &self.compiled.program;
-        let Some(poses) = visit(program, place) else {
-            return false;
-        };
+        let position = visit(program, place)?;
         let sources = Sources::of(&field.gauge.program, field.found);
-        let numbers = program.poses.iter().flatten().zip(poses.iter().flatten());
-        for (value, reached) in numbers {
-            if !sources.contain(*value) {
-                continue;
-            }
-            let Some(proved) = search.value_at(place, *value) else {
-                return false;
-            };
-            if (proved.middle() - reached).abs() > ELSEWHERE * (1.0 + reached.abs()) {
-                return false;
-            }
-        }
-        true
+        let numbers = program.poses.iter().flatten();
+        let mut numbers = numbers.zip(position.poses.iter().flatten());
+        let is_there = numbers.all(|(value, reached)| {
+            !sources.contain(*value)
+                || search.value_at(place, *value).is_some_and(|proved| {
+                    (proved.middle() - reached).abs() <= ELSEWHERE * (1.0 + reached.abs())
+                })
+        });
+        is_there.then_some(position)
     }
 }
 
@@ -321,56 +414,21 @@ fn at(ranges: &Ranges, place: &[f64]) -> Vec<(MotorId, f64)> {
     values.collect()
 }
 
-/// The poses of all links at a place to which the motors go together, or one after the other.
-fn visit(program: &Program, place: &[f64]) -> Option<Vec<[f64; 4]>> {
+/// The position at a place to which the motors go together, or one after the other.
+fn visit(program: &Program, place: &[f64]) -> Option<Position<f64>> {
     let mut machine = Machine::<f64>::new(program);
-    if machine.move_to(place).is_ok() {
-        return Some(machine.position().poses.clone());
+    if machine.move_to(place).is_err() {
+        let mut values = program.start.motors.clone();
+        for (motor, goal) in place.iter().enumerate() {
+            values[motor] = *goal;
+            machine.move_to(&values).ok()?;
+        }
     }
-    let mut values = program.start.motors.clone();
-    for (motor, goal) in place.iter().enumerate() {
-        values[motor] = *goal;
-        machine.move_to(&values).ok()?;
-    }
-    Some(machine.position().poses.clone())
+    Some(machine.into_position())
 }
 
 /// A number that sums up the motion, and where what it is made from is.
 struct Summed {
     value: Interval,
     places: Vec<Vec<f64>>,
-}
-
-fn sum_up(search: &mut Search<'_>, summary: Summary, value: Value) -> Summed {
-    let mut end = |sign: f64| {
-        let spend = search.left() / 3;
-        let found = search.least(Goal { value, sign }, spend, |found| {
-            found.gap() <= WELL_KNOWN * found.seen.abs()
-        });
-        let ends = [sign * found.proved, sign * found.seen];
-        (Interval::new(ends[0], ends[1]), found.place)
-    };
-    match summary {
-        Summary::Min => {
-            let (value, place) = end(1.0);
-            Summed {
-                value,
-                places: vec![place],
-            }
-        }
-        Summary::Max => {
-            let (value, place) = end(-1.0);
-            Summed {
-                value,
-                places: vec![place],
-            }
-        }
-        Summary::Swing => {
-            let ((low, first), (high, second)) = (end(1.0), end(-1.0));
-            Summed {
-                value: high - low,
-                places: vec![first, second],
-            }
-        }
-    }
 }

@@ -1,11 +1,11 @@
 //! The search for the least value of something on boxes of motor values.
 
 use super::bound::Bound;
-use super::domain::Ranges;
-use super::follow::Follow;
-use super::sides::Sides;
+use super::domain::{Ranges, points};
+use super::sides::{Stretch, Way};
 use crate::certify::{Enclosure, Interval, Sight};
-use crate::program::{Gauge, Value};
+use crate::evaluate::Machine;
+use crate::program::{BlockId, Gauge, Position, Value, computing};
 use std::collections::BinaryHeap;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::rc::Rc;
@@ -22,17 +22,22 @@ const CUT: f64 = PI - 1e-6;
 /// On the way to a place so many steps may wait.
 const MOST_STEPS: usize = 64;
 
+/// So many frames on the way are kept.
+const MOST_KNOWN: usize = 256;
+
 /// So many sets of references are kept with their enclosures.
-const KEPT: usize = 16;
+const KEPT: usize = 64;
 
 /// Where angles over whole turns are counted from: valid at a place, and wherever they stay within half a turn on the way from there.
 #[derive(Debug)]
 struct Frame {
     references: Vec<f64>,
     at: Vec<f64>,
+    /// The loops that are on the other side there than at the start, as far as angles depend on that.
+    turned: Vec<BlockId>,
 }
 
-/// What is seen on a box.
+/// The view of a box.
 struct Seen {
     sight: Sight,
     /// Whether an angle may have passed half a turn from its reference there.
@@ -41,8 +46,6 @@ struct Seen {
     value: Interval,
     /// The value at the middle, where all loops close there.
     centre: Option<Interval>,
-    /// Whether no loop can go over to its other side there.
-    is_clear: bool,
 }
 
 /// A search through the values of the motors.
@@ -50,14 +53,24 @@ pub(super) struct Search<'a> {
     gauge: &'a Gauge,
     ranges: &'a Ranges,
     found: &'a [Value],
-    sides: Sides<'a>,
+    /// The way to each place, where loops change their side on it and only one motor moves.
+    way: Option<&'a Way<'a>>,
+    /// The loops that are on the other side than at the start.
+    turned: Vec<BlockId>,
     /// The numbers that sum up the motion, as far as they are known.
     summaries: Vec<(usize, Interval)>,
-    enclosures: Vec<(Vec<f64>, Enclosure<'a>)>,
+    enclosures: Vec<Framed<'a>>,
     start: Rc<Frame>,
-    /// The angles as the mechanism moves, where loops may change their side.
-    follow: Option<Follow>,
+    /// The frames on the way.
+    known: Vec<Rc<Frame>>,
     left: usize,
+}
+
+/// An enclosure with its references, and the loops that are on the other side than at the start.
+struct Framed<'a> {
+    references: Vec<f64>,
+    turned: Vec<BlockId>,
+    enclosure: Enclosure<'a>,
 }
 
 /// What is asked for: the least of a value times its sign.
@@ -68,40 +81,35 @@ pub(super) struct Goal {
 }
 
 impl<'a> Search<'a> {
-    /// A search that may compute so many intervals, where loops have these sides.
+    /// A search that may compute so many intervals, where these loops are turned.
     pub(super) fn new(
         gauge: &'a Gauge,
         ranges: &'a Ranges,
         found: &'a [Value],
-        sides: Sides<'a>,
+        way: Option<&'a Way<'a>>,
+        turned: Vec<BlockId>,
         left: usize,
     ) -> Self {
         let position = &gauge.program.start;
-        let is_followed = sides.are_told() && !gauge.angles.is_empty();
-        let motor = ranges.only_motor().filter(|_| is_followed);
-        let follow = motor.map(|(motor, _)| Follow::new(gauge, motor));
         let references = gauge.angles.iter();
         let references = references.map(|angle| position.state[angle.reference]);
         let start = Frame {
             references: references.collect(),
             at: position.motors.clone(),
+            turned: Vec::new(),
         };
         Self {
             gauge,
             ranges,
             found,
-            sides,
+            way,
+            turned,
             summaries: Vec::new(),
             enclosures: Vec::new(),
             start: Rc::new(start),
-            follow,
+            known: Vec::new(),
             left,
         }
-    }
-
-    /// Whether the loops are nowhere on these sides, but within rounding of where they change them.
-    pub(super) fn is_nowhere(&self, bound: &Bound) -> bool {
-        bound.is_complete && bound.place.is_empty() && self.sides.are_told()
     }
 
     /// The intervals that may still be computed.
@@ -115,37 +123,74 @@ impl<'a> Search<'a> {
         self.enclosures.clear();
     }
 
-    /// The enclosure for these references, by its number; none if one run of it would take too long.
-    fn enclosure(&mut self, references: &[f64]) -> Option<usize> {
-        let mut known = self.enclosures.iter();
-        if let Some(number) = known.position(|(own, _)| own == references) {
-            return Some(number);
-        }
+    /// What is carried, with these references.
+    fn carried(&self, references: &[f64]) -> Vec<(usize, Interval)> {
         let angles = self.gauge.angles.iter().zip(references);
         let angles = angles.map(|(angle, at)| (angle.reference, Interval::point(*at)));
-        let carried: Vec<(usize, Interval)> =
-            angles.chain(self.summaries.iter().copied()).collect();
-        let made = Enclosure::new(
-            &self.gauge.program,
-            self.sides.turned(),
-            &carried,
-            self.found,
-        )?;
-        if self.enclosures.len() == KEPT {
-            self.enclosures.remove(0);
+        angles.chain(self.summaries.iter().copied()).collect()
+    }
+
+    /// A value at a position to which the mechanism came, as it computes it there.
+    pub(super) fn measure(&mut self, position: &Position<f64>, value: Value) -> Option<f64> {
+        let start = Rc::clone(&self.start);
+        let frame = self.freely(|search| search.frame_at(&start, &position.motors))?;
+        let gauged = &self.gauge.program;
+        let program = computing(gauged, &[&[value], &gauged.state[..]].concat());
+        let mut whole = position.clone();
+        whole.state.clone_from(&program.start.state);
+        whole.state[..position.state.len()].copy_from_slice(&position.state);
+        for (state, number) in self.carried(&frame.references) {
+            whole.state[state] = number.middle();
         }
-        self.enclosures.push((references.to_vec(), made));
-        Some(self.enclosures.len() - 1)
+        let mut machine = Machine::<f64>::new(&program);
+        machine.put_back(whole);
+        let measured = machine.look_at(&position.motors, &[value])?;
+        measured.first().copied()
+    }
+
+    /// The enclosure for these references where these loops are turned; none if one run of it would take too long.
+    fn enclosure(&mut self, references: &[f64], turned: &[BlockId]) -> Option<&mut Enclosure<'a>> {
+        let is_same = |known: &Framed<'_>| known.references == references && known.turned == turned;
+        let number = if let Some(number) = self.enclosures.iter().position(is_same) {
+            number
+        } else {
+            let carried = self.carried(references);
+            let enclosure = Enclosure::new(&self.gauge.program, turned, &carried, self.found)?;
+            if self.enclosures.len() == KEPT {
+                self.enclosures.remove(0);
+            }
+            self.enclosures.push(Framed {
+                references: references.to_vec(),
+                turned: turned.to_vec(),
+                enclosure,
+            });
+            self.enclosures.len() - 1
+        };
+        Some(&mut self.enclosures[number].enclosure)
+    }
+
+    /// Runs the enclosure of a frame where these loops are turned; nothing if that cannot be paid. Tells whether an angle may have passed
+    /// half a turn from its reference, too.
+    fn run(
+        &mut self,
+        place: &[Interval],
+        frame: &Frame,
+        turned: &[BlockId],
+    ) -> Option<(Sight, bool, &Enclosure<'a>)> {
+        let gauge = self.gauge;
+        let cost = self.enclosure(&frame.references, turned)?.cost();
+        self.left = self.left.checked_sub(cost)?;
+        let enclosure = self.enclosure(&frame.references, turned)?;
+        let sight = enclosure.run(place);
+        let mut angles = gauge.angles.iter();
+        let is_cut = angles.any(|angle| enclosure.on_box(angle.beyond).abs().high() > CUT);
+        Some((sight, is_cut, enclosure))
     }
 
     /// Looks at a box; nothing if that cannot be paid.
     fn look(&mut self, place: &[Interval], frame: &Frame, goal: Goal) -> Option<Seen> {
-        let number = self.enclosure(&frame.references)?;
-        let (_, enclosure) = &mut self.enclosures[number];
-        self.left = self.left.checked_sub(enclosure.cost())?;
-        let sight = enclosure.run(place);
-        let mut angles = self.gauge.angles.iter();
-        let is_cut = angles.any(|angle| enclosure.on_box(angle.beyond).abs().high() > CUT);
+        let turned = self.turned.clone();
+        let (sight, is_cut, enclosure) = self.run(place, frame, &turned)?;
         let sign = Interval::point(goal.sign);
         let closes = sight != Sight::Blocked && enclosure.closes_at_centre() && !is_cut;
         Some(Seen {
@@ -157,28 +202,53 @@ impl<'a> Search<'a> {
                 sign * enclosure.on_box(goal.value)
             },
             centre: closes.then(|| sign * enclosure.at_centre(goal.value)),
-            is_clear: enclosure.is_clear(self.sides.crossing()),
         })
     }
 
+    /// The way, if angles depend on the sides of loops.
+    fn sided(&self) -> Option<&'a Way<'a>> {
+        self.way.filter(|_| !self.gauge.angles.is_empty())
+    }
+
+    /// Whether an angle may pass half a turn from its reference in a box, on the way from where a frame is valid: with the sides that
+    /// loops have there, and those to which they may go over.
+    fn is_cut(&mut self, place: &[Interval], frame: &Frame) -> Option<bool> {
+        let crossing = self.sided().map_or(&[][..], Way::crossing);
+        let mut sides = vec![frame.turned.clone()];
+        let mut looked = 0;
+        while let Some(turned) = sides.get(looked).cloned() {
+            looked += 1;
+            let (sight, is_cut, enclosure) = self.run(place, frame, &turned)?;
+            if sight == Sight::Blocked {
+                continue;
+            }
+            if is_cut {
+                return Some(true);
+            }
+            let touching = crossing
+                .iter()
+                .filter(|block| !enclosure.is_clear(&[**block]));
+            for block in touching {
+                let over = with_turned(&turned, *block);
+                if !sides.contains(&over) {
+                    sides.push(over);
+                }
+            }
+        }
+        Some(false)
+    }
+
     /// A frame that is valid at a place: angles are followed from where another one is.
-    fn frame_at(&mut self, from: &Rc<Frame>, to: &[f64], goal: Goal) -> Option<Rc<Frame>> {
+    fn frame_at(&mut self, from: &Rc<Frame>, to: &[f64]) -> Option<Rc<Frame>> {
         if self.gauge.angles.is_empty() {
             return Some(Rc::clone(from));
         }
-        if let Some(follow) = &mut self.follow {
-            let references = follow.angles_at(to)?;
-            return Some(Rc::new(Frame {
-                references: quarters(&references),
-                at: to.to_vec(),
-            }));
-        }
-        let mut here = Rc::clone(from);
+        let mut here = self.nearest(to).unwrap_or_else(|| Rc::clone(from));
         let mut waiting = vec![to.to_vec()];
         while let Some(next) = waiting.pop() {
             let ends = here.at.iter().zip(&next);
             let way: Vec<Interval> = ends.map(|(a, b)| Interval::new(*a, *b)).collect();
-            if self.look(&way, &here, goal)?.is_cut {
+            if self.is_cut(&way, &here)? {
                 let middle: Vec<f64> = way.iter().map(|way| way.middle()).collect();
                 if waiting.len() == MOST_STEPS || middle == next || middle == here.at {
                     return None;
@@ -186,29 +256,46 @@ impl<'a> Search<'a> {
                 waiting.extend([next, middle]);
                 continue;
             }
-            let references = self.angles_at(&here, &next, goal)?;
+            let turned = match self.sided() {
+                Some(way) => way.turned_at(&next)?,
+                None => self.turned.clone(),
+            };
+            let references = self.angles_at(&here, &next, &turned)?;
             here = Rc::new(Frame {
                 references: quarters(&references),
                 at: next,
+                turned,
             });
+            if self.sided().is_some() && self.known.len() < MOST_KNOWN {
+                self.known.push(Rc::clone(&here));
+            }
         }
         Some(here)
     }
 
-    /// The angles at a place where a frame is valid.
-    fn angles_at(&mut self, frame: &Frame, place: &[f64], goal: Goal) -> Option<Vec<f64>> {
-        let point: Vec<Interval> = place.iter().copied().map(Interval::point).collect();
-        self.look(&point, frame, goal)?;
-        let number = self.enclosure(&frame.references)?;
-        let enclosure = &self.enclosures[number].1;
-        let angles = self.gauge.angles.iter().zip(&frame.references);
+    /// The frame on the way that is nearest to a place.
+    fn nearest(&self, to: &[f64]) -> Option<Rc<Frame>> {
+        let &[motor] = &self.ranges.motors[..] else {
+            return None;
+        };
+        let far = |frame: &Rc<Frame>| (frame.at[motor] - to[motor]).abs();
+        let nearest = self.known.iter().min_by(|a, b| far(a).total_cmp(&far(b)));
+        nearest.cloned()
+    }
+
+    /// The angles at a place where a frame is valid, with loops on these sides.
+    fn angles_at(&mut self, frame: &Frame, place: &[f64], turned: &[BlockId]) -> Option<Vec<f64>> {
+        let gauge = self.gauge;
+        let (.., enclosure) = self.run(&points(place), frame, turned)?;
+        let angles = gauge.angles.iter().zip(&frame.references);
         let angles = angles.map(|(angle, from)| from + enclosure.on_box(angle.beyond).middle());
         Some(angles.collect())
     }
 
-    /// Whether all angles are what they were after each motor that goes right round has done so; else the first motor that changes one.
-    pub(super) fn endless(&mut self, goal: Goal) -> Option<Result<(), usize>> {
-        if self.gauge.angles.is_empty() {
+    /// Whether all angles that are measured are what they were after each motor that goes right round has done so; else the first motor that changes one.
+    pub(super) fn endless(&mut self) -> Option<Result<(), usize>> {
+        let gauge = self.gauge;
+        if !gauge.angles.iter().any(|angle| angle.is_measured) {
             return Some(Ok(()));
         }
         let start = Rc::clone(&self.start);
@@ -218,30 +305,35 @@ impl<'a> Search<'a> {
             for end in [range.low(), range.high()] {
                 let mut place = start.at.clone();
                 place[motor] = end;
-                let frame = self.frame_at(&start, &place, goal)?;
-                angles.push(self.angles_at(&frame, &place, goal)?);
+                let frame = self.frame_at(&start, &place)?;
+                angles.push(self.angles_at(&frame, &place, &frame.turned)?);
             }
-            let mut both = angles[0].iter().zip(&angles[1]);
-            if both.any(|(a, b)| (a - b).abs() > 1.0) {
+            let both = angles[0].iter().zip(&angles[1]).zip(&gauge.angles);
+            let mut measured = both.filter(|(_, angle)| angle.is_measured);
+            if measured.any(|((a, b), _)| (a - b).abs() > 1.0) {
                 return Some(Err(motor));
             }
         }
         Some(Ok(()))
     }
 
-    /// A value at a place. That costs little, and can be had when nothing is left.
-    pub(super) fn value_at(&mut self, place: &[f64], value: Value) -> Option<Interval> {
+    /// Does what costs little, and can be done when nothing is left.
+    fn freely<T>(&mut self, act: impl FnOnce(&mut Self) -> T) -> T {
         let left = std::mem::replace(&mut self.left, BUDGET);
-        let found = self.find_at(place, value);
+        let done = act(self);
         self.left = left;
-        found
+        done
+    }
+
+    /// A value at a place.
+    pub(super) fn value_at(&mut self, place: &[f64], value: Value) -> Option<Interval> {
+        self.freely(|search| search.find_at(place, value))
     }
 
     fn find_at(&mut self, place: &[f64], value: Value) -> Option<Interval> {
         let goal = Goal { value, sign: 1.0 };
-        let frame = self.frame_at(&Rc::clone(&self.start), place, goal)?;
-        let point: Vec<Interval> = place.iter().copied().map(Interval::point).collect();
-        let seen = self.look(&point, &frame, goal)?;
+        let frame = self.frame_at(&Rc::clone(&self.start), place)?;
+        let seen = self.look(&points(place), &frame, goal)?;
         Some(seen.value)
     }
 
@@ -256,72 +348,90 @@ impl<'a> Search<'a> {
         let mut bound = Bound::default();
         let mut waiting = BinaryHeap::new();
         let from = self.start_within();
-        let Some(frame) = self.frame_at(&Rc::clone(&self.start), &from, goal) else {
+        let Some(frame) = self.frame_at(&Rc::clone(&self.start), &from) else {
             return bound;
         };
         for corner in self.corners() {
-            if let Some(frame) = self.frame_at(&frame, &corner, goal) {
-                let point: Vec<Interval> = corner.iter().copied().map(Interval::point).collect();
-                if let Some(seen) = self.look(&point, &frame, goal) {
-                    self.see(&mut bound, seen.centre, &corner);
-                }
+            if let Some(frame) = self.frame_at(&frame, &corner)
+                && let Some(seen) = self.look(&points(&corner), &frame, goal)
+            {
+                bound.see(seen.centre, &corner);
             }
         }
-        waiting.push(Waiting {
-            least: f64::NEG_INFINITY,
-            place: self.ranges.all.clone(),
-            frame,
-            is_known: !self.sides.are_told(),
-        });
+        for part in self.parts() {
+            let Some(frame) = self.frame_in(&part.place, &frame, true) else {
+                return bound;
+            };
+            waiting.push(Waiting {
+                least: f64::NEG_INFINITY,
+                frame,
+                part,
+            });
+        }
         let mut stuck = f64::INFINITY;
-        while let Some(next) = waiting.pop() {
-            bound.proved = next.least.min(stuck).min(bound.seen);
+        while let Some(Waiting { least, part, frame }) = waiting.pop() {
+            bound.proved = least.min(stuck).min(bound.seen);
             if is_enough(&bound) || self.left <= reserve {
                 return bound;
             }
-            let Some(seen) = self.look(&next.place, &next.frame, goal) else {
+            let Some(mut seen) = self.look(&part.place, &frame, goal) else {
                 return bound;
             };
             if seen.sight == Sight::Blocked {
                 continue;
             }
-            let centre: Vec<f64> = next.place.iter().map(|range| range.middle()).collect();
-            let is_known = next.is_known || seen.is_clear;
-            if is_known && !next.is_known && !self.sides.are_reached(&centre) {
-                continue;
+            if part.is_sure {
+                let centre: Vec<f64> = part.place.iter().map(|range| range.middle()).collect();
+                bound.see(seen.centre, &centre);
+            } else if self.sided().is_some() {
+                let Some(is_cut) = self.is_cut(&part.place, &frame) else {
+                    return bound;
+                };
+                if is_cut {
+                    seen.is_cut = true;
+                    seen.value = Interval::ENTIRE;
+                }
             }
-            self.see(&mut bound, seen.centre, &centre);
-            let least = next.least.max(seen.value.low());
+            let least = least.max(seen.value.low());
             // Nothing there is less than what was seen.
             if least >= bound.seen {
                 continue;
             }
-            let Some(halves) = self.halves(&next.place) else {
+            let Some(halves) = self.halves(&part.place) else {
                 stuck = stuck.min(least);
                 continue;
             };
             for place in halves {
-                let Some(frame) = self.frame_in(&place, &next.frame, seen.is_cut, goal) else {
+                let Some(frame) = self.frame_in(&place, &frame, seen.is_cut) else {
                     return bound;
                 };
-                waiting.push(Waiting {
-                    least,
-                    place,
-                    frame,
-                    is_known,
-                });
+                let part = Part { place, ..part };
+                waiting.push(Waiting { least, part, frame });
             }
         }
         bound.proved = stuck.min(bound.seen);
-        bound.is_complete = true;
         bound
     }
 
-    /// Takes a value at a place, if the loops come to their sides there.
-    fn see(&mut self, bound: &mut Bound, value: Option<Interval>, place: &[f64]) {
-        if value.is_some_and(|value| value.high() < bound.seen) && self.sides.are_reached(place) {
-            bound.see(value, place);
-        }
+    /// The parts of all values where the loops have these sides, or may have.
+    fn parts(&self) -> Vec<Part> {
+        let all = &self.ranges.all;
+        let (Some(way), &[motor]) = (self.way, &self.ranges.motors[..]) else {
+            return vec![Part {
+                place: all.clone(),
+                is_sure: true,
+            }];
+        };
+        let stretches = way.parts(&self.turned, all[motor]).into_iter();
+        let parts = stretches.map(|Stretch { range, turned }| {
+            let mut place = all.clone();
+            place[motor] = range;
+            Part {
+                place,
+                is_sure: turned.is_some(),
+            }
+        });
+        parts.collect()
     }
 
     /// A frame for a part of a box, of which another one is known to be valid at a place.
@@ -330,11 +440,10 @@ impl<'a> Search<'a> {
         place: &[Interval],
         of_whole: &Rc<Frame>,
         is_cut: bool,
-        goal: Goal,
     ) -> Option<Rc<Frame>> {
-        if self.follow.is_some() {
+        if self.sided().is_some() {
             let centre: Vec<f64> = place.iter().map(|range| range.middle()).collect();
-            return self.frame_at(of_whole, &centre, goal);
+            return self.frame_at(of_whole, &centre);
         }
         let near = |(range, at): (&Interval, &f64)| at.max(range.low()).min(range.high());
         let nearest: Vec<f64> = place.iter().zip(&of_whole.at).map(near).collect();
@@ -342,13 +451,14 @@ impl<'a> Search<'a> {
             return Some(Rc::clone(of_whole));
         }
         if is_cut {
-            return self.frame_at(of_whole, &nearest, goal);
+            return self.frame_at(of_whole, &nearest);
         }
         // It is valid on the whole box.
         let references = of_whole.references.clone();
         Some(Rc::new(Frame {
             references,
             at: nearest,
+            turned: of_whole.turned.clone(),
         }))
     }
 
@@ -359,8 +469,11 @@ impl<'a> Search<'a> {
             .collect()
     }
 
-    /// The corners of all values, and the start.
+    /// The corners of all values, and the start; or the ends of the parts where the loops have these sides.
     fn corners(&self) -> Vec<Vec<f64>> {
+        if let (Some(way), &[motor]) = (self.way, &self.ranges.motors[..]) {
+            return way.places(&self.turned, self.ranges.all[motor]);
+        }
         let mut corners = vec![self.start_within()];
         for &motor in self.ranges.motors.iter().take(3) {
             let range = self.ranges.all[motor];
@@ -409,13 +522,29 @@ fn quarters(angles: &[f64]) -> Vec<f64> {
     angles.iter().map(quarter).collect()
 }
 
-/// A box that waits, with a bound on what is least there.
+/// The turned loops after this one went over to its other side.
+fn with_turned(turned: &[BlockId], block: BlockId) -> Vec<BlockId> {
+    let others = turned.iter().copied().filter(|other| *other != block);
+    let mut after: Vec<BlockId> = others.collect();
+    if after.len() == turned.len() {
+        after.push(block);
+    }
+    after.sort_unstable();
+    after
+}
+
+/// A part of all values.
+struct Part {
+    place: Vec<Interval>,
+    /// Whether the loops have their sides there; else they may have.
+    is_sure: bool,
+}
+
+/// A part that waits, with a bound on what is least there.
 struct Waiting {
     least: f64,
-    place: Vec<Interval>,
+    part: Part,
     frame: Rc<Frame>,
-    /// Whether the loops certainly come to their sides there, or that is not asked.
-    is_known: bool,
 }
 
 impl PartialEq for Waiting {

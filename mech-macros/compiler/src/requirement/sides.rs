@@ -1,38 +1,132 @@
-//! The sides on which loops lie that pass change points: where each is reached.
+//! The sides of loops that pass change points, along the way of the only motor that has a part.
 
-use crate::certify::Interval;
+use crate::certify::{Enclosure, Interval};
 use crate::evaluate::Machine;
-use crate::program::{BlockId, Position, Program, Watch};
+use crate::program::{BlockId, Position, Program, Value};
 
 /// After so many turns of a motor everything should be back.
-const MOST_TURNS: i32 = 4;
+const MOST_TURNS: u8 = 4;
 
-/// The sides of the loops that may change them.
-pub(super) struct Sides<'p> {
-    program: &'p Program,
-    /// The loops that may change their side.
-    crossing: Vec<BlockId>,
-    /// Those of them that are on the other side than at the start.
-    turned: Vec<BlockId>,
-    /// The only motor that has a part, and the turn after which it comes to the same place: zero if it does not go round. With several
-    /// motors, the way there decides, and nothing is told.
-    motor: Option<(usize, f64)>,
+/// Shorter parts of the way than this are not cut.
+const NARROW: f64 = 1e-7;
+
+/// All subsets of some loops, in the order of the loops.
+pub(super) fn subsets(loops: &[BlockId]) -> Vec<Vec<BlockId>> {
+    let mut all = vec![Vec::new()];
+    for one in loops {
+        let with = all.iter().map(|rest: &Vec<BlockId>| {
+            let mut with = rest.clone();
+            with.push(*one);
+            with
+        });
+        let with: Vec<Vec<BlockId>> = with.collect();
+        all.extend(with);
+    }
+    all
 }
 
-impl<'p> Sides<'p> {
-    /// Sides of a program, of which these are turned; `motor` is the only one that has a part, with the values it goes round.
+/// A part of the way.
+pub(super) struct Stretch {
+    pub(super) range: Interval,
+    /// The loops that are on the other side than at the start, all along it; nothing where loops may change their side.
+    pub(super) turned: Option<Vec<BlockId>>,
+}
+
+/// The way of a motor from the start to both ends of its values, while all others stand.
+pub(super) struct Way<'p> {
+    program: &'p Program,
+    /// The loops that may change their side, in order.
+    crossing: Vec<BlockId>,
+    motor: usize,
+    stretches: Vec<Stretch>,
+    /// The start and the ends, with the loops that are turned there.
+    ends: Vec<(f64, Vec<BlockId>)>,
+}
+
+impl<'p> Way<'p> {
+    /// The way to both ends of some values; nothing if the mechanism does not come there, or nothing can be told of its loops.
     pub(super) fn new(
         program: &'p Program,
-        [crossing, turned]: [Vec<BlockId>; 2],
-        motor: Option<(usize, Option<Interval>)>,
-    ) -> Self {
-        let motor = motor.map(|(motor, round)| (motor, round.map_or(0.0, Interval::width)));
-        Self {
+        crossing: &[BlockId],
+        motor: usize,
+        ends: Interval,
+    ) -> Option<Self> {
+        let start = program.start.motors[motor];
+        let mut way = Self {
             program,
-            crossing,
-            turned,
+            crossing: crossing.to_vec(),
             motor,
+            stretches: Vec::new(),
+            ends: vec![(start, Vec::new())],
+        };
+        for end in [ends.low(), ends.high()] {
+            way.walk(end, NARROW * ends.hull(Interval::point(start)).width())?;
         }
+        Some(way)
+    }
+
+    /// Walks from the start to one end.
+    fn walk(&mut self, end: f64, narrow: f64) -> Option<()> {
+        let (program, motor) = (self.program, self.motor);
+        let discriminants = self.crossing.iter();
+        let discriminants = discriminants.filter_map(|block| program.closed_form(*block));
+        let found: Vec<Value> = discriminants.map(|closed| closed.discriminant).collect();
+        let sides = subsets(&self.crossing).into_iter().map(|turned| {
+            let enclosure = Enclosure::new(program, &turned, &[], &found)?;
+            Some((turned, enclosure))
+        });
+        let mut sides: Vec<(Vec<BlockId>, Enclosure<'_>)> = sides.collect::<Option<_>>()?;
+        let mut machine = Machine::<f64>::new(program);
+        let mut place: Vec<Interval> = program
+            .start
+            .motors
+            .iter()
+            .copied()
+            .map(Interval::point)
+            .collect();
+        let mut waiting = vec![end];
+        while let Some(next) = waiting.pop() {
+            let before = machine.position().clone();
+            let turned = self.turned_in(&before);
+            let range = Interval::new(before.motors[motor], next);
+            place[motor] = range;
+            let (_, enclosure) = sides.iter_mut().find(|(own, _)| *own == turned)?;
+            enclosure.run(&place);
+            let is_clear = enclosure.is_clear(&self.crossing);
+            let middle = range.middle();
+            let can_be_cut =
+                range.width() > narrow && range.low() < middle && middle < range.high();
+            if !is_clear && can_be_cut {
+                waiting.extend([next, middle]);
+                continue;
+            }
+            let mut values = before.motors.clone();
+            values[motor] = next;
+            let has_come = machine.move_to(&values).is_ok();
+            if has_come {
+                let after = self.turned_in(machine.position());
+                let stays = is_clear && after == turned;
+                if is_clear && !stays && can_be_cut {
+                    machine.put_back(before);
+                    waiting.extend([next, middle]);
+                    continue;
+                }
+                if waiting.is_empty() {
+                    self.ends.push((next, after));
+                }
+                let turned = stays.then_some(turned);
+                self.stretches.push(Stretch { range, turned });
+            } else if !is_clear && waiting.is_empty() {
+                // The end is a dead point, but for rounding.
+                self.stretches.push(Stretch {
+                    range,
+                    turned: None,
+                });
+            } else {
+                return None;
+            }
+        }
+        Some(())
     }
 
     /// The loops that may change their side.
@@ -40,42 +134,106 @@ impl<'p> Sides<'p> {
         &self.crossing
     }
 
-    /// Those of them that are on the other side than at the start.
-    pub(super) fn turned(&self) -> &[BlockId] {
-        &self.turned
+    /// Whether these loops, and no others, are turned at some place.
+    pub(super) fn comes_to(&self, turned: &[BlockId]) -> bool {
+        let mut stretches = self.stretches.iter();
+        let mut ends = self.ends.iter();
+        stretches.any(|stretch| stretch.turned.as_deref() == Some(turned))
+            || ends.any(|(_, own)| own == turned)
     }
 
-    /// Whether it can be told where these sides are reached, and that matters.
-    pub(super) fn are_told(&self) -> bool {
-        !self.crossing.is_empty() && self.motor.is_some()
-    }
-
-    /// Whether the mechanism comes to a place with the loops on these sides, as far as that can be told.
-    pub(super) fn are_reached(&self, place: &[f64]) -> bool {
-        let (false, Some((motor, round))) = (self.crossing.is_empty(), self.motor) else {
-            return true;
-        };
-        let turns = if round == 0.0 { 0 } else { MOST_TURNS };
-        (-turns..=turns).any(|turn| {
-            let mut goal = place.to_vec();
-            goal[motor] += f64::from(turn) * round;
-            let mut machine = Machine::<f64>::new(self.program);
-            match machine.move_to(&goal) {
-                Ok(()) => self.are_those_of(machine.position()),
-                // It should come there.
-                Err(_) => turn == 0,
+    /// The parts of some values where these loops are turned, or may be: those that are next to each other are put together.
+    pub(super) fn parts(&self, turned: &[BlockId], values: Interval) -> Vec<Stretch> {
+        let mut within: Vec<Stretch> = Vec::new();
+        let mut stretches: Vec<&Stretch> = self.stretches.iter().collect();
+        stretches.sort_by(|a, b| a.range.low().total_cmp(&b.range.low()));
+        for Stretch { range, turned: own } in stretches {
+            let [low, high] = [
+                range.low().max(values.low()),
+                range.high().min(values.high()),
+            ];
+            let is_own = own.as_ref().is_none_or(|own| own == turned);
+            if !is_own || low > high || low == high && values.width() > 0.0 {
+                continue;
             }
-        })
+            let range = Interval::new(low, high);
+            match within.last_mut() {
+                Some(last) if last.turned == *own && last.range.high() == low => {
+                    last.range = last.range.hull(range);
+                }
+                _ => within.push(Stretch {
+                    range,
+                    turned: own.clone(),
+                }),
+            }
+        }
+        within
     }
 
-    fn are_those_of(&self, position: &Position<f64>) -> bool {
-        let start = &self.program.start;
-        let is_as_wanted = |watch: &Watch| {
-            let side = |position: &Position<f64>| position.state[watch.sine].is_sign_positive();
-            let stays = side(position) == side(start);
-            stays != self.turned.contains(&watch.block)
-        };
-        let mut watches = self.program.watches.iter();
-        watches.all(|watch| !self.crossing.contains(&watch.block) || is_as_wanted(watch))
+    /// Places within some values where these loops are turned: the start, and ends of parts of the way.
+    pub(super) fn places(&self, turned: &[BlockId], values: Interval) -> Vec<Vec<f64>> {
+        let parts = self.parts(turned, values);
+        let sure = parts.iter().filter(|part| part.turned.is_some());
+        let own = sure.flat_map(|part| [part.range.low(), part.range.high()]);
+        let ends = self.ends.iter();
+        let ends = ends.filter(|(value, own)| own == turned && values.contains(*value));
+        let all = own.chain(ends.map(|(value, _)| *value));
+        all.map(|value| {
+            let mut place = self.program.start.motors.clone();
+            place[self.motor] = value;
+            place
+        })
+        .collect()
     }
+
+    /// The loops that are turned at a place; nothing if the mechanism does not come there.
+    pub(super) fn turned_at(&self, place: &[f64]) -> Option<Vec<BlockId>> {
+        let value = place[self.motor];
+        let within = |stretch: &&Stretch| stretch.range.contains(value);
+        let mut told = self
+            .stretches
+            .iter()
+            .filter(within)
+            .filter_map(|stretch| stretch.turned.as_ref());
+        if let Some(turned) = told.next() {
+            return Some(turned.clone());
+        }
+        let mut machine = Machine::<f64>::new(self.program);
+        machine.move_to(place).ok()?;
+        Some(self.turned_in(machine.position()))
+    }
+
+    fn turned_in(&self, position: &Position<f64>) -> Vec<BlockId> {
+        turned_in(self.program, &self.crossing, position)
+    }
+}
+
+/// The turns of a motor after which all loops have their sides of the start again; nothing if that is not found.
+pub(super) fn turns_until_back(
+    program: &Program,
+    crossing: &[BlockId],
+    motor: usize,
+    turn: f64,
+) -> Option<f64> {
+    let mut machine = Machine::<f64>::new(program);
+    for turns in 1..=MOST_TURNS {
+        let mut values = program.start.motors.clone();
+        values[motor] += f64::from(turns) * turn;
+        machine.move_to(&values).ok()?;
+        if turned_in(program, crossing, machine.position()).is_empty() {
+            return Some(f64::from(turns));
+        }
+    }
+    None
+}
+
+/// The loops that are on the other side than at the start.
+fn turned_in(program: &Program, crossing: &[BlockId], position: &Position<f64>) -> Vec<BlockId> {
+    let side = |position: &Position<f64>, sine: usize| position.state[sine].is_sign_positive();
+    let is_turned = |block: &BlockId| {
+        let watches = program.watches.iter();
+        let mut own = watches.filter(|watch| watch.block == *block);
+        own.any(|watch| side(position, watch.sine) != side(&program.start, watch.sine))
+    };
+    crossing.iter().copied().filter(is_turned).collect()
 }

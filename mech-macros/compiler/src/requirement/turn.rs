@@ -1,10 +1,11 @@
 //! Whether a motor turns right round.
 
 use super::Proof;
-use super::domain::{round_of, unknowns};
+use super::domain::{points, round_of};
 use crate::certify::{Interval, Verdict, certify};
 use crate::compiled::Compiled;
 use crate::model::{Model, MotorId};
+use crate::motion::proof::unknowns;
 use crate::program::Value;
 use crate::structure::RequirementTrouble;
 
@@ -30,10 +31,8 @@ pub(super) fn prove(
     let Some(period) = round_of(model, program, (loops, number), &discriminants) else {
         return Err(RequirementTrouble::NoRange { motor });
     };
-    let stands = program.start.motors.iter().copied().map(Interval::point);
-    let stands: Vec<Interval> = stands.collect();
     for way in [0.5 * period, -0.5 * period] {
-        let mut ranges = stands.clone();
+        let mut ranges = points(&program.start.motors);
         ranges[number] = Interval::new(start, start + way);
         match certify(program, &ranges) {
             Verdict::Proved { .. } => {}
@@ -41,11 +40,11 @@ pub(super) fn prove(
                 return Err(RequirementTrouble::Stops {
                     motor,
                     limit: blocked.limit,
-                    unknowns: unknowns(compiled, program, blocked.block),
+                    unknowns: unknowns(&compiled.plan, program, blocked.block),
                 });
             }
             Verdict::NoClosedForm { block } => {
-                let unknowns = unknowns(compiled, program, block);
+                let unknowns = unknowns(&compiled.plan, program, block);
                 return Err(RequirementTrouble::Iterated { unknowns });
             }
             Verdict::Undecided { .. } => return Err(RequirementTrouble::TooHard),

@@ -12,7 +12,7 @@ use std::f64::consts::{PI, TAU};
 type Verdict = Result<bool, (Fault, String)>;
 
 /// Moves, as far as it goes; and why no farther.
-fn go<T: Real>(machine: &mut Machine<'_, T>, to: &[T]) -> Option<Stop> {
+fn move_to<T: Real>(machine: &mut Machine<'_, T>, to: &[T]) -> Option<Stop> {
     let stop = machine.move_to(to).err()?;
     let _ = machine.move_toward(to);
     Some(stop)
@@ -85,7 +85,7 @@ impl<'a> Trial<'a> {
         path: &mut Vec<f64>,
     ) -> bool {
         let (from, to) = (motors(machine)[0], T::from_f64(to));
-        let stop = go(machine, &[to]);
+        let stop = move_to(machine, &[to]);
         path.push(to.to_f64());
         let at = motors(machine)[0];
         let loose = 1.0 + at.abs();
@@ -199,7 +199,7 @@ impl<'a> Trial<'a> {
         let from = motors(machine);
         let to: Vec<f64> = goal.iter().map(|value| value.to_f64()).collect();
         let track = Track::of_move(self.judge, place, [&from, &to]);
-        let stop = go(machine, goal);
+        let stop = move_to(machine, goal);
         let ways = to.iter().zip(&from).map(|(to, from)| to - from);
         let longest = ways
             .enumerate()

@@ -1,13 +1,13 @@
 //! The names and numbers of a text with their places, for programs that change texts.
 
 mod query;
+mod requirement;
 mod shape;
 
 use super::ast::{
-    AxisValue, BetweenEnds, Clause, Color, ConditionExpr, Constant, Direction, Effect, Elastic,
-    End, Expect, Expr, ExprKind, Ground, Index, Item, Joint, JointWord, Link, LoadOn, Matter,
-    MatterKind, MeasuredExpr, Motor, Name, Pair, Part, Port, Shape, Size, SpotExpr, Start,
-    Statement, Text, Trace, Use,
+    AxisValue, BetweenEnds, Clause, Color, Constant, Direction, Effect, Elastic, End, Expr,
+    ExprKind, Ground, Index, Item, Joint, JointWord, Link, LoadOn, Matter, MatterKind, Motor, Name,
+    Pair, Part, Port, Shape, Size, Start, Statement, Text, Trace, Use,
 };
 use super::{Place, color};
 use proc_macro2::{Ident, Span};
@@ -333,63 +333,6 @@ impl Reader {
         self.number(owner, strength, &body.strength);
         let rest = body.rest.iter();
         rest.for_each(|rest| self.number(owner, "rest", rest));
-    }
-
-    fn expect(&mut self, expect: &Expect) {
-        match &expect.condition {
-            ConditionExpr::Compare {
-                sides: [first, second],
-                ..
-            } => {
-                self.number("expect", "first", first);
-                self.number("expect", "second", second);
-            }
-            ConditionExpr::Within(of, [low, high]) => {
-                self.number("expect", "first", of);
-                self.number("expect", "low", low);
-                self.number("expect", "high", high);
-            }
-            ConditionExpr::Turns(motor, _) => self.name(motor, Noun::Joint),
-        }
-        for case in &expect.cases {
-            self.name(&case.motor, Noun::Joint);
-            let roles = ["low", "high"].into_iter();
-            for (value, role) in case.values.iter().zip(roles) {
-                self.number(&in_words(&case.motor), role, value);
-            }
-        }
-    }
-
-    fn measured(&mut self, measured: &MeasuredExpr, literals: &mut Vec<Place>) {
-        match measured {
-            MeasuredExpr::Named(name) => {
-                self.name(name, Noun::BodyOrJoint);
-                if name.uses.is_empty() {
-                    // Or it is a constant.
-                    self.mention(Noun::Number, name.name.to_string(), false, name.span());
-                }
-            }
-            MeasuredExpr::Place(point, _) => self.end(point, Noun::Body),
-            MeasuredExpr::Transmission(joint) => self.name(joint, Noun::Joint),
-            MeasuredExpr::Angle(from, to) => {
-                self.name(from, Noun::Body);
-                if let Some(to) = to {
-                    self.name(to, Noun::Body);
-                }
-            }
-            MeasuredExpr::Distance(spots) => {
-                for spot in spots {
-                    match spot {
-                        SpotExpr::Axis(end) => self.end(end, Noun::Body),
-                        SpotExpr::At(place) => {
-                            self.leaves(&place.x, literals);
-                            self.leaves(&place.y, literals);
-                        }
-                    }
-                }
-            }
-            MeasuredExpr::Summary(_, _, of) => self.leaves(of, literals),
-        }
     }
 
     fn part(&mut self, part: &Part) {

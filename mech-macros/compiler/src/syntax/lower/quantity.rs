@@ -61,6 +61,15 @@ impl Quantity {
         }
     }
 
+    /// This number as a formula.
+    pub(super) fn as_formula(self, formulas: &mut Formulas) -> FormulaId {
+        match (self.formula, self.value) {
+            (Some(formula), _) => formula,
+            (None, Some(value)) => formulas.add(Formula::constant(value)),
+            (None, None) => bug!("a number has neither a value nor a formula"),
+        }
+    }
+
     fn combine(
         self,
         other: Self,
@@ -84,13 +93,7 @@ pub(super) fn as_formulas<const N: usize>(
     if all.iter().all(|quantity| quantity.formula.is_none()) {
         return None;
     }
-    Some(
-        all.map(|quantity| match (quantity.formula, quantity.value) {
-            (Some(formula), _) => formula,
-            (None, Some(value)) => formulas.add(Formula::constant(value)),
-            (None, None) => bug!("a number has neither a value nor a formula"),
-        }),
-    )
+    Some(all.map(|quantity| quantity.as_formula(formulas)))
 }
 
 /// The two numbers of a pair.

@@ -200,16 +200,10 @@ fn bounds(
     };
     let fixed_limits = others.iter().map(|limit| limit.value);
     let fixed_limits: Vec<Option<f64>> = fixed_limits.collect();
-    let formula =
-        |quantity: Quantity, formulas: &mut Formulas| match (quantity.formula, quantity.value) {
-            (Some(formula), _) => formula,
-            (None, Some(value)) => formulas.add(Formula::constant(value)),
-            (None, None) => bug!("a number has neither a value nor a formula"),
-        };
-    let subject_formula = formula(first, &mut formulas);
+    let subject_formula = first.as_formula(&mut formulas);
     let mut bounds = Vec::new();
     for (quantity, (_, is_upper)) in others.into_iter().zip(limits) {
-        let limit = formula(quantity, &mut formulas);
+        let limit = quantity.as_formula(&mut formulas);
         let margin = formulas.add(if *is_upper {
             Formula::Sub(limit, subject_formula)
         } else {

@@ -1,0 +1,64 @@
+//! The names and numbers of requirements.
+
+use super::{Noun, Reader, in_words};
+use crate::syntax::Place;
+use crate::syntax::ast::{ConditionExpr, Expect, MeasuredExpr, SpotExpr};
+
+impl Reader {
+    pub(super) fn expect(&mut self, expect: &Expect) {
+        match &expect.condition {
+            ConditionExpr::Compare {
+                sides: [first, second],
+                ..
+            } => {
+                self.number("expect", "first", first);
+                self.number("expect", "second", second);
+            }
+            ConditionExpr::Within(of, [low, high]) => {
+                self.number("expect", "first", of);
+                self.number("expect", "low", low);
+                self.number("expect", "high", high);
+            }
+            ConditionExpr::Turns(motor, _) => self.name(motor, Noun::Joint),
+        }
+        for case in &expect.cases {
+            self.name(&case.motor, Noun::Joint);
+            let roles = ["low", "high"].into_iter();
+            for (value, role) in case.values.iter().zip(roles) {
+                self.number(&in_words(&case.motor), role, value);
+            }
+        }
+    }
+
+    pub(super) fn measured(&mut self, measured: &MeasuredExpr, literals: &mut Vec<Place>) {
+        match measured {
+            MeasuredExpr::Named(name) => {
+                self.name(name, Noun::BodyOrJoint);
+                if name.uses.is_empty() {
+                    // Or it is a constant.
+                    self.mention(Noun::Number, name.name.to_string(), false, name.span());
+                }
+            }
+            MeasuredExpr::Place(point, _) => self.end(point, Noun::Body),
+            MeasuredExpr::Transmission(joint) => self.name(joint, Noun::Joint),
+            MeasuredExpr::Angle(from, to) => {
+                self.name(from, Noun::Body);
+                if let Some(to) = to {
+                    self.name(to, Noun::Body);
+                }
+            }
+            MeasuredExpr::Distance(spots) => {
+                for spot in spots {
+                    match spot {
+                        SpotExpr::Axis(end) => self.end(end, Noun::Body),
+                        SpotExpr::At(place) => {
+                            self.leaves(&place.x, literals);
+                            self.leaves(&place.y, literals);
+                        }
+                    }
+                }
+            }
+            MeasuredExpr::Summary(_, _, of) => self.leaves(of, literals),
+        }
+    }
+}
