@@ -12,6 +12,9 @@ use crate::structure::RequirementTrouble;
 /// A motor that has to make more turns than this until everything has turned as a whole needs a range.
 const MOST_TURNS: f64 = 64.0 * std::f64::consts::TAU;
 
+/// What does not come to an end within so many turns, or sizes of the mechanism, needs a range.
+const MOST_REACH: [f64; 2] = [4.0 * std::f64::consts::TAU, 64.0];
+
 /// The values of all motors, and which of them have a part.
 pub(super) struct Ranges {
     /// For each motor its values; a motor that has no part stands at its start.
@@ -71,6 +74,7 @@ pub(super) fn ranges(
         touching: None,
     };
     let loops = compiled.plan.loops().count();
+    let mut open = Vec::new();
     for number in ranges.motors.clone() {
         let motor = MotorId::new(number);
         let start = program.start.motors[number];
@@ -90,19 +94,33 @@ pub(super) fn ranges(
         }
         let period = round_of(model, &gauge.program, (loops, number), found);
         let Some(period) = period else {
-            return Err(RequirementTrouble::NoRange { motor });
+            // It may be stopped on both sides.
+            let [turns, sizes] = MOST_REACH;
+            let far = if is_turning(model, motor) {
+                turns
+            } else {
+                sizes * model.size()
+            };
+            ranges.all[number] = Interval::new(start - far, start + far);
+            open.push(number);
+            continue;
         };
         ranges.all[number] = Interval::point(start) + Interval::new(-0.5 * period, 0.5 * period);
         ranges.round.push(number);
     }
     hold_idle(&mut ranges, &tested, gauge, found);
+    open.retain(|motor| ranges.motors.contains(motor));
     let [motor] = ranges.motors[..] else {
+        if let Some(&motor) = open.first() {
+            let motor = MotorId::new(motor);
+            return Err(RequirementTrouble::NoRange { motor });
+        }
         if let Verdict::Proved { touching } = certify(program, &ranges.all) {
             ranges.touching = Some(touching);
         }
         return Ok(ranges);
     };
-    take_reach(&mut ranges, requirement, program, motor)?;
+    take_reach(&mut ranges, requirement, program, motor, !open.is_empty())?;
     Ok(ranges)
 }
 
@@ -168,8 +186,7 @@ pub(super) fn round_of(
     (loops, motor): (usize, usize),
     found: &[Value],
 ) -> Option<f64> {
-    let joint = model.motor(MotorId::new(motor)).joint;
-    if !matches!(model.joint(joint).kind, JointKind::Revolute(..)) {
+    if !is_turning(model, MotorId::new(motor)) {
         return None;
     }
     let domain = Domain::new(model, program, loops);
@@ -183,12 +200,20 @@ pub(super) fn round_of(
     period.filter(|period| *period < MOST_TURNS)
 }
 
-/// Narrows the values of the only motor that has a part to those that it can reach from the start.
+/// Whether a motor turns: it may go right round.
+fn is_turning(model: &Model, motor: MotorId) -> bool {
+    let joint = model.motor(motor).joint;
+    matches!(model.joint(joint).kind, JointKind::Revolute(..))
+}
+
+/// Narrows the values of the only motor that has a part to those that it can reach from the start. It may have to be stopped on both
+/// sides.
 fn take_reach(
     ranges: &mut Ranges,
     requirement: &Requirement,
     program: &Program,
     motor: usize,
+    must_stop: bool,
 ) -> Result<(), RequirementTrouble> {
     let start = program.start.motors[motor];
     let wanted = ranges.all[motor];
@@ -198,7 +223,7 @@ fn take_reach(
         let mut way = ranges.all.clone();
         way[motor] = Interval::new(start, *end);
         match certify(program, &way) {
-            Verdict::Proved { touching: own } => {
+            Verdict::Proved { touching: own } if !must_stop => {
                 if let Some(all) = &mut touching {
                     all.extend(&own);
                 }
@@ -219,6 +244,10 @@ fn take_reach(
                 *end = blocked.limit;
                 touching = None;
                 ranges.round.clear();
+            }
+            _ if must_stop => {
+                let motor = MotorId::new(motor);
+                return Err(RequirementTrouble::NoRange { motor });
             }
             _ => touching = None,
         }

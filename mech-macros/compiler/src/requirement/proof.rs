@@ -127,8 +127,7 @@ impl Case<'_> {
             let unknowns = self.unknowns(self.dyad);
             return Err(RequirementTrouble::NoDyad { unknowns });
         };
-        let mut found = gauge.formulas.clone();
-        found.extend(gauge.angles.iter().map(|angle| angle.beyond));
+        let mut found = needed(requirement, &gauge, (subject, bounds));
         found.sort_unstable();
         found.dedup();
         let mut ranges = ranges(model, compiled, requirement, &gauge, &found)?;
@@ -405,6 +404,24 @@ impl Case<'_> {
         });
         is_there.then_some(position)
     }
+}
+
+/// The values that have to be found for a requirement.
+fn needed(
+    requirement: &Requirement,
+    gauge: &Gauge,
+    (subject, bounds): (FormulaId, &[RequiredBound]),
+) -> Vec<Value> {
+    let summed = requirement.measured.iter();
+    let summed = summed.filter_map(|measured| match measured {
+        Measured::Summary(_, of) => Some(*of),
+        Measured::Quantity(_) => None,
+    });
+    let bounds = bounds.iter().flat_map(|bound| [bound.margin, bound.limit]);
+    let formulas = [subject].into_iter().chain(bounds).chain(summed);
+    let formulas = formulas.map(|formula| gauge.formulas[formula.index()]);
+    let angles = gauge.angles.iter().map(|angle| angle.beyond);
+    formulas.chain(angles).collect()
 }
 
 /// The motors that have a part, with their values at a place.

@@ -221,7 +221,7 @@ fn bounds(
     let kind = kinds[subject_formula.index()];
     for (number, ((limit, _), bound)) in limits.iter().zip(&bounds).enumerate() {
         check_kinds(reader, [subject, limit], [kind, kinds[bound.limit.index()]])?;
-        if kind == Kind::Angle
+        if kind.is_angle()
             && let Some(value) = fixed_limits[number]
             && is_degrees_perhaps(reader.report, limit, value)
         {
@@ -236,7 +236,7 @@ fn bounds(
         measured,
         condition: Condition::Bounds {
             subject: subject_formula,
-            is_angle: angles.contains(&Kind::Angle),
+            is_angle: angles.iter().any(|kind| kind.is_angle()),
             bounds,
         },
     })
@@ -283,6 +283,10 @@ enum Kind {
     Plain,
     Angle,
     Length,
+    /// An angle times a number, which may make it a length.
+    ScaledAngle,
+    /// A length times a number, which may make it an angle.
+    ScaledLength,
     /// The sum of an angle and a length.
     Mixed,
 }
@@ -292,8 +296,27 @@ impl Kind {
         match (self, other) {
             (Self::Plain, kind) | (kind, Self::Plain) => kind,
             (one, other) if one == other => one,
+            (Self::ScaledAngle | Self::ScaledLength, kind @ (Self::Angle | Self::Length))
+            | (kind @ (Self::Angle | Self::Length), Self::ScaledAngle | Self::ScaledLength) => kind,
+            (Self::ScaledAngle, Self::ScaledLength) | (Self::ScaledLength, Self::ScaledAngle) => {
+                Self::ScaledLength
+            }
             _ => Self::Mixed,
         }
+    }
+
+    /// This kind times a number.
+    fn scaled(self) -> Self {
+        match self {
+            Self::Angle => Self::ScaledAngle,
+            Self::Length => Self::ScaledLength,
+            kind => kind,
+        }
+    }
+
+    /// Whether it is told in degrees.
+    fn is_angle(self) -> bool {
+        matches!(self, Self::Angle | Self::ScaledAngle)
     }
 }
 
@@ -345,7 +368,7 @@ impl Arithmetic for Kinds {
     fn mul(&mut self, a: Kind, b: Kind) -> Kind {
         match (a, b) {
             (Kind::Mixed, _) | (_, Kind::Mixed) => Kind::Mixed,
-            (Kind::Plain, kind) | (kind, Kind::Plain) => kind,
+            (Kind::Plain, kind) | (kind, Kind::Plain) => kind.scaled(),
             _ => Kind::Plain,
         }
     }
@@ -353,7 +376,7 @@ impl Arithmetic for Kinds {
     fn div(&mut self, a: Kind, b: Kind) -> Kind {
         match (a, b) {
             (Kind::Mixed, _) | (_, Kind::Mixed) => Kind::Mixed,
-            (kind, Kind::Plain) => kind,
+            (kind, Kind::Plain) => kind.scaled(),
             _ => Kind::Plain,
         }
     }
@@ -390,8 +413,8 @@ fn check_kinds(reader: &mut Reader, sides: [&Expr; 2], kinds: [Kind; 2]) -> Opti
     let place = sides[0].place.to(sides[1].place);
     if kinds[0].and(kinds[1]) == Kind::Mixed {
         let word = |kind| match kind {
-            Kind::Angle => "an angle",
-            Kind::Length => "a length",
+            Kind::Angle | Kind::ScaledAngle => "an angle",
+            Kind::Length | Kind::ScaledLength => "a length",
             Kind::Plain => "a number",
             Kind::Mixed => "made from both an angle and a length",
         };
