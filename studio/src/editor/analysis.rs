@@ -11,6 +11,8 @@ use crate::document::{Document, Source};
 use crate::edit::Workspace;
 use crate::failure::Failure;
 use crate::mend::Mending;
+use crate::report::{Behaviour, Judged};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// A ghost: the mechanism as a repair would make it.
@@ -27,8 +29,8 @@ pub(super) struct Analysis {
     /// The snapshot of the present text; of an earlier text while the compiler works.
     pub(super) snapshot: Arc<Snapshot>,
     pub(super) repairs: Repairs,
-    /// What the mechanism does, as the lines of a report; none until it is measured.
-    pub(super) motion: Option<String>,
+    /// What the mechanism does; none until it is measured.
+    pub(super) behaviour: Option<Behaviour>,
     ghost: Option<Ghost>,
     /// The work that is done beside the window.
     pub(super) works: Vec<Work>,
@@ -50,7 +52,7 @@ impl Analysis {
             pending,
             snapshot: Arc::new(Snapshot::of(empty, workspace.index())),
             repairs: Repairs::Found(Vec::new()),
-            motion: None,
+            behaviour: None,
             ghost: None,
             works: Vec::new(),
             is_stopped: false,
@@ -71,6 +73,18 @@ impl Analysis {
             Repairs::Sought => &[],
             Repairs::Found(mendings) => mendings,
         }
+    }
+
+    /// What is expected of the mechanism and was not proved, with its place in the text.
+    pub(super) fn unmet(&self) -> impl Iterator<Item = (&Judged, Range<usize>)> {
+        let reading = self.snapshot.reading.as_deref();
+        let declared = reading.into_iter().flat_map(|reading| {
+            let all = reading.model.requirements.iter();
+            all.map(|requirement| reading.place(requirement.origin))
+        });
+        let judged = self.behaviour.iter();
+        let judged = judged.flat_map(|behaviour| &behaviour.requirements);
+        judged.zip(declared).filter(|(one, _)| !one.is_met)
     }
 
     pub(super) fn give(&mut self, task: Task) -> Result<(), Failure> {
@@ -95,7 +109,7 @@ impl Analysis {
             Some(_) => Repairs::Sought,
             None => Repairs::Found(Vec::new()),
         };
-        self.motion = None;
+        self.behaviour = None;
         self.ghost = None;
         self.is_stopped = false;
         self.snapshot = snapshot;

@@ -66,6 +66,16 @@ impl Playing {
         }
     }
 
+    /// The values of motors, by their numbers, as they are read: `a = 30°`.
+    pub(super) fn words_of(&self, place: &[(usize, f64)]) -> String {
+        let values = place.iter().filter_map(|&(motor, value)| {
+            let range = self.ranges.get(motor)?;
+            let unit = if range.turns { "°" } else { "" };
+            Some(format!("{} = {:.2}{unit}", range.name, range.shown(value)))
+        });
+        values.collect::<Vec<String>>().join(", ")
+    }
+
     /// Whether it is the mechanism of this text.
     pub(super) fn is_of(&self, snapshot: &Arc<Snapshot>) -> bool {
         let own = self.snapshot.as_ref();

@@ -174,6 +174,13 @@ impl Sight {
         }
     }
 
+    /// Moves motors, by their numbers, to values in radians or scene units, one after the other.
+    pub(super) fn scrub_to(&mut self, place: &[(usize, f64)]) {
+        for &(motor, value) in place {
+            self.scrub(motor, value);
+        }
+    }
+
     /// Sees everything.
     pub fn fit(&mut self) {
         self.camera = Camera::new(self.bounds(), self.camera.size());

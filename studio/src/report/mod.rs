@@ -9,6 +9,7 @@ use crate::failure::Failure;
 use four_bar::four_bars;
 use mech_compiler::Compiled;
 use mech_compiler::model::Model;
+pub(crate) use requirements::Judged;
 
 /// A mechanism with more joints is not measured for its report.
 const MOST_JOINTS: usize = 300;
@@ -18,10 +19,30 @@ pub(crate) fn report(model: &Model, compiled: &Compiled) -> Result<String, Failu
     let text = compiled.report.trim_end();
     let (name, solution) = text.split_once('\n').unwrap_or((text, ""));
     Ok(format!(
-        "{name}\n{}{}{solution}\n  legend    + additions, × multiplications, ÷ divisions, √ square roots, ≷ comparisons\n",
-        motion(model, compiled)?,
-        lines(requirements::lines(model, compiled)?)
+        "{name}\n{}{solution}\n  legend    + additions, × multiplications, ÷ divisions, √ square roots, ≷ comparisons\n",
+        Behaviour::of(model, compiled)?.lines
     ))
+}
+
+/// What a mechanism does, and whether it does what it is for.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct Behaviour {
+    /// The lines of a report.
+    pub(crate) lines: String,
+    /// What is expected of it, in the order of declaration.
+    pub(crate) requirements: Vec<Judged>,
+}
+
+impl Behaviour {
+    pub(crate) fn of(model: &Model, compiled: &Compiled) -> Result<Self, Failure> {
+        let motion = motion(model, compiled)?;
+        let requirements = requirements::judged(model, compiled)?;
+        Ok(Self {
+            lines: motion + &lines(requirements::lines(&requirements)),
+            requirements,
+        })
+    }
 }
 
 /// How far each motor goes, and what ends it, if that is soon known: not of a large mechanism, nor where loops are solved together.
@@ -34,7 +55,7 @@ pub(crate) fn ranges(model: &Model, compiled: &Compiled) -> Result<Vec<String>, 
 }
 
 /// What it does, as the lines of a report.
-pub(crate) fn motion(model: &Model, compiled: &Compiled) -> Result<String, Failure> {
+fn motion(model: &Model, compiled: &Compiled) -> Result<String, Failure> {
     if model.joints.len() > MOST_JOINTS {
         return Ok(format!(
             "  motion    not measured, as there are more than {MOST_JOINTS} joints; ask `mech table --summary`\n"

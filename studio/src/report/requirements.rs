@@ -3,24 +3,67 @@
 use crate::failure::Failure;
 use mech_compiler::model::Model;
 use mech_compiler::requirement::{Proof, judge};
+use mech_compiler::structure::{Diagnosis, RequirementTrouble};
 use mech_compiler::{Compiled, catch, reporter};
 
-/// Each requirement, as a line of a report: a label and a text.
-pub(super) fn lines(model: &Model, compiled: &Compiled) -> Result<Vec<(String, String)>, Failure> {
+/// A requirement, and what was found out about it.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct Judged {
+    /// The condition as it was written.
+    pub(crate) written: String,
+    /// How it was proved, or what is wrong with it, in words.
+    pub(crate) text: String,
+    /// Whether it was proved.
+    pub(crate) is_met: bool,
+    /// The places where it does not hold: motors, by their numbers, with their values in radians or scene units.
+    pub(crate) places: Vec<Vec<(usize, f64)>>,
+}
+
+/// Judges what is expected of a mechanism.
+pub(super) fn judged(model: &Model, compiled: &Compiled) -> Result<Vec<Judged>, Failure> {
     let judged = catch(|| judge(model, compiled)).map_err(Failure::internal)?;
     let requirements = model.requirements.iter().zip(judged);
-    let lines = requirements.map(|(requirement, judged)| {
-        let text = match judged {
-            Ok(Proof { effort: 0 }) => format!("`{}`: proved", requirement.written),
-            Ok(Proof { effort }) => {
-                format!("`{}`: proved, by {effort} intervals", requirement.written)
-            }
-            Err(unmet) => {
-                let text = reporter::text(&unmet, model);
-                text.lines().next().unwrap_or_default().to_owned()
-            }
+    let judged = requirements.map(|(requirement, judged)| Judged {
+        written: requirement.written.clone(),
+        is_met: judged.is_ok(),
+        text: match &judged {
+            Ok(Proof { effort: 0 }) => "proved".to_owned(),
+            Ok(Proof { effort }) => format!("proved, by {effort} intervals"),
+            Err(unmet) => reporter::text(unmet, model),
+        },
+        places: judged.err().as_ref().map_or(Vec::new(), places),
+    });
+    Ok(judged.collect())
+}
+
+/// Each requirement, as a line of a report: a label and a text.
+pub(super) fn lines(judged: &[Judged]) -> Vec<(String, String)> {
+    let lines = judged.iter().map(|one| {
+        let text = one.text.lines().next().unwrap_or_default();
+        let text = if one.is_met {
+            format!("`{}`: {text}", one.written)
+        } else {
+            text.to_owned()
         };
         ("expects".to_owned(), text)
     });
-    Ok(lines.collect())
+    lines.collect()
+}
+
+fn places(unmet: &Diagnosis) -> Vec<Vec<(usize, f64)>> {
+    let Diagnosis::Unmet {
+        trouble: RequirementTrouble::Fails(witness),
+        ..
+    } = unmet
+    else {
+        return Vec::new();
+    };
+    let place = |place: &Vec<_>| {
+        let motors = place.iter();
+        motors
+            .map(|(motor, value): &(mech_compiler::model::MotorId, f64)| (motor.index(), *value))
+            .collect()
+    };
+    witness.places.iter().map(place).collect()
 }

@@ -3,6 +3,7 @@
 mod keys;
 mod paint;
 mod picture;
+mod witness;
 
 use super::drawing::{Drawing, Handle, Hit};
 use super::index::HandleKind;
@@ -14,6 +15,7 @@ use eframe::egui::{self, PointerButton, Pos2, Rect, Response, Role, Sense, Vec2,
 use keys::step_by_keys;
 use paint::Paint;
 use picture::Picture;
+use witness::on_witnesses;
 
 #[derive(Default)]
 pub(super) struct Canvas {
@@ -90,6 +92,7 @@ impl Canvas {
         for handle in handles.clone() {
             self.on_handle(editor, handle, &shown, ui, &mut hovered);
         }
+        on_witnesses(editor, &shown, ui);
         let under_text = editor.selection.under_text.clone();
         editor.selection.hovered = hovered.or(under_text);
         Paint {

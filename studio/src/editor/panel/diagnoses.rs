@@ -1,34 +1,30 @@
 //! The panel of diagnoses: the compiler's messages, and the repairs.
 
+use crate::document::Message;
 use crate::edit::Command;
 use crate::editor::Editor;
+use crate::editor::snapshot::Snapshot;
 use crate::mend::Remainder;
 use eframe::egui;
+use std::ops::Range;
 
 /// Shows the messages, and the repairs as buttons.
 pub(in crate::editor) fn diagnoses(editor: &mut Editor, ui: &mut egui::Ui) {
     let snapshot = editor.analysis.snapshot.clone();
-    let (messages, source) = (snapshot.messages(), snapshot.document.source());
+    let messages = snapshot.messages();
     let mut chosen = None;
+    let mut shown = None;
     let mut hovered = None;
     egui::ScrollArea::vertical()
         .auto_shrink(false)
         .show(ui, |ui| {
             if messages.is_empty() {
                 ui.label(snapshot.verdict());
+                shown = unmet(editor, ui);
                 return;
             }
-            for message in messages {
-                let mut lines = message.text.lines();
-                let first = lines.next().unwrap_or_default();
-                let spot = source.spot(message.place.start);
-                ui.horizontal_wrapped(|ui| {
-                    ui.colored_label(ui.visuals().error_fg_color, first);
-                    ui.weak(format!("line {}", spot.line));
-                });
-                for line in lines.filter(|line| !line.trim().is_empty()) {
-                    ui.label(line.trim());
-                }
+            for Message { place, text } in messages {
+                fault(text, line_of(&snapshot, place), ui);
                 ui.separator();
             }
             if editor.analysis.is_mending() {
@@ -57,6 +53,43 @@ pub(in crate::editor) fn diagnoses(editor: &mut Editor, ui: &mut egui::Ui) {
     if let Some(number) = chosen {
         mend(editor, number);
     }
+    if let Some(place) = shown {
+        editor.sight.scrub_to(&place);
+    }
+}
+
+/// What is wrong, and on which line.
+fn fault(text: &str, line: usize, ui: &mut egui::Ui) {
+    let mut lines = text.lines();
+    let first = lines.next().unwrap_or_default();
+    ui.horizontal_wrapped(|ui| {
+        ui.colored_label(ui.visuals().error_fg_color, first);
+        ui.weak(format!("line {line}"));
+    });
+    for line in lines.filter(|line| !line.trim().is_empty()) {
+        ui.label(line.trim());
+    }
+}
+
+fn line_of(snapshot: &Snapshot, place: &Range<usize>) -> usize {
+    snapshot.document.source().spot(place.start).line
+}
+
+/// What is expected and was not proved. Gives a place where it does not hold that the user wants to see.
+fn unmet(editor: &Editor, ui: &mut egui::Ui) -> Option<Vec<(usize, f64)>> {
+    let mut wanted = None;
+    for (judged, place) in editor.analysis.unmet() {
+        fault(&judged.text, line_of(&editor.analysis.snapshot, &place), ui);
+        for place in &judged.places {
+            let text = format!("Show {}", editor.sight.playing.words_of(place));
+            let button = ui.button(text).on_hover_text("moves the motors there");
+            if button.clicked() {
+                wanted = Some(place.clone());
+            }
+        }
+        ui.separator();
+    }
+    wanted
 }
 
 /// Makes a repair, by its number from 1.

@@ -51,7 +51,8 @@ impl Panels {
 
 /// The names of all panels, to choose one.
 fn tabs(editor: &mut Editor, is_narrow: bool, ui: &mut egui::Ui) {
-    let count = editor.analysis.snapshot.messages().len();
+    let analysis = &editor.analysis;
+    let count = analysis.snapshot.messages().len() + analysis.unmet().count();
     ui.horizontal_wrapped(|ui| {
         for panel in Panel::ALL {
             let name = match panel {

@@ -21,8 +21,11 @@ pub(in crate::editor) fn report(analysis: &Analysis, ui: &mut egui::Ui) {
                     .default_open(true)
                     .show(ui, |ui| show(ui));
             };
-            part(ui, "What it does", &mut |ui| match &analysis.motion {
-                Some(lines) => lines.lines().for_each(|line| motion_line(line, ui)),
+            part(ui, "What it does", &mut |ui| match &analysis.behaviour {
+                Some(behaviour) => behaviour
+                    .lines
+                    .lines()
+                    .for_each(|line| motion_line(line, ui)),
                 None => {
                     ui.weak("It is measured.");
                 }

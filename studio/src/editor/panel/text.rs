@@ -222,13 +222,15 @@ fn pieces(text: &str, range: Range<usize>, marks: &Marks) -> Vec<Range<usize>> {
 fn marks(editor: &Editor) -> Marks {
     let snapshot = &editor.analysis.snapshot;
     let messages = snapshot.messages().iter();
+    let messages = messages.map(|message| message.place.clone());
+    let unmet = editor.analysis.unmet().map(|(_, place)| place);
     let places = |item| match editor.sight.drag {
         Drag::Nothing => places_of(item, &snapshot.listing),
         _ => Vec::new(),
     };
     let Selection { items, hovered, .. } = &editor.selection;
     Marks {
-        wrong: messages.map(|message| message.place.clone()).collect(),
+        wrong: messages.chain(unmet).collect(),
         selected: items.iter().flat_map(places).collect(),
         hovered: hovered.iter().flat_map(places).collect(),
     }

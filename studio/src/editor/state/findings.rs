@@ -204,7 +204,7 @@ impl Editor {
             Finding::Reported(snapshot, found) => {
                 if Arc::ptr_eq(&snapshot, &self.analysis.snapshot) {
                     match found {
-                        Ok(motion) => self.analysis.motion = Some(motion),
+                        Ok(behaviour) => self.analysis.behaviour = Some(behaviour),
                         Err(failure) => self.talk.refuse(failure),
                     }
                 }

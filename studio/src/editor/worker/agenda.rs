@@ -5,7 +5,7 @@ use crate::dialogue::{Session, hear};
 use crate::edit::{Drag, Workspace, apply_all};
 use crate::editor::curves::Curves;
 use crate::editor::snapshot::Snapshot;
-use crate::report::motion;
+use crate::report::Behaviour;
 use mech_compiler::catch;
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -149,7 +149,7 @@ impl Agenda {
             }
             Task::Of(snapshot, Use::Report) => {
                 let (model, compiled) = snapshot.moving()?;
-                let found = motion(model, compiled);
+                let found = Behaviour::of(model, compiled);
                 Finding::Reported(snapshot, found)
             }
         })

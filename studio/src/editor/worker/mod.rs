@@ -31,6 +31,7 @@ use crate::failure::Failure;
 use crate::job::Measure;
 use crate::mend::Mending;
 use crate::play::Derived;
+use crate::report::Behaviour;
 use mech_compiler::Compiled;
 use std::collections::{BTreeSet, VecDeque};
 use std::sync::Arc;
@@ -89,7 +90,7 @@ pub(super) enum Use {
     Move,
     /// Its repairs are looked for.
     Mend,
-    /// What its mechanism does is measured for the report.
+    /// What its mechanism does is measured for the report, and what is expected of it is proved.
     Report,
 }
 
@@ -123,9 +124,9 @@ pub(super) enum Finding {
     Moves(Arc<Snapshot>, Box<Result<Played, Failure>>),
     #[cfg_attr(feature = "transfer", serde(skip))]
     Mended(Arc<Snapshot>, Result<Vec<Mending>, Failure>),
-    /// What the mechanism of a snapshot does, as the lines of a report.
+    /// What the mechanism of a snapshot does.
     #[cfg_attr(feature = "transfer", serde(skip))]
-    Reported(Arc<Snapshot>, Result<String, Failure>),
+    Reported(Arc<Snapshot>, Result<Behaviour, Failure>),
     #[cfg_attr(feature = "transfer", serde(skip))]
     Measured(Box<Curves>),
     /// A note on the written file, or why nothing was written.

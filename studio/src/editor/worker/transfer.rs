@@ -12,6 +12,7 @@ use crate::job::Measure;
 use crate::mend::Mending;
 use crate::play::{Mechanism, Prepared};
 use crate::quantity::Table;
+use crate::report::Behaviour;
 use crate::text::Replacement;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -44,7 +45,7 @@ pub(super) enum Reply {
     Read(u64, Arc<Snapshot>),
     Moves(u64, Result<Box<SentPlayed>, Failure>),
     Mended(u64, Result<Vec<Mending>, Failure>),
-    Reported(u64, Result<String, Failure>),
+    Reported(u64, Result<Behaviour, Failure>),
     Measured(u64, Measure, Result<Table, Failure>, Vec<Failure>),
 }
 

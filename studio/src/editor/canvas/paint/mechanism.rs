@@ -3,10 +3,11 @@
 use super::Paint;
 use super::handle::PIN;
 use crate::editor::Item;
+use crate::editor::canvas::witness::on_arc;
 use crate::editor::colors::distinct;
 use crate::editor::drawing::Drawing;
 use crate::motion::Basis;
-use eframe::egui::{self, Color32, Painter, Pos2, Stroke, Vec2};
+use eframe::egui::{self, Color32, Painter, Pos2, Stroke};
 use mech_compiler::model::{LinkId, ShapeKind};
 
 impl Paint<'_> {
@@ -138,9 +139,7 @@ impl Paint<'_> {
             let [low, high] = range.ends;
             let point = |part: u32| {
                 let angle = low + (high - low) * f64::from(part) / 64.0;
-                #[expect(clippy::cast_possible_truncation, reason = "a direction")]
-                let [cos, sin] = [angle.cos(), angle.sin()].map(|part| part as f32);
-                center + 20.0 * Vec2::new(cos, -sin)
+                on_arc(center, angle)
             };
             let green = Color32::from_rgb(30, 150, 60);
             let width = if range.basis == Basis::Declared {

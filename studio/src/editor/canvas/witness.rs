@@ -1,0 +1,80 @@
+//! Marks where a mechanism does not do what is expected of it: red, on the arcs of motors that turn.
+
+use super::{Shown, area};
+use crate::editor::Editor;
+use eframe::egui::{self, Color32, Pos2, Role, Sense, Shape, Stroke, Vec2, WidgetInfo};
+
+/// The radius of the arc that a motor's range is, in pixels.
+const ARC: f32 = 20.0;
+
+/// A mark reaches so far to both sides, in radians.
+const HALF: f64 = 0.1;
+
+/// A mark on the arc of a motor.
+struct Mark {
+    center: Pos2,
+    /// The value of the motor, in radians.
+    angle: f64,
+    place: Vec<(usize, f64)>,
+    /// What does not hold there.
+    text: String,
+}
+
+/// Shows all marks. A click on one moves the motors there.
+pub(super) fn on_witnesses(editor: &mut Editor, shown: &Shown, ui: &egui::Ui) {
+    let marks = marks(editor, shown);
+    let red = Color32::from_rgb(210, 40, 30);
+    for (number, mark) in marks.into_iter().enumerate() {
+        let place = on_arc(mark.center, mark.angle);
+        let response = ui.interact(
+            area(place, ui),
+            ui.scope_id().with(("witness", number)),
+            Sense::click(),
+        );
+        let label = format!("Fails at {}", editor.sight.playing.words_of(&mark.place));
+        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &label));
+        let painter = ui.painter().with_clip_rect(shown.rect);
+        let parts = (-4..=4).map(|part| mark.angle + HALF * f64::from(part) / 4.0);
+        let points = parts.map(|angle| on_arc(mark.center, angle)).collect();
+        painter.add(Shape::line(points, Stroke::new(4.0, red)));
+        painter.circle_filled(place, 4.0, red);
+        if response
+            .on_hover_text(format!("{}\n{label}", mark.text))
+            .clicked()
+        {
+            editor.sight.scrub_to(&mark.place);
+        }
+    }
+}
+
+fn marks(editor: &Editor, shown: &Shown) -> Vec<Mark> {
+    let mut marks = Vec::new();
+    let Some(drawing) = editor.sight.seen_drawing() else {
+        return marks;
+    };
+    for (judged, _) in editor.analysis.unmet() {
+        for place in &judged.places {
+            for &(motor, value) in place {
+                let range = editor.sight.playing.ranges.get(motor);
+                let range = range.filter(|range| range.turns);
+                let center = range
+                    .and_then(|range| drawing.joint(&range.name))
+                    .and_then(|joint| drawing.axis_of_joint(joint));
+                marks.extend(center.map(|axis| Mark {
+                    center: shown.pixel(drawing.place(axis)),
+                    angle: value,
+                    place: place.clone(),
+                    text: judged.text.lines().next().unwrap_or_default().to_owned(),
+                }));
+            }
+        }
+    }
+    marks
+}
+
+/// A place on the arc of a motor, by its angle in radians.
+pub(super) fn on_arc(center: Pos2, angle: f64) -> Pos2 {
+    #[expect(clippy::cast_possible_truncation, reason = "a direction")]
+    let [cos, sin] = [angle.cos(), angle.sin()].map(|part| part as f32);
+    center + ARC * Vec2::new(cos, -sin)
+}
