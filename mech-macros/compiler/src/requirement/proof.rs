@@ -149,12 +149,17 @@ impl Case<'_> {
         }
         let way = self.way(&mut ranges, &crossing)?;
         let way = way.as_ref();
-        let mut all = subsets(&crossing);
-        all.retain(|turned| way.is_none_or(|way| way.comes_to(turned)));
-        let each = BUDGET / all.len();
-        let searches = all
+        let (lasting, passing): (Vec<_>, Vec<_>) = subsets(&crossing)
             .into_iter()
-            .map(|turned| Search::new(&gauge, &ranges, &found, way, turned, each));
+            .partition(|turned| way.is_none_or(|way| way.comes_to(turned)));
+        // Where loops go over to their other side, little is to be looked through.
+        let passing = passing.into_iter();
+        let passing = passing.filter(|turned| way.is_some_and(|way| way.passes(turned)));
+        let each = BUDGET / lasting.len().max(1);
+        let lasting = lasting.into_iter().map(|turned| (turned, each));
+        let all = lasting.chain(passing.map(|turned| (turned, BUDGET / 16)));
+        let searches =
+            all.map(|(turned, budget)| Search::new(&gauge, &ranges, &found, way, turned, budget));
         let mut searches: Vec<Search<'_>> = searches.collect();
         let field = Field {
             gauge: &gauge,
@@ -162,8 +167,7 @@ impl Case<'_> {
             ranges: &ranges,
         };
         self.prove_on_all(&field, &mut searches, (subject, bounds))?;
-        let spent = searches.iter().map(|search| each - search.left());
-        Ok(spent.sum())
+        Ok(searches.iter().map(Search::spent).sum())
     }
 
     /// The way of the only motor that has a part, if loops change their side on it. A motor that goes round gets as many turns as it

@@ -2,7 +2,7 @@
 
 use super::bound::Bound;
 use super::domain::{Ranges, points};
-use super::sides::{Stretch, Way};
+use super::sides::{Stretch, Way, spread};
 use crate::certify::{Enclosure, Interval, Sight};
 use crate::evaluate::Machine;
 use crate::program::{BlockId, Gauge, Position, Value, computing};
@@ -63,6 +63,7 @@ pub(super) struct Search<'a> {
     start: Rc<Frame>,
     /// The frames on the way.
     known: Vec<Rc<Frame>>,
+    budget: usize,
     left: usize,
 }
 
@@ -88,7 +89,7 @@ impl<'a> Search<'a> {
         found: &'a [Value],
         way: Option<&'a Way<'a>>,
         turned: Vec<BlockId>,
-        left: usize,
+        budget: usize,
     ) -> Self {
         let position = &gauge.program.start;
         let references = gauge.angles.iter();
@@ -108,13 +109,19 @@ impl<'a> Search<'a> {
             enclosures: Vec::new(),
             start: Rc::new(start),
             known: Vec::new(),
-            left,
+            budget,
+            left: budget,
         }
     }
 
     /// The intervals that may still be computed.
     pub(super) fn left(&self) -> usize {
         self.left
+    }
+
+    /// The intervals that were computed.
+    pub(super) fn spent(&self) -> usize {
+        self.budget - self.left
     }
 
     /// Puts in a number that sums up the motion.
@@ -214,28 +221,22 @@ impl<'a> Search<'a> {
     /// loops have there, and those to which they may go over.
     fn is_cut(&mut self, place: &[Interval], frame: &Frame) -> Option<bool> {
         let crossing = self.sided().map_or(&[][..], Way::crossing);
-        let mut sides = vec![frame.turned.clone()];
-        let mut looked = 0;
-        while let Some(turned) = sides.get(looked).cloned() {
-            looked += 1;
-            let (sight, is_cut, enclosure) = self.run(place, frame, &turned)?;
+        let (mut any_cut, mut is_paid) = (false, true);
+        spread(&frame.turned, |turned| {
+            let Some((sight, is_cut, enclosure)) = self.run(place, frame, turned) else {
+                is_paid = false;
+                return Vec::new();
+            };
             if sight == Sight::Blocked {
-                continue;
+                return Vec::new();
             }
-            if is_cut {
-                return Some(true);
-            }
-            let touching = crossing
-                .iter()
-                .filter(|block| !enclosure.is_clear(&[**block]));
-            for block in touching {
-                let over = with_turned(&turned, *block);
-                if !sides.contains(&over) {
-                    sides.push(over);
-                }
-            }
-        }
-        Some(false)
+            any_cut |= is_cut;
+            let touching = crossing.iter().copied();
+            touching
+                .filter(|block| !enclosure.is_clear(&[*block]))
+                .collect()
+        });
+        is_paid.then_some(any_cut)
     }
 
     /// A frame that is valid at a place: angles are followed from where another one is.
@@ -423,13 +424,10 @@ impl<'a> Search<'a> {
             }];
         };
         let stretches = way.parts(&self.turned, all[motor]).into_iter();
-        let parts = stretches.map(|Stretch { range, turned }| {
+        let parts = stretches.map(|Stretch { range, is_sure, .. }| {
             let mut place = all.clone();
             place[motor] = range;
-            Part {
-                place,
-                is_sure: turned.is_some(),
-            }
+            Part { place, is_sure }
         });
         parts.collect()
     }
@@ -520,17 +518,6 @@ impl<'a> Search<'a> {
 fn quarters(angles: &[f64]) -> Vec<f64> {
     let quarter = |angle: &f64| (angle / FRAC_PI_2).round() * FRAC_PI_2;
     angles.iter().map(quarter).collect()
-}
-
-/// The turned loops after this one went over to its other side.
-fn with_turned(turned: &[BlockId], block: BlockId) -> Vec<BlockId> {
-    let others = turned.iter().copied().filter(|other| *other != block);
-    let mut after: Vec<BlockId> = others.collect();
-    if after.len() == turned.len() {
-        after.push(block);
-    }
-    after.sort_unstable();
-    after
 }
 
 /// A part of all values.

@@ -1,5 +1,6 @@
 //! The sides of loops that pass change points, along the way of the only motor that has a part.
 
+use crate::bug::bug;
 use crate::certify::{Enclosure, Interval};
 use crate::evaluate::Machine;
 use crate::program::{BlockId, Position, Program, Value};
@@ -25,11 +26,50 @@ pub(super) fn subsets(loops: &[BlockId]) -> Vec<Vec<BlockId>> {
     all
 }
 
+/// All sides to which loops may go over from these on, as those that are turned. `touching` gives the loops that may change their side,
+/// if some are turned.
+pub(super) fn spread(
+    from: &[BlockId],
+    mut touching: impl FnMut(&[BlockId]) -> Vec<BlockId>,
+) -> Vec<Vec<BlockId>> {
+    let mut all = vec![from.to_vec()];
+    let mut looked = 0;
+    while let Some(turned) = all.get(looked).cloned() {
+        looked += 1;
+        for block in touching(&turned) {
+            let over = with_turned(&turned, block);
+            if !all.contains(&over) {
+                all.push(over);
+            }
+        }
+    }
+    all
+}
+
+/// The turned loops after this one went over to its other side.
+fn with_turned(turned: &[BlockId], block: BlockId) -> Vec<BlockId> {
+    let others = turned.iter().copied().filter(|other| *other != block);
+    let mut after: Vec<BlockId> = others.collect();
+    if after.len() == turned.len() {
+        after.push(block);
+    }
+    after.sort_unstable();
+    after
+}
+
 /// A part of the way.
 pub(super) struct Stretch {
     pub(super) range: Interval,
-    /// The loops that are on the other side than at the start, all along it; nothing where loops may change their side.
-    pub(super) turned: Option<Vec<BlockId>>,
+    /// The sides that loops may have there: for each those that are turned.
+    sides: Vec<Vec<BlockId>>,
+    /// Whether they certainly have the only ones.
+    pub(super) is_sure: bool,
+}
+
+impl Stretch {
+    fn has(&self, turned: &[BlockId]) -> bool {
+        self.sides.iter().any(|own| own == turned)
+    }
 }
 
 /// The way of a motor from the start to both ends of its values, while all others stand.
@@ -90,9 +130,18 @@ impl<'p> Way<'p> {
             let turned = self.turned_in(&before);
             let range = Interval::new(before.motors[motor], next);
             place[motor] = range;
-            let (_, enclosure) = sides.iter_mut().find(|(own, _)| *own == turned)?;
-            enclosure.run(&place);
-            let is_clear = enclosure.is_clear(&self.crossing);
+            let mut within = spread(&turned, |turned| {
+                let (_, enclosure) = sides
+                    .iter_mut()
+                    .find(|(own, _)| own == turned)
+                    .unwrap_or_else(|| bug!("loops have sides that they cannot have"));
+                enclosure.run(&place);
+                let touching = self.crossing.iter().copied();
+                touching
+                    .filter(|block| !enclosure.is_clear(&[*block]))
+                    .collect()
+            });
+            let is_clear = within.len() == 1;
             let middle = range.middle();
             let can_be_cut =
                 range.width() > narrow && range.low() < middle && middle < range.high();
@@ -103,28 +152,29 @@ impl<'p> Way<'p> {
             let mut values = before.motors.clone();
             values[motor] = next;
             let has_come = machine.move_to(&values).is_ok();
+            let after = self.turned_in(machine.position());
+            let is_sure = has_come && is_clear && after == turned;
+            if has_come && is_clear && !is_sure && can_be_cut {
+                machine.put_back(before);
+                waiting.extend([next, middle]);
+                continue;
+            }
             if has_come {
-                let after = self.turned_in(machine.position());
-                let stays = is_clear && after == turned;
-                if is_clear && !stays && can_be_cut {
-                    machine.put_back(before);
-                    waiting.extend([next, middle]);
-                    continue;
-                }
                 if waiting.is_empty() {
-                    self.ends.push((next, after));
+                    self.ends.push((next, after.clone()));
                 }
-                let turned = stays.then_some(turned);
-                self.stretches.push(Stretch { range, turned });
-            } else if !is_clear && waiting.is_empty() {
-                // The end is a dead point, but for rounding.
-                self.stretches.push(Stretch {
-                    range,
-                    turned: None,
-                });
-            } else {
+                if !within.contains(&after) {
+                    within.push(after);
+                }
+            } else if is_clear || !waiting.is_empty() {
+                // The end may be a dead point, but for rounding; nothing else stops it.
                 return None;
             }
+            self.stretches.push(Stretch {
+                range,
+                sides: within,
+                is_sure,
+            });
         }
         Some(())
     }
@@ -134,12 +184,16 @@ impl<'p> Way<'p> {
         &self.crossing
     }
 
-    /// Whether these loops, and no others, are turned at some place.
+    /// Whether these loops, and no others, are turned on some part of the way, or at one of its ends.
     pub(super) fn comes_to(&self, turned: &[BlockId]) -> bool {
-        let mut stretches = self.stretches.iter();
+        let mut sure = self.stretches.iter().filter(|stretch| stretch.is_sure);
         let mut ends = self.ends.iter();
-        stretches.any(|stretch| stretch.turned.as_deref() == Some(turned))
-            || ends.any(|(_, own)| own == turned)
+        sure.any(|stretch| stretch.has(turned)) || ends.any(|(_, own)| own == turned)
+    }
+
+    /// Whether these loops, and no others, may be turned where loops change their side.
+    pub(super) fn passes(&self, turned: &[BlockId]) -> bool {
+        self.stretches.iter().any(|stretch| stretch.has(turned))
     }
 
     /// The parts of some values where these loops are turned, or may be: those that are next to each other are put together.
@@ -147,23 +201,24 @@ impl<'p> Way<'p> {
         let mut within: Vec<Stretch> = Vec::new();
         let mut stretches: Vec<&Stretch> = self.stretches.iter().collect();
         stretches.sort_by(|a, b| a.range.low().total_cmp(&b.range.low()));
-        for Stretch { range, turned: own } in stretches {
+        for stretch in stretches.into_iter().filter(|stretch| stretch.has(turned)) {
+            let Stretch { range, is_sure, .. } = stretch;
             let [low, high] = [
                 range.low().max(values.low()),
                 range.high().min(values.high()),
             ];
-            let is_own = own.as_ref().is_none_or(|own| own == turned);
-            if !is_own || low > high || low == high && values.width() > 0.0 {
+            if low > high || low == high && values.width() > 0.0 {
                 continue;
             }
             let range = Interval::new(low, high);
             match within.last_mut() {
-                Some(last) if last.turned == *own && last.range.high() == low => {
+                Some(last) if last.is_sure == *is_sure && last.range.high() == low => {
                     last.range = last.range.hull(range);
                 }
                 _ => within.push(Stretch {
                     range,
-                    turned: own.clone(),
+                    sides: vec![turned.to_vec()],
+                    is_sure: *is_sure,
                 }),
             }
         }
@@ -173,7 +228,7 @@ impl<'p> Way<'p> {
     /// Places within some values where these loops are turned: the start, and ends of parts of the way.
     pub(super) fn places(&self, turned: &[BlockId], values: Interval) -> Vec<Vec<f64>> {
         let parts = self.parts(turned, values);
-        let sure = parts.iter().filter(|part| part.turned.is_some());
+        let sure = parts.iter().filter(|part| part.is_sure);
         let own = sure.flat_map(|part| [part.range.low(), part.range.high()]);
         let ends = self.ends.iter();
         let ends = ends.filter(|(value, own)| own == turned && values.contains(*value));
@@ -189,14 +244,9 @@ impl<'p> Way<'p> {
     /// The loops that are turned at a place; nothing if the mechanism does not come there.
     pub(super) fn turned_at(&self, place: &[f64]) -> Option<Vec<BlockId>> {
         let value = place[self.motor];
-        let within = |stretch: &&Stretch| stretch.range.contains(value);
-        let mut told = self
-            .stretches
-            .iter()
-            .filter(within)
-            .filter_map(|stretch| stretch.turned.as_ref());
-        if let Some(turned) = told.next() {
-            return Some(turned.clone());
+        let mut sure = self.stretches.iter().filter(|stretch| stretch.is_sure);
+        if let Some(stretch) = sure.find(|stretch| stretch.range.contains(value)) {
+            return stretch.sides.first().cloned();
         }
         let mut machine = Machine::<f64>::new(self.program);
         machine.move_to(place).ok()?;
