@@ -2,10 +2,11 @@
 
 use crate::compile::compile;
 use crate::compiled::Compiled;
-use crate::repair::{self, Offers};
+use crate::model::Model;
+use crate::repair::{self, Offers, Repair};
 use crate::reporter;
 use crate::requirement;
-use crate::structure::Diagnosis;
+use crate::structure::{Diagnosis, RequirementTrouble};
 use crate::syntax::{self, Message, Parsed, Place};
 use proc_macro2::{Span, TokenStream};
 
@@ -52,7 +53,21 @@ impl Analysis {
         if unmet.is_empty() {
             return self;
         }
-        let faults = faults_of_mechanism(&self.parsed, unmet);
+        let is_only = unmet.len() == 1;
+        let offers = unmet.iter().map(|diagnosis| {
+            let limit = nearest_limit(&self.parsed, compiled, diagnosis);
+            let (enough, partial) = if is_only {
+                (limit, None)
+            } else {
+                (None, limit)
+            };
+            Offers {
+                single: enough.into_iter().collect(),
+                partial: partial.into_iter().collect(),
+                ..Offers::default()
+            }
+        });
+        let faults = faults(&self.parsed, offers.collect(), unmet);
         Self {
             result: Err(faults),
             ..self
@@ -75,9 +90,33 @@ fn faults_of_text(parsed: &Parsed) -> Option<Faults> {
 
 fn faults_of_mechanism(parsed: &Parsed, diagnoses: Vec<Diagnosis>) -> Faults {
     let offers = repair::offers(&parsed.model, &parsed.source, &diagnoses);
+    faults(parsed, offers, diagnoses)
+}
+
+fn faults(parsed: &Parsed, offers: Vec<Offers>, diagnoses: Vec<Diagnosis>) -> Faults {
     Faults {
         messages: reporter::messages(&diagnoses, &offers, &parsed.model, &parsed.places),
         diagnoses,
         offers,
     }
+}
+
+/// The nearest limit that a requirement keeps which is not met; nothing if it has none. A limit changes nothing in the compiled mechanism.
+fn nearest_limit(parsed: &Parsed, compiled: &Compiled, diagnosis: &Diagnosis) -> Option<Repair> {
+    let Diagnosis::Unmet {
+        requirement,
+        trouble: RequirementTrouble::Fails(witness),
+    } = diagnosis
+    else {
+        return None;
+    };
+    let (model, source) = (&parsed.model, &parsed.source);
+    repair::nearest_limit(model, source, *requirement, witness, |changed| {
+        let requirements = changed.requirements.get(*requirement).cloned();
+        let alone = Model {
+            requirements: requirements.into_iter().collect(),
+            ..changed.clone()
+        };
+        requirement::unmet(&alone, compiled).is_empty()
+    })
 }

@@ -8,6 +8,26 @@ pub(crate) fn round_to(value: f64, places: usize) -> f64 {
     read(&format!("{value:.places$}")) + 0.0
 }
 
+/// A number with so many digits; rounded upwards or downwards, if that is said.
+pub(crate) fn significant(value: f64, digits: i32, upwards: Option<bool>) -> f64 {
+    if value == 0.0 || !value.is_finite() {
+        return value;
+    }
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "a power of ten that numbers have"
+    )]
+    let power = value.abs().log10().floor().clamp(-250.0, 250.0) as i32;
+    let places = (digits - 1 - power).max(0);
+    let scale = 10_f64.powi(places);
+    let rounded = match upwards {
+        None => value * scale,
+        Some(true) => (value * scale).ceil(),
+        Some(false) => (value * scale).floor(),
+    };
+    round_to(rounded / scale, usize::try_from(places).unwrap_or(0))
+}
+
 /// A number with four digits.
 pub(crate) fn of_four_digits(value: f64) -> f64 {
     read(&format!("{value:.3e}"))

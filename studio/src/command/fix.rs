@@ -34,7 +34,7 @@ impl Fix {
     pub(super) fn run(&self, writer: &mut Writer, console: &mut Console) -> Result<(), Failure> {
         let document = self.target.document()?;
         let declaration = document.choose(self.target.mechanism.as_deref())?;
-        let reading = document.analyse(declaration)?;
+        let reading = document.prove(declaration)?;
         let faults = match &reading.result {
             Ok(compiled) => {
                 let line = verdict_line(&reading.model, compiled);

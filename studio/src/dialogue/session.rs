@@ -154,7 +154,7 @@ impl Session {
     fn repairs(&self, console: &mut Console) -> Result<(), Failure> {
         let document = self.workspace.document();
         let declaration = self.declaration(&document)?;
-        let reading = document.analyse(declaration)?;
+        let reading = document.prove(declaration)?;
         let found = mendings(&document, declaration, &reading)?;
         if found.is_empty() {
             return console.answer(match reading.result {

@@ -70,6 +70,11 @@ impl Document {
         self.read_by(declaration, mech_compiler::analyse)
     }
 
+    /// The same, with requirements proved.
+    pub(crate) fn prove(&self, declaration: &Declaration) -> Result<Reading, Failure> {
+        self.read_by(declaration, |text| mech_compiler::analyse(text).prove())
+    }
+
     /// The same as far as the macro goes: requirements are proved, and its code is written, too, and thrown away.
     pub(crate) fn check(&self, declaration: &Declaration) -> Result<Reading, Failure> {
         self.read_by(declaration, |text| {

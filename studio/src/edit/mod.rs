@@ -282,7 +282,7 @@ fn refuse_unread(reading: &Reading) -> Result<(), Refusal> {
 /// Makes a repair by its number, as `mech fix` does.
 fn repair(document: &Document, index: usize, number: usize) -> Result<Applied, Refusal> {
     let declaration = declaration_of(document, index)?;
-    let reading = document.analyse(declaration)?;
+    let reading = document.prove(declaration)?;
     let found = mendings(document, declaration, &reading)?;
     let mending = number.checked_sub(1).and_then(|number| found.get(number));
     let mending = mending.ok_or_else(|| match found.len() {

@@ -154,10 +154,15 @@ impl Snapshot {
 
     /// The repairs of what is wrong, the likeliest first.
     pub(crate) fn mendings(&self) -> Result<Vec<Mending>, Failure> {
-        match (self.document.declarations().get(self.index), &self.reading) {
-            (Some(declaration), Some(reading)) => mendings(&self.document, declaration, reading),
-            _ => Ok(Vec::new()),
+        let declaration = self.document.declarations().get(self.index);
+        let (Some(declaration), Some(reading)) = (declaration, &self.reading) else {
+            return Ok(Vec::new());
+        };
+        if reading.result.is_ok() && !reading.model.requirements.is_empty() {
+            let proved = self.document.prove(declaration)?;
+            return mendings(&self.document, declaration, &proved);
         }
+        mendings(&self.document, declaration, reading)
     }
 }
 

@@ -7,6 +7,7 @@ mod declaration;
 mod guess;
 mod guides;
 mod joined;
+mod limit;
 mod motor;
 mod numbers;
 mod offers;
@@ -23,6 +24,7 @@ mod wheels;
 mod writing;
 
 pub use declaration::{Declaration, Ends, NewJoint, NewKind, Purpose};
+pub(crate) use limit::nearest_limit;
 pub use motor::NewMotor;
 pub use offers::{Offers, Search, offers};
 pub use writing::edits;

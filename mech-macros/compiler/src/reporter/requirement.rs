@@ -1,7 +1,7 @@
 //! Requirements that are not met.
 
 use super::Words;
-use crate::digits::round_to;
+use crate::digits::{round_to, significant};
 use crate::model::{Condition, JointKind, MotorId, Origin};
 use crate::structure::{RequirementTrouble, Witness};
 
@@ -162,24 +162,4 @@ impl Words<'_> {
         };
         format!("`{}{unit}`", significant(value, DIGITS, upwards))
     }
-}
-
-/// A number with so many digits; rounded upwards or downwards, if that is said.
-fn significant(value: f64, digits: i32, upwards: Option<bool>) -> f64 {
-    if value == 0.0 || !value.is_finite() {
-        return value;
-    }
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "a power of ten that numbers have"
-    )]
-    let power = value.abs().log10().floor().clamp(-250.0, 250.0) as i32;
-    let places = (digits - 1 - power).max(0);
-    let scale = 10_f64.powi(places);
-    let rounded = match upwards {
-        None => value * scale,
-        Some(true) => (value * scale).ceil(),
-        Some(false) => (value * scale).floor(),
-    };
-    round_to(rounded / scale, usize::try_from(places).unwrap_or(0))
 }

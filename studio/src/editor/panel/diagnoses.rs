@@ -21,13 +21,12 @@ pub(in crate::editor) fn diagnoses(editor: &mut Editor, ui: &mut egui::Ui) {
             if messages.is_empty() {
                 ui.label(snapshot.verdict());
                 shown = unmet(editor, ui);
-                return;
             }
             for Message { place, text } in messages {
                 fault(text, line_of(&snapshot, place), ui);
                 ui.separator();
             }
-            if editor.analysis.is_mending() {
+            if editor.analysis.is_mending() && !messages.is_empty() {
                 ui.weak("Looking for repairs");
             }
             for (number, mending) in (1..).zip(editor.mendings()) {
