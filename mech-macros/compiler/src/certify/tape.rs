@@ -50,7 +50,7 @@ pub(super) struct Tape<'p> {
 #[derive(Clone, Copy, Debug)]
 struct WholeAngle {
     value: Value,
-    /// What its tangent is the quotient of.
+    /// The numbers whose arc tangent it is, but for whole turns.
     sin: Value,
     cos: Value,
     reference: Interval,

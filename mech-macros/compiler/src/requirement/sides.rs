@@ -1,5 +1,6 @@
 //! The sides of loops that pass change points, along the way of the only motor that has a part.
 
+use super::domain::points;
 use crate::bug::bug;
 use crate::certify::{Enclosure, Interval};
 use crate::evaluate::Machine;
@@ -117,13 +118,7 @@ impl<'p> Way<'p> {
         });
         let mut sides: Vec<(Vec<BlockId>, Enclosure<'_>)> = sides.collect::<Option<_>>()?;
         let mut machine = Machine::<f64>::new(program);
-        let mut place: Vec<Interval> = program
-            .start
-            .motors
-            .iter()
-            .copied()
-            .map(Interval::point)
-            .collect();
+        let mut place = points(&program.start.motors);
         let mut waiting = vec![end];
         while let Some(next) = waiting.pop() {
             let before = machine.position().clone();
