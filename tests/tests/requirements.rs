@@ -398,10 +398,11 @@ fn a_motor_that_is_stopped_does_not_turn() {
     }
 }
 
-/// Texts beside which it stands what is proved of them; see `tests/cases/required`.
+/// Texts beside which it stands what is proved of them: cases, and machines of others with what is known of these.
 #[test]
 fn texts_are_judged_as_it_stands_beside_them() {
-    for case in folder("required") {
+    let machines = folder("../tests/subjects/machines");
+    for case in folder("required").into_iter().chain(machines) {
         let body: TokenStream = case.text.parse().expect("tokens");
         for line in case.marks("holds") {
             let found = troubles(&judged(&body, &format!("expect {line};")));
