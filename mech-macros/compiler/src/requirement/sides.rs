@@ -12,6 +12,9 @@ const MOST_TURNS: u8 = 4;
 /// Shorter parts of the way than this are not cut.
 const NARROW: f64 = 1e-7;
 
+/// A way is cut so many times at most.
+const MOST_CUTS: usize = 2000;
+
 /// All subsets of some loops, in the order of the loops.
 pub(super) fn subsets(loops: &[BlockId]) -> Vec<Vec<BlockId>> {
     let mut all = vec![Vec::new()];
@@ -120,7 +123,9 @@ impl<'p> Way<'p> {
         let mut machine = Machine::<f64>::new(program);
         let mut place = points(&program.start.motors);
         let mut waiting = vec![end];
+        let mut left = MOST_CUTS;
         while let Some(next) = waiting.pop() {
+            left = left.checked_sub(1)?;
             let before = machine.position().clone();
             let turned = self.turned_in(&before);
             let range = Interval::new(before.motors[motor], next);
