@@ -3,6 +3,7 @@
 use crate::certify::cone::Cuts;
 use crate::certify::{Enclosure, Interval, Sources, Verdict, certify, is_same};
 use crate::compiled::Compiled;
+use crate::evaluate::Machine;
 use crate::model::{JointKind, Model, MotorId, Requirement};
 use crate::motion::proof::unknowns;
 use crate::motion::watching::Domain;
@@ -206,6 +207,13 @@ fn is_turning(model: &Model, motor: MotorId) -> bool {
     matches!(model.joint(joint).kind, JointKind::Revolute(..))
 }
 
+/// Whether a motor comes to a value while all others stand.
+fn comes_to(program: &Program, motor: usize, end: f64) -> bool {
+    let mut goal = program.start.motors.clone();
+    goal[motor] = end;
+    Machine::<f64>::new(program).move_to(&goal).is_ok()
+}
+
 /// Narrows the values of the only motor that has a part to those that it can reach from the start. It may have to be stopped on both
 /// sides.
 fn take_reach(
@@ -229,7 +237,10 @@ fn take_reach(
                 }
             }
             // What other motors have a part in may go farther where they stand elsewhere.
-            Verdict::Blocked(blocked) if blocked.motors == [motor] => {
+            // Loops that went over to another side may close where others of their sides do not.
+            Verdict::Blocked(blocked)
+                if blocked.motors == [motor] && !comes_to(program, motor, *end) =>
+            {
                 let case = requirement
                     .cases
                     .iter()
