@@ -6,7 +6,7 @@ use crate::model::Model;
 use crate::repair::{self, Offers, Repair};
 use crate::reporter;
 use crate::requirement;
-use crate::structure::{Diagnosis, RequirementTrouble};
+use crate::structure::Diagnosis;
 use crate::syntax::{self, Message, Parsed, Place};
 use proc_macro2::{Span, TokenStream};
 
@@ -56,16 +56,14 @@ impl Analysis {
         let is_only = unmet.len() == 1;
         let offers = unmet.iter().map(|diagnosis| {
             let limit = nearest_limit(&self.parsed, compiled, diagnosis);
-            let (enough, partial) = if is_only {
-                (limit, None)
+            let limit = limit.into_iter().collect();
+            let mut offers = Offers::default();
+            if is_only {
+                offers.single = limit;
             } else {
-                (None, limit)
-            };
-            Offers {
-                single: enough.into_iter().collect(),
-                partial: partial.into_iter().collect(),
-                ..Offers::default()
+                offers.partial = limit;
             }
+            offers
         });
         let faults = faults(&self.parsed, offers.collect(), unmet);
         Self {
@@ -103,16 +101,10 @@ fn faults(parsed: &Parsed, offers: Vec<Offers>, diagnoses: Vec<Diagnosis>) -> Fa
 
 /// The nearest limit that a requirement keeps which is not met; nothing if it has none. A limit changes nothing in the compiled mechanism.
 fn nearest_limit(parsed: &Parsed, compiled: &Compiled, diagnosis: &Diagnosis) -> Option<Repair> {
-    let Diagnosis::Unmet {
-        requirement,
-        trouble: RequirementTrouble::Fails(witness),
-    } = diagnosis
-    else {
-        return None;
-    };
+    let (requirement, witness) = diagnosis.witness()?;
     let (model, source) = (&parsed.model, &parsed.source);
-    repair::nearest_limit(model, source, *requirement, witness, |changed| {
-        let requirements = changed.requirements.get(*requirement).cloned();
+    repair::nearest_limit(model, source, requirement, witness, |changed| {
+        let requirements = changed.requirements.get(requirement).cloned();
         let alone = Model {
             requirements: requirements.into_iter().collect(),
             ..changed.clone()

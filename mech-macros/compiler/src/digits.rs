@@ -25,7 +25,10 @@ pub(crate) fn significant(value: f64, digits: i32, upwards: Option<bool>) -> f64
         Some(true) => (value * scale).ceil(),
         Some(false) => (value * scale).floor(),
     };
-    round_to(rounded / scale, usize::try_from(places).unwrap_or(0))
+    let Ok(places) = usize::try_from(places) else {
+        bug!("a number has {places} decimal places");
+    };
+    round_to(rounded / scale, places)
 }
 
 /// A number with four digits.

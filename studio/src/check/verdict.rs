@@ -8,7 +8,7 @@ use crate::report::ranges;
 use mech_compiler::Compiled;
 use mech_compiler::limits::Limit;
 use mech_compiler::model::{Condition, Model};
-use mech_compiler::structure::{Diagnosis, RequirementTrouble};
+use mech_compiler::structure::Diagnosis;
 use std::ops::Range;
 
 /// The verdict on a mechanism, or on the parts of a document.
@@ -142,15 +142,8 @@ pub(crate) struct Witness {
 
 fn witnesses(model: &Model, diagnoses: &[Diagnosis]) -> Vec<Witness> {
     let mut all = Vec::new();
-    for diagnosis in diagnoses {
-        let Diagnosis::Unmet {
-            requirement,
-            trouble: RequirementTrouble::Fails(found),
-        } = diagnosis
-        else {
-            continue;
-        };
-        let requirement = &model.requirements[*requirement];
+    for (requirement, found) in diagnoses.iter().filter_map(Diagnosis::witness) {
+        let requirement = &model.requirements[requirement];
         let is_angle = matches!(
             requirement.condition,
             Condition::Bounds { is_angle: true, .. }

@@ -155,6 +155,12 @@ impl Drawing {
         index::axis_of_joint(&self.model, joint)
     }
 
+    /// The place of a joint of this name.
+    pub(crate) fn place_of_joint(&self, name: &str) -> Option<[f64; 2]> {
+        let axis = self.axis_of_joint(self.joint(name)?)?;
+        Some(self.place(axis))
+    }
+
     /// Finds the path to move in the text so that a joint or a point changes its place, and the axis that moves with it. A joint that was
     /// placed in the drawing moves itself; any other moves by its point.
     pub(crate) fn mover(&self, item: &Item) -> Option<(String, AxisId)> {

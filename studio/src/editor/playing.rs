@@ -70,8 +70,8 @@ impl Playing {
     pub(super) fn words_of(&self, place: &[(usize, f64)]) -> String {
         let values = place.iter().filter_map(|&(motor, value)| {
             let range = self.ranges.get(motor)?;
-            let unit = if range.turns { "°" } else { "" };
-            Some(format!("{} = {:.2}{unit}", range.name, range.shown(value)))
+            let (name, unit) = (&range.name, range.unit());
+            Some(format!("{name} = {:.2}{unit}", range.shown(value)))
         });
         values.collect::<Vec<String>>().join(", ")
     }

@@ -27,6 +27,11 @@ impl MotorRange {
         }
     }
 
+    /// The unit in which values are shown.
+    pub(crate) fn unit(&self) -> &'static str {
+        if self.turns { "°" } else { "" }
+    }
+
     /// The value that is meant by one as it is shown.
     pub(crate) fn meant(&self, shown: f64) -> f64 {
         if self.turns {

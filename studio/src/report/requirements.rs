@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use mech_compiler::model::Model;
 use mech_compiler::requirement::{Proof, judge};
-use mech_compiler::structure::{Diagnosis, RequirementTrouble};
+use mech_compiler::structure::Diagnosis;
 use mech_compiler::{Compiled, catch, reporter};
 
 /// A requirement, and what was found out about it.
@@ -52,18 +52,13 @@ pub(super) fn lines(judged: &[Judged]) -> Vec<(String, String)> {
 }
 
 fn places(unmet: &Diagnosis) -> Vec<Vec<(usize, f64)>> {
-    let Diagnosis::Unmet {
-        trouble: RequirementTrouble::Fails(witness),
-        ..
-    } = unmet
-    else {
-        return Vec::new();
-    };
-    let place = |place: &Vec<_>| {
+    let places = unmet.witness().into_iter();
+    let places = places.flat_map(|(_, witness)| &witness.places);
+    let numbered = places.map(|place| {
         let motors = place.iter();
         motors
-            .map(|(motor, value): &(mech_compiler::model::MotorId, f64)| (motor.index(), *value))
+            .map(|(motor, value)| (motor.index(), *value))
             .collect()
-    };
-    witness.places.iter().map(place).collect()
+    });
+    numbered.collect()
 }

@@ -21,6 +21,7 @@ mod tape;
 
 #[cfg(test)]
 mod tests;
+mod whole;
 
 pub(crate) use carried::is_same;
 pub(crate) use enclosure::{Enclosure, Sight, Sources, side_changes};

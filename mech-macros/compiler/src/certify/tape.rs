@@ -4,6 +4,7 @@ use super::Interval;
 use super::claim::{Group, Test, carried_sides, keeps_direction};
 use super::form::{Forms, Linear, Operand, greater, root, wave};
 use super::operation::{direction, natural, sign, strict_sign};
+use super::whole::WholeAngle;
 use crate::cancel;
 use crate::program::{BlockId, Node, Op, Program, Slot, Value};
 
@@ -40,29 +41,11 @@ pub(super) struct Tape<'p> {
     middles: Vec<Interval>,
     /// Which step makes a value, if it depends on motors.
     steps: Vec<Option<usize>>,
+    /// The angles over whole turns whose references are known.
     wholes: Vec<WholeAngle>,
     forms: Forms,
     centre: Vec<f64>,
     evaluations: usize,
-}
-
-/// An angle that is followed over whole turns. It lies within half a turn of a reference, wherever the branch cut of its arc tangent is.
-#[derive(Clone, Copy, Debug)]
-struct WholeAngle {
-    value: Value,
-    /// The numbers whose arc tangent it is, but for whole turns.
-    sin: Value,
-    cos: Value,
-    reference: Interval,
-}
-
-impl WholeAngle {
-    fn range(self, values: &[Interval]) -> Interval {
-        let [sin, cos] = [self.sin, self.cos].map(|value| values[value.index()]);
-        let [across, along] = [self.reference.sin(), self.reference.cos()];
-        let beyond = (sin * along - cos * across).atan2(cos * along + sin * across);
-        self.reference + beyond
-    }
 }
 
 impl<'p> Tape<'p> {
@@ -94,7 +77,8 @@ impl<'p> Tape<'p> {
         tape.choose_sides(program, turned);
         for &(state, value) in carried {
             tape.set_state(state, value);
-            tape.wholes.extend(whole_angle(program, state, value));
+            tape.wholes
+                .extend(WholeAngle::carried(program, state, value));
         }
         tape.sort(found);
         tape
@@ -293,7 +277,7 @@ impl<'p> Tape<'p> {
         // Of what comes from outside nothing is known.
         let range = natural(op, |operand| values[operand.index()]).unwrap_or(Interval::ENTIRE);
         match op {
-            Op::Add(..) => match self.wholes.iter().find(|whole| whole.value == value) {
+            Op::Add(..) => match self.wholes.iter().find(|whole| whole.is(value)) {
                 Some(whole) => whole.range(values),
                 None => range,
             },
@@ -509,19 +493,4 @@ impl Tape<'_> {
             |(step, value): (usize, &Value)| (self.values[value.index()], self.forms.range(step));
         self.moving.iter().enumerate().map(ranges).collect()
     }
-}
-
-/// The angle that is carried under this number, if it is followed over whole turns.
-fn whole_angle(program: &Program, state: usize, reference: Interval) -> Option<WholeAngle> {
-    let mut angles = program.follows.iter().zip(&program.followed);
-    let (_, (_, principal)) = angles.find(|(follow, _)| follow.angle == state)?;
-    let Op::Atan2(sin, cos) = program.node(*principal).op else {
-        return None;
-    };
-    Some(WholeAngle {
-        value: program.state[state],
-        sin,
-        cos,
-        reference,
-    })
 }

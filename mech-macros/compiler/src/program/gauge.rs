@@ -16,7 +16,7 @@ pub(crate) struct Gauge {
     pub(crate) program: Program,
     /// The values of the requirement's formulas, by their numbers.
     pub(crate) formulas: Vec<Value>,
-    /// The angles over whole turns that it measures, and those from which gears, racks and cams move what it measures.
+    /// The angles over whole turns: those that it measures, and those that the program follows for gears, racks and cams.
     pub(crate) angles: Vec<GaugedAngle>,
     /// For each variable that sums up the motion the state in which its value is put.
     pub(crate) summaries: Vec<Option<usize>>,
@@ -29,7 +29,7 @@ pub(crate) struct GaugedAngle {
     pub(crate) reference: usize,
     /// The angle from the reference, between −π and π.
     pub(crate) beyond: Value,
-    /// Whether the requirement measures it.
+    /// True if the requirement measures it, false if the program only moves something by it.
     pub(crate) is_measured: bool,
 }
 
@@ -69,7 +69,7 @@ impl Gauge {
             ..
         } = measures;
         let formulas = requirement.formulas.evaluate(&mut ssa);
-        angles.extend(followed(program, &mut ssa, &formulas));
+        angles.extend(followed(program, &mut ssa));
         let SsaBuilder {
             ssa, start, state, ..
         } = ssa;
@@ -87,22 +87,10 @@ impl Gauge {
     }
 }
 
-/// The angles that a program follows over whole turns and from which these values are computed.
-fn followed(program: &Program, ssa: &mut SsaBuilder, values: &[Value]) -> Vec<GaugedAngle> {
-    let mut needed = vec![false; ssa.ssa.nodes.len()];
-    for value in values {
-        needed[value.index()] = true;
-    }
-    for index in (0..needed.len()).rev() {
-        if needed[index] {
-            for operand in ssa.ssa.nodes[index].op.operands() {
-                needed[operand.index()] = true;
-            }
-        }
-    }
+/// The angles that a program follows over whole turns.
+fn followed(program: &Program, ssa: &mut SsaBuilder) -> Vec<GaugedAngle> {
     let states = program.follows.iter().map(|follow| follow.angle);
-    let needed = states.filter(|state| needed[program.state[*state].index()]);
-    let angles = needed.map(|state| {
+    let angles = states.map(|state| {
         let last = ssa.make(Op::Last(Slot::State(state)));
         GaugedAngle {
             reference: state,

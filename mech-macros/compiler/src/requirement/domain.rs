@@ -13,8 +13,11 @@ use crate::structure::RequirementTrouble;
 /// A motor that has to make more turns than this until everything has turned as a whole needs a range.
 const MOST_TURNS: f64 = 64.0 * std::f64::consts::TAU;
 
-/// What does not come to an end within so many turns, or sizes of the mechanism, needs a range.
+/// So many turns a motor may go until it is stopped, or so many sizes of the mechanism if it slides.
 const MOST_REACH: [f64; 2] = [4.0 * std::f64::consts::TAU, 64.0];
+
+/// Boxes narrower than this part of all values are not cut.
+const NARROW: f64 = 1e-13;
 
 /// The values of all motors, and which of them have a part.
 pub(super) struct Ranges {
@@ -29,12 +32,62 @@ pub(super) struct Ranges {
 }
 
 impl Ranges {
-    /// The only motor that has a part, with its values if it goes round.
-    pub(super) fn only_motor(&self) -> Option<(usize, Option<Interval>)> {
-        let [motor] = self.motors[..] else {
-            return None;
+    /// The only motor that has a part.
+    pub(super) fn only_motor(&self) -> Option<usize> {
+        match self.motors[..] {
+            [motor] => Some(motor),
+            _ => None,
+        }
+    }
+
+    /// The place among these values that is nearest to another.
+    pub(super) fn nearest(&self, place: &[f64]) -> Vec<f64> {
+        let all = place.iter().zip(&self.all);
+        all.map(|(at, range)| at.max(range.low()).min(range.high()))
+            .collect()
+    }
+
+    /// A place, and the corners of all values that are reached from there by three motors at most.
+    pub(super) fn corners(&self, from: Vec<f64>) -> Vec<Vec<f64>> {
+        let mut corners = vec![from];
+        for &motor in self.motors.iter().take(3) {
+            let range = self.all[motor];
+            let moved = corners.iter().flat_map(|corner| {
+                [range.low(), range.high()].map(|end| {
+                    let mut moved = corner.clone();
+                    moved[motor] = end;
+                    moved
+                })
+            });
+            let moved: Vec<Vec<f64>> = moved.collect();
+            corners.truncate(1);
+            corners.extend(moved);
+        }
+        corners
+    }
+
+    /// A box cut across its longest side, if that can be cut.
+    pub(super) fn halves(&self, place: &[Interval]) -> Option<[Vec<Interval>; 2]> {
+        let part = |motor: &usize| {
+            let whole = self.all[*motor].width();
+            if whole > 0.0 {
+                place[*motor].width() / whole
+            } else {
+                0.0
+            }
         };
-        Some((motor, self.round.contains(&motor).then(|| self.all[motor])))
+        let longest = self.motors.iter().copied();
+        let longest = longest.max_by(|a, b| part(a).total_cmp(&part(b)))?;
+        let range = place[longest];
+        let middle = range.middle();
+        if part(&longest) <= NARROW || !(range.low() < middle && middle < range.high()) {
+            return None;
+        }
+        Some([range.low(), range.high()].map(|end| {
+            let mut half = place.to_vec();
+            half[longest] = Interval::new(middle, end);
+            half
+        }))
     }
 }
 
@@ -201,14 +254,14 @@ pub(super) fn round_of(
     period.filter(|period| *period < MOST_TURNS)
 }
 
-/// Whether a motor turns: it may go right round.
+/// Tests whether a motor turns, and may go right round.
 fn is_turning(model: &Model, motor: MotorId) -> bool {
     let joint = model.motor(motor).joint;
     matches!(model.joint(joint).kind, JointKind::Revolute(..))
 }
 
-/// Whether a motor comes to a value while all others stand.
-fn comes_to(program: &Program, motor: usize, end: f64) -> bool {
+/// Moves a motor to a value while all others stand, and tells whether it comes there.
+fn arrives(program: &Program, motor: usize, end: f64) -> bool {
     let mut goal = program.start.motors.clone();
     goal[motor] = end;
     Machine::<f64>::new(program).move_to(&goal).is_ok()
@@ -239,7 +292,7 @@ fn take_reach(
             // What other motors have a part in may go farther where they stand elsewhere.
             // Loops that went over to another side may close where others of their sides do not.
             Verdict::Blocked(blocked)
-                if blocked.motors == [motor] && !comes_to(program, motor, *end) =>
+                if blocked.motors == [motor] && !arrives(program, motor, *end) =>
             {
                 let case = requirement
                     .cases

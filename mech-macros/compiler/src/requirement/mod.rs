@@ -10,6 +10,7 @@ mod proof;
 mod search;
 mod sides;
 mod turn;
+mod waiting;
 
 use crate::compile::compile;
 use crate::compiled::Compiled;

@@ -123,11 +123,17 @@ impl Case<'_> {
         let gauge = Gauge::new(model, &compiled.program, requirement, |joint| {
             self.dyad_of(joint)
         });
-        let Some(gauge) = gauge else {
+        let Some(mut gauge) = gauge else {
             let unknowns = self.unknowns(self.dyad);
             return Err(RequirementTrouble::NoDyad { unknowns });
         };
-        let mut found = needed(requirement, &gauge, (subject, bounds));
+        let mut found = subjects(requirement, &gauge, (subject, bounds));
+        let sources = Sources::of(&gauge.program, &found);
+        let state = &gauge.program.state;
+        gauge
+            .angles
+            .retain(|angle| sources.contain(state[angle.reference]));
+        found.extend(gauge.angles.iter().map(|angle| angle.beyond));
         found.sort_unstable();
         found.dedup();
         let mut ranges = ranges(model, compiled, requirement, &gauge, &found)?;
@@ -147,7 +153,7 @@ impl Case<'_> {
                 (None, None) => return Err(RequirementTrouble::TooHard),
             }
         }
-        let way = self.way(&mut ranges, &crossing)?;
+        let way = self.find_way(&mut ranges, &crossing)?;
         let way = way.as_ref();
         let (lasting, passing): (Vec<_>, Vec<_>) = subsets(&crossing)
             .into_iter()
@@ -170,14 +176,14 @@ impl Case<'_> {
         Ok(searches.iter().map(Search::spent).sum())
     }
 
-    /// The way of the only motor that has a part, if loops change their side on it. A motor that goes round gets as many turns as it
+    /// Finds the way of the only motor that has a part, if loops change their side on it. A motor that goes round gets as many turns as it
     /// takes until all loops are back on their sides.
-    fn way(
+    fn find_way(
         &self,
         ranges: &mut Ranges,
         crossing: &[BlockId],
     ) -> Result<Option<Way<'_>>, RequirementTrouble> {
-        let (false, &[motor]) = (crossing.is_empty(), &ranges.motors[..]) else {
+        let (false, Some(motor)) = (crossing.is_empty(), ranges.only_motor()) else {
             return Ok(None);
         };
         let program = &self.compiled.program;
@@ -246,7 +252,7 @@ impl Case<'_> {
         Ok(())
     }
 
-    /// What the margin of a bound has to be; the search is one with loops on their sides of the start.
+    /// The limit of a bound's margin; the search is one with loops on their sides of the start.
     fn limit(
         &self,
         gauge: &Gauge,
@@ -410,8 +416,8 @@ impl Case<'_> {
     }
 }
 
-/// The values that have to be found for a requirement.
-fn needed(
+/// The values that a requirement is about.
+fn subjects(
     requirement: &Requirement,
     gauge: &Gauge,
     (subject, bounds): (FormulaId, &[RequiredBound]),
@@ -423,9 +429,9 @@ fn needed(
     });
     let bounds = bounds.iter().flat_map(|bound| [bound.margin, bound.limit]);
     let formulas = [subject].into_iter().chain(bounds).chain(summed);
-    let formulas = formulas.map(|formula| gauge.formulas[formula.index()]);
-    let angles = gauge.angles.iter().map(|angle| angle.beyond);
-    formulas.chain(angles).collect()
+    formulas
+        .map(|formula| gauge.formulas[formula.index()])
+        .collect()
 }
 
 /// The motors that have a part, with their values at a place.

@@ -3,6 +3,7 @@
 use super::bound::Bound;
 use super::domain::{Ranges, points};
 use super::sides::{Stretch, Way, spread};
+use super::waiting::{Part, Waiting};
 use crate::certify::{Enclosure, Interval, Sight};
 use crate::evaluate::Machine;
 use crate::program::{BlockId, Gauge, Position, Value, computing};
@@ -12,9 +13,6 @@ use std::rc::Rc;
 
 /// The intervals that may be computed for one requirement: some hundredths of a second of an optimised build.
 pub(super) const BUDGET: usize = 2_000_000;
-
-/// Boxes narrower than this part of all values are not cut.
-const NARROW: f64 = 1e-13;
 
 /// An angle this near to half a turn from its reference may have passed it.
 const CUT: f64 = PI - 1e-6;
@@ -30,7 +28,7 @@ const KEPT: usize = 64;
 
 /// Where angles over whole turns are counted from: valid at a place, and wherever they stay within half a turn on the way from there.
 #[derive(Debug)]
-struct Frame {
+pub(super) struct Frame {
     references: Vec<f64>,
     at: Vec<f64>,
     /// The loops that are on the other side there than at the start, as far as angles depend on that.
@@ -130,7 +128,7 @@ impl<'a> Search<'a> {
         self.enclosures.clear();
     }
 
-    /// What is carried, with these references.
+    /// The numbers that are carried, with these references.
     fn carried(&self, references: &[f64]) -> Vec<(usize, Interval)> {
         let angles = self.gauge.angles.iter().zip(references);
         let angles = angles.map(|(angle, at)| (angle.reference, Interval::point(*at)));
@@ -276,9 +274,7 @@ impl<'a> Search<'a> {
 
     /// The frame on the way that is nearest to a place.
     fn nearest(&self, to: &[f64]) -> Option<Rc<Frame>> {
-        let &[motor] = &self.ranges.motors[..] else {
-            return None;
-        };
+        let motor = self.ranges.only_motor()?;
         let far = |frame: &Rc<Frame>| (frame.at[motor] - to[motor]).abs();
         let nearest = self.known.iter().min_by(|a, b| far(a).total_cmp(&far(b)));
         nearest.cloned()
@@ -293,7 +289,8 @@ impl<'a> Search<'a> {
         Some(angles.collect())
     }
 
-    /// Whether all angles that are measured are what they were after each motor that goes right round has done so; else the first motor that changes one.
+    /// Tests whether all angles that are measured are what they were after each motor that goes right round has done so; else gives the
+    /// first motor that changes one.
     pub(super) fn endless(&mut self) -> Option<Result<(), usize>> {
         let gauge = self.gauge;
         if !gauge.angles.iter().any(|angle| angle.is_measured) {
@@ -348,7 +345,7 @@ impl<'a> Search<'a> {
         let reserve = self.left.saturating_sub(spend);
         let mut bound = Bound::default();
         let mut waiting = BinaryHeap::new();
-        let from = self.start_within();
+        let from = self.ranges.nearest(&self.start.at);
         let Some(frame) = self.frame_at(&Rc::clone(&self.start), &from) else {
             return bound;
         };
@@ -398,7 +395,7 @@ impl<'a> Search<'a> {
             if least >= bound.seen {
                 continue;
             }
-            let Some(halves) = self.halves(&part.place) else {
+            let Some(halves) = self.ranges.halves(&part.place) else {
                 stuck = stuck.min(least);
                 continue;
             };
@@ -417,7 +414,7 @@ impl<'a> Search<'a> {
     /// The parts of all values where the loops have these sides, or may have.
     fn parts(&self) -> Vec<Part> {
         let all = &self.ranges.all;
-        let (Some(way), &[motor]) = (self.way, &self.ranges.motors[..]) else {
+        let (Some(way), Some(motor)) = (self.way, self.ranges.only_motor()) else {
             return vec![Part {
                 place: all.clone(),
                 is_sure: true,
@@ -443,8 +440,8 @@ impl<'a> Search<'a> {
             let centre: Vec<f64> = place.iter().map(|range| range.middle()).collect();
             return self.frame_at(of_whole, &centre);
         }
-        let near = |(range, at): (&Interval, &f64)| at.max(range.low()).min(range.high());
-        let nearest: Vec<f64> = place.iter().zip(&of_whole.at).map(near).collect();
+        let near = |(at, range): (&f64, &Interval)| at.max(range.low()).min(range.high());
+        let nearest: Vec<f64> = of_whole.at.iter().zip(place).map(near).collect();
         if nearest == of_whole.at {
             return Some(Rc::clone(of_whole));
         }
@@ -460,57 +457,13 @@ impl<'a> Search<'a> {
         }))
     }
 
-    /// The start, or the nearest place to it that is asked about.
-    fn start_within(&self) -> Vec<f64> {
-        let all = self.start.at.iter().zip(&self.ranges.all);
-        all.map(|(at, range)| at.max(range.low()).min(range.high()))
-            .collect()
-    }
-
-    /// The corners of all values, and the start; or the ends of the parts where the loops have these sides.
+    /// The places that are looked at first: the start and the corners of all values, or the ends of the parts where the loops have these
+    /// sides.
     fn corners(&self) -> Vec<Vec<f64>> {
-        if let (Some(way), &[motor]) = (self.way, &self.ranges.motors[..]) {
-            return way.places(&self.turned, self.ranges.all[motor]);
+        match (self.way, self.ranges.only_motor()) {
+            (Some(way), Some(motor)) => way.places(&self.turned, self.ranges.all[motor]),
+            _ => self.ranges.corners(self.ranges.nearest(&self.start.at)),
         }
-        let mut corners = vec![self.start_within()];
-        for &motor in self.ranges.motors.iter().take(3) {
-            let range = self.ranges.all[motor];
-            let moved = corners.iter().flat_map(|corner| {
-                [range.low(), range.high()].map(|end| {
-                    let mut moved = corner.clone();
-                    moved[motor] = end;
-                    moved
-                })
-            });
-            let moved: Vec<Vec<f64>> = moved.collect();
-            corners.truncate(1);
-            corners.extend(moved);
-        }
-        corners
-    }
-
-    /// A box cut across its longest side, if that can be cut.
-    fn halves(&self, place: &[Interval]) -> Option<[Vec<Interval>; 2]> {
-        let part = |motor: &usize| {
-            let whole = self.ranges.all[*motor].width();
-            if whole > 0.0 {
-                place[*motor].width() / whole
-            } else {
-                0.0
-            }
-        };
-        let longest = self.ranges.motors.iter().copied();
-        let longest = longest.max_by(|a, b| part(a).total_cmp(&part(b)))?;
-        let range = place[longest];
-        let middle = range.middle();
-        if part(&longest) <= NARROW || !(range.low() < middle && middle < range.high()) {
-            return None;
-        }
-        Some([range.low(), range.high()].map(|end| {
-            let mut half = place.to_vec();
-            half[longest] = Interval::new(middle, end);
-            half
-        }))
     }
 }
 
@@ -518,39 +471,4 @@ impl<'a> Search<'a> {
 fn quarters(angles: &[f64]) -> Vec<f64> {
     let quarter = |angle: &f64| (angle / FRAC_PI_2).round() * FRAC_PI_2;
     angles.iter().map(quarter).collect()
-}
-
-/// A part of all values.
-struct Part {
-    place: Vec<Interval>,
-    /// Whether the loops have their sides there; else they may have.
-    is_sure: bool,
-}
-
-/// A part that waits, with a bound on what is least there.
-struct Waiting {
-    least: f64,
-    part: Part,
-    frame: Rc<Frame>,
-}
-
-impl PartialEq for Waiting {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Waiting {}
-
-impl PartialOrd for Waiting {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Waiting {
-    /// The least comes first.
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        other.least.total_cmp(&self.least)
-    }
 }

@@ -17,13 +17,9 @@ const MOST_CUTS: usize = 2000;
 
 /// All subsets of some loops, in the order of the loops.
 pub(super) fn subsets(loops: &[BlockId]) -> Vec<Vec<BlockId>> {
-    let mut all = vec![Vec::new()];
+    let mut all: Vec<Vec<BlockId>> = vec![Vec::new()];
     for one in loops {
-        let with = all.iter().map(|rest: &Vec<BlockId>| {
-            let mut with = rest.clone();
-            with.push(*one);
-            with
-        });
+        let with = all.iter().map(|rest| with_turned(rest, *one));
         let with: Vec<Vec<BlockId>> = with.collect();
         all.extend(with);
     }
@@ -76,6 +72,9 @@ impl Stretch {
     }
 }
 
+/// Loops where these are turned.
+type Sided<'p> = (Vec<BlockId>, Enclosure<'p>);
+
 /// The way of a motor from the start to both ends of its values, while all others stand.
 pub(super) struct Way<'p> {
     program: &'p Program,
@@ -103,23 +102,30 @@ impl<'p> Way<'p> {
             stretches: Vec::new(),
             ends: vec![(start, Vec::new())],
         };
+        let mut sides = way.enclosures()?;
         for end in [ends.low(), ends.high()] {
-            way.walk(end, NARROW * ends.hull(Interval::point(start)).width())?;
+            let narrow = NARROW * ends.hull(Interval::point(start)).width();
+            way.walk(end, narrow, &mut sides)?;
         }
         Some(way)
     }
 
-    /// Walks from the start to one end.
-    fn walk(&mut self, end: f64, narrow: f64) -> Option<()> {
-        let (program, motor) = (self.program, self.motor);
-        let discriminants = self.crossing.iter();
-        let discriminants = discriminants.filter_map(|block| program.closed_form(*block));
-        let found: Vec<Value> = discriminants.map(|closed| closed.discriminant).collect();
+    /// The loops that may change their side, on all sides that they may have.
+    fn enclosures(&self) -> Option<Vec<Sided<'p>>> {
+        let program = self.program;
+        let closed = self.crossing.iter();
+        let closed = closed.filter_map(|block| program.closed_form(*block));
+        let found: Vec<Value> = closed.map(|closed| closed.discriminant).collect();
         let sides = subsets(&self.crossing).into_iter().map(|turned| {
             let enclosure = Enclosure::new(program, &turned, &[], &found)?;
             Some((turned, enclosure))
         });
-        let mut sides: Vec<(Vec<BlockId>, Enclosure<'_>)> = sides.collect::<Option<_>>()?;
+        sides.collect()
+    }
+
+    /// Walks from the start to one end.
+    fn walk(&mut self, end: f64, narrow: f64, sides: &mut [Sided<'_>]) -> Option<()> {
+        let (program, motor) = (self.program, self.motor);
         let mut machine = Machine::<f64>::new(program);
         let mut place = points(&program.start.motors);
         let mut waiting = vec![end];

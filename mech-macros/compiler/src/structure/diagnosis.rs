@@ -219,6 +219,20 @@ pub enum Diagnosis {
     },
 }
 
+impl Diagnosis {
+    /// The number of a requirement that does not hold, and a place where it does not; nothing if that is not what it is about.
+    #[must_use]
+    pub fn witness(&self) -> Option<(usize, &Witness)> {
+        match self {
+            Self::Unmet {
+                requirement,
+                trouble: RequirementTrouble::Fails(witness),
+            } => Some((*requirement, witness)),
+            _ => None,
+        }
+    }
+}
+
 /// A loop with several assemblies.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

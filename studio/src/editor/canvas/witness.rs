@@ -57,11 +57,9 @@ fn marks(editor: &Editor, shown: &Shown) -> Vec<Mark> {
             for &(motor, value) in place {
                 let range = editor.sight.playing.ranges.get(motor);
                 let range = range.filter(|range| range.turns);
-                let center = range
-                    .and_then(|range| drawing.joint(&range.name))
-                    .and_then(|joint| drawing.axis_of_joint(joint));
-                marks.extend(center.map(|axis| Mark {
-                    center: shown.pixel(drawing.place(axis)),
+                let center = range.and_then(|range| drawing.place_of_joint(&range.name));
+                marks.extend(center.map(|center| Mark {
+                    center: shown.pixel(center),
                     angle: value,
                     place: place.clone(),
                     text: judged.text.lines().next().unwrap_or_default().to_owned(),

@@ -70,9 +70,8 @@ fn motors(sight: &mut Sight, ui: &mut egui::Ui) {
         if range.basis == Basis::Round {
             at = low + (at - low).rem_euclid(360.0);
         }
-        let suffix = if range.turns { "°" } else { "" };
         let slider = egui::Slider::new(&mut at, low..=high)
-            .suffix(suffix)
+            .suffix(range.unit())
             // Values that nobody has changed stay as they are.
             .clamping(egui::SliderClamping::Edits)
             .custom_formatter(|value, _| format!("{value:.1}"))

@@ -130,12 +130,10 @@ impl Paint<'_> {
     pub(super) fn ranges(&self, painter: &Painter, drawing: &Drawing) {
         let ranges = self.editor.sight.playing.ranges.iter();
         for range in ranges.filter(|range| range.turns) {
-            let center = drawing
-                .joint(&range.name)
-                .and_then(|joint| drawing.axis_of_joint(joint));
-            let Some(center) = center.map(|axis| self.shown.pixel(drawing.place(axis))) else {
+            let Some(center) = drawing.place_of_joint(&range.name) else {
                 continue;
             };
+            let center = self.shown.pixel(center);
             let [low, high] = range.ends;
             let point = |part: u32| {
                 let angle = low + (high - low) * f64::from(part) / 64.0;
