@@ -3,7 +3,7 @@
 use super::bound::Bound;
 use super::domain::{Ranges, points};
 use super::sides::{Stretch, Way, spread};
-use super::waiting::{Part, Waiting};
+use super::waiting::{Frame, Part, Waiting};
 use crate::certify::{Enclosure, Interval, Sight};
 use crate::evaluate::Machine;
 use crate::program::{BlockId, Gauge, Position, Value, computing};
@@ -25,15 +25,6 @@ const MOST_KNOWN: usize = 256;
 
 /// So many sets of references are kept with their enclosures.
 const KEPT: usize = 64;
-
-/// Where angles over whole turns are counted from: valid at a place, and wherever they stay within half a turn on the way from there.
-#[derive(Debug)]
-pub(super) struct Frame {
-    references: Vec<f64>,
-    at: Vec<f64>,
-    /// The loops that are on the other side there than at the start, as far as angles depend on that.
-    turned: Vec<BlockId>,
-}
 
 /// The view of a box.
 struct Seen {

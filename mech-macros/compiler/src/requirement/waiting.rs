@@ -1,8 +1,17 @@
-//! Parts of all values that wait to be looked at, the least first.
+//! Parts of all values that wait to be looked at, the least first, with the frames of their angles.
 
-use super::search::Frame;
 use crate::certify::Interval;
+use crate::program::BlockId;
 use std::rc::Rc;
+
+/// Where angles over whole turns are counted from: valid at a place, and wherever they stay within half a turn on the way from there.
+#[derive(Debug)]
+pub(super) struct Frame {
+    pub(super) references: Vec<f64>,
+    pub(super) at: Vec<f64>,
+    /// The loops that are on the other side there than at the start, as far as angles depend on that.
+    pub(super) turned: Vec<BlockId>,
+}
 
 /// A part of all values.
 pub(super) struct Part {
