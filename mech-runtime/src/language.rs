@@ -5,6 +5,7 @@
 //! | [`links`] | links, the two ways to declare them, and `show` |
 //! | [`joints`] | joints, their coordinates, gears, belts, racks and cams |
 //! | [`moves`] | methods, accuracy, moves, and ranges that are proved |
+//! | [`inverse`] | a point that is led, and motors that follow it |
 //! | [`laws`] | numbers, functions, and motors that follow a law of time |
 //! | [`looks`] | bodies without drawing, diagrams, and declared shapes |
 //! | [`pictures`] | pictures, traces and diagrams |
@@ -18,6 +19,9 @@
 
 #[doc = include_str!("language/forces.md")]
 pub mod forces {}
+
+#[doc = include_str!("language/inverse.md")]
+pub mod inverse {}
 
 #[doc = include_str!("language/joints.md")]
 pub mod joints {}

@@ -8,6 +8,7 @@ mod changed;
 mod clock;
 mod dynamics;
 pub mod hygiene;
+mod inverse;
 mod joints;
 mod laws;
 mod literature;

@@ -1,6 +1,7 @@
 //! The results of the compiler for a coherent mechanism.
 
 use crate::cost::Cost;
+use crate::model::Model;
 use crate::motion::accuracy::{Prediction, SolvedLoop};
 use crate::motion::near_miss::NearMiss;
 use crate::plan::Plan;
@@ -25,6 +26,8 @@ pub struct Compiled {
     pub timing: Option<Timing>,
     /// The program of the sensitivities to the params, if they are asked for.
     pub sensitive: Option<Program>,
+    /// The mechanism in which a point is given, if motors follow one.
+    pub inverse: Option<Box<InverseMechanism>>,
     /// The method of each loop, in the order in which they are solved.
     pub loops: Vec<SolvedLoop>,
     /// The error that is estimated. There is one if an accuracy is declared, or if a loop is solved in a fixed number of steps and the steps of all
@@ -38,6 +41,17 @@ pub struct Compiled {
     pub notes: Vec<String>,
     /// All of this in words.
     pub report: String,
+}
+
+/// The mechanism in which a point is given and motors follow. Its links and joints are those of the other, and after them those that carry
+/// the point.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct InverseMechanism {
+    /// Its parts. Motors of what is given stand in place of those that follow.
+    pub model: Model,
+    /// Its programs.
+    pub compiled: Compiled,
 }
 
 /// The programs that compute forces at a position.

@@ -51,6 +51,11 @@ impl<'m> LinkFrames<'m> {
         self.frame(axis.link) * Point2::from(axis.at)
     }
 
+    /// The place in the scene of a place of a link.
+    pub(crate) fn place_of(&self, link: LinkId, at: [f64; 2]) -> [f64; 2] {
+        (self.frame(link) * Point2::from(at)).into()
+    }
+
     fn direction(&self, axis: AxisId) -> Vector2<f64> {
         let axis = self.model.axis(axis);
         self.frame(axis.link) * Vector2::from(axis.direction)

@@ -7,6 +7,7 @@ mod coordinates;
 mod dynamics;
 mod forces;
 mod interpolation;
+mod inverse;
 mod joints;
 mod journey;
 mod limits;
@@ -37,6 +38,7 @@ pub use coordinates::{
 pub use dynamics::{Moment, Simulated, simulate};
 pub use forces::{Holding, Inertia, not_finite, pull};
 pub use interpolation::Rates;
+pub use inverse::{Led, Mover, reach};
 pub use joints::pins;
 pub use limits::{Followed, MoveLimits, Stepping, Watched};
 pub use loops::{closed, closes, determined, solve};

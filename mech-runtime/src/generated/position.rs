@@ -36,6 +36,15 @@ impl<T: Scalar, const MOTORS: usize> Motors<T, MOTORS> {
         total
     }
 
+    /// Sets a motor to a value and whole turns beside it.
+    #[inline]
+    pub(super) fn set(&mut self, motor: usize, value: T, turns: i32) {
+        if let (Some(given), Some(whole)) = (self.values.get_mut(motor), self.turns.get_mut(motor))
+        {
+            (*given, *whole) = (value, turns);
+        }
+    }
+
     /// Sets the phase of a motor.
     ///
     /// # Errors

@@ -189,7 +189,7 @@ pub(super) const ROWS: &[Row] = &[
         },
     },
     Row {
-        pattern: "<word:gravity|look|quality|method|accuracy|cost|allow|show|continuous> <what:rest>",
+        pattern: "<word:gravity|look|quality|method|accuracy|cost|allow|show|continuous|follow> <what:rest>",
         help: "says something of the whole mechanism: `gravity (0, -9.81)`, `look diagram`",
         request: |mut taken| {
             let statement = format!("{} {}", taken.text("word"), taken.text("what"));

@@ -62,6 +62,8 @@ pub(crate) const MECHANISM: Language = Language {
         "accuracy",
         "cost",
         "continuous",
+        "follow",
+        "by",
         "expect",
         "for",
         "transmission",

@@ -3,6 +3,15 @@
 use crate::model::{JointKind, LoadKind, Model};
 use std::fmt::{self, Display, Formatter};
 
+/// What a text has of which methods are made, right or wrong.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Asked {
+    /// Whether a motor has a law.
+    pub laws: bool,
+    /// Whether motors follow a point.
+    pub follow: bool,
+}
+
 /// The condition under which a mechanism has an item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Condition {
@@ -30,11 +39,12 @@ pub(crate) enum Condition {
     Params,
     Sensitivity,
     Laws,
+    Inverse,
 }
 
 impl Condition {
     /// Whether a mechanism meets it, as far as its text is understood.
-    pub(crate) fn is_met(self, model: &Model, has_laws: bool) -> bool {
+    pub(crate) fn is_met(self, model: &Model, asked: Asked) -> bool {
         let effects = model.effects;
         let slides = || {
             let mut motors = model.motors.iter();
@@ -63,7 +73,8 @@ impl Condition {
             Self::PaintsMore => model.paints_more(),
             Self::Params => !model.params.is_empty(),
             Self::Sensitivity => effects.sensitivity && !model.params.is_empty(),
-            Self::Laws => has_laws,
+            Self::Laws => asked.laws,
+            Self::Inverse => asked.follow,
         }
     }
 
@@ -75,6 +86,7 @@ impl Condition {
             Self::OverlayOfForce | Self::OverlayOfLoads => Some(Owner::Overlay),
             Self::Params | Self::Sensitivity => Some(Owner::Params),
             Self::Laws => Some(Owner::Laws),
+            Self::Inverse => Some(Owner::Inverse),
             _ => None,
         }
     }
@@ -88,16 +100,18 @@ pub(crate) enum Owner {
     Overlay,
     Params,
     Laws,
+    Inverse,
 }
 
 impl Owner {
     #[cfg(test)]
-    pub(crate) const ALL: [Self; 5] = [
+    pub(crate) const ALL: [Self; 6] = [
         Self::Force,
         Self::Dynamics,
         Self::Overlay,
         Self::Params,
         Self::Laws,
+        Self::Inverse,
     ];
 }
 
@@ -109,6 +123,7 @@ impl Display for Owner {
             Self::Overlay => "effect `overlay`",
             Self::Params => "a mechanism with params",
             Self::Laws => "the method that moves motors by their laws",
+            Self::Inverse => "the method that moves motors after a point",
         })
     }
 }

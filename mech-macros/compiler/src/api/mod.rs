@@ -4,6 +4,7 @@ mod condition;
 mod table;
 
 use crate::bug::bug;
+pub use condition::Asked;
 pub(crate) use condition::{Condition, Owner};
 use std::collections::BTreeSet;
 use std::sync::LazyLock;

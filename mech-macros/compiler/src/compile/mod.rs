@@ -8,6 +8,7 @@
 
 mod change_point_start;
 mod closure;
+mod inverse;
 mod overconstrained;
 mod overflow;
 
@@ -54,6 +55,7 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         inertia: derive(Output::Inertia),
     };
     let sensitive = derive(Output::Sensitivity);
+    let inverse = inverse::invert(model, &program).map_err(|diagnosis| vec![diagnosis])?;
     let loops = accuracy::solved_loops(&program, prediction.as_ref());
     let saved = saved_cost(model, &plan, &program, &choices);
     let mut compiled = Compiled {
@@ -66,6 +68,7 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         forced,
         timing: program::build_timing(model),
         sensitive,
+        inverse,
         loops,
         prediction,
         saved,
@@ -89,7 +92,8 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
 /// # Errors
 /// As [`compile`].
 pub(crate) fn check(model: &Model) -> Result<(), Vec<Diagnosis>> {
-    analyse(model, Depth::Start).map(drop)
+    let coherent = analyse(model, Depth::Start)?;
+    inverse::check(model, &coherent.program).map_err(|diagnosis| vec![diagnosis])
 }
 
 /// The motors that move nothing that has a mass.

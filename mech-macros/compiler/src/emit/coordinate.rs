@@ -61,8 +61,7 @@ pub(super) fn coordinate(emitter: &Emitter<'_>, joint: JointId) -> Option<Coordi
         };
         (measure, quote!(Self::motors(self)[#index]))
     } else if let Some(state) = emitter.program.angle_state(joint) {
-        let state = integer(state);
-        (Measure::Turns, quote!(self.position.state[#state]))
+        (Measure::Turns, emitter.state(state))
     } else if let Some(value) = whole_angle(emitter, joint) {
         (Measure::Turns, value)
     } else {

@@ -1,13 +1,20 @@
 //! The mechanism as every file of this room reads it.
 
 use super::tokens::{integer, number, scalar, user_ident};
-use crate::compiled::Compiled;
+use crate::compiled::{Compiled, InverseMechanism};
 use crate::looks::{Looks, looks};
 use crate::model::{AxisId, FormulaId, JointKind, LinkId, Model, MotorId, Origin};
 use crate::program::Program;
 use crate::syntax::{Header, Parsed, Places};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
+
+/// Where the code of a mechanism will stand.
+struct Declared<'a> {
+    krate: &'a TokenStream,
+    header: &'a Header,
+    places: &'a Places,
+}
 
 /// A coherent mechanism, where its code will stand, and tokens that most methods quote.
 pub(super) struct Emitter<'a> {
@@ -32,6 +39,8 @@ pub(super) struct Emitter<'a> {
     pub(super) values: TokenStream,
     /// The error type of most methods.
     pub(super) blocked: TokenStream,
+    /// The position, as an expression where coordinates are read.
+    at: TokenStream,
 }
 
 impl<'a> Emitter<'a> {
@@ -41,6 +50,40 @@ impl<'a> Emitter<'a> {
         parsed: &'a Parsed,
         compiled: &'a Compiled,
     ) -> Self {
+        let of = Declared {
+            krate,
+            header,
+            places: &parsed.places,
+        };
+        let looks = looks(&parsed.model, compiled);
+        Self::of(of, &parsed.model, compiled, looks, quote!(self.position))
+    }
+
+    /// The mechanism in which a point is given. Nothing of it is seen, and `at` is its position.
+    pub(super) fn of_inverse(&self, inverse: &'a InverseMechanism) -> Self {
+        let of = Declared {
+            krate: self.krate,
+            header: self.header,
+            places: self.places,
+        };
+        let looks = Looks {
+            painted: Vec::new(),
+            symbols: None,
+        };
+        Self::of(of, &inverse.model, &inverse.compiled, looks, quote!(at))
+    }
+
+    fn of(
+        Declared {
+            krate,
+            header,
+            places,
+        }: Declared<'a>,
+        model: &'a Model,
+        compiled: &'a Compiled,
+        looks: Looks,
+        at: TokenStream,
+    ) -> Self {
         let program = &compiled.program;
         let scalar = scalar(program.precision);
         let motors = integer(program.motors.len());
@@ -49,10 +92,11 @@ impl<'a> Emitter<'a> {
             krate,
             header,
             visibility: &header.visibility,
-            places: &parsed.places,
-            model: &parsed.model,
+            places,
+            model,
             compiled,
-            looks: looks(&parsed.model, compiled),
+            looks,
+            at,
             program,
             links: integer(program.links.len()),
             params: integer(program.params.len()),
@@ -113,13 +157,20 @@ impl<'a> Emitter<'a> {
         integer(self.program.pose_index(link))
     }
 
+    /// The state at this index: an expression in a method.
+    pub(super) fn state(&self, index: usize) -> TokenStream {
+        let (at, index) = (&self.at, integer(index));
+        quote!(#at.state[#index])
+    }
+
     /// The pose of a link in the scene, as an expression in a method.
     pub(super) fn pose(&self, link: LinkId) -> TokenStream {
         if link == LinkId::GROUND {
             return quote!(Pose::identity());
         }
         let index = self.index(link);
-        quote!(self.position.poses[#index])
+        let at = &self.at;
+        quote!(#at.poses[#index])
     }
 
     /// The place of an axis in its link, as an array: an expression in a method.
@@ -143,10 +194,7 @@ impl<'a> Emitter<'a> {
     pub(super) fn present(&self, start: f64, formula: Option<FormulaId>) -> TokenStream {
         match formula.and_then(|formula| self.program.formula_state(formula)) {
             None => self.number(start),
-            Some(state) => {
-                let state = integer(state);
-                quote!(self.position.state[#state])
-            }
+            Some(state) => self.state(state),
         }
     }
 

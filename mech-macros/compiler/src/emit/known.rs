@@ -36,7 +36,7 @@ pub(super) fn known_module(emitter: &Emitter<'_>, tables: &TokenStream) -> Token
 }
 
 /// The position at the start.
-fn start(emitter: &Emitter<'_>) -> TokenStream {
+pub(super) fn start(emitter: &Emitter<'_>) -> TokenStream {
     let start = &emitter.program.start;
     let n = |value: &f64| emitter.number(*value);
     let (motors, state) = (start.motors.iter().map(n), start.state.iter().map(n));

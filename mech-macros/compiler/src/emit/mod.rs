@@ -12,6 +12,7 @@ mod emitter;
 mod expression;
 mod forces;
 mod instance_methods;
+mod inverse;
 mod items;
 mod joints;
 mod known;

@@ -138,12 +138,10 @@ struct Stub<'m> {
 impl Stub<'_> {
     /// The items of the table that have this text, once for each part that they are for.
     fn items(&self, text: fn(&Item) -> Option<String>) -> TokenStream {
-        let Parsed {
-            model, has_laws, ..
-        } = self.parsed;
+        let Parsed { model, asked, .. } = self.parsed;
         let items = TABLE
             .iter()
-            .filter(|item| item.condition.is_met(model, *has_laws));
+            .filter(|item| item.condition.is_met(model, *asked));
         let items = items.filter_map(|item| {
             let text = text(item)?;
             let Ok(tokens) = text.parse::<TokenStream>() else {

@@ -11,6 +11,7 @@ mod formula;
 mod function;
 mod id;
 mod instance;
+mod inverse;
 mod joint;
 mod law;
 mod link;
@@ -37,6 +38,7 @@ pub use function::{BinaryFunction, Function};
 pub(crate) use id::in_32_bits;
 pub use id::{AxisId, FormulaId, InputId, JointId, LawId, LinkId, MotorId, Origin, ParamId};
 pub use instance::Instance;
+pub use inverse::Inverse;
 pub use joint::{Joint, JointKind, Motor, Range, Ratio};
 pub use law::Law;
 pub use link::{Axis, AxisKind, Link};
@@ -187,6 +189,8 @@ pub struct Model {
     pub traces: Vec<Trace>,
     /// The conditions that it has to meet.
     pub requirements: Vec<Requirement>,
+    /// The point that is given, if motors follow one.
+    pub inverse: Option<Inverse>,
     /// The instances of parts, each after the one that it is in.
     pub instances: Vec<Instance>,
 }
@@ -230,6 +234,7 @@ impl Model {
             actions: Actions::default(),
             traces: Vec::new(),
             requirements: Vec::new(),
+            inverse: None,
             instances: Vec::new(),
         }
     }

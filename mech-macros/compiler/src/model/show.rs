@@ -18,7 +18,8 @@ impl Model {
     /// The links whose poses are asked for or needed for what is, in the order of their declaration.
     #[must_use]
     pub fn asked_links(&self) -> Vec<LinkId> {
-        let Some(shown) = self.show.as_ref().filter(|_| !self.effects.needs_actions()) else {
+        let needs_all = self.effects.needs_actions() || self.inverse.is_some();
+        let Some(shown) = self.show.as_ref().filter(|_| !needs_all) else {
             return self.declared_links().collect();
         };
         let mut links: Vec<LinkId> = shown

@@ -10,13 +10,15 @@ pub struct Start {
     pub values: Vec<StartValue>,
     /// Which of several assemblies is meant.
     pub near: Vec<Near>,
+    /// Coordinates that are known beforehand: those of joints whose start is open are taken.
+    pub known: Vec<StartValue>,
 }
 
 impl Start {
-    /// The coordinate of a joint at the start, as far as it was said: zero if it is not listed.
+    /// The coordinate of a joint at the start, as far as it was said or is known: zero if it is not listed.
     #[must_use]
     pub fn value(&self, joint: JointId) -> f64 {
-        let mut listed = self.values.iter();
+        let mut listed = self.values.iter().chain(&self.known);
         listed
             .find(|value| value.joint == joint)
             .map_or(0.0, |value| value.value)

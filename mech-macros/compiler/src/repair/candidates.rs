@@ -6,7 +6,7 @@ use super::twins::twins;
 use super::union::unions;
 use super::{NewKind, Repair, completions, drivable, replacement, sizes, wheels};
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
-use crate::structure::{self, Diagnosis, MeshTrouble};
+use crate::structure::{self, Diagnosis, InverseTrouble, MeshTrouble};
 
 /// All single changes that might cure this, the likely ones first.
 pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Vec<Repair> {
@@ -105,8 +105,35 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
             }
             repairs
         }
+        Diagnosis::Inverse { trouble } => followers(model, trouble),
         _ => Vec::new(),
     }
+}
+
+/// Changes that might let motors follow the point.
+fn followers(model: &Model, trouble: &InverseTrouble) -> Vec<Repair> {
+    let Some(inverse) = &model.inverse else {
+        return Vec::new();
+    };
+    let motors = inverse.motors.iter();
+    let mut repairs = match trouble {
+        InverseTrouble::DeadStart { .. } => motors
+            .rev()
+            .flat_map(|motor| elsewhere(model, *motor))
+            .collect(),
+        InverseTrouble::Coupled { .. } => vec![Repair::AllowCoupled],
+        InverseTrouble::Idle { .. } | InverseTrouble::Bound => Vec::new(),
+    };
+    let lawless = model
+        .motor_ids()
+        .filter(|id| model.motor(*id).law.is_none());
+    let lawless: Vec<MotorId> = lawless.collect();
+    let sets = several(&lawless, inverse.motors.len());
+    let mut named = inverse.motors.clone();
+    named.sort_unstable();
+    let others = sets.filter(|set| *set != named);
+    repairs.extend(others.map(Repair::Follow));
+    repairs
 }
 
 /// Joints and links that may be missing, and motors.
@@ -371,14 +398,14 @@ fn with_slides(model: &Model, joints: &[JointId], links: &mut Vec<LinkId>) -> Ve
     }
 }
 
-/// Some choices of so many of these joints.
-fn several(joints: &[JointId], count: usize) -> impl Iterator<Item = Vec<JointId>> {
+/// Some choices of so many of these.
+fn several<T: Copy>(all: &[T], count: usize) -> impl Iterator<Item = Vec<T>> {
     const MOST: usize = 60;
     let mut chosen: Vec<usize> = (0..count).collect();
-    let total = joints.len();
+    let total = all.len();
     let mut choices = Vec::new();
     while count <= total && choices.len() < MOST {
-        choices.push(chosen.iter().map(|&index| joints[index]).collect());
+        choices.push(chosen.iter().map(|&index| all[index]).collect());
         let Some(at) = (0..count).rfind(|&at| chosen[at] < total - count + at) else {
             break;
         };

@@ -71,6 +71,8 @@ pub enum Repair {
         /// The coordinate of its joint, in radians or scene units.
         value: f64,
     },
+    /// Let these motors follow the point.
+    Follow(Vec<MotorId>),
     /// Name this link as the carrier of what rolls here.
     Carry {
         /// The gear, belt or rack.

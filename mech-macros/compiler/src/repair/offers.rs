@@ -91,6 +91,7 @@ fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {
     let one_is_enough = matches!(
         diagnosis,
         Diagnosis::DeadStart { .. }
+            | Diagnosis::Inverse { .. }
             | Diagnosis::Undetermined { freedom: 2.., .. }
             | Diagnosis::NoMotor { freedom: 2.., .. }
     );

@@ -51,6 +51,7 @@ impl<'m> Writing<'m> {
             Repair::AllowCoupled if model.allow.coupled => None,
             Repair::AllowCoupled => rewriter.add("allow coupled;", &["allow", "motor"]),
             Repair::StartAt { motor, value } => self.start_at(*motor, *value),
+            Repair::Follow(motors) => self.follow(motors),
             Repair::Carry { joint, on } => self.carry(*joint, *on),
             Repair::Attach { joint, from, to } => self.attach(*joint, *from, *to),
             Repair::Numbers(numbers) => self.renumber(numbers),
@@ -173,6 +174,17 @@ impl<'m> Writing<'m> {
             Some(known) => self.rewriter.edits.replace(known.range(), clause),
             None => self.rewriter.add_to_start(&clause)?,
         }
+        Some(())
+    }
+
+    /// Lets these motors follow the point, instead of those that are written.
+    fn follow(&mut self, motors: &[MotorId]) -> Option<()> {
+        let statement = self.rewriter.all("follow").next()?;
+        let first = statement.token(statement.find("by")? + 1);
+        let last = statement.token(statement.len() - 1);
+        let names = motors.iter().map(|motor| name_of_motor(self.model, *motor));
+        let names: Vec<&str> = names.collect();
+        self.rewriter.edits.replace(first..last, names.join(", "));
         Some(())
     }
 

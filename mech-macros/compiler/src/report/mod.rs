@@ -2,6 +2,7 @@
 
 mod effects;
 mod instances;
+mod inverse;
 mod loops;
 mod near;
 mod rolling;
@@ -12,6 +13,7 @@ use crate::model::{Joint, JointId, JointKind, LinkId, Model};
 use crate::structure::Structure;
 use effects::{force_lines, trace_line};
 use instances::{is_described, joint_names, part_lines};
+use inverse::inverse_lines;
 use loops::{accuracy, loop_line, method, method_line, needs_line, omissions};
 pub(crate) use near::notes;
 use rolling::coupling_lines;
@@ -108,6 +110,7 @@ fn write(text: &mut String, model: &Model, compiled: &Compiled) -> std::fmt::Res
         let more = cost::of_program(&timing.program);
         writeln!(text, "  at time   {more} more")?;
     }
+    inverse_lines(text, model, compiled)?;
     for trace in &model.traces {
         writeln!(text, "  trace     {}", trace_line(model, trace))?;
     }

@@ -76,7 +76,7 @@ impl Words<'_> {
         joint.map_or(self.model.origin, |&joint| self.model.joint(joint).origin)
     }
 
-    fn start_elsewhere(&self, offers: &Offers) -> String {
+    pub(super) fn start_elsewhere(&self, offers: &Offers) -> String {
         let help = self.help(offers);
         if help.is_empty() {
             "\nhelp: start the motors elsewhere".to_owned()

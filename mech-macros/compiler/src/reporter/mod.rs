@@ -8,6 +8,7 @@ mod drawing;
 mod exactness;
 mod held;
 mod instances;
+mod inverse;
 mod mesh;
 mod names;
 mod order;
@@ -146,6 +147,7 @@ impl Words<'_> {
                 requirement,
                 trouble,
             } => self.unmet(*requirement, trouble),
+            Diagnosis::Inverse { trouble } => self.cannot_follow(trouble, offers),
             Diagnosis::TooLarge => (self.model.origin, self.too_large()),
             Diagnosis::TooSmall => (self.model.origin, self.too_small()),
             Diagnosis::EndlessAccuracy { accuracy, motor } => (

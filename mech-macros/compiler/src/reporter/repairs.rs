@@ -121,6 +121,7 @@ impl Words<'_> {
                     "add `allow coupled;` to solve these loops together".to_owned()
                 }
                 Repair::StartAt { motor, value } => self.start_at(*motor, *value),
+                Repair::Follow(motors) => self.follow_line(motors),
                 Repair::Attach { joint, from, to } => {
                     let [from, to] = [*from, *to].map(|link| self.link(link));
                     format!("write {to} for {from} in {}", self.joint_line(*joint))

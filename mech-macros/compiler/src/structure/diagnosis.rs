@@ -194,6 +194,11 @@ pub enum Diagnosis {
         /// The trouble with it.
         trouble: RequirementTrouble,
     },
+    /// The motors that are to follow a point cannot.
+    Inverse {
+        /// The trouble with them.
+        trouble: InverseTrouble,
+    },
     /// Forces, rates or laws are computed with numbers that the scalar type does not hold.
     Overflow {
         /// Whose numbers are farthest from one, if any are declared.
@@ -269,6 +274,29 @@ pub enum MeshTrouble {
         distance: f64,
         /// The distance that the radii ask for: their sum, or for a ring their difference.
         asked: f64,
+    },
+}
+
+/// Why motors cannot follow a point.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum InverseTrouble {
+    /// These motors have no part in where it is.
+    Idle {
+        /// The motors.
+        motors: Vec<MotorId>,
+    },
+    /// The motors do not move it every way: what they move is not free to be anywhere.
+    Bound,
+    /// At the start they do not move it every way.
+    DeadStart {
+        /// The joints of the loop whose coordinates are unknown.
+        unknowns: Vec<JointId>,
+    },
+    /// Loops wait for each other.
+    Coupled {
+        /// The joints that wait.
+        waiting: Vec<JointId>,
     },
 }
 

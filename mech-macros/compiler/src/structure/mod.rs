@@ -15,8 +15,8 @@ mod verdict;
 mod welded;
 
 pub use diagnosis::{
-    Diagnosis, Extreme, LoopAssembly, MeshTrouble, OpenLoop, RangeTrouble, RequirementTrouble,
-    Witness,
+    Diagnosis, Extreme, InverseTrouble, LoopAssembly, MeshTrouble, OpenLoop, RangeTrouble,
+    RequirementTrouble, Witness,
 };
 pub(crate) use graph::KinematicGraph;
 pub use parallel::Parallels;

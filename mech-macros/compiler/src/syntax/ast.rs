@@ -4,6 +4,7 @@
 //! the statement (above all its name) is still known, and messages stay in the order of the text.
 
 use super::{Header, Message, Place};
+use crate::api::Asked;
 use crate::model::{AtChangePoints, Precision};
 use proc_macro2::{Ident, Span};
 
@@ -23,8 +24,8 @@ pub(super) struct Text {
     pub beginnings: Vec<(usize, Span)>,
     /// The number of them that begin with `motor`, readable or not.
     pub motors: usize,
-    /// Whether one of these goes on with a law, readable or not.
-    pub has_laws: bool,
+    /// What it has of which methods are made, readable or not.
+    pub asked: Asked,
     /// Whether it is beyond a limit, so that only its `struct` line was read.
     pub is_beyond: bool,
 }
@@ -80,12 +81,24 @@ pub(super) enum Statement {
     Port(Port),
     /// `use left[6]: Leg(size = 2) { frame = ground };`
     Use(Box<Use>),
+    /// `follow pen.tip by left, right;`
+    Follow(Follow),
     /// `expect transmission > 40 deg for a in 0 deg ..= 90 deg;`
     Expect(Box<Expect>),
     /// `allow redundant;`
     Allow(Ident),
     /// Something that could not be read.
     Broken(Broken),
+}
+
+/// `follow pen.tip by left, right;`
+pub(super) struct Follow {
+    /// The word `follow`.
+    pub keyword: Span,
+    /// The point, or the link.
+    pub what: End,
+    /// The joints of the motors.
+    pub motors: Vec<Name>,
 }
 
 /// A statement or an item that could not be read.

@@ -21,6 +21,7 @@ pub use listing::{ListedName, ListedNumber, Listing, Noun};
 pub use place::{Message, Place, Places};
 pub use source::{Edit, Edits, Rewriter, Source, StatementText, Tokens};
 
+use crate::api::Asked;
 use crate::model::Model;
 use proc_macro2::{Ident, TokenStream};
 
@@ -33,8 +34,8 @@ pub struct Parsed {
     pub model: Model,
     /// The number of motors in the text, with those that an error keeps out of the model.
     pub motors: usize,
-    /// Whether any of them is declared with a law, right or wrong.
-    pub has_laws: bool,
+    /// What it has of which methods are made, right or wrong.
+    pub asked: Asked,
     /// Where everything in the model was declared.
     pub places: Places,
     /// Everything that is wrong with the text, in the order of the text.
@@ -60,12 +61,12 @@ pub fn parse(input: TokenStream) -> Parsed {
     let source = Source::read(input);
     let lowered = source.lower();
     let text = source.tree();
-    let (motors, has_laws) = (text.motors, text.has_laws);
+    let (motors, asked) = (text.motors, text.asked);
     let header = text.header.as_ref().map(|(header, _)| header.clone());
     drop(text);
     Parsed {
         motors,
-        has_laws,
+        asked,
         header,
         model: lowered.model,
         places: lowered.places,

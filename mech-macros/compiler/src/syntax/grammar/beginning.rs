@@ -3,7 +3,7 @@
 use syn::parse::ParseStream;
 
 /// The words that a statement may begin with.
-pub const STATEMENTS: [&str; 26] = [
+pub const STATEMENTS: [&str; 27] = [
     "const",
     "param",
     "ground",
@@ -25,6 +25,7 @@ pub const STATEMENTS: [&str; 26] = [
     "spring",
     "damper",
     "load",
+    "follow",
     "expect",
     "part",
     "port",

@@ -10,7 +10,7 @@ use super::tokens::{
 };
 use super::trace::trace;
 use crate::syntax::ast::{
-    Broken, EFFECTS, Effect, Expr, Motor, Name, Read, Start, StartClause, Statement,
+    Broken, EFFECTS, Effect, Expr, Follow, Motor, Name, Read, Start, StartClause, Statement,
 };
 use crate::syntax::written::in_product;
 use crate::syntax::{Message, Place, spelling};
@@ -249,6 +249,24 @@ pub(super) fn continuous(input: ParseStream, keyword: Span) -> Statement {
     read_setting(input, |input| {
         let joints = read_list(input, |input| path(input, "the name of a joint"))?;
         Ok(Statement::Continuous { keyword, joints })
+    })
+}
+
+/// Reads `pen.tip by left, right;`.
+pub(super) fn follow(input: ParseStream, keyword: Span) -> Statement {
+    read_setting(input, |input| {
+        let what = end(input)?;
+        if take_word(input, "by").is_none() {
+            let mut error = expected_message(input, "`by` and the motors that follow");
+            error.text += &format!("; write `follow {what} by a, b`");
+            return Err(error);
+        }
+        let motors = read_list(input, |input| path(input, "the name of a motor's joint"))?;
+        Ok(Statement::Follow(Follow {
+            keyword,
+            what,
+            motors,
+        }))
     })
 }
 

@@ -152,6 +152,12 @@ impl Reader {
                     self.name(name, Noun::Joint);
                 }
             }
+            Statement::Follow(follow) => {
+                self.end(&follow.what, Noun::Body);
+                for name in &follow.motors {
+                    self.name(name, Noun::Joint);
+                }
+            }
             Statement::Part(part) => self.part(part),
             Statement::Use(used) => self.used(used),
             Statement::Expect(expect) => self.expect(expect),

@@ -15,6 +15,7 @@ mod ends;
 mod expansion;
 mod figure;
 mod find;
+mod follow;
 mod given;
 mod joint;
 mod law;
@@ -108,6 +109,7 @@ pub(super) fn lower(text: &mut Text, tokens: &TokenStream) -> Lowered {
     action::take_methods(&mut draft, &statements, &mut report);
     effect::take_time_method(&mut draft, &mut report);
     trace::take_methods(&mut draft, &mut report);
+    follow::take_method(&mut draft, &mut report);
     Lowered {
         model: draft.model,
         places: draft.places,
@@ -148,6 +150,7 @@ fn begin(reader: &mut Reader, draft: &mut Draft, statement: &Statement) {
 fn go_on(reader: &mut Reader, draft: &mut Draft, statement: &Statement) {
     match statement {
         Statement::Continuous { joints, .. } => continuous::lower(reader, draft, joints),
+        Statement::Follow(follow) => follow::lower(reader, draft, follow),
         Statement::Expect(expect) => requirement::lower(reader, draft, expect),
         _ => {}
     }

@@ -42,6 +42,7 @@ impl Single {
                 own(*keyword, "continuous", "put all joints into the first")
             }
             Statement::Show { keyword, .. } => whole(*keyword, "show", LIST),
+            Statement::Follow(follow) => whole(follow.keyword, "follow", CHOICE),
             Statement::Gravity { keyword, .. } => whole(*keyword, "gravity", "remove this one"),
             Statement::Method(method) => whole(method.keyword, "method", CHOICE),
             Statement::Accuracy { keyword, .. } => whole(*keyword, "accuracy", CHOICE),

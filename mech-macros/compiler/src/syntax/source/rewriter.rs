@@ -167,6 +167,7 @@ impl<'s> Rewriter<'s> {
     pub fn remove_motor(&mut self, joint: &str) -> Option<()> {
         self.remove_statement("motor", joint)?;
         self.forget_start(joint);
+        self.remove_all(|one| one.is("follow") && one.mentions(joint));
         Some(())
     }
 
@@ -176,7 +177,7 @@ impl<'s> Rewriter<'s> {
         let _ = self.remove_statement("motor", joint);
         self.forget_start(joint);
         self.remove_from_lists(joint);
-        self.remove_all(|one| one.is("expect") && one.mentions(joint));
+        self.remove_all(|one| (one.is("expect") || one.is("follow")) && one.mentions(joint));
         self.remove_all(|one| {
             let is_torsional = one.find("torsional").is_some();
             (one.is("spring") || one.is("damper")) && is_torsional && one.mentions(joint)
@@ -199,7 +200,7 @@ impl<'s> Rewriter<'s> {
         self.remove_all(|one| {
             let is_action = one.is("spring") || one.is("damper") || one.is("load");
             is_action && one.find("torsional").is_none() && one.mentions(name)
-                || one.is("expect") && one.mentions(name)
+                || (one.is("expect") || one.is("follow")) && one.mentions(name)
         });
         Some(())
     }

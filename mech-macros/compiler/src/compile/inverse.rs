@@ -1,0 +1,117 @@
+//! Inverse kinematics: the mechanism in which a point is given and motors follow.
+
+use super::compile;
+use crate::compiled::InverseMechanism;
+use crate::kinematics::LinkFrames;
+use crate::model::{Inverse, JointId, LinkId, Model, MotorId, Near, Start, StartValue};
+use crate::program::Program;
+use crate::structure::{Diagnosis, InverseTrouble};
+
+/// The mechanism in which the point is given, if motors follow one. It starts where the given program does.
+///
+/// # Errors
+/// What keeps the motors from following.
+pub(super) fn invert(
+    model: &Model,
+    program: &Program,
+) -> Result<Option<Box<InverseMechanism>>, Diagnosis> {
+    let Some(inverse) = &model.inverse else {
+        return Ok(None);
+    };
+    let inverted = inverted(model, inverse, program);
+    let compiled = compile(&inverted).map_err(|found| diagnosis(model, inverse, &found))?;
+    Ok(Some(Box::new(InverseMechanism {
+        model: inverted,
+        compiled,
+    })))
+}
+
+/// Checks whether motors follow, as far as the start shows.
+///
+/// # Errors
+/// As [`invert`].
+pub(super) fn check(model: &Model, program: &Program) -> Result<(), Diagnosis> {
+    let Some(inverse) = &model.inverse else {
+        return Ok(());
+    };
+    let checked = super::check(&inverted(model, inverse, program));
+    checked.map_err(|found| diagnosis(model, inverse, &found))
+}
+
+fn inverted(model: &Model, inverse: &Inverse, program: &Program) -> Model {
+    let mut inverted = model.inverted(inverse);
+    inverted.start = start(model, inverse, &inverted, program);
+    inverted
+}
+
+/// The start of the inverted mechanism: everything is where it is at the start of the program.
+fn start(model: &Model, inverse: &Inverse, inverted: &Model, program: &Program) -> Start {
+    let frames = LinkFrames::of_some(model, &program.stored, &program.start.poses);
+    let origin = inverse.origin;
+    let coordinate = |joint: JointId| {
+        let given = model.start.values.iter().find(|value| value.joint == joint);
+        let value = given.map_or_else(|| frames.coordinate(joint), |given| Some(given.value))?;
+        Some(StartValue {
+            joint,
+            value,
+            origin,
+        })
+    };
+    let followed = |motor: &MotorId| inverse.motors.contains(motor);
+    let held = model.motor_ids().filter(|motor| !followed(motor));
+    let held = held.filter_map(|motor| coordinate(model.motor(motor).joint));
+    let place = place(model, inverse, &frames);
+    let given = inverse.motors.iter().zip(place);
+    let given = given.map(|(motor, value)| StartValue {
+        joint: inverted.motor(*motor).joint,
+        value,
+        origin,
+    });
+    let links = program.stored.iter().zip(&program.start.poses);
+    let near = links.map(|(&link, [cos, sin, ..])| Near {
+        link,
+        angle: sin.atan2(*cos),
+        origin,
+    });
+    Start {
+        values: held.chain(given).collect(),
+        near: near.collect(),
+        known: model.joint_ids().filter_map(coordinate).collect(),
+    }
+}
+
+/// What is given, where it is at the start: the place of the point, and the angle of its link.
+fn place(model: &Model, inverse: &Inverse, frames: &LinkFrames<'_>) -> [f64; 3] {
+    let at = inverse.point.map_or([0.0; 2], |point| model.axis(point).at);
+    let [x, y] = frames.place_of(inverse.link, at);
+    [x, y, frames.turn(LinkId::GROUND, inverse.link)]
+}
+
+/// What keeps the motors from following, of all that is wrong with the inverted mechanism.
+fn diagnosis(model: &Model, inverse: &Inverse, diagnoses: &[Diagnosis]) -> Diagnosis {
+    // Its own joints come after all that were declared.
+    let declared = |joints: &[JointId]| {
+        let declared = joints.iter().copied();
+        let declared = declared.filter(|joint| joint.index() < model.joints.len());
+        declared.collect::<Vec<JointId>>()
+    };
+    let is_free = |motor: &MotorId| {
+        let joint = model.motor(*motor).joint;
+        diagnoses.iter().any(|diagnosis| match diagnosis {
+            Diagnosis::Undetermined { free, .. } => free.contains(&joint),
+            _ => false,
+        })
+    };
+    let idle: Vec<MotorId> = inverse.motors.iter().copied().filter(is_free).collect();
+    let trouble = match diagnoses.first() {
+        _ if !idle.is_empty() => InverseTrouble::Idle { motors: idle },
+        Some(Diagnosis::DeadStart { unknowns }) => InverseTrouble::DeadStart {
+            unknowns: declared(unknowns),
+        },
+        Some(Diagnosis::NotSequential { waiting, .. }) => InverseTrouble::Coupled {
+            waiting: declared(waiting),
+        },
+        _ => InverseTrouble::Bound,
+    };
+    Diagnosis::Inverse { trouble }
+}

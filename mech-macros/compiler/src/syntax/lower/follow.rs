@@ -1,0 +1,137 @@
+//! The point that motors follow.
+
+use super::draft::Draft;
+use super::find;
+use super::name::Referent;
+use super::reader::Reader;
+use super::report::Report;
+use crate::api::Owner;
+use crate::model::{AxisId, AxisKind, Inverse, LinkId, Model, MotorId};
+use crate::syntax::Place;
+use crate::syntax::ast::{End, Follow, Name};
+use crate::syntax::spelling;
+
+pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, follow: &Follow) {
+    let led = find_led(reader, draft, &follow.what);
+    // Each is looked at, so that the errors of all are reported.
+    let mut motors: Vec<MotorId> = Vec::new();
+    for name in &follow.motors {
+        let motor = find_motor(reader, draft, name, &motors);
+        motors.extend(motor);
+    }
+    let Some((link, point)) = led else {
+        return;
+    };
+    if motors.len() < follow.motors.len() || draft.model.inverse.is_some() {
+        return;
+    }
+    if let Some(text) = wrong_count(&draft.model, follow, point) {
+        return reader.report.error(follow.what.place(), text);
+    }
+    let named = follow.motors.iter();
+    let named = named.map(|name| draft.places.note(name.place())).collect();
+    draft.model.inverse = Some(Inverse {
+        link,
+        point,
+        motors,
+        origin: draft.places.note(follow.what.place()),
+        named,
+    });
+}
+
+/// The link that is led, and its point, if one is named.
+fn find_led(reader: &mut Reader, draft: &Draft, end: &End) -> Option<(LinkId, Option<AxisId>)> {
+    if let (Some(Referent::Joint(_)), None) = (find::look_up(reader, &end.link), &end.axis) {
+        let text = format!("`{end}` is a joint; motors follow a point, as `link.point`");
+        return reader.report.refuse(end.place(), text);
+    }
+    let body = find::body(reader, draft, &end.link)?;
+    let point = match &end.axis {
+        None => None,
+        Some(name) => {
+            let point = find::axis(reader, draft, body, name, Some(AxisKind::Point))?;
+            if draft.model.axis(point).kind == AxisKind::Line {
+                let text = format!("`{end}` is a line; motors follow a point, as `link.point`");
+                return reader.report.refuse(Place::at(name.span()), text);
+            }
+            Some(point)
+        }
+    };
+    if body.id == LinkId::GROUND {
+        let text = format!("`{end}` does not move; name a point of a moving link");
+        return reader.report.refuse(end.place(), text);
+    }
+    Some((body.id, point))
+}
+
+/// The motor of this name, if it can follow.
+fn find_motor(
+    reader: &mut Reader,
+    draft: &Draft,
+    name: &Name,
+    others: &[MotorId],
+) -> Option<MotorId> {
+    let model = &draft.model;
+    let joint = find::joint(reader, draft, name)?;
+    let Some(motor) = model.motor_of(joint) else {
+        // With an error elsewhere, that may be its motor.
+        if !reader.report.is_empty() {
+            return None;
+        }
+        let motors = model.motors.iter();
+        let motors = motors.map(|motor| model.joint(motor.joint).name.as_str());
+        let motors: Vec<&str> = motors.collect();
+        let remedy = if motors.is_empty() {
+            format!("write `motor {name};`")
+        } else {
+            format!("name one that has: {}", spelling::list(&motors))
+        };
+        let text = format!("joint `{name}` has no motor that could follow; {remedy}");
+        return reader.report.refuse(name.place(), text);
+    };
+    let text = if others.contains(&motor) {
+        format!("`{name}` is listed already; remove one of the two")
+    } else if model.motor(motor).law.is_some() {
+        format!("motor `{name}` follows a law of the time; leave out its law, or this motor here")
+    } else {
+        return Some(motor);
+    };
+    reader.report.refuse(name.place(), text)
+}
+
+/// The message about a number of motors that does not fit what is given.
+fn wrong_count(model: &Model, follow: &Follow, point: Option<AxisId>) -> Option<String> {
+    let what = &follow.what;
+    let count = follow.motors.len();
+    match (count, point) {
+        (3, _) | (2, Some(_)) => None,
+        (2, None) => {
+            let points = model.axes.iter().filter(|axis| {
+                let is_of_it = model.owner_of(axis) == what.to_string();
+                is_of_it && axis.kind == AxisKind::Point
+            });
+            let mut names = points.filter_map(|axis| axis.name.as_ref());
+            let remedy = match names.next() {
+                Some(name) => format!("such as `{what}.{name}`"),
+                None => format!("declared in `{what}`"),
+            };
+            Some(format!(
+                "`{what}` is a link, which takes three motors: for its place and its angle; two follow a point, {remedy}"
+            ))
+        }
+        (1, _) => Some(format!(
+            "one motor cannot bring `{what}` to any place: two follow a point, three a point and the angle of its link"
+        )),
+        _ => Some(format!(
+            "{count} motors are too many for `{what}`: two follow a point, three a point and the angle of its link"
+        )),
+    }
+}
+
+/// Claims the name of the method that leads the point.
+pub(super) fn take_method(draft: &mut Draft, report: &mut Report) {
+    if let Some(inverse) = &draft.model.inverse {
+        let place = draft.places.get(inverse.origin);
+        draft.claims.take_all(Owner::Inverse, place, report);
+    }
+}

@@ -1,0 +1,458 @@
+//! Inverse kinematics: a point is led, and motors follow.
+
+use super::journey::Move;
+use super::{Motors, MoveLimits, Position, Stop, advance};
+use crate::blocked::Input;
+use crate::{Blocked, Cause, Pose, Real, Scalar};
+use mech_core::journey::{Journey, Standing};
+use mech_core::motors;
+
+/// The way is halved no more often than this.
+const MOST_HALVINGS: i32 = 12;
+
+/// So many whole turns of an angle that gears follow are tried.
+const MOST_TURNS: i32 = 32;
+
+/// A mechanism and what moves it.
+pub struct Mover<'a, T: 'static, const M: usize, const L: usize, const K: usize, const W: usize, S>
+{
+    /// The position.
+    pub position: &'a mut Position<T, M, L, K>,
+    /// The limits of its moves.
+    pub limits: &'a MoveLimits<T, M, W>,
+    /// The step for any values of the motors.
+    pub step: S,
+}
+
+/// What is led, and the motors that follow: `N` of each.
+pub struct Led<T, const N: usize> {
+    /// The indices of the motors among all inputs. In the inverse, what is given stands there.
+    pub motors: [usize; N],
+    /// Which of the motors turn.
+    pub turning: [bool; N],
+    /// The size of the links, in scene units: rounding is a part of it.
+    pub size: T,
+    /// What is given.
+    pub given: &'static [Input; N],
+    /// Its present value: the place of a point, or that and the angle of its link.
+    pub here: [T; N],
+}
+
+/// Leads the point to `place` on the straight way, by the inverse of a mechanism, and lets motors and everything else follow. The links of
+/// the inverse are those of the mechanism, and others after them; `coordinates` are those of the joints whose motors follow.
+///
+/// # Errors
+/// If a number is not finite, a loop cannot be closed on the way, or a motor would leave its range. Nothing has moved then.
+pub fn reach<
+    T: Scalar,
+    const N: usize,
+    const M: usize,
+    const L: usize,
+    const K: usize,
+    const W: usize,
+    const ALL: usize,
+    const STATE: usize,
+    const WATCHED: usize,
+>(
+    mechanism: Mover<
+        '_,
+        T,
+        M,
+        L,
+        K,
+        W,
+        impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
+    >,
+    inverse: Mover<
+        '_,
+        T,
+        M,
+        ALL,
+        STATE,
+        WATCHED,
+        impl Fn(&Position<T, M, ALL, STATE>, Motors<T, M>) -> Result<Position<T, M, ALL, STATE>, Stop>,
+    >,
+    led: Led<T, N>,
+    place: [T; N],
+    coordinates: impl Fn(&Position<T, M, ALL, STATE>) -> [T; N],
+) -> Result<(), Blocked<[T; N]>> {
+    let mut named = place.iter().zip(led.given);
+    if let Some((_, input)) = named.find(|(number, _)| !Real::is_finite(**number)) {
+        return Err(led.blocked(Stop::new(input.name(), Cause::NotFinite), led.here));
+    }
+    let mut way = Way {
+        mechanism,
+        inverse,
+        led,
+        coordinates,
+    };
+    if way.led.agree(way.mechanism.position, way.inverse.position) {
+        let end = way.led.nearest(place, &way.inverse.position.motors);
+        if way.piece(end)?.is_none() {
+            return Ok(());
+        }
+    }
+    way.in_pieces(place)
+}
+
+/// A way on which a point is led.
+struct Way<
+    'a,
+    T: 'static,
+    const N: usize,
+    const M: usize,
+    const L: usize,
+    const K: usize,
+    const W: usize,
+    const ALL: usize,
+    const STATE: usize,
+    const WATCHED: usize,
+    S,
+    R,
+    C,
+> {
+    mechanism: Mover<'a, T, M, L, K, W, S>,
+    inverse: Mover<'a, T, M, ALL, STATE, WATCHED, R>,
+    led: Led<T, N>,
+    coordinates: C,
+}
+
+impl<
+    T: Scalar,
+    const N: usize,
+    const M: usize,
+    const L: usize,
+    const K: usize,
+    const W: usize,
+    const ALL: usize,
+    const STATE: usize,
+    const WATCHED: usize,
+    S,
+    R,
+    C,
+> Way<'_, T, N, M, L, K, W, ALL, STATE, WATCHED, S, R, C>
+where
+    S: Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
+    R: Fn(&Position<T, M, ALL, STATE>, Motors<T, M>) -> Result<Position<T, M, ALL, STATE>, Stop>,
+    C: Fn(&Position<T, M, ALL, STATE>) -> [T; N],
+{
+    /// Goes to `place` in one piece. Gives the reason if it stays where it is, as the piece is too long.
+    ///
+    /// # Errors
+    /// If a loop cannot be closed on the way.
+    fn piece(&mut self, place: [T; N]) -> Result<Option<Stop>, Blocked<[T; N]>> {
+        let Self {
+            mechanism,
+            inverse,
+            led,
+            coordinates,
+        } = self;
+        let too_far = Stop::new("", Cause::TooFar);
+        let at = &*mechanism.position;
+        let mut there = *inverse.position;
+        let target = led.inputs(&there.motors, place);
+        let before = coordinates(&there);
+        advance(
+            &mut there,
+            target,
+            inverse.limits,
+            &inverse.step,
+            &inverse.step,
+        )
+        .map_err(|blocked| led.chosen(blocked))?;
+        let Some(motors) = led.following(&at.motors, before, coordinates(&there)) else {
+            return Ok(Some(too_far));
+        };
+        if let Some((stop, _)) = mechanism.limits.leaves(&at.motors, &motors) {
+            return Ok(Some(stop));
+        }
+        let Some(arrived) = mechanism.position_with(motors, &there.poses, led.size) else {
+            return Ok(Some(too_far));
+        };
+        // To the bit, so that it is known next time that both agree.
+        for (pose, known) in there.poses.iter_mut().zip(arrived.poses) {
+            *pose = known;
+        }
+        (*mechanism.position, *inverse.position) = (arrived, there);
+        Ok(None)
+    }
+
+    /// Goes to `place` in as many pieces as it takes, from where the inverse may not know that it is. It stays where it is if that fails.
+    #[cold]
+    #[inline(never)]
+    fn in_pieces(&mut self, place: [T; N]) -> Result<(), Blocked<[T; N]>> {
+        let start = (*self.mechanism.position, *self.inverse.position);
+        let moved = self.try_pieces(place);
+        if moved.is_err() {
+            (*self.mechanism.position, *self.inverse.position) = start;
+        }
+        moved
+    }
+
+    fn try_pieces(&mut self, place: [T; N]) -> Result<(), Blocked<[T; N]>> {
+        let mut stop = Stop::new("", Cause::TooFar);
+        let (at, from) = (&*self.mechanism.position, &*self.inverse.position);
+        if !self.led.agree(at, from) {
+            let here = self.led.nearest(self.led.here, &from.motors);
+            let here = self.led.inputs(&at.motors, here);
+            let found = self.inverse.position_beside(here, &at.poses, self.led.size);
+            *self.inverse.position = found.ok_or(self.led.blocked(stop, self.led.here))?;
+        }
+        let start = self.led.values(&self.inverse.position.motors);
+        let end = self.led.nearest(place, &self.inverse.position.motors);
+        let between = |part: T| {
+            if part >= T::ONE {
+                return end;
+            }
+            core::array::from_fn(|index| start[index] + (end[index] - start[index]) * part)
+        };
+        // From zero to one: how much of the way is done, and how much is tried next.
+        let (mut done, mut part) = (T::ZERO, T::ONE);
+        while part * T::from_i32(1 << MOST_HALVINGS) >= T::ONE {
+            if let Some(trouble) = self.piece(between(done + part))? {
+                stop = trouble;
+                part *= T::HALF;
+                continue;
+            }
+            done += part;
+            if done >= T::ONE {
+                return Ok(());
+            }
+        }
+        Err(self.led.blocked(stop, between(done)))
+    }
+}
+
+impl<T: Scalar, const N: usize> Led<T, N> {
+    /// The error of a mechanism that stays where it is.
+    fn blocked(&self, stop: Stop, reached: [T; N]) -> Blocked<[T; N]> {
+        Blocked::new(stop.place, stop.cause, reached).of(self.given)
+    }
+
+    /// The error of a move of the inverse, with the values of what is given alone.
+    fn chosen<const M: usize>(&self, blocked: Blocked<[T; M]>) -> Blocked<[T; N]> {
+        blocked.map(|all| self.choose(&all)).of(self.given)
+    }
+
+    /// What is given, among all inputs.
+    fn choose(&self, all: &[T]) -> [T; N] {
+        let chosen = |motor: usize| all.get(motor).copied().unwrap_or(T::ZERO);
+        self.motors.map(chosen)
+    }
+
+    /// The values of what is given.
+    fn values<const M: usize>(&self, motors: &Motors<T, M>) -> [T; N] {
+        self.choose(&motors.total())
+    }
+
+    /// The same place, with its angle less than half a turn from the present one.
+    fn nearest<const M: usize>(&self, place: [T; N], present: &Motors<T, M>) -> [T; N] {
+        let mut near = place;
+        let values = near.iter_mut().zip(self.values(present)).zip(self.given);
+        for ((value, present), input) in values {
+            if let Input::Turning(_) = input
+                && let Some((_, displacement)) = (*value - present).whole_turns()
+            {
+                *value = present + displacement;
+            }
+        }
+        near
+    }
+
+    /// The inputs of the inverse: what is given at these values, the others as they are.
+    fn inputs<const M: usize>(&self, present: &Motors<T, M>, values: [T; N]) -> Motors<T, M> {
+        let mut inputs = *present;
+        for (motor, value) in self.motors.into_iter().zip(values) {
+            inputs.set(motor, value, 0);
+        }
+        inputs
+    }
+
+    /// Whether a mechanism and its inverse are where the last move left them.
+    fn agree<
+        const M: usize,
+        const L: usize,
+        const K: usize,
+        const ALL: usize,
+        const STATE: usize,
+    >(
+        &self,
+        mechanism: &Position<T, M, L, K>,
+        inverse: &Position<T, M, ALL, STATE>,
+    ) -> bool {
+        let others = self.inputs(&inverse.motors, self.values(&mechanism.motors));
+        let same = self.inputs(&mechanism.motors, self.values(&mechanism.motors));
+        others == same && inverse.poses.starts_with(&mechanism.poses)
+    }
+
+    /// The motors where their joints have come from one set of coordinates to another. None beyond 2³¹ turns.
+    fn following<const M: usize>(
+        &self,
+        present: &Motors<T, M>,
+        before: [T; N],
+        after: [T; N],
+    ) -> Option<Motors<T, M>> {
+        let mut motors = *present;
+        let pairs = before.into_iter().zip(after).zip(self.turning);
+        for (motor, ((before, after), is_turning)) in self.motors.into_iter().zip(pairs) {
+            let (value, turns) = (*present.values.get(motor)?, *present.turns.get(motor)?);
+            if is_turning {
+                // Both count whole turns from a beginning of their own.
+                let apart = value - before;
+                let apart = if apart.abs() <= T::HALF * T::TURN {
+                    0
+                } else {
+                    apart.whole_turns()?.0
+                };
+                let (value, turns) = motors::reduced(after, turns.checked_add(apart)?);
+                motors.set(motor, value, turns);
+            } else {
+                motors.set(motor, after, 0);
+            }
+        }
+        Some(motors)
+    }
+}
+
+impl<T, const M: usize, const L: usize, const K: usize, const W: usize, S>
+    Mover<'_, T, M, L, K, W, S>
+where
+    T: Scalar,
+    S: Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
+{
+    /// The position at these values of the motors in which the first links have these poses, to rounding. None if the way there is too long
+    /// for its angles to be certain.
+    #[inline]
+    fn position_with(
+        &self,
+        motors: Motors<T, M>,
+        poses: &[Pose<T>],
+        size: T,
+    ) -> Option<Position<T, M, L, K>> {
+        let going = Move::new(self.limits, self.position, motors, &self.step);
+        let found = going.to(self.position, motors).ok();
+        let found = found.filter(|found| apart(&found.poses, poses, size) == 0);
+        let mut found = found.or_else(|| self.position_beside(motors, poses, size))?;
+        self.stand_away(&mut found);
+        going.note_motion_signs(&mut found);
+        self.turned_little(&found).then_some(found)
+    }
+
+    /// The same on any side of loops, and after whole turns of angles that gears follow.
+    #[cold]
+    #[inline(never)]
+    fn position_beside(
+        &self,
+        motors: Motors<T, M>,
+        poses: &[Pose<T>],
+        size: T,
+    ) -> Option<Position<T, M, L, K>> {
+        let mut from = *self.position;
+        for (pose, known) in from.poses.iter_mut().zip(poses) {
+            *pose = *known;
+        }
+        self.stand_away(&mut from);
+        let going = Move::new(self.limits, self.position, motors, &self.step);
+        let goal = (motors, poses, size);
+        let mut nearest = Nearest {
+            from,
+            found: None,
+            apart: usize::MAX,
+        };
+        nearest.consider(&going, goal, |_| {});
+        for watched in &self.limits.watched {
+            nearest.consider(&going, goal, |state| {
+                if let Some(sine) = state.get_mut(watched.sine) {
+                    *sine = -*sine;
+                }
+            });
+        }
+        for followed in self.limits.follows {
+            let mut turns = (1..=MOST_TURNS).flat_map(|turns| [turns, -turns]);
+            turns.find(|turns| {
+                nearest.consider(&going, goal, |state| {
+                    if let Some(angle) = state.get_mut(followed.angle) {
+                        *angle += T::TURN * T::from_i32(*turns);
+                    }
+                })
+            });
+        }
+        nearest.found.filter(|_| nearest.apart == 0)
+    }
+
+    /// Notes that a position is beside no change point to which it came.
+    fn stand_away(&self, position: &mut Position<T, M, L, K>) {
+        if let Some(signs) = self.limits.motion_signs {
+            let standings = position.state.iter_mut().skip(signs + M);
+            standings.for_each(|standing| *standing = Standing::Away.number());
+        }
+    }
+
+    /// Whether the angles that gears follow have turned so little that their whole turns are certain.
+    fn turned_little(&self, to: &Position<T, M, L, K>) -> bool {
+        let quarter = T::HALF * T::HALF * T::TURN;
+        self.limits.follows.iter().all(|followed| {
+            let angles = [&*self.position, to].map(|position| position.state.get(followed.angle));
+            let [Some(before), Some(after)] = angles else {
+                return false;
+            };
+            (*after - *before).abs() <= quarter
+        })
+    }
+}
+
+/// The position nearest to given poses that was found so far.
+struct Nearest<T, const M: usize, const L: usize, const K: usize> {
+    /// The position from which it was found.
+    from: Position<T, M, L, K>,
+    found: Option<Position<T, M, L, K>>,
+    /// The number of links that are elsewhere.
+    apart: usize,
+}
+
+impl<T: Scalar, const M: usize, const L: usize, const K: usize> Nearest<T, M, L, K> {
+    /// Looks whether another state is nearer: whether all links are in place, or more than before.
+    fn consider<const W: usize, S>(
+        &mut self,
+        going: &Move<'_, T, M, L, K, W, S>,
+        (motors, poses, size): (Motors<T, M>, &[Pose<T>], T),
+        change: impl FnOnce(&mut [T]),
+    ) -> bool
+    where
+        S: Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
+    {
+        if self.apart == 0 {
+            return true;
+        }
+        let mut from = self.from;
+        change(&mut from.state);
+        let Ok(found) = going.to(&from, motors) else {
+            return false;
+        };
+        let apart = apart(&found.poses, poses, size);
+        let is_nearer = apart < self.apart;
+        if is_nearer {
+            *self = Self {
+                from,
+                found: Some(found),
+                apart,
+            };
+        }
+        is_nearer
+    }
+}
+
+/// The number of links that are elsewhere, by more than rounding tears loops that are nearly straight.
+fn apart<T: Scalar>(poses: &[Pose<T>], wanted: &[Pose<T>], size: T) -> usize {
+    let rounding = T::from_f64(16.0 * Real::sqrt(T::EPSILON));
+    let size = wanted
+        .iter()
+        .fold(size, |size, pose| size.max(pose.x.abs()).max(pose.y.abs()));
+    let is_apart = |(a, b): &(&Pose<T>, &Pose<T>)| {
+        let turned = (a.cos - b.cos).abs().max((a.sin - b.sin).abs());
+        let moved = (a.x - b.x).abs().max((a.y - b.y).abs());
+        // Also true of what is no number.
+        !(turned <= rounding && moved <= rounding * size)
+    };
+    poses.iter().zip(wanted).filter(is_apart).count()
+}

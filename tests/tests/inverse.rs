@@ -1,0 +1,490 @@
+//! Points that are led: after each `reach` every joint holds as it was declared, motors are where their joints are, and the point is
+//! where it was asked to be.
+
+use mech_runtime::{Blocked, Cause, JointKind, Mechanism, Pose, mechanism};
+use mech_test_support::{Dice, cases};
+use std::f64::consts::{PI, TAU};
+
+mechanism! {
+    /// A five-bar plotter.
+    struct Plotter;
+    ground { point l = (-1, 0); point r = (1, 0); }
+    link left { point foot = (0, 0); point knee = (2, 0); }
+    link right { point foot = (0, 0); point knee = (2, 0); }
+    link pen { point knee = (0, 0); point tip = (2.5, 0); }
+    link rod { point knee = (0, 0); point tip = (2.5, 0); }
+    joint lm = revolute(ground.l, left.foot);
+    joint rm = revolute(ground.r, right.foot);
+    joint lk = revolute(left.knee, pen.knee);
+    joint rk = revolute(right.knee, rod.knee);
+    joint tip = revolute(pen.tip, rod.tip);
+    motor lm;
+    motor rm;
+    start { lm = 120 deg; rm = 60 deg; pen near 50 deg; }
+    follow pen.tip by lm, rm;
+}
+
+mechanism! {
+    /// A SCARA arm: its second motor stands on the ground, and turns the forearm by a toothed belt.
+    struct Scara;
+    link forearm { point tip = (3, 1); }
+    link upper;
+    link pulley;
+    joint belt = belt(pulley, forearm, 20 : 30 on upper);
+    joint elbow = revolute(forearm, upper) at (2, 0);
+    joint drive = revolute(pulley, ground) at (0, 0);
+    joint shoulder = revolute(ground, upper) at (0, 0);
+    motor drive;
+    motor shoulder;
+    follow forearm.tip by shoulder, drive;
+}
+
+mechanism! {
+    /// An excavator: three cylinders lead the bucket to a place and an angle.
+    struct Excavator;
+    link boom; link stick; link bucket { point teeth = (5, -0.8); }
+    link t1; link p1; link t2; link p2; link t3; link p3;
+    joint a = revolute(ground, boom) at (0, 0);
+    joint b = revolute(boom, stick) at (4, 2);
+    joint c = revolute(stick, bucket) at (6, 0);
+    joint f1 = revolute(ground, t1) at (1, -0.5);
+    joint h1 = revolute(p1, boom) at (2, 1.5);
+    joint lift = prismatic(t1, p1) at (1, -0.5) along (1, 2);
+    joint f2 = revolute(boom, t2) at (2.2, 2.4);
+    joint h2 = revolute(p2, stick) at (3.7, 2.8);
+    joint dip = prismatic(t2, p2) at (2.2, 2.4) along (1.5, 0.4);
+    joint f3 = revolute(stick, t3) at (4.6, 1.9);
+    joint h3 = revolute(p3, bucket) at (6.4, 0.5);
+    joint curl = prismatic(t3, p3) at (4.6, 1.9) along (1.8, -1.4);
+    motor lift;
+    motor dip;
+    motor curl;
+    follow bucket.teeth by lift, dip, curl;
+}
+
+mechanism! {
+    /// A pantograph whose ends slide: its pen goes the other way of the first, and twice as far as the second.
+    struct Pantograph;
+    allow coupled;
+    link across; link along; link a; link b; link d;
+    link c { point pen = (4, 0); }
+    joint x = prismatic(ground, across) at (0, 0) along (1, 0);
+    joint y = prismatic(ground, along) at (2, 0) along (0, 1);
+    joint pa = revolute(across, a) at (0, 0);
+    joint ab = revolute(a, b) at (1, 1.5);
+    joint ac = revolute(a, c) at (2, 3);
+    joint bd = revolute(b, along) at (2, 0);
+    joint cd = revolute(c, d) at (3, 1.5);
+    joint dd = revolute(d, along) at (2, 0);
+    motor y;
+    motor x;
+    follow c.pen by x, y;
+}
+
+mechanism! {
+    /// A platform on three legs of two bars each: seen from the motors, its loops wait for each other; led, each leg is a dyad.
+    struct Platform;
+    allow coupled;
+    link platform { point middle = (3, 1.6); }
+    link u1; link v1; link u2; link v2; link u3; link v3;
+    joint m1 = revolute(ground, u1) at (0, 0);
+    joint m2 = revolute(u2, ground) at (6, 0);
+    joint m3 = revolute(ground, u3) at (3, 5);
+    joint k1 = revolute(u1, v1) at (0.4, 1.6);
+    joint k2 = revolute(u2, v2) at (4.4, -0.4);
+    joint k3 = revolute(u3, v3) at (4.6, 4.2);
+    joint h1 = revolute(v1, platform) at (2.2, 1.2);
+    joint h2 = revolute(v2, platform) at (3.8, 1.2);
+    joint h3 = revolute(platform, v3) at (3, 2.6);
+    motor m1;
+    motor m2;
+    motor m3;
+    follow platform.middle by m1, m2, m3;
+}
+
+/// A mechanism whose point can be led.
+trait Follower: Mechanism<Scalar = f64> + Copy + PartialEq + std::fmt::Debug {
+    const POINT: (&'static str, [f64; 2]);
+    fn lead(&mut self, place: &[f64]) -> Result<(), Blocked<Vec<f64>>>;
+    fn set(&mut self, motors: &[f64]) -> bool;
+}
+
+macro_rules! follower {
+    ($name:ident, $motors:literal, $given:literal, $link:literal, $at:expr) => {
+        impl Follower for $name {
+            const POINT: (&'static str, [f64; 2]) = ($link, $at);
+
+            fn lead(&mut self, place: &[f64]) -> Result<(), Blocked<Vec<f64>>> {
+                let place: [f64; $given] = place.try_into().expect("as many as are given");
+                self.reach(place).map_err(|blocked| blocked.map(Vec::from))
+            }
+
+            fn set(&mut self, motors: &[f64]) -> bool {
+                let motors: [f64; $motors] = motors.try_into().expect("a value each");
+                self.move_to(motors).is_ok()
+            }
+        }
+    };
+}
+
+follower!(Plotter, 2, 2, "pen", [2.5, 0.0]);
+follower!(Scara, 2, 2, "forearm", [3.0, 1.0]);
+follower!(Excavator, 3, 3, "bucket", [5.0, -0.8]);
+follower!(Pantograph, 2, 2, "c", [4.0, 0.0]);
+follower!(Platform, 3, 3, "platform", [3.0, 1.6]);
+
+fn pose_of<M: Follower>(mechanism: &M) -> Pose<f64> {
+    let number = M::LINKS.iter().position(|link| *link == M::POINT.0);
+    mechanism.poses()[number.expect("it is a link")]
+}
+
+/// The place of the point, and the angle of its link.
+fn place<M: Follower>(mechanism: &M) -> [f64; 3] {
+    let pose = pose_of(mechanism);
+    let [x, y] = pose.apply(M::POINT.1);
+    [x, y, pose.sin.atan2(pose.cos)]
+}
+
+/// By how much joints and motors are not as they were declared: lengths, and angles up to whole turns.
+fn misfit<M: Follower>(mechanism: &M) -> f64
+where
+    M::Motors: AsRef<[f64]>,
+{
+    let motors = mechanism.motors();
+    let mut worst: f64 = 0.0;
+    for joint in M::JOINTS {
+        let Some(anchors) = joint.anchors else {
+            continue;
+        };
+        let [a, b] = anchors.map(|anchor| {
+            let link = anchor.link.expect("all poses are known");
+            let pose = Pose::of_link(link, mechanism.poses()).expect("it has a pose");
+            (pose.apply(anchor.at), pose.turn(anchor.along))
+        });
+        let [x, y] = [b.0[0] - a.0[0], b.0[1] - a.0[1]];
+        let sine = a.1[0] * b.1[1] - a.1[1] * b.1[0];
+        let cosine = a.1[0] * b.1[0] + a.1[1] * b.1[1];
+        let value = joint.motor.map(|motor| motors.as_ref()[motor]);
+        let parts = match joint.kind {
+            JointKind::Revolute => {
+                let turned = value.map(|value| (value - sine.atan2(cosine)) / TAU);
+                let turned = turned.map(|turned| TAU * (turned - turned.round()));
+                [x, y, turned.unwrap_or(0.0)]
+            }
+            JointKind::Prismatic => {
+                let along = x * a.1[0] + y * a.1[1];
+                let slid = value.map(|value| value - along);
+                [x * a.1[1] - y * a.1[0], sine, slid.unwrap_or(0.0)]
+            }
+            _ => continue,
+        };
+        worst = parts
+            .iter()
+            .fold(worst, |worst, part| worst.max(part.abs()));
+    }
+    worst
+}
+
+/// Leads a point to random places, each as far from the last as `far` says, and moves motors in between. Whether a way is free is said
+/// by `is_free`; where it is, the point must come there. Rounding of the motors' values moves it by what they are divided by: `sine`.
+fn lead<M: Follower>(
+    far: [f64; 3],
+    stir: f64,
+    is_free: impl Fn(&[f64; 3], &[f64; 3]) -> bool,
+    mut sine: impl FnMut(&M) -> f64,
+) where
+    M::Motors: AsRef<[f64]>,
+{
+    let count = if M::POINT.0 == "c" || M::MOTORS.len() == 2 {
+        2
+    } else {
+        3
+    };
+    let (mut arrived, mut refused, mut worst) = (0, 0, 0.0_f64);
+    let mut dice = Dice::new(7);
+    let mut mechanism = M::new();
+    let start = place(&mechanism);
+    for round in 0..cases(4_000) {
+        if round % 5 == 4 {
+            let motors = mechanism.motors();
+            let motors = motors.as_ref().iter();
+            let motors: Vec<f64> = motors
+                .map(|motor| motor + dice.between(-stir, stir))
+                .collect();
+            mechanism.set(&motors);
+        }
+        let here = place(&mechanism);
+        let from = if dice.once_in(3) { start } else { here };
+        let mut goal = from;
+        for (number, far) in goal.iter_mut().zip(far) {
+            *number += dice.between(-far, far);
+        }
+        let before = mechanism;
+        match mechanism.lead(&goal[..count]) {
+            Ok(()) => {
+                arrived += 1;
+                let there = place(&mechanism);
+                let turned = (there[2] - goal[2]) / TAU;
+                let turned = if count == 3 {
+                    TAU * (turned - turned.round())
+                } else {
+                    0.0
+                };
+                let away = (there[0] - goal[0])
+                    .hypot(there[1] - goal[1])
+                    .max(turned.abs());
+                let sine = sine(&mechanism).abs();
+                worst = worst.max(sine * away.max(misfit(&mechanism)));
+                // To the bit, it is where these values of its motors have it.
+                let mut again = mechanism;
+                assert!(again.set(mechanism.motors().as_ref()), "{}", M::NAME);
+            }
+            Err(blocked) => {
+                refused += 1;
+                assert_eq!(mechanism, before, "{}: {blocked}", M::NAME);
+                assert!(
+                    !is_free(&here, &goal),
+                    "{} from {here:?} to {goal:?}: {blocked}",
+                    M::NAME
+                );
+                // It says how far the point goes, on the way.
+                let ends = here.iter().zip(&goal).zip(&blocked.reached);
+                let outside =
+                    ends.map(|((from, to), at)| (at - from.max(*to)).max(from.min(*to) - at));
+                let outside = outside.take(2).fold(0.0, f64::max);
+                assert!(
+                    outside < 1e-9,
+                    "{} from {here:?} to {goal:?}: {blocked}",
+                    M::NAME
+                );
+            }
+        }
+    }
+    println!(
+        "{}: {arrived} places reached, {refused} refused, worst {worst:.1e}",
+        M::NAME
+    );
+    assert!(worst < 3e-13, "{}: {worst:e}", M::NAME);
+    assert!(
+        arrived > 20 * refused.min(1) && arrived > refused,
+        "{}",
+        M::NAME
+    );
+}
+
+/// Whether the way from one place to another stays between these distances from a point, and away from both.
+fn stays_within(centre: [f64; 2], [near, wide]: [f64; 2], from: &[f64; 3], to: &[f64; 3]) -> bool {
+    (0..=200).all(|step| {
+        let part = f64::from(step) / 200.0;
+        let at = [0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) * part - centre[axis]);
+        let distance = at[0].hypot(at[1]);
+        near + 0.02 < distance && distance < wide - 0.02
+    })
+}
+
+#[test]
+fn a_plotter_comes_wherever_both_of_its_arms_do() {
+    let is_free = |from: &[f64; 3], to: &[f64; 3]| {
+        let feet = [[-1.0, 0.0], [1.0, 0.0]];
+        feet.iter()
+            .all(|foot| stays_within(*foot, [0.5, 4.5], from, to))
+    };
+    let sine = |plotter: &Plotter| {
+        let [_, _, pen, rod] = *plotter.poses();
+        pen.cos * rod.sin - pen.sin * rod.cos
+    };
+    lead::<Plotter>([2.0, 1.5, 0.0], 0.3, is_free, sine);
+}
+
+#[test]
+fn an_arm_by_a_belt_keeps_count_of_turns() {
+    let fore = 2_f64.sqrt();
+    let is_free = |from: &[f64; 3], to: &[f64; 3]| {
+        stays_within([0.0, 0.0], [2.0 - fore, 2.0 + fore], from, to)
+    };
+    let closed_form = |arm: &Scara| {
+        let [drive, shoulder] = arm.motors();
+        // The coordinate of the drive is that of the ground against the pulley.
+        let forearm = shoulder + (-drive - shoulder) * 20.0 / 30.0;
+        let tip = [
+            2.0 * shoulder.cos() + fore * (forearm + PI / 4.0).cos(),
+            2.0 * shoulder.sin() + fore * (forearm + PI / 4.0).sin(),
+        ];
+        let [x, y, _] = place(arm);
+        let away = (tip[0] - x).hypot(tip[1] - y);
+        assert!(
+            away < 1e-13 * (10.0 + drive.abs()),
+            "{:?}: {away:e}",
+            arm.motors()
+        );
+        // A value of many radians is rounded to so much less.
+        1.0 / (1.0 + drive.abs().max(shoulder.abs()))
+    };
+    lead::<Scara>([1.5, 1.5, 0.0], 4.0, is_free, closed_form);
+}
+
+#[test]
+fn a_bucket_is_led_with_its_angle() {
+    let sine = |excavator: &Excavator| {
+        let at = |name: &str| {
+            let joint = Excavator::JOINTS.iter().find(|joint| joint.name == name);
+            let [anchor, _] = joint.and_then(|joint| joint.anchors).expect("it is a pin");
+            let pose = Pose::of_link(anchor.link.expect("all poses are known"), excavator.poses());
+            pose.expect("it has a pose").apply(anchor.at)
+        };
+        let cylinders = [["a", "f1", "h1"], ["b", "f2", "h2"], ["c", "f3", "h3"]];
+        let sines = cylinders.map(|names| {
+            let [pivot, foot, head] = names.map(at);
+            let [lever, cylinder] = [pivot, foot].map(|end| [head[0] - end[0], head[1] - end[1]]);
+            let lengths = [lever, cylinder].map(|[x, y]| x.hypot(y));
+            (lever[0] * cylinder[1] - lever[1] * cylinder[0]).abs() / (lengths[0] * lengths[1])
+        });
+        sines.into_iter().fold(1.0, f64::min)
+    };
+    lead::<Excavator>([0.3, 0.3, 0.2], 0.1, |_, _| false, sine);
+}
+
+#[test]
+fn a_pantograph_does_what_its_ends_do() {
+    let closed_form = |pantograph: &Pantograph| {
+        let [y, x] = pantograph.motors();
+        let [px, py, _] = place(pantograph);
+        assert!((4.0 - x - px).abs().max((2.0 * y - py).abs()) < 1e-13);
+        1.0
+    };
+    lead::<Pantograph>([0.6, 0.8, 0.0], 0.2, |_, _| false, closed_form);
+}
+
+#[test]
+fn a_platform_on_three_legs_is_led_in_closed_form() {
+    let legs = [
+        ([0.0, 0.0], [0.4, 1.6], [2.2, 1.2]),
+        ([6.0, 0.0], [4.4, -0.4], [3.8, 1.2]),
+        ([3.0, 5.0], [4.6, 4.2], [3.0, 2.6]),
+    ];
+    let is_free = |from: &[f64; 3], to: &[f64; 3]| {
+        (0..=200).all(|step| {
+            let part = f64::from(step) / 200.0;
+            let [x, y, angle] = [0, 1, 2].map(|axis| from[axis] + (to[axis] - from[axis]) * part);
+            legs.iter().all(|(foot, knee, hip)| {
+                let (sin, cos) = angle.sin_cos();
+                let [a, b] = [hip[0] - 3.0, hip[1] - 1.6];
+                let hip_now = [
+                    x + cos * a - sin * b - foot[0],
+                    y + sin * a + cos * b - foot[1],
+                ];
+                let [upper, lower] =
+                    [(foot, knee), (knee, hip)].map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]));
+                let distance = hip_now[0].hypot(hip_now[1]);
+                (upper - lower).abs() + 0.02 < distance && distance < upper + lower - 0.02
+            })
+        })
+    };
+    lead::<Platform>([0.5, 0.5, 0.4], 0.02, is_free, |_| 1.0);
+}
+
+#[test]
+fn what_cannot_be_reached_is_refused_and_nothing_moves() {
+    let mut plotter = Plotter::new();
+    let start = plotter;
+    let blocked = plotter.reach([6.0, 0.0]).expect_err("it is too far away");
+    assert_eq!(blocked.cause, Cause::Open);
+    let [x, y] = blocked.reached;
+    assert!((x + 1.0).hypot(y) < 4.5 + 1e-9 && x > 2.0, "{blocked}");
+    assert_eq!(plotter, start);
+    let wrong = plotter
+        .reach([0.0, f64::INFINITY])
+        .expect_err("it is no place");
+    assert_eq!((wrong.cause, wrong.place), (Cause::NotFinite, "y"));
+    assert_eq!(plotter, start);
+    assert_eq!(plotter.reach([0.3, 2.9]), Ok(()));
+}
+
+#[test]
+fn motors_keep_their_turns_when_they_follow() {
+    let mut arm = Scara::new();
+    assert!(arm.move_to([40.0, -30.0]).is_ok());
+    let [drive, shoulder] = arm.motors();
+    let [x, y, _] = place(&arm);
+    assert_eq!(arm.reach([x + 1e-3, y - 1e-3]), Ok(()));
+    let [after, also] = arm.motors();
+    assert!((after - drive).abs().max((also - shoulder).abs()) < 0.1);
+}
+
+mechanism! {
+    /// An arm with all that a mechanism may have besides: a param, a motor that does not follow, rates, a trace, and a part.
+    struct Varied: f32;
+    param length = 1.5;
+    part Bar(size = 1) {
+        port base { point pin = (0, 0); }
+        link bar { point foot = (0, 0); point end = (size, 0); }
+        joint pivot = revolute(base.pin, bar.foot);
+    }
+    use upper: Bar(size = 2) { base = ground };
+    use hand: Bar { base = fore at (length, 0) };
+    link fore { point elbow = (0, 0); point wrist = (length, 0); }
+    joint elbow = revolute(upper.bar.end, fore.elbow);
+    motor upper.pivot;
+    motor hand.pivot;
+    motor elbow;
+    start { elbow = 60 deg; }
+    follow fore.wrist by elbow, upper.pivot;
+    show hand.bar;
+    effects { velocity; trace fore.wrist 8; }
+}
+
+#[test]
+fn what_a_mechanism_has_besides_goes_with_it() {
+    let mut arm = Varied::new();
+    let [upper, hand, elbow] = [0, 1, 2];
+    assert_eq!(arm.set_length(1.2), Ok(()));
+    assert_eq!(arm.move_with([0.1, 0.2, 1.0], [1.0, 1.0, 1.0]), Ok(()));
+    let seen = arm.fore_wrist_trace().len();
+    assert_eq!(arm.reach([1.0, 2.2]), Ok(()));
+    let motors = arm.motors();
+    assert!((motors[hand] - 0.2).abs() < 1e-6);
+    let (a, b) = (motors[upper], motors[upper] + motors[elbow]);
+    let wrist = [2.0 * a.cos() + 1.2 * b.cos(), 2.0 * a.sin() + 1.2 * b.sin()];
+    assert!(
+        (wrist[0] - 1.0).abs().max((wrist[1] - 2.2).abs()) < 1e-6,
+        "{motors:?}"
+    );
+    assert!(
+        arm.velocities()
+            .iter()
+            .all(|velocity| velocity.angular == 0.0)
+    );
+    assert_eq!(arm.fore_wrist_trace().len(), seen + 1);
+}
+
+mechanism! {
+    /// An arm whose elbow has a range.
+    struct Limited;
+    link upper;
+    link fore { point wrist = (3, 1); }
+    joint shoulder = revolute(ground, upper) at (0, 0);
+    joint elbow = revolute(upper, fore) at (2, 0);
+    motor shoulder;
+    motor elbow in -30 deg ..= 60 deg;
+    follow fore.wrist by elbow, shoulder;
+}
+
+#[test]
+fn a_motor_does_not_leave_its_range() {
+    let mut arm = Limited::new();
+    let before = arm;
+    // Folded up, the elbow would leave its range before the loop is open.
+    let blocked = arm
+        .reach([1.5, 0.0])
+        .expect_err("the elbow is at its limit");
+    assert_eq!(
+        (blocked.cause, blocked.place, arm),
+        (Cause::OutOfRange, "elbow", before)
+    );
+    let [x, y] = blocked.reached;
+    // By the law of cosines, from where its forearm is at 45 and 60 degrees more.
+    let fore = 2_f64.sqrt();
+    let least = (4.0 + fore * fore + 4.0 * fore * (105.0 * PI / 180.0).cos()).sqrt();
+    assert!(x.hypot(y) > least && x.hypot(y) < least + 1e-3, "{blocked}");
+    assert_eq!(arm.reach([x, y]), Ok(()));
+}
