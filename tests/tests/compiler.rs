@@ -11,6 +11,7 @@ mod embedded_page;
 mod expand;
 mod force;
 mod large;
+mod led;
 mod looks;
 mod mistakes;
 mod motion;

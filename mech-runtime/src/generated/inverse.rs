@@ -30,6 +30,8 @@ pub struct Led<T, const N: usize> {
     pub motors: [usize; N],
     /// Which of the motors turn.
     pub turning: [bool; N],
+    /// The number of links that both have: the first of each.
+    pub links: usize,
     /// The size of the links, in scene units: rounding is a part of it.
     pub size: T,
     /// What is given.
@@ -38,8 +40,8 @@ pub struct Led<T, const N: usize> {
     pub here: [T; N],
 }
 
-/// Leads the point to `place` on the straight way, by the inverse of a mechanism, and lets motors and everything else follow. The links of
-/// the inverse are those of the mechanism, and others after them; `coordinates` are those of the joints whose motors follow.
+/// Leads the point to `place` on the straight way, by the inverse of a mechanism, and lets motors and everything else follow. The first
+/// links of both are the same; `coordinates` are those of the joints whose motors follow.
 ///
 /// # Errors
 /// If a number is not finite, a loop cannot be closed on the way, or a motor would leave its range. Nothing has moved then.
@@ -166,12 +168,13 @@ where
         if let Some((stop, _)) = mechanism.limits.leaves(&at.motors, &motors) {
             return Ok(Some(stop));
         }
-        let Some(arrived) = mechanism.position_with(motors, &there.poses, led.size) else {
+        let Some(arrived) = mechanism.position_with(motors, led.shared(&there.poses), led.size)
+        else {
             return Ok(Some(too_far));
         };
         // To the bit, so that it is known next time that both agree.
-        for (pose, known) in there.poses.iter_mut().zip(arrived.poses) {
-            *pose = known;
+        for (pose, known) in there.poses.iter_mut().zip(led.shared(&arrived.poses)) {
+            *pose = *known;
         }
         (*mechanism.position, *inverse.position) = (arrived, there);
         Ok(None)
@@ -195,7 +198,8 @@ where
         if !self.led.agree(at, from) {
             let here = self.led.nearest(self.led.here, &from.motors);
             let here = self.led.inputs(&at.motors, here);
-            let found = self.inverse.position_beside(here, &at.poses, self.led.size);
+            let poses = self.led.shared(&at.poses);
+            let found = self.inverse.position_beside(here, poses, self.led.size);
             *self.inverse.position = found.ok_or(self.led.blocked(stop, self.led.here))?;
         }
         let start = self.led.values(&self.inverse.position.motors);
@@ -232,6 +236,11 @@ impl<T: Scalar, const N: usize> Led<T, N> {
     /// The error of a move of the inverse, with the values of what is given alone.
     fn chosen<const M: usize>(&self, blocked: Blocked<[T; M]>) -> Blocked<[T; N]> {
         blocked.map(|all| self.choose(&all)).of(self.given)
+    }
+
+    /// The poses that a mechanism and its inverse share.
+    fn shared<'p>(&self, poses: &'p [Pose<T>]) -> &'p [Pose<T>] {
+        poses.get(..self.links).unwrap_or_default()
     }
 
     /// What is given, among all inputs.
@@ -282,7 +291,7 @@ impl<T: Scalar, const N: usize> Led<T, N> {
     ) -> bool {
         let others = self.inputs(&inverse.motors, self.values(&mechanism.motors));
         let same = self.inputs(&mechanism.motors, self.values(&mechanism.motors));
-        others == same && inverse.poses.starts_with(&mechanism.poses)
+        others == same && self.shared(&inverse.poses) == self.shared(&mechanism.poses)
     }
 
     /// The motors where their joints have come from one set of coordinates to another. None beyond 2³¹ turns.

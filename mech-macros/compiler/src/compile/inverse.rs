@@ -2,8 +2,9 @@
 
 use super::compile;
 use crate::compiled::InverseMechanism;
+use crate::evaluate::Machine;
 use crate::kinematics::LinkFrames;
-use crate::model::{Inverse, JointId, LinkId, Model, MotorId, Near, Start, StartValue};
+use crate::model::{Inverse, JointId, JointKind, LinkId, Model, MotorId, Near, Start, StartValue};
 use crate::program::Program;
 use crate::structure::{Diagnosis, InverseTrouble};
 
@@ -19,7 +20,8 @@ pub(super) fn invert(
         return Ok(None);
     };
     let inverted = inverted(model, inverse, program);
-    let compiled = compile(&inverted).map_err(|found| diagnosis(model, inverse, &found))?;
+    let compiled =
+        compile(&inverted).map_err(|found| diagnosis(model, inverse, program, &found))?;
     Ok(Some(Box::new(InverseMechanism {
         model: inverted,
         compiled,
@@ -35,7 +37,7 @@ pub(super) fn check(model: &Model, program: &Program) -> Result<(), Diagnosis> {
         return Ok(());
     };
     let checked = super::check(&inverted(model, inverse, program));
-    checked.map_err(|found| diagnosis(model, inverse, &found))
+    checked.map_err(|found| diagnosis(model, inverse, program, &found))
 }
 
 fn inverted(model: &Model, inverse: &Inverse, program: &Program) -> Model {
@@ -68,7 +70,8 @@ fn start(model: &Model, inverse: &Inverse, inverted: &Model, program: &Program) 
         origin,
     });
     let links = program.stored.iter().zip(&program.start.poses);
-    let near = links.map(|(&link, [cos, sin, ..])| Near {
+    let declared = links.filter(|(link, _)| model.link(**link).die.is_none());
+    let near = declared.map(|(&link, [cos, sin, ..])| Near {
         link,
         angle: sin.atan2(*cos),
         origin,
@@ -88,21 +91,21 @@ fn place(model: &Model, inverse: &Inverse, frames: &LinkFrames<'_>) -> [f64; 3] 
 }
 
 /// What keeps the motors from following, of all that is wrong with the inverted mechanism.
-fn diagnosis(model: &Model, inverse: &Inverse, diagnoses: &[Diagnosis]) -> Diagnosis {
+fn diagnosis(
+    model: &Model,
+    inverse: &Inverse,
+    program: &Program,
+    diagnoses: &[Diagnosis],
+) -> Diagnosis {
     // Its own joints come after all that were declared.
     let declared = |joints: &[JointId]| {
         let declared = joints.iter().copied();
         let declared = declared.filter(|joint| joint.index() < model.joints.len());
         declared.collect::<Vec<JointId>>()
     };
-    let is_free = |motor: &MotorId| {
-        let joint = model.motor(*motor).joint;
-        diagnoses.iter().any(|diagnosis| match diagnosis {
-            Diagnosis::Undetermined { free, .. } => free.contains(&joint),
-            _ => false,
-        })
-    };
-    let idle: Vec<MotorId> = inverse.motors.iter().copied().filter(is_free).collect();
+    let motors = inverse.motors.iter().copied();
+    let idle = motors.filter(|motor| is_idle(model, inverse, program, *motor));
+    let idle: Vec<MotorId> = idle.collect();
     let trouble = match diagnoses.first() {
         _ if !idle.is_empty() => InverseTrouble::Idle { motors: idle },
         Some(Diagnosis::DeadStart { unknowns }) => InverseTrouble::DeadStart {
@@ -114,4 +117,37 @@ fn diagnosis(model: &Model, inverse: &Inverse, diagnoses: &[Diagnosis]) -> Diagn
         _ => InverseTrouble::Bound,
     };
     Diagnosis::Inverse { trouble }
+}
+
+/// Whether a motor does not move what is given.
+fn is_idle(model: &Model, inverse: &Inverse, program: &Program, motor: MotorId) -> bool {
+    /// So far it is moved, in radians or parts of the size. By the square of that at least, the point moves at a dead point.
+    const STEP: f64 = 1e-3;
+    /// What moves less, in parts of the size, does not move.
+    const ROUNDING: f64 = 1e-10;
+    let size = model.size().max(f64::MIN_POSITIVE);
+    let unit = match model.joint(model.motor(motor).joint).kind {
+        JointKind::Revolute(..) => 1.0,
+        _ => size,
+    };
+    let place_of = |machine: &Machine<'_, f64>| {
+        let poses = &machine.position().poses;
+        place(
+            model,
+            inverse,
+            &LinkFrames::of_some(model, &program.stored, poses),
+        )
+    };
+    let mut moved = [STEP, -STEP].into_iter().filter_map(|step| {
+        let mut machine = Machine::<f64>::new(program);
+        let before = place_of(&machine);
+        let mut motors = machine.position().motors.clone();
+        motors[motor.index()] += step * unit;
+        machine.move_to(&motors).ok()?;
+        let after = place_of(&machine);
+        let parts = [0, 1, 2].map(|part| (after[part] - before[part]).abs());
+        Some(parts[0].max(parts[1]).max(size * parts[2]))
+    });
+    let given = moved.next().map(|first| moved.fold(first, f64::max));
+    given.is_some_and(|moved| moved < ROUNDING * size)
 }

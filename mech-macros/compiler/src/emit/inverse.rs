@@ -118,6 +118,7 @@ fn inverse_module(
     });
     let program = emitter.program;
     let size = emitter.number(inverted.model.size());
+    let links = integer(emitter.model.declared_links().count());
     let (inputs, watched) = (program.inputs(), program.watches.len());
     let sizes = [inputs, program.poses.len(), program.state.len(), watched].map(integer);
     let inputs = integer(inputs);
@@ -148,6 +149,7 @@ fn inverse_module(
                     Led {
                         motors: [#(#motors),*],
                         turning: [#(#turning),*],
+                        links: #links,
                         size: #size,
                         given: &[#(#given),*],
                         here,

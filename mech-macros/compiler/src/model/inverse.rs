@@ -72,9 +72,17 @@ impl Model {
     /// Adds what carries the point: the joints whose coordinates are what is given.
     fn add_carriage(&mut self, inverse: &Inverse) -> [JointId; 3] {
         let origin = inverse.origin;
-        let [across, along] = ["across", "along"].map(|name| {
-            self.links.push(Link::new(name, origin));
-            LinkId::new(self.links.len() - 1)
+        // Dies come after all other links.
+        let dies = self.links.iter().position(|link| link.die.is_some());
+        let first = dies.unwrap_or(self.links.len());
+        for axis in &mut self.axes {
+            if axis.link.index() >= first {
+                axis.link = LinkId::new(axis.link.index() + 2);
+            }
+        }
+        let [across, along] = [("across", first), ("along", first + 1)].map(|(name, number)| {
+            self.links.insert(number, Link::new(name, origin));
+            LinkId::new(number)
         });
         let mut line = |link, direction| {
             let line = DrawnAxis::line([0.0; 2], direction);
