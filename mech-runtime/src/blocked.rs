@@ -253,7 +253,7 @@ impl<M: Values> fmt::Display for Blocked<M> {
             Cause::TooFar => write!(f, "the way is too long to be followed in one move"),
             Cause::OutOfRange => write!(
                 f,
-                "the value for motor `{place}` is outside its range; it goes as far as {reached}"
+                "the value for `{place}` is outside its range; it goes as far as {reached}"
             ),
             Cause::NoRoom => write!(f, "there is no room left in the columns"),
             Cause::Overflow => write!(f, "a coordinate would be beyond the range of the numbers"),

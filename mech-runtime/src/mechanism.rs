@@ -121,6 +121,6 @@ pub trait Mechanism: Clone {
 ///
 /// let blocked = raise(&mut Lift::new()).unwrap_err();
 /// assert_eq!(blocked.at(), mech_runtime::Place::Motor("a"));
-/// assert!(blocked.to_string().starts_with("the value for motor `a` is outside its range"));
+/// assert!(blocked.to_string().starts_with("the value for `a` is outside its range"));
 /// ```
 pub type BlockedOf<X> = Blocked<<X as Mechanism>::Motors>;

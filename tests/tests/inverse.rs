@@ -488,3 +488,39 @@ fn a_motor_does_not_leave_its_range() {
     assert!(x.hypot(y) > least && x.hypot(y) < least + 1e-3, "{blocked}");
     assert_eq!(arm.reach([x, y]), Ok(()));
 }
+
+mechanism! {
+    /// A plotter that comes everywhere on its paper.
+    struct Paper;
+    link left;
+    link right;
+    link rod;
+    link pen { point tip = (0, 4); }
+    joint l = revolute(ground, left) at (-1, 0);
+    joint r = revolute(ground, right) at (1, 0);
+    joint lk = revolute(left, pen) at (-2.4, 1.8);
+    joint rk = revolute(right, rod) at (2.4, 1.8);
+    joint tip = revolute(pen, rod) at (0, 4);
+    motor l;
+    motor r;
+    follow pen.tip in (-1.5 ..= 1.5, 2.5 ..= 4.2) by l, r;
+}
+
+#[test]
+fn a_point_comes_everywhere_in_its_region_and_nowhere_else() {
+    let mut dice = Dice::new(3);
+    let mut plotter = Paper::new();
+    for _ in 0..cases(4_000) {
+        let place = [dice.between(-1.5, 1.5), dice.between(2.5, 4.2)];
+        assert_eq!(plotter.reach(place), Ok(()), "{place:?}");
+        let tip = plotter.pen_tip();
+        assert!((tip.x - place[0]).hypot(tip.y - place[1]) < 1e-13);
+    }
+    let before = plotter;
+    let blocked = plotter
+        .reach([0.0, 4.3])
+        .expect_err("that is beside the paper");
+    assert_eq!((blocked.cause, blocked.place), (Cause::OutOfRange, "y"));
+    assert_eq!(plotter, before);
+    assert!(blocked.reached[1] <= 4.2, "{blocked}");
+}

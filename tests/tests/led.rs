@@ -2,7 +2,9 @@
 //! refused is seen in how the motors move the point, by differences.
 
 use mech_compiler::evaluate::Machine;
-use mech_compiler::model::{AxisKind, Inverse, JointId, JointKind, LinkId, Model, MotorId, Origin};
+use mech_compiler::model::{
+    AxisKind, Inverse, JointId, JointKind, LinkId, Model, MotorId, Origin, Range,
+};
 use mech_compiler::structure::{Diagnosis, InverseTrouble};
 use mech_compiler::{Compiled, compile};
 use mech_test_support::{Dice, Sample, add_axis, for_all, samples, with_ground};
@@ -30,6 +32,7 @@ fn led(model: &Model, dice: &mut Dice) -> Option<(Model, [f64; 2])> {
         point: Some(point),
         named: vec![Origin::default(); motors.len()],
         motors,
+        region: Vec::new(),
         origin: Origin::default(),
     });
     Some((model, at))
@@ -118,10 +121,44 @@ fn follow(model: &Model, at: [f64; 2], compiled: &Compiled, dice: &mut Dice) -> 
     Some(off.fold(0.0, |worst, off| off.abs().max(worst)))
 }
 
+/// Asks that the point comes everywhere around its start: if that is proved, it has to come from any of these places to any other.
+fn comes_everywhere(model: &Model, at: [f64; 2], compiled: &Compiled, dice: &mut Dice) -> bool {
+    let start = place(model, at, &Machine::<f64>::new(&compiled.program));
+    let mut bounded = model.clone();
+    let inverse = bounded.inverse.as_mut().expect("a point is led");
+    let ranges = start.iter().take(inverse.motors.len()).map(|start| {
+        let reach = dice.between(0.02, 0.6);
+        Range {
+            low: start - reach * dice.between(0.1, 1.0),
+            high: start + reach * dice.between(0.1, 1.0),
+            origin: Origin::default(),
+        }
+    });
+    inverse.region = ranges.collect();
+    let (motors, region) = (inverse.motors.clone(), inverse.region.clone());
+    let Ok(compiled) = compile(&bounded) else {
+        return false;
+    };
+    let inverted = compiled.inverse.as_ref().expect("motors follow");
+    let mut machine = Machine::<f64>::new(&inverted.compiled.program);
+    for _ in 0..20 {
+        let mut target = machine.position().motors.clone();
+        for (motor, range) in motors.iter().zip(&region) {
+            target[motor.index()] = match dice.below(4) {
+                0 => range.low,
+                1 => range.high,
+                _ => dice.between(range.low, range.high),
+            };
+        }
+        assert_eq!(machine.move_to(&target), Ok(()), "{target:?} of {region:?}");
+    }
+    true
+}
+
 #[test]
 fn motors_of_random_mechanisms_follow_or_it_is_said_why_not() {
-    let (mut followed, mut stopped, mut idle, mut bound, mut dead, mut coupled) =
-        (0, 0, 0, 0, 0, 0);
+    let (mut followed, mut proved, mut stopped) = (0, 0, 0);
+    let (mut idle, mut bound, mut dead, mut coupled) = (0, 0, 0, 0);
     for_all(500, &samples(2..=8), |Sample { grown, mut dice }| {
         let plain = compile(&grown.model).expect("it is coherent by construction");
         let mut tried = (0..12).filter_map(|_| led(&grown.model, &mut dice));
@@ -146,6 +183,7 @@ fn motors_of_random_mechanisms_follow_or_it_is_said_why_not() {
                     followed += 1;
                     let least = sizes.min();
                     assert!(off * least.min(1.0) < 1e-9, "{off:e}, of {sizes}");
+                    proved += usize::from(comes_everywhere(&model, at, &compiled, &mut dice));
                 }
                 None => stopped += 1,
             },
@@ -168,13 +206,14 @@ fn motors_of_random_mechanisms_follow_or_it_is_said_why_not() {
                         assert!(sizes.min() < 1e-4 * sizes.max(), "{influence}");
                     }
                     InverseTrouble::Coupled { .. } => coupled += 1,
+                    other => panic!("no region was asked for: {other:?}"),
                 },
                 other => panic!("{other:?}"),
             },
         }
     });
     println!(
-        "{followed} followed, {stopped} stopped on the way; refused: {idle} idle, {bound} bound, {dead} at a dead point, {coupled} coupled"
+        "{followed} followed, {proved} of them everywhere in a region, {stopped} stopped on the way; refused: {idle} idle, {bound} bound, {dead} at a dead point, {coupled} coupled"
     );
-    assert!(followed > 30 && idle > 30);
+    assert!(followed > 30 && idle > 30 && proved > 8);
 }

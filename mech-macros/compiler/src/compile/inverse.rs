@@ -2,6 +2,7 @@
 
 use super::compile;
 use crate::compiled::InverseMechanism;
+use crate::digits::significant;
 use crate::evaluate::Machine;
 use crate::kinematics::LinkFrames;
 use crate::model::{Inverse, JointId, JointKind, LinkId, Model, MotorId, Near, Start, StartValue};
@@ -20,8 +21,17 @@ pub(super) fn invert(
         return Ok(None);
     };
     let inverted = inverted(model, inverse, program);
-    let compiled =
-        compile(&inverted).map_err(|found| diagnosis(model, inverse, program, &found))?;
+    starts_within(inverse, &inverted)?;
+    let compiled = compile(&inverted).map_err(|found| {
+        let mut found = diagnosis(model, inverse, program, &found);
+        if let Diagnosis::Inverse {
+            trouble: InverseTrouble::Region { proved, .. },
+        } = &mut found
+        {
+            *proved = smaller_region(inverse, &inverted);
+        }
+        found
+    })?;
     Ok(Some(Box::new(InverseMechanism {
         model: inverted,
         compiled,
@@ -114,9 +124,78 @@ fn diagnosis(
         Some(Diagnosis::NotSequential { waiting, .. }) => InverseTrouble::Coupled {
             waiting: declared(waiting),
         },
+        Some(Diagnosis::Range {
+            motor,
+            unknowns,
+            trouble,
+        }) => InverseTrouble::Region {
+            given: inverse.given_by(*motor).unwrap_or(0),
+            unknowns: declared(unknowns),
+            trouble: trouble.clone(),
+            proved: Vec::new(),
+        },
         _ => InverseTrouble::Bound,
     };
     Diagnosis::Inverse { trouble }
+}
+
+/// A smaller region for which it can be proved that the point comes everywhere within it, as large as a few trials find; none if none do.
+fn smaller_region(inverse: &Inverse, inverted: &Model) -> Vec<[f64; 2]> {
+    /// So many regions are tried, none of large mechanisms.
+    const TRIED: usize = 8;
+    const MOST_LINKS: usize = 64;
+    let region_of = |share: f64| -> Vec<[f64; 2]> {
+        let ranges = inverse.motors.iter().zip(&inverse.region);
+        let ranges = ranges.enumerate().map(|(given, (motor, range))| {
+            let start = inverted.start.value(inverted.motor(*motor).joint);
+            // As one writes them: angles in degrees.
+            let unit = if given < 2 { 1.0 } else { 1_f64.to_radians() };
+            [(range.low, true), (range.high, false)].map(|(end, upwards)| {
+                let end = (start + share * (end - start)) / unit;
+                unit * significant(end, 3, Some(upwards))
+            })
+        });
+        ranges.collect()
+    };
+    let is_proved = |region: &[[f64; 2]]| {
+        let mut smaller = inverted.clone();
+        for (motor, [low, high]) in inverse.motors.iter().zip(region) {
+            if let Some(range) = &mut smaller.motors[motor.index()].range {
+                (range.low, range.high) = (*low, *high);
+            }
+        }
+        starts_within(inverse, &smaller).is_ok() && compile(&smaller).is_ok()
+    };
+    let (mut known, mut open, mut proved) = (0.0, 1.0, Vec::new());
+    let is_large = inverted.links.len() > MOST_LINKS;
+    for _ in 0..if is_large { 0 } else { TRIED } {
+        let middle = 0.5 * (known + open);
+        let region = region_of(middle);
+        if is_proved(&region) {
+            (known, proved) = (middle, region);
+        } else {
+            open = middle;
+        }
+    }
+    proved
+}
+
+/// Tests that the point starts in its region.
+fn starts_within(inverse: &Inverse, inverted: &Model) -> Result<(), Diagnosis> {
+    let starts = inverse.motors.iter().map(|motor| {
+        let joint = inverted.motor(*motor).joint;
+        inverted.start.value(joint)
+    });
+    let motors = inverse.motors.iter();
+    let ranges = motors.filter_map(|motor| inverted.motor(*motor).range);
+    for (given, (start, range)) in starts.zip(ranges).enumerate() {
+        let is_within = range.low <= start && start <= range.high;
+        if !is_within {
+            let trouble = InverseTrouble::StartsOutside { given, start };
+            return Err(Diagnosis::Inverse { trouble });
+        }
+    }
+    Ok(())
 }
 
 /// Whether a motor does not move what is given.

@@ -2,11 +2,11 @@
 
 use super::{
     Actions, AxisId, DrawnAxis, Effects, FORWARD, Joint, JointId, JointKind, Link, LinkId, Model,
-    Motor, MotorId, Origin, Start,
+    Motor, MotorId, Origin, Range, Start,
 };
 
 /// A point that is given, or a point and the angle of its link, and the motors that follow.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Inverse {
     /// The link that is led: not the ground.
@@ -15,6 +15,8 @@ pub struct Inverse {
     pub point: Option<AxisId>,
     /// The motors that follow, each once: two for the place of the point, three for the angle of the link, too.
     pub motors: Vec<MotorId>,
+    /// The values of what is given everywhere within which it is proved to come, one range for each, or none.
+    pub region: Vec<Range>,
     /// Where the point was named.
     pub origin: Origin,
     /// Where each motor was named.
@@ -29,6 +31,12 @@ impl Inverse {
     #[must_use]
     pub fn gives_angle(&self) -> bool {
         self.motors.len() == Self::GIVEN.len()
+    }
+
+    /// The number of what is given in place of a motor; none of a motor that does not follow.
+    #[must_use]
+    pub fn given_by(&self, motor: MotorId) -> Option<usize> {
+        self.motors.iter().position(|one| *one == motor)
     }
 
     /// The point or the link, as it is named: `pen.tip`.
@@ -63,8 +71,11 @@ impl Model {
         let following = inverse.motors.iter().map(|motor| self.motor(*motor).joint);
         other.continuous.extend(following);
         let carrying = other.add_carriage(inverse);
-        for (motor, joint) in inverse.motors.iter().zip(carrying) {
-            other.motors[motor.index()] = Motor::new(joint, inverse.origin);
+        for (number, (motor, joint)) in inverse.motors.iter().zip(carrying).enumerate() {
+            other.motors[motor.index()] = Motor {
+                range: inverse.region.get(number).copied(),
+                ..Motor::new(joint, inverse.origin)
+            };
         }
         other
     }

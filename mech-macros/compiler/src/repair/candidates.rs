@@ -123,6 +123,7 @@ fn followers(model: &Model, trouble: &InverseTrouble) -> Vec<Repair> {
             .collect(),
         InverseTrouble::Coupled { .. } => vec![Repair::AllowCoupled],
         InverseTrouble::Idle { .. } | InverseTrouble::Bound => Vec::new(),
+        InverseTrouble::StartsOutside { .. } | InverseTrouble::Region { .. } => return Vec::new(),
     };
     let lawless = model
         .motor_ids()

@@ -3,9 +3,10 @@
 use super::Words;
 use super::wording::and;
 use crate::bug::bug;
-use crate::model::{Inverse, MotorId, Origin};
+use crate::digits::significant;
+use crate::model::{Inverse, JointId, MotorId, Origin};
 use crate::repair::Offers;
-use crate::structure::InverseTrouble;
+use crate::structure::{InverseTrouble, RangeTrouble};
 
 impl Words<'_> {
     pub(super) fn cannot_follow(
@@ -43,6 +44,23 @@ impl Words<'_> {
                     self.joints(unknowns)
                 ),
             ),
+            InverseTrouble::StartsOutside { given, start } => (
+                Some(inverse.region[*given].origin),
+                format!(
+                    "`{what}` starts outside of this range: {} is {} there",
+                    Inverse::GIVEN[*given],
+                    given_value(*given, *start)
+                ),
+            ),
+            InverseTrouble::Region {
+                given,
+                unknowns,
+                trouble,
+                proved,
+            } => (
+                Some(inverse.region[*given].origin),
+                self.region(*given, unknowns, trouble, proved),
+            ),
             InverseTrouble::Coupled { waiting } => (
                 None,
                 format!(
@@ -56,6 +74,90 @@ impl Words<'_> {
             _ => self.help(offers),
         };
         (origin.unwrap_or(inverse.origin), text + &help)
+    }
+
+    /// Why a region is not proved.
+    fn region(
+        &self,
+        given: usize,
+        unknowns: &[JointId],
+        trouble: &RangeTrouble,
+        proved: &[[f64; 2]],
+    ) -> String {
+        let inverse = self.inverse();
+        let what = inverse.name(self.model);
+        let name = Inverse::GIVEN[given];
+        let not_proved =
+            format!("it could not be proved that `{what}` comes to all of these places");
+        let why = match trouble {
+            RangeTrouble::Blocked { limit, others, .. } => {
+                let others = others
+                    .iter()
+                    .map(|(motor, value)| match inverse.given_by(*motor) {
+                        Some(other) => format!(
+                            ", where {} is {}",
+                            Inverse::GIVEN[other],
+                            given_value(other, *value)
+                        ),
+                        None => format!(
+                            ", where `{}` is at {}",
+                            self.name_of_motor(*motor),
+                            self.motor_value(*motor, *value)
+                        ),
+                    });
+                let others: String = others.collect();
+                return format!(
+                    "`{what}` does not come to all of these places: it is stopped at {name} = {}{others}\nnote: there {} close the loop{}",
+                    given_value(given, *limit),
+                    self.the_joints(unknowns, ["cannot", "cannot"]),
+                    self.smaller_region(proved)
+                );
+            }
+            RangeTrouble::Cam(cam) => format!(
+                "there is no proof for cams, and {} is a cam",
+                self.joint(*cam)
+            ),
+            RangeTrouble::Stops => format!(
+                "the loop of {} has a change point there, and `at change points stop` was declared",
+                self.joints(unknowns)
+            ),
+            RangeTrouble::Undecided { .. } => format!(
+                "it could not be decided whether the loop of {} closes everywhere there",
+                self.joints(unknowns)
+            ),
+            RangeTrouble::Iterated => format!(
+                "the loop of {} is solved by iteration, for which there is no proof",
+                self.joints(unknowns)
+            ),
+            RangeTrouble::Varies { param } => {
+                format!(
+                    "param `{}` may change the shape of the mechanism",
+                    self.param(*param)
+                )
+            }
+            RangeTrouble::Missing => "a motor that does not follow has no range".to_owned(),
+        };
+        format!(
+            "{not_proved}: {why}{}\nhelp: leave `in` out; every way is then tested as it is made",
+            self.smaller_region(proved)
+        )
+    }
+
+    /// The help about a smaller region that was proved.
+    fn smaller_region(&self, proved: &[[f64; 2]]) -> String {
+        if proved.is_empty() {
+            return String::new();
+        }
+        let ranges = proved.iter().enumerate().map(|(given, ends)| {
+            let [low, high] = ends.map(|end| given_value(given, end));
+            format!("{low} ..= {high}")
+        });
+        let ranges: Vec<String> = ranges.collect();
+        let what = self.inverse().name(self.model);
+        format!(
+            "\nhelp: `{what}` comes to all of `in ({})`",
+            ranges.join(", ")
+        )
     }
 
     /// The statement with these motors instead.
@@ -83,4 +185,14 @@ impl Words<'_> {
         let names = motors.iter().map(|motor| self.name_of_motor(*motor));
         names.map(|name| format!("`{name}`")).collect()
     }
+}
+
+/// A value of what is given, as one would write it.
+fn given_value(given: usize, value: f64) -> String {
+    const DIGITS: i32 = 4;
+    let (value, unit) = match given {
+        2 => (value.to_degrees(), " deg"),
+        _ => (value, ""),
+    };
+    format!("{}{unit}", significant(value, DIGITS, None))
 }

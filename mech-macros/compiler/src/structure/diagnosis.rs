@@ -293,6 +293,24 @@ pub enum InverseTrouble {
         /// The joints of the loop whose coordinates are unknown.
         unknowns: Vec<JointId>,
     },
+    /// What is given starts outside of its region.
+    StartsOutside {
+        /// The number of what is given: x, y, the angle.
+        given: usize,
+        /// Its value at the start, in scene units or radians.
+        start: f64,
+    },
+    /// It is not proved that the point comes everywhere in its region.
+    Region {
+        /// The number of what is given: x, y, the angle.
+        given: usize,
+        /// The joints of unknown coordinate of the loop it is about.
+        unknowns: Vec<JointId>,
+        /// The trouble with its range. Motors of what is given stand in place of those that follow.
+        trouble: RangeTrouble,
+        /// A smaller region for which it was proved: none if none was found.
+        proved: Vec<[f64; 2]>,
+    },
     /// Loops wait for each other.
     Coupled {
         /// The joints that wait.

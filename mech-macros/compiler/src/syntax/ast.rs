@@ -81,7 +81,7 @@ pub(super) enum Statement {
     Port(Port),
     /// `use left[6]: Leg(size = 2) { frame = ground };`
     Use(Box<Use>),
-    /// `follow pen.tip by left, right;`
+    /// `follow pen.tip in (1 ..= 3, 0 ..= 2) by left, right;`
     Follow(Follow),
     /// `expect transmission > 40 deg for a in 0 deg ..= 90 deg;`
     Expect(Box<Expect>),
@@ -91,12 +91,14 @@ pub(super) enum Statement {
     Broken(Broken),
 }
 
-/// `follow pen.tip by left, right;`
+/// `follow pen.tip in (1 ..= 3, 0 ..= 2) by left, right;`
 pub(super) struct Follow {
     /// The word `follow`.
     pub keyword: Span,
     /// The point, or the link.
     pub what: End,
+    /// The ends of the ranges of what is given, if a region is.
+    pub region: Vec<[Expr; 2]>,
     /// The joints of the motors.
     pub motors: Vec<Name>,
 }

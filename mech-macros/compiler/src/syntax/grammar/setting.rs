@@ -6,7 +6,8 @@ use super::expression::expression;
 use super::path::{end, path};
 use super::recover::{or_skip, read_setting, skip, to_semicolon};
 use super::tokens::{
-    any_word, comes, expected_message, in_braces, in_brackets, name, symbol, take, take_word,
+    any_word, comes, expected_message, in_braces, in_brackets, in_parens, name, symbol, take,
+    take_word,
 };
 use super::trace::trace;
 use crate::syntax::ast::{
@@ -252,10 +253,17 @@ pub(super) fn continuous(input: ParseStream, keyword: Span) -> Statement {
     })
 }
 
-/// Reads `pen.tip by left, right;`.
+/// Reads `pen.tip in (1 ..= 3, 0 ..= 2) by left, right;`.
 pub(super) fn follow(input: ParseStream, keyword: Span) -> Statement {
     read_setting(input, |input| {
         let what = end(input)?;
+        let region = match take_word(input, "in") {
+            None => Vec::new(),
+            Some(_) => {
+                let expected = "the ranges of x and y, as `(0 ..= 2, 1 ..= 3)`";
+                in_parens(input, expected, |input| read_list(input, range))?.0
+            }
+        };
         if take_word(input, "by").is_none() {
             let mut error = expected_message(input, "`by` and the motors that follow");
             error.text += &format!("; write `follow {what} by a, b`");
@@ -265,6 +273,7 @@ pub(super) fn follow(input: ParseStream, keyword: Span) -> Statement {
         Ok(Statement::Follow(Follow {
             keyword,
             what,
+            region,
             motors,
         }))
     })

@@ -10,6 +10,7 @@ use super::ast::{
     Pair, Part, Port, Shape, Size, Start, Statement, Text, Trace, Use,
 };
 use super::{Place, color};
+use crate::model::Inverse;
 use proc_macro2::{Ident, Span};
 use shape::shape_numbers;
 
@@ -154,6 +155,10 @@ impl Reader {
             }
             Statement::Follow(follow) => {
                 self.end(&follow.what, Noun::Body);
+                for (name, [low, high]) in Inverse::GIVEN.iter().zip(&follow.region) {
+                    self.number("follow", &format!("{name} from"), low);
+                    self.number("follow", &format!("{name} to"), high);
+                }
                 for name in &follow.motors {
                     self.name(name, Noun::Joint);
                 }

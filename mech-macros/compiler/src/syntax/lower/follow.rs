@@ -1,12 +1,13 @@
 //! The point that motors follow.
 
+use super::angle::{is_angle, is_half_in_degrees};
 use super::draft::Draft;
 use super::find;
 use super::name::Referent;
 use super::reader::Reader;
 use super::report::Report;
 use crate::api::Owner;
-use crate::model::{AxisId, AxisKind, Inverse, LinkId, Model, MotorId};
+use crate::model::{AxisId, AxisKind, Inverse, LinkId, Model, MotorId, Range};
 use crate::syntax::Place;
 use crate::syntax::ast::{End, Follow, Name};
 use crate::syntax::spelling;
@@ -16,7 +17,7 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, follow: &Follow) {
     // Each is looked at, so that the errors of all are reported.
     let mut motors: Vec<MotorId> = Vec::new();
     for name in &follow.motors {
-        let motor = find_motor(reader, draft, name, &motors);
+        let motor = find_motor(reader, draft, name, &motors, !follow.region.is_empty());
         motors.extend(motor);
     }
     let Some((link, point)) = led else {
@@ -25,6 +26,9 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, follow: &Follow) {
     if motors.len() < follow.motors.len() || draft.model.inverse.is_some() {
         return;
     }
+    let Some(region) = find_region(reader, draft, follow) else {
+        return;
+    };
     if let Some(text) = wrong_count(&draft.model, follow, point) {
         return reader.report.error(follow.what.place(), text);
     }
@@ -34,9 +38,47 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, follow: &Follow) {
         link,
         point,
         motors,
+        region,
         origin: draft.places.note(follow.what.place()),
         named,
     });
+}
+
+/// The ranges of what is given, if they can be read: none where no region is given.
+fn find_region(reader: &mut Reader, draft: &mut Draft, follow: &Follow) -> Option<Vec<Range>> {
+    let ranges = follow.region.iter().zip(Inverse::GIVEN);
+    let ranges = ranges.map(|([from, to], name)| {
+        let is_told = match name {
+            "angle" => is_half_in_degrees(reader.report, &[from, to]),
+            _ => [from, to]
+                .into_iter()
+                .any(|end| is_angle(reader.report, end, "a length")),
+        };
+        if is_told {
+            return None;
+        }
+        let (low, high) = (reader.value(from), reader.value(to));
+        let (low, high) = (low?, high?);
+        let place = from.place.to(to.place);
+        if low < high {
+            let origin = draft.places.note(place);
+            return Some(Range { low, high, origin });
+        }
+        let text = format!("the range of {name} ends before it begins; write `{to} ..= {from}`");
+        reader.report.refuse(place, text)
+    });
+    // Each is looked at, so that the errors of all are reported.
+    let ranges: Vec<Option<Range>> = ranges.collect();
+    let ranges: Vec<Range> = ranges.into_iter().collect::<Option<_>>()?;
+    let (given, expected) = (follow.region.len(), follow.motors.len());
+    if given > 0 && given != expected {
+        let text = format!(
+            "each of {} has a range: there are {expected}, and {given} stand here",
+            Inverse::GIVEN[..expected.min(Inverse::GIVEN.len())].join(", ")
+        );
+        return reader.report.refuse(follow.what.place(), text);
+    }
+    Some(ranges)
 }
 
 /// The link that is led, and its point, if one is named.
@@ -70,6 +112,7 @@ fn find_motor(
     draft: &Draft,
     name: &Name,
     others: &[MotorId],
+    has_region: bool,
 ) -> Option<MotorId> {
     let model = &draft.model;
     let joint = find::joint(reader, draft, name)?;
@@ -93,6 +136,10 @@ fn find_motor(
         format!("`{name}` is listed already; remove one of the two")
     } else if model.motor(motor).law.is_some() {
         format!("motor `{name}` follows a law of the time; leave out its law, or this motor here")
+    } else if has_region && model.motor(motor).range.is_some() {
+        format!(
+            "motor `{name}` has a range, and it is not proved that it stays within it where `in` says; leave out its range, or `in`"
+        )
     } else {
         return Some(motor);
     };
