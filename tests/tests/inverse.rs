@@ -100,6 +100,7 @@ mechanism! {
     motor m2;
     motor m3;
     follow platform.middle by m1, m2, m3;
+    effects { velocity; }
 }
 
 /// A mechanism whose point can be led.
@@ -504,6 +505,7 @@ mechanism! {
     motor l;
     motor r;
     follow pen.tip in (-1.5 ..= 1.5, 2.5 ..= 4.2) by l, r;
+    effects { acceleration; }
 }
 
 #[test]
@@ -523,4 +525,65 @@ fn a_point_comes_everywhere_in_its_region_and_nowhere_else() {
     assert_eq!((blocked.cause, blocked.place), (Cause::OutOfRange, "y"));
     assert_eq!(plotter, before);
     assert!(blocked.reached[1] <= 4.2, "{blocked}");
+}
+
+#[test]
+fn rates_of_motors_are_those_of_their_differences() {
+    const STEP: f64 = 1e-4;
+    let way = |t: f64| [0.4 + 0.3 * t - 0.5 * t * t, 3.0 - 0.7 * t + 0.2 * t * t];
+    let motors = [-STEP, 0.0, STEP].map(|t| {
+        let mut plotter = Paper::new();
+        assert_eq!(plotter.reach(way(t)), Ok(()));
+        plotter.motors()
+    });
+    let mut plotter = Paper::new();
+    assert_eq!(
+        plotter.reach_with(way(0.0), [0.3, -0.7], [-1.0, 0.4]),
+        Ok(())
+    );
+    let tip = (plotter.pen_tip_velocity(), plotter.pen_tip_acceleration());
+    assert!((tip.0.x - 0.3).hypot(tip.0.y + 0.7) < 1e-13);
+    assert!((tip.1.x + 1.0).hypot(tip.1.y - 0.4) < 1e-12);
+    let rates = [plotter.l_rate(), plotter.r_rate()];
+    let accelerations = [plotter.l_acceleration(), plotter.r_acceleration()];
+    for motor in 0..2 {
+        let [before, here, after] = motors.map(|motors| motors[motor]);
+        let rate = (after - before) / (2.0 * STEP);
+        let acceleration = (after - 2.0 * here + before) / (STEP * STEP);
+        assert!(
+            (rate - rates[motor]).abs() < 1e-6,
+            "{rate} and {}",
+            rates[motor]
+        );
+        let off = (acceleration - accelerations[motor]).abs();
+        assert!(off < 1e-5, "{acceleration} and {}", accelerations[motor]);
+    }
+    let before = plotter;
+    let wrong = plotter.reach_with([0.0, 3.0], [0.0, f64::NAN], [0.0; 2]);
+    let wrong = wrong.expect_err("it is no velocity");
+    assert_eq!((wrong.cause, wrong.place), (Cause::NotFinite, "y"));
+    assert_eq!(plotter, before);
+}
+
+#[test]
+fn the_angle_of_a_led_link_has_a_rate() {
+    const STEP: f64 = 1e-5;
+    let way = |t: f64| [3.1 + 0.2 * t, 1.5 - 0.1 * t, 0.05 + 0.4 * t];
+    let motors = [-STEP, STEP].map(|t| {
+        let mut platform = Platform::new();
+        assert_eq!(platform.reach(way(t)), Ok(()));
+        platform.motors()
+    });
+    let mut platform = Platform::new();
+    assert_eq!(platform.reach_with(way(0.0), [0.2, -0.1, 0.4]), Ok(()));
+    assert!((platform.platform_velocity().angular - 0.4).abs() < 1e-13);
+    let rates = [platform.m1_rate(), platform.m2_rate(), platform.m3_rate()];
+    for motor in 0..3 {
+        let rate = (motors[1][motor] - motors[0][motor]) / (2.0 * STEP);
+        assert!(
+            (rate - rates[motor]).abs() < 1e-7,
+            "{rate} and {}",
+            rates[motor]
+        );
+    }
 }

@@ -227,6 +227,47 @@ where
     }
 }
 
+/// The rates of all motors at which what is given moves at these rates: motors that do not follow rest. `rates` computes the rates of links
+/// for rates of motors, and `led` those of what is given; both are linear.
+///
+/// # Errors
+/// If rates are not determined, or the motors cannot move what is given so.
+pub fn led_rates<T: Scalar, L, const N: usize, const M: usize>(
+    motors: [usize; N],
+    given: [T; N],
+    name: &'static str,
+    rates: impl Fn([T; M]) -> Result<L, Stop>,
+    led: impl Fn(&L) -> [T; N],
+) -> Result<[T; M], Stop> {
+    let with = |mut all: [T; M], motor: usize, rate: T| {
+        if let Some(place) = all.get_mut(motor) {
+            *place = rate;
+        }
+        all
+    };
+    let rest = [T::ZERO; M];
+    let mut rows = [[T::ZERO; N]; N];
+    for (column, motor) in motors.into_iter().enumerate() {
+        let influence = led(&rates(with(rest, motor, T::ONE))?);
+        for (row, part) in rows.iter_mut().zip(influence) {
+            row[column] = part;
+        }
+    }
+    let mut following = given;
+    mech_core::dense::solve(&mut rows, &mut following);
+    if following.iter().any(|rate| !Real::is_finite(*rate)) {
+        return Err(Stop::new(name, Cause::Singular));
+    }
+    let pairs = motors.into_iter().zip(following);
+    Ok(pairs.fold(rest, |all, (motor, rate)| with(all, motor, rate)))
+}
+
+/// The differences of two sets of numbers.
+#[must_use]
+pub fn less<T: Scalar, const N: usize>(given: [T; N], others: [T; N]) -> [T; N] {
+    core::array::from_fn(|index| given[index] - others[index])
+}
+
 impl<T: Scalar, const N: usize> Led<T, N> {
     /// The error of a mechanism that stays where it is.
     fn blocked(&self, stop: Stop, reached: [T; N]) -> Blocked<[T; N]> {

@@ -38,7 +38,7 @@ pub use coordinates::{
 pub use dynamics::{Moment, Simulated, simulate};
 pub use forces::{Holding, Inertia, not_finite, pull};
 pub use interpolation::Rates;
-pub use inverse::{Led, Mover, reach};
+pub use inverse::{Led, Mover, led_rates, less, reach};
 pub use joints::pins;
 pub use limits::{Followed, MoveLimits, Stepping, Watched};
 pub use loops::{closed, closes, determined, solve};

@@ -40,6 +40,8 @@ pub(crate) enum Condition {
     Sensitivity,
     Laws,
     Inverse,
+    InverseVelocity,
+    InverseAcceleration,
 }
 
 impl Condition {
@@ -75,6 +77,8 @@ impl Condition {
             Self::Sensitivity => effects.sensitivity && !model.params.is_empty(),
             Self::Laws => asked.laws,
             Self::Inverse => asked.follow,
+            Self::InverseVelocity => asked.follow && effects.velocity && !effects.acceleration,
+            Self::InverseAcceleration => asked.follow && effects.acceleration,
         }
     }
 
@@ -86,7 +90,9 @@ impl Condition {
             Self::OverlayOfForce | Self::OverlayOfLoads => Some(Owner::Overlay),
             Self::Params | Self::Sensitivity => Some(Owner::Params),
             Self::Laws => Some(Owner::Laws),
-            Self::Inverse => Some(Owner::Inverse),
+            Self::Inverse | Self::InverseVelocity | Self::InverseAcceleration => {
+                Some(Owner::Inverse)
+            }
             _ => None,
         }
     }

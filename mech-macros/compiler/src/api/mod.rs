@@ -94,9 +94,10 @@ pub(crate) fn is_reserved(name: &str) -> bool {
 }
 
 /// The names that an owner takes.
-pub(crate) fn names_of(owner: Owner) -> impl Iterator<Item = &'static str> {
+pub(crate) fn names_of(owner: Owner) -> BTreeSet<&'static str> {
     let items = TABLE.iter().filter(|item| item.is_fixed());
     items
-        .filter(move |item| item.condition.owner() == Some(owner))
+        .filter(|item| item.condition.owner() == Some(owner))
         .map(Item::name)
+        .collect()
 }

@@ -71,6 +71,8 @@ pub(crate) const TABLE: &[Item] = &[
     item(Of::Mechanism, When::Dynamics, "pub const INERTIA_COST: Cost = Cost::NOTHING;"),
     item(Of::Mechanism, When::Laws, "pub fn at_time(&mut self, t: f64) -> Result<(), Blocked<[scalar; motor_count]>> { loop {} }"),
     item(Of::Mechanism, When::Inverse, "pub fn reach<const GIVEN: usize>(&mut self, place: [scalar; GIVEN]) -> Result<(), Blocked<[scalar; GIVEN]>> { loop {} }"),
+    item(Of::Mechanism, When::InverseVelocity, "pub fn reach_with<const GIVEN: usize>(&mut self, place: [scalar; GIVEN], velocity: [scalar; GIVEN]) -> Result<(), Blocked<[scalar; GIVEN]>> { loop {} }"),
+    item(Of::Mechanism, When::InverseAcceleration, "pub fn reach_with<const GIVEN: usize>(&mut self, place: [scalar; GIVEN], velocity: [scalar; GIVEN], acceleration: [scalar; GIVEN]) -> Result<(), Blocked<[scalar; GIVEN]>> { loop {} }"),
     item(Of::Mechanism, When::Traces, "pub fn clear_traces(&mut self) {}"),
     item(Of::Mechanism, When::Overlay, "pub fn draw_overlay(&self, canvas: &mut impl Canvas<scalar>, overlay: &Overlay) {}"),
     item(Of::Mechanism, When::OverlayOfLoads, "pub fn draw_loads(&self, canvas: &mut impl Canvas<scalar>, arrows: &Arrows<scalar>) {}"),

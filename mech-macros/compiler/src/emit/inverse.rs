@@ -3,6 +3,7 @@
 use super::advance::with_end;
 use super::coordinate::coordinate;
 use super::emitter::Emitter;
+use super::inverse_rates::reach_with;
 use super::known::start;
 use super::limits::limits;
 use super::parts::Parts;
@@ -26,7 +27,9 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
     Parts {
         fields: quote!(inverse: #krate::generated::Position<#scalar, #(#sizes),*>,),
         start: quote!(inverse: inverse::START,),
-        methods: reach(emitter, inverse),
+        methods: [reach(emitter, inverse), reach_with(emitter, inverse)]
+            .into_iter()
+            .collect(),
         modules: inverse_module(emitter, inverse, inverted),
         ..Parts::default()
     }
@@ -79,7 +82,7 @@ fn reach(emitter: &Emitter<'_>, inverse: &Inverse) -> TokenStream {
 }
 
 /// The present value of what is given: an expression in a method.
-fn here(emitter: &Emitter<'_>, inverse: &Inverse) -> TokenStream {
+pub(super) fn here(emitter: &Emitter<'_>, inverse: &Inverse) -> TokenStream {
     let pose = emitter.pose(inverse.link);
     let origin = || quote!([#pose.x, #pose.y]);
     let place = inverse
@@ -134,6 +137,10 @@ fn inverse_module(
 
             pub(super) const START: #all = #start;
 
+            /// What is given, and in whose place it stands.
+            pub(super) const GIVEN: [Input; #count] = [#(#given),*];
+            pub(super) const MOTORS: [usize; #count] = [#(#motors),*];
+
             #limits
 
             /// Moves both to where the point is at `place`, from where it is `here`.
@@ -147,11 +154,11 @@ fn inverse_module(
                     mechanism,
                     Mover { position: inverse, limits: &MOVE_LIMITS, step: positions::step },
                     Led {
-                        motors: [#(#motors),*],
+                        motors: MOTORS,
                         turning: [#(#turning),*],
                         links: #links,
                         size: #size,
-                        given: &[#(#given),*],
+                        given: &GIVEN,
                         here,
                     },
                     place,
@@ -164,7 +171,7 @@ fn inverse_module(
     }
 }
 
-fn count(inverse: &Inverse) -> Literal {
+pub(super) fn count(inverse: &Inverse) -> Literal {
     integer(inverse.motors.len())
 }
 

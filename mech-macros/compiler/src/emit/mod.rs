@@ -13,6 +13,7 @@ mod expression;
 mod forces;
 mod instance_methods;
 mod inverse;
+mod inverse_rates;
 mod items;
 mod joints;
 mod known;

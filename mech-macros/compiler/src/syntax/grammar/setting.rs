@@ -257,12 +257,11 @@ pub(super) fn continuous(input: ParseStream, keyword: Span) -> Statement {
 pub(super) fn follow(input: ParseStream, keyword: Span) -> Statement {
     read_setting(input, |input| {
         let what = end(input)?;
-        let region = match take_word(input, "in") {
-            None => Vec::new(),
-            Some(_) => {
-                let expected = "the ranges of x and y, as `(0 ..= 2, 1 ..= 3)`";
-                in_parens(input, expected, |input| read_list(input, range))?.0
-            }
+        let region = if take_word(input, "in").is_some() {
+            let expected = "the ranges of x and y, as `(0 ..= 2, 1 ..= 3)`";
+            in_parens(input, expected, |input| read_list(input, range))?.0
+        } else {
+            Vec::new()
         };
         if take_word(input, "by").is_none() {
             let mut error = expected_message(input, "`by` and the motors that follow");

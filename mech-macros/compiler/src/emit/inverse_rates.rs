@@ -1,0 +1,155 @@
+//! The method that leads a point at a velocity.
+
+use super::advance::{rates_at, record};
+use super::emitter::Emitter;
+use super::inverse::{count, here};
+use super::rates::stored_rates;
+use crate::model::Inverse;
+use crate::program::Program;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// `reach_with`; nothing without rates.
+pub(super) fn reach_with(emitter: &Emitter<'_>, inverse: &Inverse) -> TokenStream {
+    let Emitter {
+        visibility,
+        scalar,
+        model,
+        ..
+    } = emitter;
+    let Some(moving) = &emitter.compiled.moving else {
+        return TokenStream::new();
+    };
+    let (count, here) = (count(inverse), here(emitter, inverse));
+    let ([pattern, store], record) = (stored_rates(emitter), record(emitter));
+    let store_rates = model.effects.dynamics.then(|| quote!(self.rates = rates;));
+    let (rated, given, acceleration) = if model.effects.acceleration {
+        (
+            "this velocity and acceleration",
+            quote!([velocity, acceleration]),
+            Some(quote!(, acceleration: [#scalar; #count])),
+        )
+    } else {
+        ("this velocity", quote!([velocity]), None)
+    };
+    let name = inverse.name(model);
+    let doc = format!(
+        " Leads `{name}` to this place as `reach` does, and gives it {rated}: rates of motors follow."
+    );
+    let following = following(emitter, inverse, moving);
+    quote! {
+        #[doc = #doc]
+        /// Motors that do not follow rest.
+        ///
+        /// # Errors
+        /// As `reach`, and if rates are not determined there; the mechanism then stays where it was.
+        #visibility fn reach_with(
+            &mut self,
+            place: [#scalar; #count],
+            velocity: [#scalar; #count]
+            #acceleration
+        ) -> Result<(), Blocked<[#scalar; #count]>> {
+            let here = #here;
+            let refuse = |stop: generated::Stop| Blocked::of(Blocked::new(stop.place, stop.cause, here), &inverse::GIVEN);
+            for given in #given {
+                generated::finite(given, &inverse::GIVEN).map_err(refuse)?;
+            }
+            let before = (self.position, self.inverse);
+            let mechanism = Mover {
+                position: &mut self.position,
+                limits: &known::MOVE_LIMITS,
+                step: positions::step,
+            };
+            inverse::reach(mechanism, &mut self.inverse, here, place)?;
+            let found = (|| {
+                #following
+            })();
+            match found {
+                Result::Ok((rates, #pattern)) => {
+                    #store
+                    #store_rates
+                    #record
+                    Result::Ok(())
+                }
+                Result::Err(stop) => {
+                    (self.position, self.inverse) = before;
+                    Result::Err(refuse(stop))
+                }
+            }
+        }
+    }
+}
+
+/// The statements that find the rates of motors, and everything that moves at them, from the variables `velocity` and `acceleration`.
+fn following(emitter: &Emitter<'_>, inverse: &Inverse, moving: &Program) -> TokenStream {
+    let Emitter { scalar, motors, .. } = emitter;
+    let name = inverse.name(emitter.model);
+    let found = |arguments: TokenStream| rates_at(moving, &quote!(self.position), &arguments);
+    let Rates {
+        velocity,
+        acceleration,
+    } = Rates::new(emitter, inverse);
+    let rates = |found: TokenStream| {
+        quote! {
+            let influence = |rates: [#scalar; #motors]| #found;
+            let led = |velocities: &[Velocity<#scalar>; _]| #velocity;
+            let rates = generated::led_rates(inverse::MOTORS, velocity, #name, influence, led)?;
+        }
+    };
+    if !emitter.model.effects.acceleration {
+        let found = found(quote!(, rates));
+        let rates = rates(found);
+        return quote! {
+            #rates
+            let found = influence(rates)?;
+            Result::Ok((rates, found))
+        };
+    }
+    let (unresisted, all) = (
+        found(quote!(, rates, [0.0; #motors])),
+        found(quote!(, rates, accelerations)),
+    );
+    let rates = rates(quote!(Result::map(#unresisted, |(velocities, _)| velocities)));
+    quote! {
+        #rates
+        let (velocities, accelerations) = #unresisted?;
+        let wanted = generated::less(acceleration, #acceleration);
+        let accelerations = generated::led_rates(inverse::MOTORS, wanted, #name, influence, led)?;
+        let found = #all?;
+        Result::Ok((rates, found))
+    }
+}
+
+/// The rates of what is given, as expressions of the variables `velocities` and `accelerations`.
+struct Rates {
+    velocity: TokenStream,
+    acceleration: TokenStream,
+}
+
+impl Rates {
+    fn new(emitter: &Emitter<'_>, inverse: &Inverse) -> Self {
+        let (index, pose) = (emitter.index(inverse.link), emitter.pose(inverse.link));
+        let origin = || quote!([0.0, 0.0]);
+        let point = inverse
+            .point
+            .map_or_else(origin, |point| emitter.place(point));
+        let with_angle = |place: TokenStream, rate: TokenStream| {
+            if inverse.gives_angle() {
+                quote!({ let [x, y] = #place; [x, y, #rate.angular] })
+            } else {
+                place
+            }
+        };
+        let (velocity, acceleration) = (quote!(velocities[#index]), quote!(accelerations[#index]));
+        Self {
+            acceleration: with_angle(
+                quote!(Acceleration::of_point(#acceleration, #pose, #velocity.angular, #point)),
+                acceleration,
+            ),
+            velocity: with_angle(
+                quote!(Velocity::of_point(#velocity, #pose, #point)),
+                velocity,
+            ),
+        }
+    }
+}
