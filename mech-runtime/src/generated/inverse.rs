@@ -208,7 +208,11 @@ where
             if part >= T::ONE {
                 return end;
             }
-            core::array::from_fn(|index| start[index] + (end[index] - start[index]) * part)
+            let mut place = end;
+            for (value, start) in place.iter_mut().zip(start) {
+                *value = start + (*value - start) * part;
+            }
+            place
         };
         // From zero to one: how much of the way is done, and how much is tried next.
         let (mut done, mut part) = (T::ZERO, T::ONE);
@@ -250,7 +254,9 @@ pub fn led_rates<T: Scalar, L, const N: usize, const M: usize>(
     for (column, motor) in motors.into_iter().enumerate() {
         let influence = led(&rates(with(rest, motor, T::ONE))?);
         for (row, part) in rows.iter_mut().zip(influence) {
-            row[column] = part;
+            if let Some(entry) = row.get_mut(column) {
+                *entry = part;
+            }
         }
     }
     let mut following = given;
@@ -265,7 +271,11 @@ pub fn led_rates<T: Scalar, L, const N: usize, const M: usize>(
 /// The differences of two sets of numbers.
 #[must_use]
 pub fn less<T: Scalar, const N: usize>(given: [T; N], others: [T; N]) -> [T; N] {
-    core::array::from_fn(|index| given[index] - others[index])
+    let mut less = given;
+    for (number, other) in less.iter_mut().zip(others) {
+        *number -= other;
+    }
+    less
 }
 
 impl<T: Scalar, const N: usize> Led<T, N> {

@@ -3,7 +3,6 @@
 use super::advance::with_end;
 use super::coordinate::coordinate;
 use super::emitter::Emitter;
-use super::inverse_rates::reach_with;
 use super::known::start;
 use super::limits::limits;
 use super::parts::Parts;
@@ -27,9 +26,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
     Parts {
         fields: quote!(inverse: #krate::generated::Position<#scalar, #(#sizes),*>,),
         start: quote!(inverse: inverse::START,),
-        methods: [reach(emitter, inverse), reach_with(emitter, inverse)]
-            .into_iter()
-            .collect(),
+        methods: reach(emitter, inverse),
         modules: inverse_module(emitter, inverse, inverted),
         ..Parts::default()
     }

@@ -3,23 +3,28 @@
 use super::advance::{rates_at, record};
 use super::emitter::Emitter;
 use super::inverse::{count, here};
+use super::parts::Parts;
 use super::rates::stored_rates;
 use crate::model::Inverse;
 use crate::program::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// `reach_with`; nothing without rates.
-pub(super) fn reach_with(emitter: &Emitter<'_>, inverse: &Inverse) -> TokenStream {
+/// `reach_with`; nothing without rates, and where motors follow no point.
+pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
+    match (&emitter.model.inverse, &emitter.compiled.moving) {
+        (Some(inverse), Some(moving)) => Parts::methods(reach_with(emitter, inverse, moving)),
+        _ => Parts::default(),
+    }
+}
+
+fn reach_with(emitter: &Emitter<'_>, inverse: &Inverse, moving: &Program) -> TokenStream {
     let Emitter {
         visibility,
         scalar,
         model,
         ..
     } = emitter;
-    let Some(moving) = &emitter.compiled.moving else {
-        return TokenStream::new();
-    };
     let (count, here) = (count(inverse), here(emitter, inverse));
     let ([pattern, store], record) = (stored_rates(emitter), record(emitter));
     let store_rates = model.effects.dynamics.then(|| quote!(self.rates = rates;));

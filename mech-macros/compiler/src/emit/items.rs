@@ -7,8 +7,8 @@ use super::step::step;
 use super::tokens::integer;
 use super::views::{Site, Views, views};
 use super::{
-    accessors, costs, drawing, forces, inverse, joints, many, moves, overlay, params, phases,
-    ranges, rates, sensitivity, timing, traces,
+    accessors, costs, drawing, forces, inverse, inverse_rates, joints, many, moves, overlay,
+    params, phases, ranges, rates, sensitivity, timing, traces,
 };
 use crate::compiled::Compiled;
 use crate::syntax::{Header, Parsed};
@@ -140,6 +140,7 @@ fn parts(emitter: &Emitter<'_>) -> Parts {
         rates::emit,
         forces::emit,
         inverse::emit,
+        inverse_rates::emit,
         timing::emit,
         traces::emit,
         overlay::emit,
