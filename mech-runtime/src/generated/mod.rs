@@ -62,6 +62,7 @@ pub use core::default::Default;
 pub use core::fmt::Debug;
 pub use core::iter::Iterator;
 pub use core::marker::{Copy, Sized};
+pub use core::ops::Fn;
 pub use core::option::Option::{self, None, Some};
 pub use core::primitive::{f32, f64, str, usize};
 pub use core::result::Result::{self, Err, Ok};

@@ -12,9 +12,13 @@ macro_rules! functions {
 }
 
 functions! {
+    acceleration
     accelerations
     along
     arrows
+    at
+    before
+    beside
     blocked
     canvas
     columns
@@ -23,7 +27,9 @@ functions! {
     first
     forces
     found
+    given
     held
+    here
     index
     inertia
     influence
@@ -35,11 +41,13 @@ functions! {
     is_finite
     joints
     last
+    led
     length
     links
     load
     loads
     margins
+    mechanism
     method
     moment
     motor
@@ -49,10 +57,12 @@ functions! {
     params
     phases
     picture
+    place
     points
     position
     rates
     reached
+    refuse
     simulated
     slides
     stop
@@ -64,7 +74,9 @@ functions! {
     value
     values
     velocities
+    velocity
     velocity_ratio
+    wanted
     x
     y
 }

@@ -66,5 +66,6 @@ pub(crate) const SUBJECTS: &[Subject] = &[
     Subject("Lawful", include_str!("../../cases/names/lawful.mech")),
     Subject("Bounded", include_str!("../../cases/names/bounded.mech")),
     Subject("Coupled", include_str!("../../cases/names/coupled.mech")),
+    Subject("Led", include_str!("../../cases/names/led.mech")),
     Subject("Wrong", include_str!("../../cases/names/wrong.mech")),
 ];
