@@ -69,32 +69,30 @@ fn coordinate(model: &Model, joint: JointId, machine: &Machine<'_, f64>) -> f64 
     }
 }
 
-/// How the motors that follow move what is given, by differences: a column for each.
-fn influence(model: &Model, at: [f64; 2], compiled: &Compiled) -> DMatrix<f64> {
+/// How the motors that follow move what is given from where a machine is, by differences: a column for each. None beside a dead point.
+fn influence(model: &Model, at: [f64; 2], from: &Machine<'_, f64>) -> Option<DMatrix<f64>> {
     const STEP: f64 = 1e-5;
     let inverse = model.inverse.as_ref().expect("a point is led");
     let count = inverse.motors.len();
     let mut matrix = DMatrix::zeros(count, count);
     for (column, motor) in inverse.motors.iter().enumerate() {
-        let ends = [STEP, -STEP].map(|step| {
-            let mut machine = Machine::<f64>::new(&compiled.program);
+        let end = |step: f64| {
+            let mut machine = from.clone();
             let mut motors = machine.position().motors.clone();
             motors[motor.index()] += step;
-            assert_eq!(
-                machine.move_to(&motors),
-                Ok(()),
-                "it is away from dead points"
-            );
-            place(model, at, &machine)
-        });
+            machine.move_to(&motors).ok()?;
+            Some(place(model, at, &machine))
+        };
+        let ends = [end(STEP)?, end(-STEP)?];
         for row in 0..count {
             matrix[(row, column)] = (ends[0][row] - ends[1][row]) / (2.0 * STEP);
         }
     }
-    matrix
+    Some(matrix)
 }
 
-/// Moves the motors a little, then leads the point of the inverse to where it is: its joints have to be where the motors are.
+/// Moves the motors a little, then leads the point of the inverse to where it is: its joints have to be where the motors are. None if
+/// something stops one of the two, or if on its way the point turns back: then other values of the motors have it there, too.
 fn follow(model: &Model, at: [f64; 2], compiled: &Compiled, dice: &mut Dice) -> Option<f64> {
     let inverse = model.inverse.as_ref().expect("a point is led");
     let inverted = compiled.inverse.as_ref().expect("motors follow");
@@ -104,7 +102,15 @@ fn follow(model: &Model, at: [f64; 2], compiled: &Compiled, dice: &mut Dice) -> 
     for motor in &mut motors {
         *motor += dice.between(-0.02, 0.02);
     }
+    let sign = |machine: &Machine<'_, f64>| {
+        let influence = influence(model, at, machine)?;
+        Some(influence.determinant().signum())
+    };
+    let before = sign(&forwards)?;
     forwards.move_to(&motors).ok()?;
+    if sign(&forwards)? * before < 0.0 {
+        return None;
+    }
     let mut target = motors.clone();
     for (motor, value) in inverse.motors.iter().zip(place(model, at, &forwards)) {
         target[motor.index()] = value;
@@ -161,21 +167,21 @@ fn motors_of_random_mechanisms_follow_or_it_is_said_why_not() {
     let (mut idle, mut bound, mut dead, mut coupled) = (0, 0, 0, 0);
     for_all(500, &samples(2..=8), |Sample { grown, mut dice }| {
         let plain = compile(&grown.model).expect("it is coherent by construction");
+        let start = Machine::<f64>::new(&plain.program);
         let mut tried = (0..12).filter_map(|_| led(&grown.model, &mut dice));
         let Some(first) = tried.next() else {
             return;
         };
         // Motors that move the point every way are rare.
         let moves = |(model, at): &(Model, [f64; 2])| {
-            let sizes = influence(model, *at, &plain)
-                .svd(false, false)
-                .singular_values;
+            let influence = influence(model, *at, &start).expect("it starts away from dead points");
+            let sizes = influence.svd(false, false).singular_values;
             sizes.min() > 0.05 * sizes.max()
         };
         let (mut model, at) = tried.find(moves).unwrap_or(first);
         model.allow.coupled = dice.once_in(2);
         let inverse = model.inverse.as_ref().expect("a point is led");
-        let influence = influence(&model, at, &plain);
+        let influence = influence(&model, at, &start).expect("it starts away from dead points");
         let sizes = influence.clone().svd(false, false).singular_values;
         match compile(&model) {
             Ok(compiled) => match follow(&model, at, &compiled, &mut dice) {
@@ -213,7 +219,7 @@ fn motors_of_random_mechanisms_follow_or_it_is_said_why_not() {
         }
     });
     println!(
-        "{followed} followed, {proved} of them everywhere in a region, {stopped} stopped on the way; refused: {idle} idle, {bound} bound, {dead} at a dead point, {coupled} coupled"
+        "{followed} followed, {proved} of them everywhere in a region, {stopped} stopped or turned back; refused: {idle} idle, {bound} bound, {dead} at a dead point, {coupled} coupled"
     );
     assert!(followed > 30 && idle > 30 && proved > 8);
 }
