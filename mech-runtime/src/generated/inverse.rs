@@ -10,6 +10,9 @@ use mech_core::motors;
 /// The way is halved no more often than this.
 const MOST_HALVINGS: i32 = 12;
 
+/// The way cannot be followed at once.
+const TOO_FAR: Stop = Stop::new("", Cause::TooFar);
+
 /// So many whole turns of an angle that gears follow are tried.
 const MOST_TURNS: i32 = 32;
 
@@ -149,34 +152,32 @@ where
             led,
             coordinates,
         } = self;
-        let too_far = Stop::new("", Cause::TooFar);
-        let at = &*mechanism.position;
-        let mut there = *inverse.position;
-        let target = led.inputs(&there.motors, place);
-        let before = coordinates(&there);
+        let start = *inverse.position;
+        let target = led.inputs(&start.motors, place);
+        let before = coordinates(&start);
         advance(
-            &mut there,
+            inverse.position,
             target,
             inverse.limits,
             &inverse.step,
             &inverse.step,
         )
         .map_err(|blocked| led.chosen(blocked))?;
-        let Some(motors) = led.following(&at.motors, before, coordinates(&there)) else {
-            return Ok(Some(too_far));
+        let there = &mut *inverse.position;
+        let following = led.following(&mechanism.position.motors, before, coordinates(there));
+        let stop = match following {
+            None => Some(TOO_FAR),
+            Some(motors) => mechanism.carry(motors, led.shared(&there.poses), led.size),
         };
-        if let Some((stop, _)) = mechanism.limits.leaves(&at.motors, &motors) {
-            return Ok(Some(stop));
+        if stop.is_some() {
+            *there = start;
+            return Ok(stop);
         }
-        let Some(arrived) = mechanism.position_with(motors, led.shared(&there.poses), led.size)
-        else {
-            return Ok(Some(too_far));
-        };
         // To the bit, so that it is known next time that both agree.
-        for (pose, known) in there.poses.iter_mut().zip(led.shared(&arrived.poses)) {
+        let known = led.shared(&mechanism.position.poses);
+        for (pose, known) in there.poses.iter_mut().zip(known) {
             *pose = *known;
         }
-        (*mechanism.position, *inverse.position) = (arrived, there);
         Ok(None)
     }
 
@@ -193,7 +194,7 @@ where
     }
 
     fn try_pieces(&mut self, place: [T; N]) -> Result<(), Blocked<[T; N]>> {
-        let mut stop = Stop::new("", Cause::TooFar);
+        let mut stop = TOO_FAR;
         let (at, from) = (&*self.mechanism.position, &*self.inverse.position);
         if !self.led.agree(at, from) {
             let here = self.led.nearest(self.led.here, &from.motors);
@@ -340,9 +341,12 @@ impl<T: Scalar, const N: usize> Led<T, N> {
         mechanism: &Position<T, M, L, K>,
         inverse: &Position<T, M, ALL, STATE>,
     ) -> bool {
-        let others = self.inputs(&inverse.motors, self.values(&mechanism.motors));
-        let same = self.inputs(&mechanism.motors, self.values(&mechanism.motors));
-        others == same && self.shared(&inverse.poses) == self.shared(&mechanism.poses)
+        let (there, here) = (&inverse.motors, &mechanism.motors);
+        let mut others = (0..M).filter(|input| !self.motors.contains(input));
+        others.all(|input| {
+            there.values.get(input) == here.values.get(input)
+                && there.turns.get(input) == here.turns.get(input)
+        }) && self.shared(&inverse.poses) == self.shared(&mechanism.poses)
     }
 
     /// The motors where their joints have come from one set of coordinates to another. None beyond 2³¹ turns.
@@ -380,25 +384,32 @@ where
     T: Scalar,
     S: Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
 {
-    /// The position at these values of the motors in which the first links have these poses, to rounding. None if the way there is too long
-    /// for its angles to be certain.
+    /// Goes to where the motors have these values and the first links these poses, to rounding. Gives the reason if it stays: a motor would
+    /// leave its range, or the way is too long for angles to be certain.
     #[inline]
-    fn position_with(
-        &self,
-        motors: Motors<T, M>,
-        poses: &[Pose<T>],
-        size: T,
-    ) -> Option<Position<T, M, L, K>> {
+    fn carry(&mut self, motors: Motors<T, M>, poses: &[Pose<T>], size: T) -> Option<Stop> {
+        if let Some((stop, _)) = self.limits.leaves(&self.position.motors, &motors) {
+            return Some(stop);
+        }
         let going = Move::new(self.limits, self.position, motors, &self.step);
-        let found = going.to(self.position, motors).ok();
-        let found = found.filter(|found| apart(&found.poses, poses, size) == 0);
-        let mut found = found.or_else(|| self.position_beside(motors, poses, size))?;
+        let found = match going.to(self.position, motors) {
+            Ok(found) if apart(&found.poses, poses, size) == 0 => Some(found),
+            _ => self.position_beside(motors, poses, size),
+        };
+        let Some(mut found) = found else {
+            return Some(TOO_FAR);
+        };
         self.stand_away(&mut found);
         going.note_motion_signs(&mut found);
-        self.turned_little(&found).then_some(found)
+        if !self.turned_little(&found) {
+            return Some(TOO_FAR);
+        }
+        *self.position = found;
+        None
     }
 
-    /// The same on any side of loops, and after whole turns of angles that gears follow.
+    /// The position at these values of the motors in which the first links have these poses, to rounding, on any side of loops and after
+    /// whole turns of angles that gears follow. None if there is none.
     #[cold]
     #[inline(never)]
     fn position_beside(
