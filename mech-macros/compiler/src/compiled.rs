@@ -43,8 +43,8 @@ pub struct Compiled {
     pub report: String,
 }
 
-/// The mechanism in which a point is given and motors follow. Its links and joints are those of the other, and after them those that carry
-/// the point.
+/// The mechanism in which a point is given and motors follow. Its joints are those of the other, and after them those that carry the point;
+/// so are its links, but for the dies of slots, which come last.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct InverseMechanism {

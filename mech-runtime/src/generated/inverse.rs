@@ -93,11 +93,11 @@ pub fn reach<
     };
     if way.led.agree(way.mechanism.position, way.inverse.position) {
         let end = way.led.nearest(place, &way.inverse.position.motors);
-        if way.piece(end)?.is_none() {
+        if way.go_at_once(end)?.is_none() {
             return Ok(());
         }
     }
-    way.in_pieces(place)
+    way.go_in_pieces(place)
 }
 
 /// A way on which a point is led.
@@ -145,7 +145,7 @@ where
     ///
     /// # Errors
     /// If a loop cannot be closed on the way.
-    fn piece(&mut self, place: [T; N]) -> Result<Option<Stop>, Blocked<[T; N]>> {
+    fn go_at_once(&mut self, place: [T; N]) -> Result<Option<Stop>, Blocked<[T; N]>> {
         let Self {
             mechanism,
             inverse,
@@ -184,7 +184,7 @@ where
     /// Goes to `place` in as many pieces as it takes, from where the inverse may not know that it is. It stays where it is if that fails.
     #[cold]
     #[inline(never)]
-    fn in_pieces(&mut self, place: [T; N]) -> Result<(), Blocked<[T; N]>> {
+    fn go_in_pieces(&mut self, place: [T; N]) -> Result<(), Blocked<[T; N]>> {
         let start = (*self.mechanism.position, *self.inverse.position);
         let moved = self.try_pieces(place);
         if moved.is_err() {
@@ -218,7 +218,7 @@ where
         // From zero to one: how much of the way is done, and how much is tried next.
         let (mut done, mut part) = (T::ZERO, T::ONE);
         while part * T::from_i32(1 << MOST_HALVINGS) >= T::ONE {
-            if let Some(trouble) = self.piece(between(done + part))? {
+            if let Some(trouble) = self.go_at_once(between(done + part))? {
                 stop = trouble;
                 part *= T::HALF;
                 continue;

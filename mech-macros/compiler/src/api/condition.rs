@@ -3,7 +3,7 @@
 use crate::model::{JointKind, LoadKind, Model};
 use std::fmt::{self, Display, Formatter};
 
-/// What a text has of which methods are made, right or wrong.
+/// The statements of a text from which methods are made, right or wrong.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Asked {
     /// Whether a motor has a law.

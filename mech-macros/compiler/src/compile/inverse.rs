@@ -12,7 +12,7 @@ use crate::structure::{Diagnosis, InverseTrouble};
 /// The mechanism in which the point is given, if motors follow one. It starts where the given program does.
 ///
 /// # Errors
-/// What keeps the motors from following.
+/// The obstacle that keeps the motors from following.
 pub(super) fn invert(
     model: &Model,
     program: &Program,
@@ -129,7 +129,7 @@ fn diagnosis(
             unknowns,
             trouble,
         }) => InverseTrouble::Region {
-            given: inverse.given_by(*motor).unwrap_or(0),
+            motor: *motor,
             unknowns: declared(unknowns),
             trouble: trouble.clone(),
             proved: Vec::new(),

@@ -55,10 +55,7 @@ fn reach(emitter: &Emitter<'_>, inverse: &Inverse) -> TokenStream {
         " The place is x and y in scene units."
     };
     let here = here(emitter, inverse);
-    let moved = with_end(
-        emitter,
-        quote!(inverse::reach(mechanism, &mut self.inverse, here, place)),
-    );
+    let moved = with_end(emitter, lead());
     quote! {
         #[doc = #doc]
         #[doc = #unit]
@@ -68,13 +65,24 @@ fn reach(emitter: &Emitter<'_>, inverse: &Inverse) -> TokenStream {
         /// then stays where it was.
         #visibility fn reach(&mut self, place: [#scalar; #count]) -> Result<(), Blocked<[#scalar; #count]>> {
             let here = #here;
-            let mechanism = Mover {
+            #moved
+        }
+    }
+}
+
+/// The call that leads the point from the variable `here` to `place`: an expression in a method.
+pub(super) fn lead() -> TokenStream {
+    quote! {
+        inverse::reach(
+            Mover {
                 position: &mut self.position,
                 limits: &known::MOVE_LIMITS,
                 step: positions::step,
-            };
-            #moved
-        }
+            },
+            &mut self.inverse,
+            here,
+            place,
+        )
     }
 }
 

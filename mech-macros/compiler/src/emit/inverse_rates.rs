@@ -2,7 +2,7 @@
 
 use super::advance::{rates_at, record};
 use super::emitter::Emitter;
-use super::inverse::{count, here};
+use super::inverse::{count, here, lead};
 use super::parts::Parts;
 use super::rates::stored_rates;
 use crate::model::Inverse;
@@ -41,7 +41,7 @@ fn reach_with(emitter: &Emitter<'_>, inverse: &Inverse, moving: &Program) -> Tok
     let doc = format!(
         " Leads `{name}` to this place as `reach` does, and gives it {rated}: rates of motors follow."
     );
-    let following = following(emitter, inverse, moving);
+    let (lead, following) = (lead(), following(emitter, inverse, moving));
     quote! {
         #[doc = #doc]
         /// Motors that do not follow rest.
@@ -60,12 +60,7 @@ fn reach_with(emitter: &Emitter<'_>, inverse: &Inverse, moving: &Program) -> Tok
                 generated::finite(given, &inverse::GIVEN).map_err(refuse)?;
             }
             let before = (self.position, self.inverse);
-            let mechanism = Mover {
-                position: &mut self.position,
-                limits: &known::MOVE_LIMITS,
-                step: positions::step,
-            };
-            inverse::reach(mechanism, &mut self.inverse, here, place)?;
+            #lead?;
             let found = (|| {
                 #following
             })();

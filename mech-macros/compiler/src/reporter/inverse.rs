@@ -53,13 +53,15 @@ impl Words<'_> {
                 ),
             ),
             InverseTrouble::Region {
-                given,
+                motor,
                 unknowns,
                 trouble,
                 proved,
             } => (
-                Some(inverse.region[*given].origin),
-                self.region(*given, unknowns, trouble, proved),
+                inverse
+                    .given_by(*motor)
+                    .map(|given| inverse.region[given].origin),
+                self.region(*motor, unknowns, trouble, proved),
             ),
             InverseTrouble::Coupled { waiting } => (
                 None,
@@ -79,36 +81,24 @@ impl Words<'_> {
     /// Why a region is not proved.
     fn region(
         &self,
-        given: usize,
+        motor: MotorId,
         unknowns: &[JointId],
         trouble: &RangeTrouble,
         proved: &[[f64; 2]],
     ) -> String {
         let inverse = self.inverse();
         let what = inverse.name(self.model);
-        let name = Inverse::GIVEN[given];
         let not_proved =
             format!("it could not be proved that `{what}` comes to all of these places");
         let why = match trouble {
             RangeTrouble::Blocked { limit, others, .. } => {
-                let others = others
-                    .iter()
-                    .map(|(motor, value)| match inverse.given_by(*motor) {
-                        Some(other) => format!(
-                            ", where {} is {}",
-                            Inverse::GIVEN[other],
-                            given_value(other, *value)
-                        ),
-                        None => format!(
-                            ", where `{}` is at {}",
-                            self.name_of_motor(*motor),
-                            self.motor_value(*motor, *value)
-                        ),
-                    });
+                let others = others.iter().map(|(other, value)| {
+                    format!(", where {}", self.is_at(*other, *value, ["is", "is at"]))
+                });
                 let others: String = others.collect();
                 return format!(
-                    "`{what}` does not come to all of these places: it is stopped at {name} = {}{others}\nnote: there {} close the loop{}",
-                    given_value(given, *limit),
+                    "`{what}` does not come to all of these places: it is stopped at {}{others}\nnote: there {} close the loop{}",
+                    self.is_at(motor, *limit, ["="; 2]),
                     self.the_joints(unknowns, ["cannot", "cannot"]),
                     self.smaller_region(proved)
                 );
@@ -141,6 +131,16 @@ impl Words<'_> {
             "{not_proved}: {why}{}\nhelp: leave `in` out; every way is then tested as it is made",
             self.smaller_region(proved)
         )
+    }
+
+    /// The value of what is given in place of a motor, or of the motor itself: each with a verb.
+    fn is_at(&self, motor: MotorId, value: f64, [is, is_at]: [&str; 2]) -> String {
+        if let Some(given) = self.inverse().given_by(motor) {
+            let value = given_value(given, value);
+            return format!("{} {is} {value}", Inverse::GIVEN[given]);
+        }
+        let value = self.motor_value(motor, value);
+        format!("`{}` {is_at} {value}", self.name_of_motor(motor))
     }
 
     /// The help about a smaller region that was proved.

@@ -302,8 +302,8 @@ pub enum InverseTrouble {
     },
     /// It is not proved that the point comes everywhere in its region.
     Region {
-        /// The number of what is given: x, y, the angle.
-        given: usize,
+        /// The motor whose range it is: of what is given, or one that does not follow.
+        motor: MotorId,
         /// The joints of unknown coordinate of the loop it is about.
         unknowns: Vec<JointId>,
         /// The trouble with its range. Motors of what is given stand in place of those that follow.

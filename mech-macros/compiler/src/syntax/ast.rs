@@ -24,7 +24,7 @@ pub(super) struct Text {
     pub beginnings: Vec<(usize, Span)>,
     /// The number of them that begin with `motor`, readable or not.
     pub motors: usize,
-    /// What it has of which methods are made, readable or not.
+    /// Its statements from which methods are made, readable or not.
     pub asked: Asked,
     /// Whether it is beyond a limit, so that only its `struct` line was read.
     pub is_beyond: bool,

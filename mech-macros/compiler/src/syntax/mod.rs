@@ -34,7 +34,7 @@ pub struct Parsed {
     pub model: Model,
     /// The number of motors in the text, with those that an error keeps out of the model.
     pub motors: usize,
-    /// What it has of which methods are made, right or wrong.
+    /// Its statements from which methods are made, right or wrong.
     pub asked: Asked,
     /// Where everything in the model was declared.
     pub places: Places,

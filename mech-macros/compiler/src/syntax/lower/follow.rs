@@ -3,11 +3,13 @@
 use super::angle::{is_angle, is_half_in_degrees};
 use super::draft::Draft;
 use super::find;
-use super::name::Referent;
+use super::motor::ordered_range;
+use super::name::{Body, Referent};
 use super::reader::Reader;
 use super::report::Report;
+use super::trace::one_of_its_points;
 use crate::api::Owner;
-use crate::model::{AxisId, AxisKind, Inverse, LinkId, Model, MotorId, Range};
+use crate::model::{AxisId, AxisKind, Inverse, LinkId, MotorId, Range};
 use crate::syntax::Place;
 use crate::syntax::ast::{End, Follow, Name};
 use crate::syntax::spelling;
@@ -20,7 +22,7 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, follow: &Follow) {
         let motor = find_motor(reader, draft, name, &motors, !follow.region.is_empty());
         motors.extend(motor);
     }
-    let Some((link, point)) = led else {
+    let Some((body, point)) = led else {
         return;
     };
     if motors.len() < follow.motors.len() || draft.model.inverse.is_some() {
@@ -29,13 +31,13 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, follow: &Follow) {
     let Some(region) = find_region(reader, draft, follow) else {
         return;
     };
-    if let Some(text) = wrong_count(&draft.model, follow, point) {
+    if let Some(text) = wrong_count(reader, draft, follow, (body, point)) {
         return reader.report.error(follow.what.place(), text);
     }
     let named = follow.motors.iter();
     let named = named.map(|name| draft.places.note(name.place())).collect();
     draft.model.inverse = Some(Inverse {
-        link,
+        link: body.id,
         point,
         motors,
         region,
@@ -47,25 +49,17 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, follow: &Follow) {
 /// The ranges of what is given, if they can be read: none where no region is given.
 fn find_region(reader: &mut Reader, draft: &mut Draft, follow: &Follow) -> Option<Vec<Range>> {
     let ranges = follow.region.iter().zip(Inverse::GIVEN);
-    let ranges = ranges.map(|([from, to], name)| {
+    let ranges = ranges.map(|(ends, name)| {
         let is_told = match name {
-            "angle" => is_half_in_degrees(reader.report, &[from, to]),
-            _ => [from, to]
-                .into_iter()
+            "angle" => is_half_in_degrees(reader.report, &ends.iter().collect::<Vec<_>>()),
+            _ => ends
+                .iter()
                 .any(|end| is_angle(reader.report, end, "a length")),
         };
         if is_told {
             return None;
         }
-        let (low, high) = (reader.value(from), reader.value(to));
-        let (low, high) = (low?, high?);
-        let place = from.place.to(to.place);
-        if low < high {
-            let origin = draft.places.note(place);
-            return Some(Range { low, high, origin });
-        }
-        let text = format!("the range of {name} ends before it begins; write `{to} ..= {from}`");
-        reader.report.refuse(place, text)
+        ordered_range(reader, draft, ends, name)
     });
     // Each is looked at, so that the errors of all are reported.
     let ranges: Vec<Option<Range>> = ranges.collect();
@@ -82,7 +76,7 @@ fn find_region(reader: &mut Reader, draft: &mut Draft, follow: &Follow) -> Optio
 }
 
 /// The link that is led, and its point, if one is named.
-fn find_led(reader: &mut Reader, draft: &Draft, end: &End) -> Option<(LinkId, Option<AxisId>)> {
+fn find_led(reader: &mut Reader, draft: &Draft, end: &End) -> Option<(Body, Option<AxisId>)> {
     if let (Some(Referent::Joint(_)), None) = (find::look_up(reader, &end.link), &end.axis) {
         let text = format!("`{end}` is a joint; motors follow a point, as `link.point`");
         return reader.report.refuse(end.place(), text);
@@ -103,7 +97,7 @@ fn find_led(reader: &mut Reader, draft: &Draft, end: &End) -> Option<(LinkId, Op
         let text = format!("`{end}` does not move; name a point of a moving link");
         return reader.report.refuse(end.place(), text);
     }
-    Some((body.id, point))
+    Some((body, point))
 }
 
 /// The motor of this name, if it can follow.
@@ -147,25 +141,20 @@ fn find_motor(
 }
 
 /// The message about a number of motors that does not fit what is given.
-fn wrong_count(model: &Model, follow: &Follow, point: Option<AxisId>) -> Option<String> {
+fn wrong_count(
+    reader: &Reader,
+    draft: &Draft,
+    follow: &Follow,
+    (body, point): (Body, Option<AxisId>),
+) -> Option<String> {
     let what = &follow.what;
     let count = follow.motors.len();
     match (count, point) {
         (3, _) | (2, Some(_)) => None,
-        (2, None) => {
-            let points = model.axes.iter().filter(|axis| {
-                let is_of_it = model.owner_of(axis) == what.to_string();
-                is_of_it && axis.kind == AxisKind::Point
-            });
-            let mut names = points.filter_map(|axis| axis.name.as_ref());
-            let remedy = match names.next() {
-                Some(name) => format!("such as `{what}.{name}`"),
-                None => format!("declared in `{what}`"),
-            };
-            Some(format!(
-                "`{what}` is a link, which takes three motors: for its place and its angle; two follow a point, {remedy}"
-            ))
-        }
+        (2, None) => Some(format!(
+            "`{what}` is a link, which takes three motors: for its place and its angle; two follow a point{}",
+            one_of_its_points(reader, draft, body)
+        )),
         (1, _) => Some(format!(
             "one motor cannot bring `{what}` to any place: two follow a point, three a point and the angle of its link"
         )),

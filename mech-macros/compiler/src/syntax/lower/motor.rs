@@ -92,20 +92,29 @@ fn find_driven(reader: &mut Reader, draft: &Draft, name: &Name) -> Option<JointI
 }
 
 fn range(reader: &mut Reader, draft: &mut Draft, motor: &Motor) -> Option<Range> {
-    let [from, to] = motor.range.as_ref()?;
+    let what = format!("motor `{}`", motor.joint);
+    ordered_range(reader, draft, motor.range.as_ref()?, &what)
+}
+
+/// The range of a motor, or of something else that moves (`what`), if it ends after it begins.
+pub(super) fn ordered_range(
+    reader: &mut Reader,
+    draft: &mut Draft,
+    [from, to]: &[Expr; 2],
+    what: &str,
+) -> Option<Range> {
     let (low, high) = (reader.value(from), reader.value(to));
     let (low, high) = (low?, high?);
-    let name = &motor.joint;
     let place = from.place.to(to.place);
     if low < high {
         let origin = draft.places.note(place);
         return Some(Range { low, high, origin });
     }
     let text = if low > high {
-        format!("the range of motor `{name}` ends before it begins; write `{to} ..= {from}`")
+        format!("the range of {what} ends before it begins; write `{to} ..= {from}`")
     } else {
         format!(
-            "motor `{name}` cannot move in a range of one value; give the range another end, or leave it out"
+            "{what} cannot move in a range of one value; give the range another end, or leave it out"
         )
     };
     reader.report.refuse(place, text)

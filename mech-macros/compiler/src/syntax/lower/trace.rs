@@ -77,8 +77,8 @@ fn tell_no_point(reader: &mut Reader, draft: &Draft, end: &End) {
     }
 }
 
-/// Returns the remedy for a trace of a link: one of its points.
-fn one_of_its_points(reader: &mut Reader, draft: &Draft, link: Body) -> String {
+/// Returns the remedy for a link that stands where a point is meant: one of its points.
+pub(super) fn one_of_its_points(reader: &Reader, draft: &Draft, link: Body) -> String {
     let name = reader.names.name_of(&draft.model, link);
     let points = reader
         .names
