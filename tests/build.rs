@@ -27,9 +27,9 @@ fn expand(folder: &Path) -> io::Result<String> {
 fn main() -> io::Result<()> {
     let out = PathBuf::from(std::env::var_os("OUT_DIR").expect("cargo says where"));
     println!("cargo::rerun-if-changed=build.rs");
+    println!("cargo::rerun-if-changed=tests/subjects");
     for folder in fs::read_dir("tests/subjects")? {
         let folder = folder?.path();
-        println!("cargo::rerun-if-changed={}", folder.display());
         let name = folder.file_name().expect("a folder").to_string_lossy();
         fs::write(out.join(format!("{name}.rs")), expand(&folder)?)?;
     }

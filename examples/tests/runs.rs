@@ -54,7 +54,7 @@ fn the_carrier_turns_as_willis_says() {
 
 #[test]
 fn the_valve_opens_by_its_lift() {
-    assert_eq!(row("cam", "90°")[1], "9.000");
+    assert_eq!(row("cam", "135°")[1], "9.000");
     assert_eq!(row("cam", "270°")[1], "0.000");
 }
 

@@ -7,6 +7,7 @@ mod assemblies;
 mod built_once;
 mod catalogue;
 mod circles;
+mod contacts;
 mod embedded_page;
 mod expand;
 mod force;

@@ -13,6 +13,7 @@ mod joints;
 mod laws;
 mod literature;
 mod mesh;
+mod motions;
 mod overlay;
 mod parts_library;
 mod pictures;

@@ -19,6 +19,7 @@ mod joint;
 pub mod journey;
 mod kernel;
 pub mod limit;
+mod motion_law;
 pub mod motors;
 mod outline;
 mod phase;
@@ -34,6 +35,7 @@ pub mod wheel;
 
 pub use cost::Cost;
 pub use joint::{Coordinate, JointKind};
+pub use motion_law::{MotionLaw, Staircase};
 pub use outline::{Outline, Shape};
 pub use phase::Phase;
 pub use pose::Pose;

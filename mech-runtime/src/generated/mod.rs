@@ -43,10 +43,10 @@ pub use joints::pins;
 pub use limits::{Followed, MoveLimits, Stepping, Watched};
 pub use loops::{closed, closes, determined, solve};
 pub use many::{FullRange, Reduced, Sines, min_margin, move_many, move_many_then, solve_many};
-pub use mech_core::Real;
 pub use mech_core::contraction::{before_first, contracts};
 pub use mech_core::journey::{AtZero, Growth};
 pub use mech_core::motors::turned;
+pub use mech_core::{MotionLaw, Real, Staircase};
 pub use params::{
     blocked_motors, blocked_params, followed, inputs, motors_of, params_of, reached_by_motors,
 };

@@ -38,6 +38,7 @@ fn statement(assembly: &Assembly) -> Result<String, Refusal> {
         at,
         along,
     } = assembly;
+    let mut roller = "";
     let (numbers, carrier) = match kind {
         JointForm::Gear { sizes: [a, b], on } | JointForm::Belt { sizes: [a, b], on } => {
             check_expression(a)?;
@@ -50,6 +51,8 @@ fn statement(assembly: &Assembly) -> Result<String, Refusal> {
         }
         JointForm::Cam { law } => {
             check_expression(law)?;
+            let (law, after) = law.split_once(" roller ").unwrap_or((law, ""));
+            roller = after;
             (format!(", {law}"), None)
         }
         JointForm::Revolute | JointForm::Prismatic | JointForm::Slot | JointForm::Weld => {
@@ -62,6 +65,9 @@ fn statement(assembly: &Assembly) -> Result<String, Refusal> {
         text += &format!(" on {carrier}");
     }
     text += ")";
+    if !roller.is_empty() {
+        text += &format!(" roller {roller}");
+    }
     if let Some(at) = at {
         text += &format!(" at {}", pair(at)?);
     }

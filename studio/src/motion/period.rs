@@ -2,8 +2,9 @@
 
 use super::setting::turns;
 use mech_compiler::model::{
-    Arithmetic, BinaryFunction, FormulaArithmetic, Function, Model, Now, ParamId,
+    Arithmetic, BinaryFunction, FormulaArithmetic, Function, Model, Now, Number, ParamId,
 };
+use mech_core::Staircase;
 use std::f64::consts::TAU;
 
 /// After what time all motors are where they were, with the params as they are at the start; none if nobody knows one. Motors that turn may
@@ -97,11 +98,11 @@ impl Arithmetic for Courses<'_> {
     }
 
     fn add(&mut self, a: Option<Course>, b: Option<Course>) -> Option<Course> {
-        Self::join([a, b], |a, b| a + b, |a, b| Some(a.rate + b.rate))
+        Self::join([a, b], |a, b| a + b, |a, b| Some(sum(a.rate, b.rate)))
     }
 
     fn sub(&mut self, a: Option<Course>, b: Option<Course>) -> Option<Course> {
-        Self::join([a, b], |a, b| a - b, |a, b| Some(a.rate - b.rate))
+        Self::join([a, b], |a, b| a - b, |a, b| Some(sum(a.rate, -b.rate)))
     }
 
     fn mul(&mut self, a: Option<Course>, b: Option<Course>) -> Option<Course> {
@@ -181,6 +182,37 @@ impl FormulaArithmetic for Courses<'_> {
             period: common(joined.period, round)?,
             ..joined
         })
+    }
+
+    fn stairs(
+        &mut self,
+        stairs: Staircase,
+        place: Option<Course>,
+        share: Number,
+    ) -> Option<Course> {
+        let place = place?;
+        let round = if place.rate == 0.0 {
+            0.0
+        } else if stairs.repeats {
+            1.0 / place.rate.abs()
+        } else {
+            return None;
+        };
+        Some(Course {
+            value: self.0.stairs(stairs, place.value, share),
+            rate: place.rate,
+            period: common(place.period, round)?,
+        })
+    }
+}
+
+/// The sum of two rates; zero, if only rounding is left of them.
+fn sum(a: f64, b: f64) -> f64 {
+    let sum = a + b;
+    if sum.abs() <= 1e-12 * a.abs() {
+        0.0
+    } else {
+        sum
     }
 }
 

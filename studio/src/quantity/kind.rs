@@ -25,6 +25,14 @@ impl Quantity {
         matches!(self.subject, Subject::Transmission(_))
     }
 
+    /// The cam whose contact it measures, if it does.
+    pub(super) fn cam(&self) -> Option<JointId> {
+        match self.subject {
+            Subject::Pressure(cam) | Subject::Curvature(cam) => Some(cam),
+            _ => None,
+        }
+    }
+
     /// The joint whose coordinate it is, if it is one.
     pub(crate) fn joint(&self) -> Option<JointId> {
         match self.subject {
@@ -55,6 +63,10 @@ pub(crate) enum Subject {
     Reaction(JointId, Reaction),
     /// The transmission angle of a dyad, by its number.
     Transmission(usize),
+    /// The pressure angle of a cam.
+    Pressure(JointId),
+    /// The curvature of the curve on which a cam's roller runs.
+    Curvature(JointId),
     /// The time since the motion began.
     Time,
 }
@@ -125,7 +137,11 @@ impl Needs {
                 | Subject::Transmission(_) => {
                     needs.force = true;
                 }
-                Subject::Distance(_) | Subject::Between(_) | Subject::Time => {}
+                Subject::Distance(_)
+                | Subject::Between(_)
+                | Subject::Pressure(_)
+                | Subject::Curvature(_)
+                | Subject::Time => {}
             }
         }
         needs

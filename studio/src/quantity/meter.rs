@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::motion::{Drive, Moment, Mover, obstacle, place_of, turns};
 use mech_compiler::evaluate::Stop;
 use mech_compiler::model::{AxisId, JointId, JointKind, LinkId, Model, Precision};
-use mech_compiler::program::{self, Forces, Program};
+use mech_compiler::program::{self, CamContact, CamNumbers, Forces, Program};
 use mech_compiler::{Compiled, compile};
 use mech_runtime::{Acceleration, Velocity};
 use std::collections::BTreeMap;
@@ -221,6 +221,8 @@ struct Meter<'a> {
     loads: Vec<f64>,
     /// The joints up to each link whose angle is measured.
     chains: BTreeMap<LinkId, Chain>,
+    /// The contacts of the cams that are measured.
+    contacts: BTreeMap<JointId, CamContact>,
 }
 
 impl<'a> Meter<'a> {
@@ -265,8 +267,13 @@ impl<'a> Meter<'a> {
             let chain = Chain::to(model, link).from(model, compiled, &start, heading);
             Some((link, chain))
         });
+        let contacts = quantities.iter().filter_map(|quantity| {
+            let cam = quantity.cam()?;
+            Some((cam, CamContact::new(model, &compiled.program, cam)?))
+        });
         let mover = |program| Mover::of(model, program);
         Ok(Self {
+            contacts: contacts.collect(),
             model,
             compiled,
             chains: chains.collect(),
@@ -359,8 +366,19 @@ impl<'a> Meter<'a> {
                 })
             }
             Subject::Transmission(dyad) => at.forces.as_ref()?.transmission.get(dyad).copied(),
+            Subject::Pressure(cam) => Some(self.contact(at, moment, cam)?.pressure),
+            Subject::Curvature(cam) => Some(self.contact(at, moment, cam)?.curvature),
             Subject::Time => Some(moment.time),
         }
+    }
+
+    /// The contact of a cam and its roller.
+    fn contact(&self, at: &Position, moment: &Moment, cam: JointId) -> Option<CamNumbers> {
+        let JointKind::Cam { shaft, .. } = self.model.joint(cam).kind else {
+            return None;
+        };
+        let shaft = self.value(at, moment, Subject::Coordinate(shaft, Order::Place))?;
+        Some(self.contacts.get(&cam)?.at(shaft))
     }
 
     /// The angle of a link over whole turns.

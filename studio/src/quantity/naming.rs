@@ -10,6 +10,9 @@ use mech_compiler::plan::Plan;
 /// The words before a colon.
 const KINDS: [&str; 5] = ["velocity", "acceleration", "torque", "power", "reaction"];
 const TRANSMISSION: &str = "transmission";
+/// The words before the brackets about a cam.
+pub(super) const PRESSURE: &str = "pressure";
+pub(super) const CURVATURE: &str = "curvature";
 const TIME: &str = "t";
 
 /// The quantities of this name: of a point without a part both parts, of `transmission` the angles of all dyads.
@@ -29,6 +32,13 @@ pub(crate) fn quantities(
         return one(match kind {
             "distance" => Subject::Distance([spot(model, ends[0])?, spot(model, ends[1])?]),
             _ => Subject::Between([body_of(model, ends[0])?, body_of(model, ends[1])?]),
+        });
+    }
+    if let Some((kind, cam)) = of_cam(name) {
+        let cam = cam_of(model, cam)?;
+        return one(match kind {
+            PRESSURE => Subject::Pressure(cam),
+            _ => Subject::Curvature(cam),
         });
     }
     match name.split_once(':') {
@@ -65,6 +75,25 @@ fn two_ends(name: &str) -> Option<(&str, [&str; 2])> {
     let (first, second) = inside.split_at(comma?.0);
     let is_known = ["distance", "angle"].contains(&kind.trim());
     is_known.then(|| (kind.trim(), [first.trim(), second[1..].trim()]))
+}
+
+/// The word and the cam of `pressure(c)` or `curvature(c)`.
+fn of_cam(name: &str) -> Option<(&str, &str)> {
+    let (kind, rest) = name.split_once('(')?;
+    let (kind, cam) = (kind.trim(), rest.strip_suffix(')')?.trim());
+    [PRESSURE, CURVATURE].contains(&kind).then_some((kind, cam))
+}
+
+/// A cam whose roller is declared.
+fn cam_of(model: &Model, name: &str) -> Result<JointId, Failure> {
+    let joint = joint_of(model, name).ok_or_else(|| unknown(model, name))?;
+    match model.joint(joint).kind {
+        JointKind::Cam { .. } if model.roller_of(joint).is_some() => Ok(joint),
+        JointKind::Cam { .. } => Err(Failure::usage(format!(
+            "nobody knows where cam `{name}` is followed; add `roller LINK.POINT radius 1` to it, after its brackets"
+        ))),
+        _ => Err(Failure::usage(format!("`{name}` is no cam"))),
+    }
 }
 
 /// A point of a link or of the ground, or a place in the scene: `(1, 2)`.

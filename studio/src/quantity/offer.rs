@@ -1,6 +1,6 @@
 //! The names of the quantities of a mechanism, to choose from.
 
-use super::naming::{has_coordinate, point_name, points};
+use super::naming::{CURVATURE, PRESSURE, has_coordinate, point_name, points};
 use mech_compiler::model::Model;
 
 /// Quantities that belong together, by their names.
@@ -45,6 +45,9 @@ pub(crate) fn offers(model: &Model, dyads: &[String]) -> Vec<Offer> {
             names.push(format!("torque:{name}"));
         }
         names.extend(["x", "y", "norm"].map(|part| format!("reaction:{name}.{part}")));
+        if model.roller_of(joint).is_some() {
+            names.extend([PRESSURE, CURVATURE].map(|word| format!("{word}({name})")));
+        }
         offers.push(Offer {
             of: format!("joint {name}"),
             names,

@@ -37,7 +37,10 @@ impl Units {
             Subject::Torque(motor) if turns(model, model.motor(motor).joint) => torque(),
             Subject::Torque(_) | Subject::Reaction(_, Reaction::Force(_)) => force.clone(),
             Subject::Reaction(_, Reaction::Torque) => torque(),
-            Subject::Between(_) | Subject::Transmission(_) => "deg".to_owned(),
+            Subject::Between(_) | Subject::Transmission(_) | Subject::Pressure(_) => {
+                "deg".to_owned()
+            }
+            Subject::Curvature(_) => format!("1/{length}"),
             Subject::Time => "s".to_owned(),
         }
     }

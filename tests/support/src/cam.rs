@@ -85,7 +85,11 @@ pub fn add_cam(model: &mut Model, dice: &mut Dice) -> Option<JointId> {
         },
     );
     let size = dice.between(-1.0, 1.0);
-    let text = match dice.below(5) {
+    let text = match dice.below(6) {
+        4 => format!(
+            "rise {} over 1.2 with modified_sine, dwell 0.7, return over 2, dwell 2 * PI - 3.9, repeat",
+            size.abs() + 0.1
+        ),
         0 => format!("{size} * sin(t)"),
         1 => format!("{size} * (1 - cos(t))"),
         2 => format!("{size} * sin(2 * t) + 0.2 * (cos(t) - exp(sin(t)) + max(0, 0))"),

@@ -1,6 +1,9 @@
 //! Taylor's arithmetic: laws to second order, apart from the compiler's derivatives.
 
-use mech_compiler::model::{Arithmetic, BinaryFunction, FormulaArithmetic, Function, Law, ParamId};
+use mech_compiler::model::{
+    Arithmetic, BinaryFunction, FormulaArithmetic, Function, Law, Number, ParamId,
+};
+use mech_core::Staircase;
 
 /// What a law is, to second order, in another arithmetic: Taylor's.
 #[derive(Clone, Copy, Debug)]
@@ -123,6 +126,13 @@ impl FormulaArithmetic for At {
                 Jet([x - y * (x / y).floor(), first, second])
             }
         }
+    }
+
+    fn stairs(&mut self, stairs: Staircase, a: Jet, share: Number) -> Jet {
+        let share = share.get();
+        let [height, first, second] =
+            [0, 1, 2].map(|order| Staircase { order, ..stairs }.at(a.0[0], share));
+        a.through([height, first / share, second / (share * share)])
     }
 }
 

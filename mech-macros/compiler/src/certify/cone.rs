@@ -221,6 +221,10 @@ impl<'p> Cutter<'p> {
                 (_, Op::Constant(by)) => scaled(a, by.get()),
                 _ => None,
             },
+            Op::Div(a, by) => match self.program.node(by).op {
+                Op::Constant(by) => scaled(a, 1.0 / by.get()),
+                _ => None,
+            },
             _ => None,
         }
     }

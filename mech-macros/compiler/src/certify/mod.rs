@@ -17,6 +17,7 @@ mod line;
 mod operation;
 mod search;
 pub(crate) mod slope;
+mod stairs;
 mod tape;
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! The operations of a program, on intervals.
 
-use super::Interval;
+use super::{Interval, stairs};
 use crate::program::{Op, Part, Slot, Value};
 
 /// The operation on intervals, if it is arithmetic; the others come from outside.
@@ -45,6 +45,7 @@ pub(super) fn natural(op: Op, get: impl Fn(Value) -> Interval) -> Option<Interva
         Op::Atan2(a, b) => get(a).atan2(get(b)),
         Op::Round(a) => get(a).round(),
         Op::Exp(a) => get(a).exp(),
+        Op::Stairs(stairs, place, share) => stairs::heights(stairs, get(place), share.get()),
     })
 }
 

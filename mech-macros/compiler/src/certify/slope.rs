@@ -1,8 +1,8 @@
 //! The partial derivatives of a cone's values by its variables, on a box: by intervals, operation by operation.
 
-use super::Interval;
 use super::cone::Cone;
 use super::operation::{natural, sign, strict_sign};
+use super::{Interval, stairs};
 use crate::cancel;
 use crate::program::{Op, Value};
 
@@ -91,6 +91,10 @@ fn slope(op: Op, values: &[Interval], result: Interval, slopes: &[Interval]) -> 
         Op::Sin(a) => times(value(a).cos(), rate(a)),
         Op::Cos(a) => times(-value(a).sin(), rate(a)),
         Op::Exp(a) => times(result, rate(a)),
+        Op::Stairs(stairs, place, share) => times(
+            stairs::slopes(stairs, value(place), share.get()),
+            rate(place),
+        ),
         // No vector of which an angle is taken is shorter than one.
         Op::Atan2(a, b) => {
             let (y, x) = (value(a), value(b));

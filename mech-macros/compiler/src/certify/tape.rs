@@ -372,6 +372,7 @@ impl<'p> Tape<'p> {
             Op::Atan2(..)
             | Op::Round(_)
             | Op::Exp(_)
+            | Op::Stairs(..)
             | Op::Time
             | Op::Constant(_)
             | Op::Input(_)

@@ -65,6 +65,13 @@ fn of_operation(op: Op, sine: impl Fn(Value) -> bool) -> Cost {
         Op::Sin(_) => cost.sine_cosine_pairs = 1,
         Op::Cos(angle) => cost.sine_cosine_pairs = u32::from(!sine(angle)),
         Op::Atan2(..) | Op::Exp(_) => cost.arctangents = 1,
+        // The step, the time in it, and a wave or a polynomial.
+        Op::Stairs(..) => {
+            cost.additions = 2;
+            cost.divisions = 1;
+            cost.selections = 3;
+            cost.sine_cosine_pairs = 1;
+        }
         Op::Abs(_) | Op::Max(..) | Op::CopySign(..) | Op::Choose(..) | Op::Round(_) => {
             cost.selections = 1;
         }

@@ -31,11 +31,12 @@ const CALLED: [&str; 20] = [
 ];
 
 /// The types of arguments and results.
-const TYPES: [&str; 15] = [
+const TYPES: [&str; 17] = [
     "Acceleration",
     "Forces",
     "Holding",
     "Inertia",
+    "MotionLaw",
     "Motors",
     "Pose",
     "Position",
@@ -43,6 +44,7 @@ const TYPES: [&str; 15] = [
     "Real",
     "Result",
     "Sines",
+    "Staircase",
     "Stop",
     "Velocity",
     "f32",

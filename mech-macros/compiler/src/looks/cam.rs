@@ -2,7 +2,7 @@
 
 use super::outline::{Outline, fixed};
 use super::scene::Scene;
-use crate::model::{AxisId, JointId, JointKind, Law, LinkId, Measure, Model, Place};
+use crate::model::{AxisId, JointId, JointKind, Law, LinkId, Measure, Place};
 use mech_core::colors::{EYE, INK, darker, lighter};
 use nalgebra::{Isometry2, Point2, Rotation2, Vector2};
 use std::f64::consts::TAU;
@@ -23,12 +23,18 @@ pub(super) struct CamBody {
 /// The cams that turn about a shaft and whose laws come back to where they began.
 pub(super) fn cams(scene: &Scene<'_>) -> Vec<CamBody> {
     let cams = scene.model.cams();
-    cams.filter_map(|(_, shaft, follower, law)| cam(scene, shaft, follower, law))
+    cams.filter_map(|(id, shaft, follower, law)| cam(scene, id, [shaft, follower], law))
         .collect()
 }
 
-fn cam(scene: &Scene<'_>, shaft: JointId, follower: JointId, law: &Law) -> Option<CamBody> {
+fn cam(
+    scene: &Scene<'_>,
+    id: JointId,
+    [shaft, follower]: [JointId; 2],
+    law: &Law,
+) -> Option<CamBody> {
     let model = scene.model;
+    let roller = model.roller_of(id);
     let carrier = model.carrier_of_cam(shaft, follower)?;
     if law.winding() != Some(0.0) {
         return None;
@@ -36,11 +42,12 @@ fn cam(scene: &Scene<'_>, shaft: JointId, follower: JointId, law: &Law) -> Optio
     let JointKind::Revolute(a, b) = model.joint(shaft).kind else {
         return None;
     };
-    let (own, forwards) = beside(model, [a, b], carrier);
+    let (own, forwards) = model.beside(shaft, carrier)?;
     let cam_link = model.axis(own).link;
     let start = scene.survey.start();
     let center = start.place(model, own)?;
-    let (link, point, motion) = follower_motion(scene, follower, carrier, center)?;
+    let declared = roller.map(|roller| roller.point);
+    let (link, point, motion) = follower_motion(scene, follower, carrier, (center, declared))?;
     let first = start_value(scene, [a, b])?;
     let at_start = model.at_start(law, first);
     // Seen from the cam, the follower goes round it the other way.
@@ -49,7 +56,7 @@ fn cam(scene: &Scene<'_>, shaft: JointId, follower: JointId, law: &Law) -> Optio
         let offset = motion(value - at_start) * point - center;
         Rotation2::new(-forwards * turned) * offset
     };
-    let radius = ROLLER * scene.width;
+    let radius = roller.map_or(ROLLER * scene.width, |roller| roller.radius);
     let frame: Isometry2<f64> = start.frame(cam_link)?.inverse();
     let step = TAU / f64::from(CORNERS);
     let mut corners = Vec::new();
@@ -78,15 +85,6 @@ fn cam(scene: &Scene<'_>, shaft: JointId, follower: JointId, law: &Law) -> Optio
     })
 }
 
-/// Of the axes of a joint, the one that is not on the carrier. With it 1 if the joint is declared from the carrier, else −1.
-fn beside(model: &Model, [a, b]: [AxisId; 2], carrier: LinkId) -> (AxisId, f64) {
-    if model.axis(a).link == carrier {
-        (b, 1.0)
-    } else {
-        (a, -1.0)
-    }
-}
-
 /// The angle from one axis to another at the start.
 fn start_value(scene: &Scene<'_>, axes: [AxisId; 2]) -> Option<f64> {
     let start = scene.survey.start();
@@ -95,21 +93,20 @@ fn start_value(scene: &Scene<'_>, axes: [AxisId; 2]) -> Option<f64> {
     Some(a.perp(&b).atan2(a.dot(&b)))
 }
 
-/// A follower: its link, its point in the scene at the start that is nearest to the cam, and how it moves by its coordinate.
+/// A follower: its link, the middle of its roller in the scene at the start, and how it moves by its coordinate. A roller that was not
+/// declared is at the point that is nearest to the cam.
 type Follower = (LinkId, Point2<f64>, Box<dyn Fn(f64) -> Isometry2<f64>>);
 
 fn follower_motion(
     scene: &Scene<'_>,
     joint: JointId,
     carrier: LinkId,
-    center: Point2<f64>,
+    (center, declared): (Point2<f64>, Option<AxisId>),
 ) -> Option<Follower> {
     let model = scene.model;
     let start = scene.survey.start();
-    let (JointKind::Revolute(a, b) | JointKind::Prismatic(a, b)) = model.joint(joint).kind else {
-        return None;
-    };
-    let (own, forwards) = beside(model, [a, b], carrier);
+    let [from, _] = model.joint(joint).kind.axes()?;
+    let (own, forwards) = model.beside(joint, carrier)?;
     let link = model.axis(own).link;
     let frame = start.frame(link)?;
     let pivot = start.place(model, own)?;
@@ -117,8 +114,12 @@ fn follower_motion(
     let points = scene.mounts(link).iter().map(|mount| frame * mount.at);
     let points = points.filter(|point| slides || (point - pivot).norm() > 1e-6 * scene.width);
     let points = points.chain(slides.then_some(pivot));
-    let nearest = points.min_by(|a, b| (a - center).norm().total_cmp(&(b - center).norm()))?;
-    let along = start.direction(model, a)? * forwards;
+    let nearest = points.min_by(|a, b| (a - center).norm().total_cmp(&(b - center).norm()));
+    let roller = match declared {
+        Some(point) => start.place(model, point)?,
+        None => nearest?,
+    };
+    let along = start.direction(model, from)? * forwards;
     let motion = move |value: f64| {
         if slides {
             Isometry2::translation(along.x * value, along.y * value)
@@ -128,7 +129,7 @@ fn follower_motion(
             Isometry2::translation(shift.x, shift.y) * turn
         }
     };
-    Some((link, nearest, Box::new(motion)))
+    Some((link, roller, Box::new(motion)))
 }
 
 impl CamBody {

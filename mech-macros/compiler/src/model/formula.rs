@@ -1,6 +1,7 @@
 //! Numbers that are computed: from constants, from params, and from the variable of a law.
 
 use super::{BinaryFunction, FormulaId, Function, Number, ParamId};
+use mech_core::Staircase;
 use std::collections::HashMap;
 use std::fmt;
 
@@ -28,6 +29,8 @@ pub enum Formula {
     Of(Function, FormulaId),
     /// A function of a and b.
     OfBoth(BinaryFunction, FormulaId, FormulaId),
+    /// The height of a staircase at a place, of which each step takes this share.
+    Stairs(Staircase, FormulaId, Number),
 }
 
 impl Formula {
@@ -41,7 +44,7 @@ impl Formula {
     fn operands(self) -> impl Iterator<Item = FormulaId> {
         let pair = match self {
             Self::Constant(_) | Self::Variable(_) | Self::Param(_) => [None, None],
-            Self::Neg(a) | Self::Of(_, a) => [Some(a), None],
+            Self::Neg(a) | Self::Of(_, a) | Self::Stairs(_, a, _) => [Some(a), None],
             Self::Add(a, b)
             | Self::Sub(a, b)
             | Self::Mul(a, b)
@@ -68,6 +71,7 @@ impl Formula {
             Self::Div(a, b) => arithmetic.div(get(a), get(b)),
             Self::Of(function, a) => arithmetic.of(function, get(a)),
             Self::OfBoth(function, a, b) => arithmetic.of_both(function, get(a), get(b)),
+            Self::Stairs(stairs, place, share) => arithmetic.stairs(stairs, get(place), share),
         }
     }
 }
@@ -122,6 +126,8 @@ pub trait FormulaArithmetic: Arithmetic {
         a: Self::Scalar,
         b: Self::Scalar,
     ) -> Self::Scalar;
+    /// The height of a staircase at a place.
+    fn stairs(&mut self, stairs: Staircase, place: Self::Scalar, share: Number) -> Self::Scalar;
 }
 
 impl Formulas {
@@ -216,6 +222,10 @@ impl FormulaArithmetic for Formulas {
     fn of_both(&mut self, function: BinaryFunction, a: FormulaId, b: FormulaId) -> FormulaId {
         Self::add(self, Formula::OfBoth(function, a, b))
     }
+
+    fn stairs(&mut self, stairs: Staircase, place: FormulaId, share: Number) -> FormulaId {
+        Self::add(self, Formula::Stairs(stairs, place, share))
+    }
 }
 
 /// Numbers now.
@@ -271,16 +281,29 @@ impl FormulaArithmetic for Now<'_> {
     fn of_both(&mut self, function: BinaryFunction, a: f64, b: f64) -> f64 {
         function.at(a, b)
     }
+
+    fn stairs(&mut self, stairs: Staircase, place: f64, share: Number) -> f64 {
+        stairs.at(place, share.get())
+    }
 }
 
-/// Numbers with their slopes: by how much each grows with one param.
+/// What slopes are taken by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum By {
+    /// A param.
+    Param(ParamId),
+    /// The variable of a law.
+    Variable,
+}
+
+/// Numbers with their slopes: by how much each grows with one of those that they are made from.
 pub(super) struct Slopes<'p> {
     /// The value of the variable: not a number, where there is none.
     pub(super) variable: f64,
     /// The values of all params.
     pub(super) params: &'p [f64],
-    /// The param by which slopes are taken.
-    pub(super) by: ParamId,
+    /// The number by which slopes are taken.
+    pub(super) by: By,
 }
 
 impl Slopes<'_> {
@@ -320,12 +343,20 @@ impl Arithmetic for Slopes<'_> {
 
 impl FormulaArithmetic for Slopes<'_> {
     fn variable(&mut self, _: usize) -> (f64, f64) {
-        (self.variable, 0.0)
+        let slope = if self.by == By::Variable { 1.0 } else { 0.0 };
+        (self.variable, slope)
     }
 
     fn param(&mut self, param: ParamId) -> (f64, f64) {
         let value = self.params[param.index()];
-        (value, if param == self.by { 1.0 } else { 0.0 })
+        (
+            value,
+            if self.by == By::Param(param) {
+                1.0
+            } else {
+                0.0
+            },
+        )
     }
 
     fn of(&mut self, function: Function, (a, da): (f64, f64)) -> (f64, f64) {
@@ -343,5 +374,11 @@ impl FormulaArithmetic for Slopes<'_> {
             function.at(a, b),
             Self::along(by_a, da) + Self::along(by_b, db),
         )
+    }
+
+    fn stairs(&mut self, stairs: Staircase, (a, da): (f64, f64), share: Number) -> (f64, f64) {
+        let share = share.get();
+        let slope = stairs.slope().at(a, share) / share;
+        (stairs.at(a, share), Self::along(slope, da))
     }
 }

@@ -2,9 +2,10 @@
 
 use super::formula::Now;
 use super::{
-    Arithmetic, BinaryFunction, Formula, FormulaArithmetic, FormulaId, Formulas, Function, Origin,
-    ParamId,
+    Arithmetic, BinaryFunction, Formula, FormulaArithmetic, FormulaId, Formulas, Function, Number,
+    Origin, ParamId,
 };
+use mech_core::Staircase;
 use std::f64::consts::TAU;
 
 /// A function of one variable.
@@ -100,10 +101,30 @@ impl Law {
         !all.any(|formula| matches!(formula, Formula::Variable(_) | Formula::Param(_)))
     }
 
+    /// Whether it is made of segments.
+    #[must_use]
+    pub fn is_motion(&self) -> bool {
+        let mut all = self.formulas.all().iter();
+        all.any(|formula| matches!(formula, Formula::Stairs(..)))
+    }
+
     /// Whether its variable is in it.
     #[must_use]
     pub fn varies(&self) -> bool {
         self.formulas.all().contains(&Formula::Variable(0))
+    }
+}
+
+/// Numbers that differ less than by this part of them differ by rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// The sum of two numbers; zero, if only rounding is left of them.
+fn sum(a: f64, b: f64) -> f64 {
+    let sum = a + b;
+    if sum.abs() <= ROUNDING * a.abs() {
+        0.0
+    } else {
+        sum
     }
 }
 
@@ -129,11 +150,11 @@ impl Arithmetic for Windings {
     }
 
     fn add(&mut self, a: Winding, b: Winding) -> Winding {
-        a.join(b, |a, b| Some(a + b))
+        a.join(b, |a, b| Some(sum(a, b)))
     }
 
     fn sub(&mut self, a: Winding, b: Winding) -> Winding {
-        a.join(b, |a, b| Some(a - b))
+        a.join(b, |a, b| Some(sum(a, -b)))
     }
 
     fn mul(&mut self, a: Winding, b: Winding) -> Winding {
@@ -180,5 +201,14 @@ impl FormulaArithmetic for Windings {
             }
             (_, a, b) => Self::still(a, b),
         }
+    }
+
+    fn stairs(&mut self, stairs: Staircase, place: Winding, _: Number) -> Winding {
+        place.join(Winding::By(0.0), |turns, _| {
+            let steps = turns * TAU;
+            let whole = steps.round();
+            let is_whole = (steps - whole).abs() <= ROUNDING * whole.abs();
+            (steps == 0.0 || stairs.repeats && is_whole).then_some(whole / TAU)
+        })
     }
 }

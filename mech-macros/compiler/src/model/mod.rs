@@ -13,6 +13,7 @@ mod id;
 mod instance;
 mod inverse;
 mod joint;
+mod jump;
 mod law;
 mod link;
 mod look;
@@ -22,6 +23,7 @@ mod number;
 mod param;
 mod polygon;
 mod requirement;
+mod roller;
 mod scale;
 mod shape;
 mod show;
@@ -40,6 +42,7 @@ pub use id::{AxisId, FormulaId, InputId, JointId, LawId, LinkId, MotorId, Origin
 pub use instance::Instance;
 pub use inverse::Inverse;
 pub use joint::{Joint, JointKind, Motor, Range, Ratio};
+pub use jump::Jump;
 pub use law::Law;
 pub use link::{Axis, AxisKind, Link};
 pub use look::Look;
@@ -49,8 +52,9 @@ pub use measure::{Measure, Place};
 pub use number::Number;
 pub use param::{Param, Params};
 pub use requirement::{
-    Case, Condition, Measured, Quantity, RequiredBound, Requirement, Spot, Summary,
+    Case, Condition, Dimension, Measured, Quantity, RequiredBound, Requirement, Spot, Summary,
 };
+pub use roller::Roller;
 pub use scale::ScaleTrouble;
 pub use shape::{Quality, Shape, ShapeKind};
 pub use show::Shown;
@@ -156,6 +160,8 @@ pub struct Model {
     pub motors: Vec<Motor>,
     /// The laws of motors and cams.
     pub laws: Vec<Law>,
+    /// The rollers of followers that are declared.
+    pub rollers: Vec<Roller>,
     /// The numbers that may be changed while it runs.
     pub params: Params,
     /// The start values, and the choice of an assembly.
@@ -218,6 +224,7 @@ impl Model {
             joints: Vec::new(),
             motors: Vec::new(),
             laws: Vec::new(),
+            rollers: Vec::new(),
             params: Params::default(),
             start: Start::default(),
             method: None,

@@ -1,6 +1,6 @@
 //! Numbers that may be changed while a mechanism runs.
 
-use super::formula::Slopes;
+use super::formula::{By, Slopes};
 use super::{
     Axis, Formula, FormulaArithmetic, FormulaId, Formulas, JointKind, Law, Model, Origin, ParamId,
 };
@@ -127,7 +127,7 @@ impl Model {
         let slopes = self.params.evaluate(&mut Slopes {
             variable: f64::NAN,
             params: &params,
-            by: param,
+            by: By::Param(param),
         });
         let size = self.size().max(f64::MIN_POSITIVE);
         let slope = |formula: FormulaId| slopes[formula.index()].1.abs();
@@ -159,7 +159,7 @@ fn steepest(law: &Law, by: ParamId, params: &[f64]) -> f64 {
         let (_, slope) = law.evaluate(&mut Slopes {
             variable,
             params,
-            by,
+            by: By::Param(by),
         });
         slope.abs()
     });

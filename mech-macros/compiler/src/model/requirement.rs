@@ -93,18 +93,37 @@ pub enum Quantity {
     Distance([Spot; 2]),
     /// The transmission angle: of the dyad that finds the coordinate of this joint, or without one of each dyad.
     Transmission(Option<JointId>),
+    /// The pressure angle of a cam that has a roller.
+    Pressure(JointId),
+    /// The curvature of the curve on which the middle of a cam's roller runs: in parts of a scene unit, positive where it is convex.
+    Curvature(JointId),
+}
+
+/// What a quantity is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dimension {
+    /// An angle, in radians.
+    Angle,
+    /// A length, in scene units.
+    Length,
+    /// One divided by a length.
+    Curvature,
 }
 
 impl Quantity {
-    /// Whether it is an angle, in radians; else it is a length, in scene units.
+    /// What it is.
     #[must_use]
-    pub fn is_angle(self, model: &Model) -> bool {
+    pub fn dimension(self, model: &Model) -> Dimension {
         match self {
-            Self::Coordinate(joint) => {
-                matches!(model.joint(joint).kind, JointKind::Revolute(..))
+            Self::Coordinate(joint) => match model.joint(joint).kind {
+                JointKind::Revolute(..) => Dimension::Angle,
+                _ => Dimension::Length,
+            },
+            Self::Angle(_) | Self::AngleBetween(_) | Self::Transmission(_) | Self::Pressure(_) => {
+                Dimension::Angle
             }
-            Self::Angle(_) | Self::AngleBetween(_) | Self::Transmission(_) => true,
-            Self::X(_) | Self::Y(_) | Self::Distance(_) => false,
+            Self::X(_) | Self::Y(_) | Self::Distance(_) => Dimension::Length,
+            Self::Curvature(_) => Dimension::Curvature,
         }
     }
 }

@@ -24,7 +24,7 @@ mod triad;
 mod unknown;
 
 pub(crate) use crate::model::Arithmetic;
-pub(crate) use algebra::{Algebra, Pose, are_equal};
+pub(crate) use algebra::{Algebra, Numbers, Pose, are_equal};
 pub use assembly::{Assembly, CamStart};
 pub use bound::{Bound, Growth, Turning};
 pub use display::PlanText;

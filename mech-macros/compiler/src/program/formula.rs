@@ -3,8 +3,11 @@
 use super::builder::SsaBuilder;
 use super::node::{Op, Value};
 use crate::bug::bug;
-use crate::model::{BinaryFunction, FormulaArithmetic, Function, InputId, Law, Model, ParamId};
+use crate::model::{
+    BinaryFunction, FormulaArithmetic, Function, InputId, Law, Model, Number, ParamId,
+};
 use crate::plan::{Algebra, Arithmetic};
+use mech_core::Staircase;
 
 impl SsaBuilder {
     /// Computes everything that depends on params; what nothing needs of it is left out later.
@@ -27,9 +30,9 @@ impl SsaBuilder {
 
     /// A law of a value.
     pub(super) fn law(&mut self, law: &Law, variable: Value) -> Value {
-        self.variables = vec![variable];
+        let others = std::mem::replace(&mut self.variables, vec![variable]);
         let value = law.evaluate(self);
-        self.variables.clear();
+        self.variables = others;
         value
     }
 }
@@ -103,6 +106,10 @@ impl FormulaArithmetic for SsaBuilder {
                 self.sub(a, taken)
             }
         }
+    }
+
+    fn stairs(&mut self, stairs: Staircase, place: Value, share: Number) -> Value {
+        self.make(Op::Stairs(stairs, place, share))
     }
 }
 

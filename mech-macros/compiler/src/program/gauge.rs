@@ -1,7 +1,9 @@
 //! A program that computes what a requirement measures, beside positions.
 
 use super::Program;
+use super::build::{Seed, Tangents};
 use super::builder::SsaBuilder;
+use super::contact::{Contact, Guide, Pressed};
 use super::node::{Op, Slot, Value};
 use crate::bug::bug;
 use crate::model::{
@@ -128,6 +130,13 @@ impl Measures<'_> {
             Quantity::Y(axis) => self.point(axis)[1],
             Quantity::Distance(spots) => self.distance(spots),
             Quantity::Transmission(_) => bug!("a transmission angle is that of a dyad"),
+            Quantity::Pressure(cam) => {
+                let pressed = self.pressed(cam);
+                let ssa = &mut self.ssa;
+                let (sine, cosine) = (ssa.abs(pressed.sine), ssa.abs(pressed.cosine));
+                ssa.make(Op::Atan2(sine, cosine))
+            }
+            Quantity::Curvature(cam) => self.pressed(cam).curvature,
         }
     }
 
@@ -217,6 +226,56 @@ impl Measures<'_> {
         }
         let square = self.ssa.dot(between, between);
         self.ssa.sqrt(square)
+    }
+
+    /// The contact of a cam and its roller.
+    fn pressed(&mut self, cam: JointId) -> Pressed<Value> {
+        let model = self.model;
+        let (
+            Some(roller),
+            JointKind::Cam {
+                shaft,
+                follower,
+                law,
+            },
+        ) = (model.roller_of(cam), model.joint(cam).kind)
+        else {
+            bug!("a cam without a roller is measured");
+        };
+        let carrier = model.carrier_of_cam(shaft, follower);
+        let found = carrier.and_then(|carrier| {
+            Some((
+                model.beside(shaft, carrier)?,
+                model.beside(follower, carrier)?,
+            ))
+        });
+        let Some(((center, sense), (own, forwards))) = found else {
+            bug!("the joints of a cam have no link in common");
+        };
+        let angle = self.coordinate(shaft);
+        let value = self.ssa.law(model.law(law), angle);
+        // Nothing moves but the shaft, at a rate of one.
+        let mut tangents = Tangents::new(Seed::Alone(usize::MAX), model.motors.len());
+        let one = self.ssa.constant(1.0);
+        tangents.set(&mut self.ssa, angle, one);
+        let first = tangents.of_all_up_to(&mut self.ssa, value);
+        let second = tangents.of_all_up_to(&mut self.ssa, first);
+        let guide = match model.joint(follower).kind {
+            JointKind::Prismatic(from, _) => {
+                let along = self.direction(model.seen_axis(from));
+                let forwards = self.ssa.constant(forwards);
+                Guide::Along(self.ssa.scale(forwards, along))
+            }
+            _ => Guide::About(self.point(model.seen_axis(own)), forwards),
+        };
+        let contact = Contact {
+            center: self.point(model.seen_axis(center)),
+            roller: self.point(roller.point),
+            guide,
+            sense,
+            slopes: [first, second],
+        };
+        contact.pressed(&mut self.ssa)
     }
 
     /// The transmission angle of the dyad that closes a loop: between the directions in which its two unknowns move what they join. Both

@@ -1,6 +1,7 @@
 //! Values and the operations that make them.
 
 use crate::model::{InputId, MotorId, Number, in_32_bits};
+use mech_core::Staircase;
 
 /// A scalar: the result of one node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -137,6 +138,8 @@ pub enum Op {
     Round(Value),
     /// e to this power.
     Exp(Value),
+    /// The height of a staircase at a place, of which each step takes this share.
+    Stairs(Staircase, Value, Number),
 }
 
 impl Op {
@@ -172,6 +175,7 @@ impl Op {
             Self::Atan2(a, b) => Self::Atan2(other(a), other(b)),
             Self::Round(a) => Self::Round(other(a)),
             Self::Exp(a) => Self::Exp(other(a)),
+            Self::Stairs(stairs, place, share) => Self::Stairs(stairs, other(place), share),
             Self::Constant(_)
             | Self::Input(_)
             | Self::Turns(_)

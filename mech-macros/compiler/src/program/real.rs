@@ -36,6 +36,7 @@ impl Op {
             Self::Atan2(a, b) => get(a).atan2(get(b)),
             Self::Round(a) => get(a).round(),
             Self::Exp(a) => get(a).exp(),
+            Self::Stairs(stairs, place, share) => stairs.at(get(place), T::from_f64(share.get())),
             // All others come from outside.
             _ => return None,
         })

@@ -53,13 +53,7 @@ impl Timing {
 #[must_use]
 pub fn build_timing(model: &Model) -> Option<Timing> {
     model.lawful_motors().next()?;
-    let resting = vec![0.0; model.motors.len()];
-    let start = Position {
-        motors: resting.into_iter().chain(model.params.values()).collect(),
-        turns: vec![0; model.inputs()],
-        ..Position::default()
-    };
-    let mut ssa = SsaBuilder::new(start, Precision::F64);
+    let mut ssa = SsaBuilder::new(at_rest(model), Precision::F64);
     ssa.block(
         "laws".to_owned(),
         "What the laws of the motors say.".to_owned(),
@@ -107,4 +101,14 @@ pub fn build_timing(model: &Model) -> Option<Timing> {
         motors,
         params,
     })
+}
+
+/// A position without links: motors at zero, and the params as they are at the start.
+pub(super) fn at_rest(model: &Model) -> Position<f64> {
+    let resting = vec![0.0; model.motors.len()];
+    Position {
+        motors: resting.into_iter().chain(model.params.values()).collect(),
+        turns: vec![0; model.inputs()],
+        ..Position::default()
+    }
 }

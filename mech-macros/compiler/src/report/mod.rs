@@ -1,8 +1,10 @@
 //! The results of the analysis as plain text, for the terminal, the documentation and the gallery.
 
+mod contact;
 mod effects;
 mod instances;
 mod inverse;
+mod jump;
 mod loops;
 mod near;
 mod rolling;
@@ -15,7 +17,6 @@ use effects::{force_lines, trace_line};
 use instances::{is_described, joint_names, part_lines};
 use inverse::inverse_lines;
 use loops::{accuracy, loop_line, method, method_line, needs_line, omissions};
-pub(crate) use near::notes;
 use rolling::coupling_lines;
 use std::fmt::Write;
 
@@ -25,6 +26,13 @@ pub(crate) fn report(model: &Model, compiled: &Compiled) -> String {
     // Writing into a string does not fail.
     let _ = write(&mut text, model, compiled);
     text
+}
+
+/// Returns the notes on how a mechanism moves.
+pub(crate) fn notes(model: &Model, compiled: &Compiled) -> Vec<String> {
+    let near = near::notes(model, compiled).into_iter();
+    let undercut = contact::notes(model, compiled);
+    near.chain(jump::notes(model)).chain(undercut).collect()
 }
 
 fn write(text: &mut String, model: &Model, compiled: &Compiled) -> std::fmt::Result {
@@ -63,6 +71,11 @@ fn write(text: &mut String, model: &Model, compiled: &Compiled) -> std::fmt::Res
     }
     for line in coupling_lines(model, structure, plan) {
         writeln!(text, "  {line}")?;
+    }
+    for roller in &model.rollers {
+        if let Some(line) = contact::line(model, compiled, roller.cam) {
+            writeln!(text, "            {line}")?;
+        }
     }
     for line in part_lines(model, plan, loops) {
         writeln!(text, "  part      {line}")?;

@@ -7,8 +7,8 @@ use crate::motion::near_miss::NearMiss;
 /// More notes than these say nothing new.
 const MOST: usize = 8;
 
-/// Returns the notes on how a mechanism moves.
-pub(crate) fn notes(model: &Model, compiled: &Compiled) -> Vec<String> {
+/// Returns the notes on loops that come near change points.
+pub(super) fn notes(model: &Model, compiled: &Compiled) -> Vec<String> {
     let all = &compiled.near_misses;
     let mut notes: Vec<String> = all
         .iter()

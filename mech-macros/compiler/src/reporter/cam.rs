@@ -51,14 +51,18 @@ impl Words<'_> {
             ('-', value)
         };
         let (_, link) = self.model.ends(follower);
+        let change = if law.is_motion() {
+            "let the motion begin elsewhere, by `from`".to_owned()
+        } else {
+            format!("write `{} {sign} {size}`", law.written)
+        };
         let text = format!(
             "cam {} gives its follower {} at the start, but the coordinate of {} is 0 where it is drawn\nhelp: draw {} as it is at the \
-             start, and write `{} {sign} {size}`",
+             start, and {change}",
             self.joint(cam),
             brief(value),
             self.joint(follower),
             self.link(link),
-            law.written
         );
         Some((law.origin, text))
     }

@@ -9,7 +9,8 @@ use crate::model::{AtChangePoints, Precision};
 use proc_macro2::{Ident, Span};
 
 pub(super) use super::expr::{
-    End, Expr, ExprKind, Index, MeasuredExpr, Name, Pair, Read, Segment, SpotExpr,
+    End, Expr, ExprKind, Index, MeasuredExpr, MotionExpr, Name, Pair, Read, Segment, SegmentExpr,
+    SpotExpr, Way,
 };
 pub(super) use super::shape::{Color, Outline, Shade, Shape};
 
@@ -257,10 +258,20 @@ pub(super) struct JointBody {
     pub rolling: Option<Rolling>,
     /// The law of a cam, a function of the coordinate `q`.
     pub law: Option<Expr>,
+    /// The roller of its follower, if it is named.
+    pub roller: Option<RollerExpr>,
     /// Where it is in the drawing.
     pub at: Option<Clause<Pair>>,
     /// Its direction in the drawing.
     pub along: Option<Clause<Direction>>,
+}
+
+/// `roller valve.foot radius 5`
+pub(super) struct RollerExpr {
+    /// The middle of the roller.
+    pub point: End,
+    /// Its radius.
+    pub radius: Expr,
 }
 
 impl JointBody {

@@ -2,6 +2,7 @@
 
 use super::{Message, Place};
 use crate::model::{BinaryFunction, Function, Summary};
+use mech_core::MotionLaw;
 use proc_macro2::{Ident, Span};
 use std::fmt;
 
@@ -44,12 +45,70 @@ pub(super) enum ExprKind {
     Product(Vec<(bool, Expr)>),
     /// `a deg`
     Degrees(Box<Expr>),
+    /// `a rpm`
+    Rpm(Box<Expr>),
     /// `sqrt(a)`
     Call(Function, Box<Expr>),
     /// `min(a, b)`
     CallBoth(BinaryFunction, Box<[Expr; 2]>),
     /// `coupler.tip.x`: only where a mechanism says what it is for.
     Measured(Box<MeasuredExpr>),
+    /// `rise 9 over 90 deg, dwell`: only as a whole law.
+    Motion(Box<MotionExpr>),
+}
+
+/// A motion in segments, one after the other.
+pub(super) struct MotionExpr {
+    /// The number after `from`: where it begins.
+    pub from: Option<Expr>,
+    /// Its segments: at least one.
+    pub segments: Vec<SegmentExpr>,
+    /// Whether it ends with `repeat`.
+    pub repeats: bool,
+}
+
+/// `rise 9 over 90 deg with cycloidal`
+pub(super) struct SegmentExpr {
+    /// Where it goes.
+    pub way: Way,
+    /// How long it takes; a last `dwell` may not say.
+    pub span: Option<Expr>,
+    /// The law after `with`.
+    pub law: Option<MotionLaw>,
+    /// From its first word to its last.
+    pub place: Place,
+}
+
+impl MotionExpr {
+    /// All numbers in it.
+    pub(super) fn numbers(&self) -> impl Iterator<Item = &Expr> {
+        let segments = self.segments.iter();
+        let numbers =
+            segments.flat_map(|segment| segment.height().into_iter().chain(&segment.span));
+        self.from.iter().chain(numbers)
+    }
+}
+
+impl SegmentExpr {
+    /// The height after `rise` or `fall`.
+    pub(super) fn height(&self) -> Option<&Expr> {
+        match &self.way {
+            Way::Rise(height) | Way::Fall(height) => Some(height),
+            Way::Return | Way::Dwell => None,
+        }
+    }
+}
+
+/// The way of a segment.
+pub(super) enum Way {
+    /// `rise 9`
+    Rise(Expr),
+    /// `fall 9`
+    Fall(Expr),
+    /// `return`
+    Return,
+    /// `dwell`
+    Dwell,
 }
 
 /// Something that is measured.
@@ -60,6 +119,10 @@ pub(super) enum MeasuredExpr {
     Place(End, bool),
     /// `transmission(b)`
     Transmission(Name),
+    /// `pressure(profile)`
+    Pressure(Name),
+    /// `curvature(profile)`
+    Curvature(Name),
     /// `angle(coupler)`, `angle(rocker, coupler)`
     Angle(Name, Option<Name>),
     /// `distance(coupler.tip, (1, 2))`

@@ -1,6 +1,6 @@
 //! Numbers as they were written, for messages that offer them again.
 
-use super::ast::{Expr, ExprKind, MeasuredExpr, SpotExpr};
+use super::ast::{Expr, ExprKind, MeasuredExpr, MotionExpr, SegmentExpr, SpotExpr, Way};
 use std::fmt::{self, Display, Formatter};
 
 /// The precedence of an expression, the weakest first.
@@ -29,6 +29,10 @@ impl Display for Expr {
                 part(inner, Bond::Whole, formatter)?;
                 write!(formatter, " deg")
             }
+            ExprKind::Rpm(inner) => {
+                part(inner, Bond::Whole, formatter)?;
+                write!(formatter, " rpm")
+            }
             ExprKind::Call(function, argument) => {
                 write!(formatter, "{}({argument})", function.name())
             }
@@ -37,6 +41,35 @@ impl Display for Expr {
                 write!(formatter, "{}({a}, {b})", function.name())
             }
             ExprKind::Measured(measured) => write!(formatter, "{measured}"),
+            ExprKind::Motion(motion) => write!(formatter, "{motion}"),
+        }
+    }
+}
+
+impl Display for MotionExpr {
+    fn fmt(&self, formatter: &mut Formatter) -> fmt::Result {
+        let from = self.from.iter().map(|from| format!("from {from}"));
+        let segments = self.segments.iter().map(ToString::to_string);
+        let repeat = self.repeats.then(|| "repeat".to_owned());
+        let all: Vec<String> = from.chain(segments).chain(repeat).collect();
+        formatter.write_str(&all.join(", "))
+    }
+}
+
+impl Display for SegmentExpr {
+    fn fmt(&self, formatter: &mut Formatter) -> fmt::Result {
+        match &self.way {
+            Way::Rise(height) => write!(formatter, "rise {height} over")?,
+            Way::Fall(height) => write!(formatter, "fall {height} over")?,
+            Way::Return => write!(formatter, "return over")?,
+            Way::Dwell => write!(formatter, "dwell")?,
+        }
+        if let Some(span) = &self.span {
+            write!(formatter, " {span}")?;
+        }
+        match self.law {
+            Some(law) => write!(formatter, " with {}", law.name()),
+            None => Ok(()),
         }
     }
 }
@@ -50,6 +83,8 @@ impl Display for MeasuredExpr {
                 write!(formatter, "{point}.{part}")
             }
             Self::Transmission(joint) => write!(formatter, "transmission({joint})"),
+            Self::Pressure(cam) => write!(formatter, "pressure({cam})"),
+            Self::Curvature(cam) => write!(formatter, "curvature({cam})"),
             Self::Angle(link, None) => write!(formatter, "angle({link})"),
             Self::Angle(from, Some(to)) => write!(formatter, "angle({from}, {to})"),
             Self::Distance([from, to]) => write!(formatter, "distance({from}, {to})"),
@@ -111,10 +146,11 @@ fn part(expr: &Expr, bond: Bond, formatter: &mut Formatter) -> fmt::Result {
 
 fn bond_of(expr: &Expr) -> Bond {
     match expr.kind {
-        ExprKind::Sum(_) => Bond::Sum,
+        // It stands nowhere but alone.
+        ExprKind::Sum(_) | ExprKind::Motion(_) => Bond::Sum,
         ExprKind::Product(_) => Bond::Product,
         ExprKind::Negative(_) => Bond::Sign,
-        ExprKind::Degrees(_) => Bond::Unit,
+        ExprKind::Degrees(_) | ExprKind::Rpm(_) => Bond::Unit,
         ExprKind::Integer(_)
         | ExprKind::Decimal(_)
         | ExprKind::Pi

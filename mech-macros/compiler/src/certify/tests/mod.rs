@@ -3,4 +3,5 @@
 mod interval;
 mod mechanisms;
 mod models;
+mod stairs;
 mod tape;

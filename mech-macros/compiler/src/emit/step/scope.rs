@@ -5,8 +5,9 @@ use crate::cancel;
 use crate::emit::module;
 use crate::emit::tokens::{hidden_ident, integer, number, without_path};
 use crate::program::{Op, Part, Program, Slot, Value};
-use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use mech_core::Staircase;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The precedence of an expression, the weakest first.
@@ -294,6 +295,11 @@ impl<'p> Scope<'p> {
             Op::Atan2(a, b) => call(quote!(atan2), &[a, b]),
             Op::Round(a) => call(quote!(round), &[a]),
             Op::Exp(a) => call(quote!(exp), &[a]),
+            Op::Stairs(stairs, place, share) => {
+                let (stairs, place) = (staircase(stairs), self.expression(place));
+                let share = self.number(share.get());
+                quote!(#stairs.at(#place, #share))
+            }
             Op::Max(a, b) => call(quote!(max), &[a, b]),
             // These are always bound: they are parameters or variables.
             Op::Input(_)
@@ -384,4 +390,16 @@ fn free_name(
         }
         number += 1;
     }
+}
+
+/// A staircase, as it is made in generated code.
+fn staircase(stairs: Staircase) -> TokenStream {
+    let law = format_ident!("{}", format!("{:?}", stairs.law));
+    let made = if stairs.repeats {
+        quote!(endless)
+    } else {
+        quote!(single)
+    };
+    let order = Literal::u8_unsuffixed(stairs.order);
+    quote!(Staircase::#made(MotionLaw::#law, #order))
 }

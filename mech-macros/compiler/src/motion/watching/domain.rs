@@ -11,6 +11,10 @@ use std::f64::consts::{PI, TAU};
 
 /// More turns than this are not looked through: budgets would not last.
 const MOST_TURNS: i64 = 1 << 20;
+/// No staircase is looked at that needs more turns for whole steps.
+const MOST_PARTS: i32 = 64;
+/// Numbers that differ less than by this part of them differ by rounding.
+const ROUNDING: f64 = 1e-12;
 
 /// The ranges of everything that a mechanism is moved by.
 pub(crate) struct Domain<'a> {
@@ -166,6 +170,11 @@ impl<'a> Domain<'a> {
             return None;
         }
         let mut exact = Vec::new();
+        for &place in &read.staircases {
+            if let Some(&part) = self.cutter.parts(place)?.get(&input) {
+                exact.push(steps_of_turns(part * TAU)?);
+            }
+        }
         for &angle in &read.angles {
             if let Some(&part) = self.cutter.parts(angle)?.get(&input) {
                 exact.push(self.cutter.turns_until_whole(angle, input, part)?);
@@ -188,14 +197,24 @@ impl<'a> Domain<'a> {
     pub(crate) fn read(&self, outputs: &[Value], cuts: &Cuts<'_>) -> InputReads {
         let mut read = InputReads::default();
         let mut seen: BTreeSet<Value> = BTreeSet::new();
+        let mut cut: BTreeSet<Value> = BTreeSet::new();
         let mut waiting: Vec<Value> = outputs.to_vec();
         while let Some(value) = waiting.pop() {
-            if !seen.insert(value) || self.cutter.is_cut(value, outputs, cuts) {
+            if !seen.insert(value) {
+                continue;
+            }
+            if self.cutter.is_cut(value, outputs, cuts) {
+                cut.insert(value);
                 continue;
             }
             match self.cutter.program.node(value).op {
                 Op::Sin(angle) | Op::Cos(angle) if self.cutter.parts(angle).is_some() => {
                     read.angles.insert(angle);
+                }
+                Op::Stairs(stairs, place, _)
+                    if stairs.repeats && self.cutter.parts(place).is_some() =>
+                {
+                    read.staircases.insert(place);
                 }
                 Op::Input(input) => {
                     read.inputs.insert(input.index());
@@ -203,7 +222,67 @@ impl<'a> Domain<'a> {
                 op => waiting.extend(op.operands()),
             }
         }
+        let places = read.staircases.iter();
+        let stepped = places.filter_map(|place| self.cutter.parts(*place));
+        let stepped: BTreeSet<usize> = stepped.flat_map(BTreeMap::into_keys).collect();
+        // What goes up by a step in each turn is never back.
+        let climbs = |input: &usize| !self.is_level(outputs, &seen, &cut, *input);
+        read.inputs.extend(stepped.into_iter().filter(climbs));
         read
+    }
+
+    /// Whether these outputs neither rise nor fall in the long run if an input grows, from the values that they read, as far as these
+    /// were followed.
+    fn is_level(
+        &self,
+        outputs: &[Value],
+        seen: &BTreeSet<Value>,
+        cut: &BTreeSet<Value>,
+        input: usize,
+    ) -> bool {
+        let mut means: BTreeMap<Value, Option<f64>> = BTreeMap::new();
+        for &value in seen {
+            let of = |value: Value| means.get(&value).copied().unwrap_or(Some(0.0));
+            let both = |a: Value, b: Value, sign: f64| {
+                let (a, b) = (of(a)?, sign * of(b)?);
+                let is_rounding = (a + b).abs() <= ROUNDING * a.abs();
+                Some(if is_rounding { 0.0 } else { a + b })
+            };
+            let scaled = |a: Value, by: f64| Some(by * of(a)?);
+            let constant = |value: Value| match self.cutter.program.node(value).op {
+                Op::Constant(number) => Some(number.get()),
+                _ => None,
+            };
+            let op = self.cutter.program.node(value).op;
+            let mean = match op {
+                _ if cut.contains(&value) => Some(0.0),
+                Op::Stairs(stairs, place, _) if stairs.repeats => {
+                    let part = self
+                        .cutter
+                        .parts(place)
+                        .map(|parts| parts.get(&input).copied());
+                    // Of the slope of a staircase nothing is left after a step.
+                    part.map(|part| part.filter(|_| stairs.order == 0).unwrap_or(0.0))
+                }
+                Op::Sin(angle) | Op::Cos(angle) if self.cutter.parts(angle).is_some() => Some(0.0),
+                Op::Input(own) => Some(if own.index() == input { 1.0 } else { 0.0 }),
+                Op::Neg(a) => scaled(a, -1.0),
+                Op::Add(a, b) => both(a, b, 1.0),
+                Op::Sub(a, b) => both(a, b, -1.0),
+                Op::Mul(a, b) => match (constant(a), constant(b)) {
+                    (Some(by), _) => scaled(b, by),
+                    (_, Some(by)) => scaled(a, by),
+                    _ => [a, b].iter().all(|a| of(*a) == Some(0.0)).then_some(0.0),
+                },
+                Op::Div(a, by) if constant(by).is_some() => {
+                    constant(by).and_then(|by| scaled(a, 1.0 / by))
+                }
+                op => op.operands().all(|a| of(a) == Some(0.0)).then_some(0.0),
+            };
+            means.insert(value, mean);
+        }
+        let mut outputs = outputs.iter();
+        outputs.all(|output| means.get(output).copied().flatten() == Some(0.0))
     }
 }
 
@@ -212,8 +291,25 @@ impl<'a> Domain<'a> {
 pub(crate) struct InputReads {
     /// Angles of which only sine and cosine are read.
     angles: BTreeSet<Value>,
+    /// The places of staircases that are climbed for ever: sums of inputs.
+    staircases: BTreeSet<Value>,
     /// Inputs that are read otherwise.
     inputs: BTreeSet<usize>,
+}
+
+/// Steps of a staircase in a number of turns, if so many in a turn make a whole number in a few.
+fn steps_of_turns(in_a_turn: f64) -> Option<(i64, i64)> {
+    let mut turns = 1..=MOST_PARTS;
+    turns.find_map(|turns| {
+        let steps = in_a_turn * f64::from(turns);
+        let whole = steps.round();
+        if (steps - whole).abs() >= ROUNDING * whole.abs() || whole.abs() > 1e9 {
+            return None;
+        }
+        #[expect(clippy::cast_possible_truncation, reason = "a small whole number")]
+        let whole = whole as i64;
+        Some((whole, i64::from(turns)))
+    })
 }
 
 /// All directions.

@@ -72,7 +72,7 @@ impl Tangents {
     }
 
     /// Notes the rate of a value that a loop solves. For a value with its sign changed, that of the value itself is noted.
-    pub(super) fn set(&mut self, ssa: &mut SsaBuilder, value: Value, rate: Value) {
+    pub(in crate::program) fn set(&mut self, ssa: &mut SsaBuilder, value: Value, rate: Value) {
         self.rates.insert(value, rate);
         if let Op::Neg(inner) = ssa.op(value) {
             let back = ssa.neg(rate);
@@ -171,6 +171,12 @@ impl Tangents {
             Op::Exp(a) => {
                 let rate = self.of(ssa, a);
                 ssa.mul(rate, value)
+            }
+            Op::Stairs(stairs, place, share) => {
+                let rate = self.of(ssa, place);
+                let slope = ssa.make(Op::Stairs(stairs.slope(), place, share));
+                let (share, product) = (ssa.constant(share.get()), ssa.mul(slope, rate));
+                ssa.div(product, share)
             }
             Op::Abs(a) => {
                 let (rate, one) = (self.of(ssa, a), ssa.constant(1.0));

@@ -18,7 +18,7 @@ use syn::parse::ParseStream;
 use syn::token::Paren;
 
 /// The words before brackets that measure something, besides those of [`SUMMARIES`].
-const MEASURES: [&str; 3] = ["transmission", "angle", "distance"];
+const MEASURES: [&str; 5] = ["transmission", "pressure", "curvature", "angle", "distance"];
 
 /// The words before brackets that sum up a motion.
 const SUMMARIES: [(&str, Summary); 4] = [
@@ -179,6 +179,8 @@ fn measure(input: ParseStream, number: &dyn Fn(ParseStream) -> Read<Expr>) -> Re
             input,
             "the name of a joint",
         )?)),
+        (None, "pressure") => path(input, "the name of a cam").map(MeasuredExpr::Pressure),
+        (None, "curvature") => path(input, "the name of a cam").map(MeasuredExpr::Curvature),
         (None, "angle") => {
             let from = path(input, "the name of a link")?;
             let to = take(input, ",").map(|_| path(input, "the name of a link"));

@@ -208,7 +208,11 @@ fn with_unit(input: ParseStream, nesting: Nesting) -> Read<Expr> {
             let text = "this number is in degrees already; leave one `deg` out";
             return Err(Message::new(Place::at(unit), text));
         }
-        Some(unit) => in_degrees(number, unit),
+        Some(unit) => with(ExprKind::Degrees, number, unit),
+        None => number,
+    };
+    let number = match take_word(input, unit::SPEED) {
+        Some(unit) => with(ExprKind::Rpm, number, unit),
         None => number,
     };
     match unit::take_foreign(input) {
@@ -220,13 +224,14 @@ fn with_unit(input: ParseStream, nesting: Nesting) -> Read<Expr> {
     }
 }
 
-fn in_degrees(number: Expr, unit: Span) -> Expr {
+/// A number in a unit.
+fn with(kind: fn(Box<Expr>) -> ExprKind, number: Expr, unit: Span) -> Expr {
     let place = Place {
         start: number.place.start,
         end: unit,
     };
     Expr {
-        kind: ExprKind::Degrees(Box::new(number)),
+        kind: kind(Box::new(number)),
         place,
     }
 }
@@ -308,7 +313,8 @@ fn number(input: ParseStream, literal: Literal) -> Read<Expr> {
     let number = Expr { kind, place };
     match suffix {
         "" => Ok(number),
-        "deg" => Ok(in_degrees(number, place.end)),
+        "deg" => Ok(with(ExprKind::Degrees, number, place.end)),
+        unit::SPEED => Ok(with(ExprKind::Rpm, number, place.end)),
         unit => Err(unit::trouble(&number, unit, place)),
     }
 }

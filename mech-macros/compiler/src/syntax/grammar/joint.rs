@@ -2,12 +2,13 @@
 
 use super::beginning::{STATEMENTS, at_beginning};
 use super::expression::{direction, expression, one_of, pair, read_labelled};
+use super::motion;
 use super::path::{end, path};
 use super::recover::{broken_statement, read_declared, skip, to_semicolon};
 use super::tokens::{comes_word, expected_message, in_parens, symbol, take, take_word};
 use crate::syntax::ast::{
-    Broken, Clause, End, Expr, ExprKind, Joint, JointBody, JointWord, Name, Read, Rolling, Size,
-    Statement,
+    Broken, Clause, End, Expr, ExprKind, Joint, JointBody, JointWord, Name, Read, RollerExpr,
+    Rolling, Size, Statement,
 };
 use crate::syntax::{Message, Place};
 use proc_macro2::{Delimiter, Ident};
@@ -72,6 +73,10 @@ fn body(input: ParseStream) -> Read<JointBody> {
         );
         return Err(Message::new(place.place, text));
     }
+    let roller = match kind {
+        JointWord::Cam => roller(input)?,
+        _ => None,
+    };
     let at = clause(input, "at", pair)?;
     let along = clause(input, "along", direction)?;
     if rolling.is_some() {
@@ -83,6 +88,7 @@ fn body(input: ParseStream) -> Read<JointBody> {
         ends,
         rolling,
         law,
+        roller,
         at,
         along,
     })
@@ -103,7 +109,7 @@ fn parts(input: ParseStream, kind: JointWord) -> Read<Parts> {
         JointWord::Cam => {
             let what = "the follower's coordinate by the shaft's, `q`, as `0.2 * (1 - cos(q))`";
             comma(input, what)?;
-            Some(expression(input)?)
+            Some(motion::law(input)?)
         }
         _ => None,
     };
@@ -215,6 +221,16 @@ fn carrier_outside(input: ParseStream) -> Read<()> {
         Place::at(keyword).to(Place::at(link.span())),
         text,
     ))
+}
+
+/// Reads `roller valve.foot radius 5`, if it comes.
+fn roller(input: ParseStream) -> Read<Option<RollerExpr>> {
+    if take_word(input, "roller").is_none() {
+        return Ok(None);
+    }
+    let point = end(input)?;
+    let radius = read_labelled(input, "radius")?;
+    Ok(Some(RollerExpr { point, radius }))
 }
 
 fn radius(input: ParseStream) -> Read<Size> {

@@ -12,6 +12,7 @@ mod item;
 mod joint;
 mod method;
 mod misplaced;
+mod motion;
 mod part;
 mod path;
 mod recover;

@@ -3,6 +3,7 @@
 use super::beginning::{STATEMENTS, at_beginning};
 use super::ending::after_last;
 use super::expression::expression;
+use super::motion;
 use super::path::{end, path};
 use super::recover::{or_skip, read_setting, skip, to_semicolon};
 use super::tokens::{
@@ -32,7 +33,7 @@ pub(super) fn motor(input: ParseStream) -> Statement {
         let joint = path(input, "the name of a joint")?;
         one_motor(input, &joint)?;
         worded_speed(input)?;
-        let law = take(input, "=").map(|_| expression(input)).transpose()?;
+        let law = take(input, "=").map(|_| motion::law(input)).transpose()?;
         worded_range(input)?;
         let range = take_word(input, "in").map(|_| range(input)).transpose()?;
         let step = take_word(input, "by")

@@ -1,4 +1,4 @@
-//! Units that numbers do not have here: there is only `deg`.
+//! Units that numbers do not have here: there are only `deg` and `rpm`.
 
 use super::tokens::advance;
 use crate::syntax::ast::{Expr, ExprKind};
@@ -15,8 +15,8 @@ const LENGTHS: [&str; 9] = ["um", "mm", "cm", "dm", "m", "km", "inch", "inches",
 const OTHERS: [&str; 11] = [
     "kg", "g", "mg", "lb", "ms", "s", "sec", "N", "kN", "Nm", "Hz",
 ];
-/// Turns in a minute.
-const SPEED: &str = "rpm";
+/// Turns in a minute, in radians per second.
+pub(super) const SPEED: &str = "rpm";
 const TYPES: [&str; 6] = ["f64", "f32", "i32", "i64", "u32", "u64"];
 
 /// Takes the name of a unit.
@@ -25,7 +25,7 @@ pub(super) fn take_foreign(input: ParseStream) -> Option<Ident> {
         let (unit, rest) = cursor.ident()?;
         let text = unit.to_string();
         let lists: [&[&str]; 5] = [&DEGREES, &RADIANS, &TURNS, &LENGTHS, &OTHERS];
-        let known = text == SPEED || lists.iter().any(|list| list.contains(&text.as_str()));
+        let known = lists.iter().any(|list| list.contains(&text.as_str()));
         (known && !is_declared(rest)).then_some((unit, rest))
     })
 }
@@ -54,11 +54,6 @@ pub(super) fn trouble(number: &Expr, unit: &str, place: Place) -> Message {
     } else if OTHERS.contains(&unit) {
         format!(
             "there is no unit `{unit}`; write `{number}`, in units that fit the others, such as m, kg and s"
-        )
-    } else if unit == SPEED {
-        let turns = in_product(number);
-        format!(
-            "there is no unit `{SPEED}`; write `{turns} * 6 deg * t`, a motor's law with `t` in s"
         )
     } else if unit == "t" {
         format!(

@@ -288,6 +288,10 @@ impl Reader {
         }
         let law = body.law.iter();
         law.for_each(|law| self.number(owner, "law", law));
+        if let Some(roller) = &body.roller {
+            self.end(&roller.point, Noun::Body);
+            self.number(owner, "roller radius", &roller.radius);
+        }
         if let Some(Clause { value, .. }) = &body.at {
             self.pair(owner, "at", "", value);
         }
@@ -452,9 +456,10 @@ impl Reader {
             ExprKind::Constant(name) => {
                 self.mention(Noun::Number, name.to_string(), false, name.span());
             }
-            ExprKind::Negative(inner) | ExprKind::Degrees(inner) | ExprKind::Call(_, inner) => {
-                self.leaves(inner, literals);
-            }
+            ExprKind::Negative(inner)
+            | ExprKind::Degrees(inner)
+            | ExprKind::Rpm(inner)
+            | ExprKind::Call(_, inner) => self.leaves(inner, literals),
             ExprKind::Sum(parts) | ExprKind::Product(parts) => {
                 for (_, part) in parts {
                     self.leaves(part, literals);
@@ -464,6 +469,11 @@ impl Reader {
                 parts.iter().for_each(|part| self.leaves(part, literals));
             }
             ExprKind::Measured(measured) => self.measured(measured, literals),
+            ExprKind::Motion(motion) => {
+                for number in motion.numbers() {
+                    self.leaves(number, literals);
+                }
+            }
         }
     }
 

@@ -40,7 +40,9 @@ impl Reader {
                 }
             }
             MeasuredExpr::Place(point, _) => self.end(point, Noun::Body),
-            MeasuredExpr::Transmission(joint) => self.name(joint, Noun::Joint),
+            MeasuredExpr::Transmission(joint)
+            | MeasuredExpr::Pressure(joint)
+            | MeasuredExpr::Curvature(joint) => self.name(joint, Noun::Joint),
             MeasuredExpr::Angle(from, to) => {
                 self.name(from, Noun::Body);
                 if let Some(to) = to {

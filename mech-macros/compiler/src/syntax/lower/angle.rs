@@ -52,14 +52,16 @@ pub(super) fn is_in_degrees(expr: &Expr) -> bool {
     }
 }
 
-/// Whether what is no angle, but a length or a mass, is written in degrees. Told if so.
+/// Whether what is no angle, but a length or a mass, is written in degrees, or as a speed. Told if so.
 pub(super) fn is_angle(report: &mut Report, number: &Expr, what: &str) -> bool {
-    let is_angle = is_in_degrees(number);
-    if is_angle {
-        let text = format!("`{number}` is an angle, and this is {what}; leave `deg` out");
-        report.error(number.place, text);
-    }
-    is_angle
+    let (noun, unit) = match &number.kind {
+        ExprKind::Rpm(_) => ("a speed", "rpm"),
+        _ if is_in_degrees(number) => ("an angle", "deg"),
+        _ => return false,
+    };
+    let text = format!("`{number}` is {noun}, and this is {what}; leave `{unit}` out");
+    report.error(number.place, text);
+    true
 }
 
 fn is_zero(expr: &Expr) -> bool {

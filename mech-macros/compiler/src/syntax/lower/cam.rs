@@ -5,11 +5,11 @@ use super::draft::Draft;
 use super::ends::Joining;
 use super::path::key;
 use super::quantity::Quantity;
-use super::reader::Reader;
+use super::reader::{Argument, Nature, Reader};
 use super::{find, law, rolling};
-use crate::model::{JointId, JointKind, LinkId, Model};
+use crate::model::{AxisKind, JointId, JointKind, LinkId, Model, Roller};
 use crate::syntax::Place;
-use crate::syntax::ast::End;
+use crate::syntax::ast::{End, RollerExpr};
 
 /// A cam, if it can be understood.
 pub(super) fn cam(reader: &mut Reader, draft: &mut Draft, joining: &Joining) -> Option<JointKind> {
@@ -17,7 +17,8 @@ pub(super) fn cam(reader: &mut Reader, draft: &mut Draft, joining: &Joining) -> 
     let ends = body.ends.each_ref().map(|end| cam_end(reader, draft, end));
     let factors = ends.map(|joint| factor_of(reader, draft, joint));
     let law = body.law.as_ref();
-    let law = law.and_then(|expr| law::read(reader, draft, expr, COORDINATE, factors));
+    let nature = nature(draft, ends);
+    let law = law.and_then(|expr| law::read(reader, draft, expr, COORDINATE, factors, nature));
     let why = "shaft and its follower are where their joints are";
     joining.refuse_place(reader, why);
     let [shaft, follower] = [ends[0]?, ends[1]?];
@@ -33,6 +34,11 @@ pub(super) fn cam(reader: &mut Reader, draft: &mut Draft, joining: &Joining) -> 
         apart(reader, draft, place, shaft, follower);
         return None;
     }
+    let roller = match &body.roller {
+        Some(expr) => Some(roller(reader, draft, expr, [shaft, follower])?),
+        None => None,
+    };
+    draft.model.rollers.extend(roller);
     let law = law?;
     Some(JointKind::Cam {
         shaft,
@@ -71,6 +77,59 @@ fn factor_of(reader: &mut Reader, draft: &Draft, joint: Option<JointId>) -> Quan
         Some(_) => Quantity::fixed(reader.frame.sense()),
         None => Quantity::fixed(1.0),
     }
+}
+
+/// The roller of a cam that is about to be entered, if it can be understood.
+fn roller(
+    reader: &mut Reader,
+    draft: &mut Draft,
+    expr: &RollerExpr,
+    [shaft, follower]: [JointId; 2],
+) -> Option<Roller> {
+    let end = &expr.point;
+    let body = find::body(reader, draft, &end.link)?;
+    let carrier = draft.model.carrier_of_cam(shaft, follower)?;
+    let (own, _) = draft.model.beside(follower, carrier)?;
+    let (own, pivot) = (draft.model.axis(own).link, draft.model.axis(own).at);
+    let name = &draft.model.link(own).name;
+    let Some(point) = &end.axis else {
+        let text = format!("`{end}` is a link; a roller is at a point of `{name}`, the follower");
+        return reader.report.refuse(end.place(), text);
+    };
+    let axis = find::axis(reader, draft, body, point, Some(AxisKind::Point))?;
+    let radius = reader.length(&expr.radius, "the radius of a roller");
+    let turns = matches!(draft.model.joint(follower).kind, JointKind::Revolute(..));
+    let found = draft.model.axis(axis);
+    let text = if found.kind == AxisKind::Line {
+        format!("`{end}` is a line; a roller is at a point of `{name}`, the follower")
+    } else if found.link != own {
+        format!("`{end}` does not follow this cam; name a point of `{name}`")
+    } else if turns && found.at == pivot {
+        format!(
+            "`{name}` turns about `{end}`, so a roller there stays in its place; name another point of it"
+        )
+    } else {
+        let scale = reader.frame.scale.value?;
+        return Some(Roller {
+            cam: JointId::new(draft.model.joints.len()),
+            point: axis,
+            radius: scale * radius?.0,
+            origin: draft.places.note(end.place()),
+        });
+    };
+    reader.report.refuse(end.place(), text)
+}
+
+/// What the law of a cam between these joints is a function of, and what it gives.
+fn nature(draft: &Draft, [shaft, follower]: [Option<JointId>; 2]) -> Option<Nature> {
+    let slides = |joint| matches!(draft.model.joint(joint).kind, JointKind::Prismatic(..));
+    let of = if slides(shaft?) {
+        Argument::Length
+    } else {
+        Argument::Angle
+    };
+    let is_angle = !slides(follower?);
+    Some(Nature { of, is_angle })
 }
 
 /// Returns the word for a joint that cannot be the shaft or the follower of a cam; none for others.

@@ -8,7 +8,7 @@ use crate::syntax::{Place, spelling};
 use proc_macro2::Ident;
 
 /// Names of the language that no constant or param may take, beside those of the functions.
-const BUILT_IN: [&str; 2] = ["PI", "deg"];
+const BUILT_IN: [&str; 3] = ["PI", "deg", "rpm"];
 
 /// The name of an instance's number, where a part is used several times.
 pub(super) const INSTANCE: &str = "k";

@@ -2,10 +2,11 @@
 
 use super::constant::Passing;
 use super::draft::Draft;
+use super::motion;
 use super::quantity::Quantity;
-use super::reader::{LawReading, Reader};
+use super::reader::{LawReading, Nature, Reader};
 use crate::model::{Formula, Formulas, Law, LawId};
-use crate::syntax::ast::Expr;
+use crate::syntax::ast::{Expr, ExprKind};
 
 /// More numbers and operations than this make no law that anybody could read.
 const MOST_FORMULAS: usize = 1000;
@@ -18,6 +19,7 @@ pub(super) fn read(
     expr: &Expr,
     variable: &'static str,
     [input, output]: [Quantity; 2],
+    nature: Option<Nature>,
 ) -> Option<LawId> {
     let origin = draft.places.note(expr.place);
     let passing = Passing {
@@ -28,13 +30,17 @@ pub(super) fn read(
         input,
         formulas: Formulas::default(),
         measured: Vec::new(),
+        nature,
     };
     let mut inner = Reader {
         passing,
         law: Some(law),
         ..reader.again()
     };
-    let quantity = inner.quantity(expr)?;
+    let quantity = match &expr.kind {
+        ExprKind::Motion(motion) => motion::read(&mut inner, motion, expr.place)?,
+        _ => inner.quantity(expr)?,
+    };
     let output = inner.in_this_law(output);
     let quantity = quantity.times(output, inner.formulas());
     let mut formulas = inner.law?.formulas;

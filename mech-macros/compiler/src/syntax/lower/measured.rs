@@ -5,7 +5,7 @@ use super::name::Referent;
 use super::quantity::Quantity;
 use super::reader::{Measuring, Reader};
 use super::{coordinate, find};
-use crate::model::{self, AxisKind, Formula, LinkId, Measured, Summary};
+use crate::model::{self, AxisKind, Formula, JointId, JointKind, LinkId, Measured, Summary};
 use crate::syntax::Place;
 use crate::syntax::ast::{End, Expr, MeasuredExpr, Name, Pair, SpotExpr};
 use crate::syntax::spelling;
@@ -39,6 +39,12 @@ impl Reader<'_> {
             }
             MeasuredExpr::Transmission(joint) => {
                 model::Quantity::Transmission(Some(find::joint(self, draft, joint)?))
+            }
+            MeasuredExpr::Pressure(cam) => {
+                model::Quantity::Pressure(self.cam_with_roller(draft, cam)?)
+            }
+            MeasuredExpr::Curvature(cam) => {
+                model::Quantity::Curvature(self.cam_with_roller(draft, cam)?)
             }
             MeasuredExpr::Angle(link, None) => {
                 model::Quantity::Angle(self.moving_link(draft, link)?)
@@ -132,6 +138,19 @@ impl Reader<'_> {
             return self.report.refuse(name.place(), text);
         }
         Some(link)
+    }
+
+    /// A cam whose roller is declared.
+    fn cam_with_roller(&mut self, draft: &Draft, name: &Name) -> Option<JointId> {
+        let cam = find::joint(self, draft, name)?;
+        let text = match draft.model.joint(cam).kind {
+            JointKind::Cam { .. } if draft.model.roller_of(cam).is_some() => return Some(cam),
+            JointKind::Cam { .. } => format!(
+                "nobody knows where `{name}` is followed; add `roller LINK.POINT radius 1` to it, after its brackets"
+            ),
+            _ => format!("`{name}` is no cam; this is measured of a cam with a roller"),
+        };
+        self.report.refuse(name.place(), text)
     }
 
     fn axis(&mut self, draft: &Draft, end: &End, kind: Option<AxisKind>) -> Option<model::AxisId> {

@@ -23,6 +23,7 @@ mod link;
 mod mass;
 mod measured;
 mod method;
+mod motion;
 mod motor;
 mod name;
 mod param;

@@ -5,12 +5,12 @@ use super::constant::TIME;
 use super::coordinate::is_drawn;
 use super::draft::{Draft, WrittenMotor};
 use super::quantity::Quantity;
-use super::reader::Reader;
+use super::reader::{Argument, Nature, Reader};
 use super::report::{Report, StatementPlace};
 use super::value::format_number;
 use super::{find, law, rolling};
 use crate::model::{self, JointId, JointKind, Model, Range};
-use crate::syntax::ast::{Expr, Motor, Name, StartClause};
+use crate::syntax::ast::{Expr, ExprKind, Motor, Name, StartClause};
 
 /// The greatest relative difference between two numbers that are equal but were computed differently.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
@@ -34,8 +34,20 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, motor: &Motor) {
     let range = range(reader, draft, motor);
     let step = step(reader, motor);
     let written = motor.law.as_ref();
-    let law =
-        written.and_then(|law| law::read(reader, draft, law, TIME, [Quantity::fixed(1.0); 2]));
+    let nature = kind.map(|kind| Nature {
+        of: Argument::Time,
+        is_angle: !matches!(kind, JointKind::Prismatic(..)),
+    });
+    let factors = [Quantity::fixed(1.0); 2];
+    let law = written.and_then(|law| law::read(reader, draft, law, TIME, factors, nature));
+    if let (Some(written), Some(law)) = (written, law)
+        && let ExprKind::Rpm(_) = written.kind
+        && draft.model.law(law).is_fixed()
+    {
+        let text =
+            format!("a speed is no place: by this law it never moves; write `{written} * t`");
+        return reader.report.error(written.place, text);
+    }
     if let (Some(written), Some(law)) = (written, law)
         && is_in_degrees(written)
         && draft.model.law(law).is_fixed()

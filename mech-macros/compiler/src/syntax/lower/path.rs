@@ -99,7 +99,10 @@ fn correct(statement: &mut Statement, table: &UseTable, scope: Option<&str>) {
 fn ends(statement: &mut Statement) -> Vec<&mut End> {
     match statement {
         Statement::Joint(joint) => match &mut joint.body {
-            Ok(body) => body.ends.iter_mut().collect(),
+            Ok(body) => {
+                let roller = body.roller.iter_mut().map(|roller| &mut roller.point);
+                body.ends.iter_mut().chain(roller).collect()
+            }
             Err(_) => Vec::new(),
         },
         Statement::Spring(elastic) | Statement::Damper(elastic) => match &mut elastic.body {

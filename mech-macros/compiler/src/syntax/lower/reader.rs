@@ -50,6 +50,28 @@ pub(super) struct LawReading {
     pub(super) formulas: Formulas,
     /// What its variables stand for, if it is a requirement.
     pub(super) measured: Vec<Measured>,
+    /// What its variable and its value are, if that is known.
+    pub(super) nature: Option<Nature>,
+}
+
+/// What the variable and the value of a law are.
+#[derive(Clone, Copy)]
+pub(super) struct Nature {
+    /// What it is a function of.
+    pub(super) of: Argument,
+    /// Whether it gives an angle; else a length.
+    pub(super) is_angle: bool,
+}
+
+/// What a law is a function of.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Argument {
+    /// The time.
+    Time,
+    /// The angle of a shaft.
+    Angle,
+    /// The way of a slide.
+    Length,
 }
 
 /// What measures a mechanism.

@@ -8,11 +8,12 @@ use super::quantity::Quantity;
 use super::reader::{LawReading, Reader};
 use crate::bug::bug;
 use crate::model::{
-    Arithmetic, BinaryFunction, Case, Condition, Formula, FormulaArithmetic, Formulas, Function,
-    JointKind, Measured, MotorId, ParamId, RequiredBound, Requirement,
+    Arithmetic, BinaryFunction, Case, Condition, Dimension, Formula, FormulaArithmetic, Formulas,
+    Function, JointKind, Measured, MotorId, Number, ParamId, RequiredBound, Requirement,
 };
 use crate::syntax::Place;
 use crate::syntax::ast::{CaseExpr, ConditionExpr, Expect, Expr, Name};
+use mech_core::Staircase;
 
 /// Why numbers of a requirement may not depend on params.
 const WHY_FIXED: &str = "what is expected is proved at compile time";
@@ -163,6 +164,7 @@ fn bounds(
         input: fixed,
         formulas: Formulas::default(),
         measured: Vec::new(),
+        nature: None,
     };
     let measuring = OfDraft(draft);
     let mut inner = Reader {
@@ -327,13 +329,11 @@ fn kinds(draft: &Draft, formulas: &Formulas, measured: &[Measured]) -> Vec<Kind>
     };
     for one in measured {
         let kind = match one {
-            Measured::Quantity(quantity) => {
-                if quantity.is_angle(&draft.model) {
-                    Kind::Angle
-                } else {
-                    Kind::Length
-                }
-            }
+            Measured::Quantity(quantity) => match quantity.dimension(&draft.model) {
+                Dimension::Angle => Kind::Angle,
+                Dimension::Length => Kind::Length,
+                Dimension::Curvature => Kind::Plain,
+            },
             // Its formula is made from variables before it.
             Measured::Summary(_, of) => formulas.evaluate_one(*of, &mut arithmetic),
         };
@@ -405,6 +405,10 @@ impl FormulaArithmetic for Kinds {
             BinaryFunction::Atan2 if a.and(b) != Kind::Mixed => Kind::Angle,
             _ => a.and(b),
         }
+    }
+
+    fn stairs(&mut self, _: Staircase, _: Kind, _: Number) -> Kind {
+        Kind::Plain
     }
 }
 

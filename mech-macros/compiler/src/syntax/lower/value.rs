@@ -9,7 +9,7 @@ use crate::model::{BinaryFunction, Formula, FormulaId, Function};
 use crate::syntax::Place;
 use crate::syntax::ast::{Expr, ExprKind, Pair};
 use proc_macro2::Ident;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 impl Reader<'_> {
     /// The value of an expression: a finite number, and how it follows from params, or from the variable of the law that is read.
@@ -34,6 +34,11 @@ impl Reader<'_> {
             }
             ExprKind::Sum(terms) => self.chain(terms, Chain::Sum),
             ExprKind::Product(factors) => self.chain(factors, Chain::Product),
+            ExprKind::Rpm(inner) => {
+                let inner = self.quantity(inner)?;
+                let speed = Quantity::fixed(TAU / 60.0);
+                Some(inner.times(speed, self.formulas()))
+            }
             ExprKind::Call(function, of) => {
                 let argument = self.quantity(of)?;
                 if let (true, Some(angle)) = (function.is_of_angle(), argument.value)
@@ -52,6 +57,11 @@ impl Reader<'_> {
                 Some(measuring) => measuring.measure(self, measured, expr.place),
                 None => self.report.refuse(expr.place, "only `expect` measures"),
             },
+            ExprKind::Motion(_) => {
+                let text =
+                    "segments are a whole law of a motor or a cam; nothing is computed with them";
+                self.report.refuse(expr.place, text)
+            }
         }
     }
 
@@ -105,7 +115,13 @@ impl Reader<'_> {
     pub(super) fn constant(&mut self, name: &Ident, place: Place) -> Option<Quantity> {
         let passing = self.passing;
         if passing.variable.is_some_and(|variable| name == variable) {
-            return self.variable(name, place);
+            if self.constants().has(&name.to_string()) {
+                let text = format!(
+                    "`{name}` is the variable of this law, and a constant too; give the constant another name"
+                );
+                return self.report.refuse(place, text);
+            }
+            return Some(self.variable());
         }
         #[expect(
             clippy::cast_precision_loss,
@@ -129,20 +145,14 @@ impl Reader<'_> {
     }
 
     /// The variable of the law that is read.
-    fn variable(&mut self, name: &Ident, place: Place) -> Option<Quantity> {
-        if self.constants().has(&name.to_string()) {
-            let text = format!(
-                "`{name}` is the variable of this law, and a constant too; give the constant another name"
-            );
-            return self.report.refuse(place, text);
-        }
+    pub(super) fn variable(&mut self) -> Quantity {
         let variable = Quantity {
             value: None,
             formula: Some(self.formulas().add(Formula::Variable(0))),
         };
         let input = self.law.as_ref().map(|law| law.input);
         let input = self.in_this_law(input.unwrap_or(Quantity::fixed(1.0)));
-        Some(variable.over(input, self.formulas()))
+        variable.over(input, self.formulas())
     }
 
     /// Computes from left to right. All parts are looked at, so that all of their errors are reported.
@@ -269,15 +279,19 @@ impl Reader<'_> {
     fn first_dependent<'e>(&self, expr: &'e Expr) -> Option<&'e Ident> {
         match &expr.kind {
             ExprKind::Constant(name) => self.constants().depends(name).then_some(name),
-            ExprKind::Negative(inner) | ExprKind::Degrees(inner) | ExprKind::Call(_, inner) => {
-                self.first_dependent(inner)
-            }
+            ExprKind::Negative(inner)
+            | ExprKind::Degrees(inner)
+            | ExprKind::Rpm(inner)
+            | ExprKind::Call(_, inner) => self.first_dependent(inner),
             ExprKind::Sum(parts) | ExprKind::Product(parts) => parts
                 .iter()
                 .find_map(|(_, part)| self.first_dependent(part)),
             ExprKind::CallBoth(_, parts) => {
                 parts.iter().find_map(|part| self.first_dependent(part))
             }
+            ExprKind::Motion(motion) => motion
+                .numbers()
+                .find_map(|number| self.first_dependent(number)),
             ExprKind::Integer(_) | ExprKind::Decimal(_) | ExprKind::Pi | ExprKind::Measured(_) => {
                 None
             }
