@@ -64,6 +64,8 @@ Quantities:
   power:a                   its torque times its rate, which `--rate` gives; laws have their own
   reaction:b                the force that the first link of joint b exerts on the second; also .norm, .torque
   transmission              the transmission angles of all dyads
+  d(b, a)                   the influence coefficient: the rate of b if motor a alone moves, at a rate of 1
+  centre(crank, rod)        the instant centre of two links, or of a link and the ground; empty at infinity
   pressure(c)               the pressure angle of cam c, which has a roller
   curvature(c)              the curvature of the curve on which its middle runs; positive where it is convex
   t                         the time since the motion began

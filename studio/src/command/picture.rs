@@ -26,6 +26,9 @@ pub(super) struct Picture {
     /// Paints the symbols of joints, motors and axes over it.
     #[arg(long)]
     overlay: bool,
+    /// Writes the names of joints and links over it.
+    #[arg(long)]
+    names: bool,
     /// Paints on dark ground.
     #[arg(long)]
     night: bool,
@@ -81,6 +84,7 @@ impl Picture {
                 Looks::Shapes => Look::Shapes,
             }),
             overlay: self.overlay,
+            names: self.names,
             night: self.night,
             at: self.at.clone(),
         }

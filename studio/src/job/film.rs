@@ -70,7 +70,7 @@ impl Film {
         analysed: Analysed,
         listener: &mut dyn Listener,
     ) -> Result<Vec<u8>, Failure> {
-        let sitter = self.picture.sitter(analysed);
+        let sitter = self.picture.sitter(analysed, None);
         let Analysed { model, compiled } = &sitter.analysed;
         let motor = self.motor.as_deref();
         let drive = Drive::new(model, compiled, motor, self.span, &self.picture.at)?;

@@ -2,7 +2,7 @@
 
 use super::Analysed;
 use crate::motion::Setting;
-use crate::painting::Painting;
+use crate::painting::{Centres, Painting};
 use mech_compiler::model::Look;
 use mech_runtime::Palette;
 use mech_runtime::files::Sheet;
@@ -15,6 +15,8 @@ pub(crate) struct Picture {
     pub(crate) look: Option<Look>,
     /// Whether the symbols of joints, motors and axes are painted over it.
     pub(crate) overlay: bool,
+    /// Whether the names of joints and links are written over it.
+    pub(crate) names: bool,
     /// Whether the ground is dark.
     pub(crate) night: bool,
     pub(crate) at: Vec<Setting>,
@@ -47,13 +49,19 @@ pub(super) struct Sitter {
 }
 
 impl Picture {
-    /// The mechanism, with its look and its sheet.
-    pub(super) fn sitter(&self, mut analysed: Analysed) -> Sitter {
+    /// The mechanism, with its look and its sheet, which has room for instant centres.
+    pub(super) fn sitter(&self, mut analysed: Analysed, centres: Option<&Centres>) -> Sitter {
         let Analysed { model, compiled } = &mut analysed;
         model.look = self.look.or(model.look);
         let mut painting = Painting::new(model, compiled, self.overlay);
         if self.look == Some(Look::Diagram) {
             painting = painting.with_room_for_bodies(model, compiled);
+        }
+        if self.names {
+            painting = painting.with_names(model, compiled);
+        }
+        if let Some(centres) = centres {
+            painting = painting.with_room_for(centres.places());
         }
         let Size { width, height } = self.size;
         let size = [width, height.unwrap_or_else(|| painting.height(width))];

@@ -1,5 +1,6 @@
 //! The motion that a command gives the motors of a mechanism.
 
+mod centre;
 mod drive;
 mod mover;
 mod obstacle;
@@ -8,6 +9,7 @@ mod period;
 mod reach;
 mod setting;
 
+pub(crate) use centre::PlaneMotion;
 pub(crate) use drive::{Drive, Moment};
 pub(crate) use mover::{Mover, Ready, in_precision, place_of};
 pub(crate) use obstacle::{joints_in_the_way, motor_name, obstacle};

@@ -1,10 +1,16 @@
 //! Mechanisms that the interpreter moves, painted as their generated code would paint them.
 
+mod centres;
+mod names;
+
+pub(crate) use centres::Centres;
+
 use crate::motion::Paths;
 use mech_compiler::model::{LinkId, Look, Measure, Model};
 use mech_compiler::{Compiled, Looks, Points, Symbols, looks, symbols};
 use mech_runtime::overlay::{Overlay, Symbol};
 use mech_runtime::{Canvas, Outline, Pose, View};
+use names::Label;
 
 /// An outline of a link, with its colour and its own points.
 type Shape = mech_core::Shape<f64, Vec<[f64; 2]>>;
@@ -19,6 +25,8 @@ pub(crate) struct Painting {
     symbols: Option<(Vec<Symbol<f64>>, Option<f64>)>,
     /// Painted over everything, if it is asked for.
     diagram: Option<Vec<Symbol<f64>>>,
+    /// Written over everything, if they are asked for.
+    names: Vec<Label>,
     extent: [[f64; 2]; 2],
 }
 
@@ -73,6 +81,7 @@ impl Painting {
                 Some(Symbols::Elastic { symbols, unit }) => Some((drawn(symbols), Some(*unit))),
             },
             diagram: has_diagram.then(diagram),
+            names: Vec::new(),
             extent,
         }
     }
@@ -87,6 +96,28 @@ impl Painting {
         for part in 0..2 {
             self.extent[0][part] = self.extent[0][part].min(low[part]);
             self.extent[1][part] = self.extent[1][part].max(high[part]);
+        }
+        self
+    }
+
+    /// The same with the names of joints and links.
+    pub(crate) fn with_names(mut self, model: &Model, compiled: &Compiled) -> Self {
+        self.names = Label::of_all(model, compiled);
+        self
+    }
+
+    /// The same in a view that has room for these places, if they are not farther away than the view is large.
+    pub(crate) fn with_room_for(mut self, places: impl Iterator<Item = [f64; 2]>) -> Self {
+        let [low, high] = self.extent;
+        let size = (high[0] - low[0]).max(high[1] - low[1]);
+        let is_near = |place: &[f64; 2]| {
+            (0..2).all(|part| (low[part] - size..=high[part] + size).contains(&place[part]))
+        };
+        for place in places.filter(is_near) {
+            for (part, at) in place.into_iter().enumerate() {
+                self.extent[0][part] = self.extent[0][part].min(at);
+                self.extent[1][part] = self.extent[1][part].max(at);
+            }
         }
         self
     }
@@ -139,6 +170,9 @@ impl Painting {
         let poses = poses_of(poses);
         self.paint_look(&poses, paths, canvas);
         self.paint_diagram(&poses, &Overlay::new().axes(true), canvas);
+        for name in &self.names {
+            name.paint(&poses, canvas);
+        }
     }
 
     /// Paints shapes, traces and the symbols of the look.

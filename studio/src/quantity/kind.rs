@@ -25,6 +25,14 @@ impl Quantity {
         matches!(self.subject, Subject::Transmission(_))
     }
 
+    /// The motor whose influence it is, if it is one.
+    pub(super) fn motor(&self) -> Option<MotorId> {
+        match self.subject {
+            Subject::Influence(_, motor) => Some(motor),
+            _ => None,
+        }
+    }
+
     /// The cam whose contact it measures, if it does.
     pub(super) fn cam(&self) -> Option<JointId> {
         match self.subject {
@@ -55,6 +63,10 @@ pub(crate) enum Subject {
     Distance([Spot; 2]),
     /// The angle from one link to another.
     Between([LinkId; 2]),
+    /// The instant centre of two links.
+    Centre([LinkId; 2], Part),
+    /// The influence coefficient of a motor on something: its rate if this motor alone moves, at a rate of 1.
+    Influence(Influenced, MotorId),
     /// The power of a motor that moves so.
     Power(MotorId),
     /// The torque of a motor that makes the mechanism move so, or its force if it slides.
@@ -69,6 +81,28 @@ pub(crate) enum Subject {
     Curvature(JointId),
     /// The time since the motion began.
     Time,
+}
+
+/// What a motor moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Influenced {
+    /// A point.
+    Point(AxisId, Part),
+    /// The angle of a link in the scene.
+    Angle(LinkId),
+    /// The coordinate of a joint.
+    Coordinate(JointId),
+}
+
+impl Influenced {
+    /// Its rate.
+    pub(super) fn rate(self) -> Subject {
+        match self {
+            Self::Point(point, part) => Subject::Point(point, Order::Velocity, part),
+            Self::Angle(link) => Subject::Angle(link, Order::Velocity),
+            Self::Coordinate(joint) => Subject::Coordinate(joint, Order::Velocity),
+        }
+    }
 }
 
 /// A place from which a distance is measured.
@@ -131,6 +165,7 @@ impl Needs {
                     needs.velocity |= order >= Order::Velocity;
                     needs.acceleration |= order >= Order::Acceleration;
                 }
+                Subject::Centre(..) | Subject::Influence(..) => needs.velocity = true,
                 Subject::Torque(_)
                 | Subject::Power(_)
                 | Subject::Reaction(..)

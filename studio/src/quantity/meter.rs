@@ -6,7 +6,7 @@ use super::load::{self, Load};
 use super::position::{Position, torques};
 use super::turning::{Chain, whole_angle};
 use crate::failure::Failure;
-use crate::motion::{Drive, Moment, Mover, obstacle, place_of, turns};
+use crate::motion::{Drive, Moment, Mover, PlaneMotion, obstacle, place_of, turns};
 use mech_compiler::evaluate::Stop;
 use mech_compiler::model::{AxisId, JointId, JointKind, LinkId, Model, Precision};
 use mech_compiler::program::{self, CamContact, CamNumbers, Forces, Program};
@@ -300,6 +300,18 @@ impl<'a> Meter<'a> {
             machine.put_back(at);
             machine.motion(rates(moment)).ok()
         });
+        for motor in quantities.iter().filter_map(Quantity::motor) {
+            let rest = vec![0.0; self.model.motors.len()];
+            let mut alone = rest.clone();
+            alone[motor.index()] = 1.0;
+            let moved = self.moving.as_mut().and_then(|machine| {
+                machine.put_back(at);
+                machine.motion([&alone, &rest]).ok()
+            });
+            position
+                .influences
+                .extend(moved.map(|rates| (motor, rates)));
+        }
         for machine in self.forced.iter_mut().chain(&mut self.inertia) {
             machine.put_back(at);
             match machine.forces(rates(pushed), &self.loads) {
@@ -351,6 +363,11 @@ impl<'a> Meter<'a> {
                 Some(torque * moment.rates[0][motor.index()])
             }
             Subject::Angle(link, order) => Some(self.rate(at, link, order)?[0]),
+            Subject::Centre(links, part) => Some(part_of(self.centre(at, links)?, part)),
+            Subject::Influence(of, motor) => {
+                let alone = at.with_rates(at.influences.get(&motor)?.clone());
+                self.value(&alone, moment, of.rate())
+            }
             Subject::Coordinate(joint, Order::Place) => match self.model.motor_of(joint) {
                 Some(motor) => Some(moment.values[motor.index()]),
                 None => self.coordinate(at, joint),
@@ -370,6 +387,17 @@ impl<'a> Meter<'a> {
             Subject::Curvature(cam) => Some(self.contact(at, moment, cam)?.curvature),
             Subject::Time => Some(moment.time),
         }
+    }
+
+    /// The place in the scene at which two links move as one; none if they turn at the same rate, as it is at infinity then.
+    fn centre(&self, at: &Position, links: [LinkId; 2]) -> Option<[f64; 2]> {
+        let mut motions = [PlaneMotion::default(); 2];
+        for (motion, link) in motions.iter_mut().zip(links) {
+            let pose = at.pose(self.compiled, link)?;
+            *motion = PlaneMotion::new(self.rate(at, link, Order::Velocity)?, pose);
+        }
+        let [first, second] = motions;
+        first.centre(second)
     }
 
     /// The contact of a cam and its roller.

@@ -1,6 +1,6 @@
 //! The names of quantities: `coupler.tip.x`, `velocity:b`, `reaction:d`, `transmission`.
 
-use super::kind::{Order, Part, Quantity, Reaction, Spot, Subject};
+use super::kind::{Influenced, Order, Part, Quantity, Reaction, Spot, Subject};
 use crate::failure::Failure;
 use crate::motion::{motor_of, read_value};
 use crate::text::quoted;
@@ -27,6 +27,18 @@ pub(crate) fn quantities(
     };
     if name == TRANSMISSION {
         return transmission(model, dyads);
+    }
+    if let Some(found) = centre(model, name) {
+        return found;
+    }
+    if let Some(("d", [of, motor])) = two_ends(name) {
+        let motor = motor_of(model, motor)?;
+        let [of] = &moving(model, of, of, Order::Place)?[..] else {
+            return Err(Failure::usage(format!(
+                "`{of}` is a place; an influence is that on a number, as `d({of}.x, ...)`"
+            )));
+        };
+        return one(Subject::Influence(influenced(of.subject)?, motor));
     }
     if let Some((kind, ends)) = two_ends(name) {
         return one(match kind {
@@ -73,8 +85,38 @@ fn two_ends(name: &str) -> Option<(&str, [&str; 2])> {
         *letter == ',' && depth == 0
     });
     let (first, second) = inside.split_at(comma?.0);
-    let is_known = ["distance", "angle"].contains(&kind.trim());
+    let is_known = ["distance", "angle", "centre", "d"].contains(&kind.trim());
     is_known.then(|| (kind.trim(), [first.trim(), second[1..].trim()]))
+}
+
+/// The instant centre of `centre(l, m)`, or a part of it; none if the name is none of one.
+fn centre(model: &Model, name: &str) -> Option<Result<Vec<Quantity>, Failure>> {
+    let (stem, part) = split_part(name);
+    let ("centre", ends) = two_ends(stem)? else {
+        return None;
+    };
+    let parts = match part {
+        Some(part) => vec![("", part)],
+        None => vec![(".x", Part::X), (".y", Part::Y)],
+    };
+    let links = body_of(model, ends[0]).and_then(|first| Ok([first, body_of(model, ends[1])?]));
+    Some(links.map(|links| {
+        let quantity = |(ending, part): (&str, Part)| Quantity {
+            name: format!("{name}{ending}"),
+            subject: Subject::Centre(links, part),
+        };
+        parts.into_iter().map(quantity).collect()
+    }))
+}
+
+/// What a motor may move.
+fn influenced(subject: Subject) -> Result<Influenced, Failure> {
+    match subject {
+        Subject::Point(point, _, part) => Ok(Influenced::Point(point, part)),
+        Subject::Angle(link, _) => Ok(Influenced::Angle(link)),
+        Subject::Coordinate(joint, _) => Ok(Influenced::Coordinate(joint)),
+        _ => Err(Failure::internal("a thing that moves is none")),
+    }
 }
 
 /// The word and the cam of `pressure(c)` or `curvature(c)`.

@@ -44,6 +44,11 @@ pub(crate) fn offers(model: &Model, dyads: &[String]) -> Vec<Offer> {
         if model.motor_of(joint).is_some() {
             names.push(format!("torque:{name}"));
         }
+        for motor in model.motors.iter().filter(|motor| motor.joint != joint) {
+            if has_coordinate(model, joint) {
+                names.push(format!("d({name}, {})", model.joint(motor.joint).name));
+            }
+        }
         names.extend(["x", "y", "norm"].map(|part| format!("reaction:{name}.{part}")));
         if model.roller_of(joint).is_some() {
             names.extend([PRESSURE, CURVATURE].map(|word| format!("{word}({name})")));

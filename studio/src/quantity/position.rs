@@ -1,10 +1,11 @@
 //! All that is known where a mechanism is.
 
 use mech_compiler::Compiled;
-use mech_compiler::model::LinkId;
+use mech_compiler::model::{LinkId, MotorId};
 use mech_compiler::program::LinkRates;
 use mech_compiler::program::{self, Inertia, InverseDynamics};
 use mech_runtime::Pose;
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 /// All that is known where a mechanism is.
@@ -15,6 +16,8 @@ pub(super) struct Position {
     poses: Vec<[f64; 4]>,
     state: Vec<f64>,
     pub(super) rates: Option<LinkRates<f64>>,
+    /// The rates if one motor alone moves, at a rate of 1: of the motors that are asked for.
+    pub(super) influences: BTreeMap<MotorId, LinkRates<f64>>,
     /// The torques or forces of the motors.
     pub(super) torques: Option<Vec<f64>>,
     pub(super) forces: Option<InverseDynamics<f64>>,
@@ -30,6 +33,17 @@ impl Position {
                 .collect(),
             poses: at.poses.clone(),
             state: at.state.clone(),
+            ..Self::default()
+        }
+    }
+
+    /// The same place, with other rates and without forces.
+    pub(super) fn with_rates(&self, rates: LinkRates<f64>) -> Self {
+        Self {
+            rates: Some(rates),
+            motors: self.motors.clone(),
+            poses: self.poses.clone(),
+            state: self.state.clone(),
             ..Self::default()
         }
     }

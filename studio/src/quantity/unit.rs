@@ -1,6 +1,6 @@
 //! The units in which quantities are shown.
 
-use super::kind::{Order, Reaction, Subject};
+use super::kind::{Influenced, Order, Reaction, Subject};
 use crate::motion::turns;
 use mech_compiler::model::Model;
 
@@ -27,7 +27,24 @@ impl Units {
         let Self { length, force } = self;
         let torque = || format!("{force}·{length}");
         match subject {
-            Subject::Distance(_) => length.clone(),
+            Subject::Distance(_) | Subject::Centre(..) => length.clone(),
+            Subject::Influence(of, motor) => {
+                let above = match of {
+                    Influenced::Angle(_) => "rad",
+                    Influenced::Coordinate(joint) if turns(model, joint) => "rad",
+                    Influenced::Point(..) | Influenced::Coordinate(_) => length,
+                };
+                let below = if turns(model, model.motor(motor).joint) {
+                    "rad"
+                } else {
+                    length
+                };
+                if above == below {
+                    "1".to_owned()
+                } else {
+                    format!("{above}/{below}")
+                }
+            }
             Subject::Power(_) => format!("{}/s", torque()),
             Subject::Angle(_, order) => rate("deg", "rad", order),
             Subject::Coordinate(joint, order) if turns(model, joint) => rate("deg", "rad", order),

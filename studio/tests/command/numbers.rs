@@ -490,3 +490,65 @@ fn single_precision_is_seen_where_it_is() {
         assert!(found < Some(4), "{words}: {found:?}");
     }
 }
+
+/// The intersection of two lines, each through two points.
+fn crossing([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> [f64; 2] {
+    let (u, v) = ([b[0] - a[0], b[1] - a[1]], [d[0] - c[0], d[1] - c[1]]);
+    let part = ((c[0] - a[0]) * v[1] - (c[1] - a[1]) * v[0]) / (u[0] * v[1] - u[1] * v[0]);
+    [a[0] + part * u[0], a[1] + part * u[1]]
+}
+
+#[test]
+fn instant_centres_are_where_kennedy_has_them() {
+    let text =
+        "struct M; link crank { point a = (1, 0.5); } link rod { point b = (4, 3); } link rocker;
+joint o = revolute(ground, crank) at (0, 0); joint a = revolute(crank, rod) at (1, 0.5);
+joint b = revolute(rod, rocker) at (4, 3); joint d = revolute(ground, rocker) at (5, 0); motor o;";
+    let folder = Folder::new().with("a.mech", text);
+    let words = "table a.mech crank.a rod.b centre(rod,ground) centre(crank,rocker) centre(crank,ground) \
+        centre(rocker,rod) --from 10 --to 70 --steps 6";
+    for row in numbers(&folder.mech(words).done()) {
+        let [a, b] = [[row[1], row[2]], [row[3], row[4]]];
+        let (o, d) = ([0.0, 0.0], [5.0, 0.0]);
+        // Of the coupler on the ground, of the arms on one another, and two pins.
+        let expected = [crossing([o, a], [d, b]), crossing([o, d], [a, b]), o, b];
+        for (found, expected) in row[5..].iter().zip(expected.as_flattened()) {
+            assert!(close(*found, *expected), "{row:?}");
+        }
+    }
+    // Two links that turn as one have none, nor has a link on itself.
+    let slide =
+        "struct M; link block; joint x = prismatic(ground, block) at (0, 0) along (1, 0); motor x;";
+    let folder = folder.with("b.mech", slide);
+    let table = folder
+        .mech("table b.mech centre(block,ground).x --from 0 --to 1 --steps 1")
+        .done();
+    assert!(table.ends_with("1,\n"), "{table}");
+}
+
+/// Two cranks hold a pen: each has its influence on it, whatever the other does.
+#[test]
+fn influence_coefficients_are_slopes_by_one_motor() {
+    let text = "struct M; link left; link right; link pen { point tip = (2, 3); } link arm;
+joint a = revolute(ground, left) at (0, 0); joint b = revolute(ground, right) at (3, 0);
+joint c = revolute(left, pen) at (-1, 1.5); joint e = revolute(right, arm) at (4, 1.5);
+joint f = revolute(pen, arm) at (2, 3); motor a; motor b;";
+    let folder = Folder::new().with("a.mech", text);
+    for (moved, other) in [("a", "b"), ("b", "a")] {
+        let words = format!(
+            "table a.mech pen.tip.x f d(pen.tip.x,{moved}) d(f,{moved}) d(pen.tip.x,{other}) \
+            --motor {moved} --from 4.99 --to 5.01 --steps 2"
+        );
+        let rows = numbers(&folder.mech(&words).done());
+        let step = 0.02_f64.to_radians();
+        let slopes = [
+            (rows[2][1] - rows[0][1]) / step,
+            (rows[2][2] - rows[0][2]).to_radians() / step,
+        ];
+        assert!((rows[1][3] - slopes[0]).abs() < 1e-6, "{rows:?}");
+        assert!((rows[1][4] - slopes[1]).abs() < 1e-6, "{rows:?}");
+        assert!((rows[1][5] - slopes[0]).abs() > 0.1, "{rows:?}");
+    }
+    let refused = folder.mech("table a.mech d(pen.tip,a)").refused(2);
+    assert!(refused.contains("`pen.tip` is a place"), "{refused}");
+}

@@ -1,6 +1,6 @@
 //! `mech draw` and `mech film`: the interpreter shows what the generated code shows.
 
-use crate::run::{FOUR_BAR, Folder, mech_in, repository};
+use crate::run::{FOUR_BAR, Folder, mech_in, numbers, repository};
 use std::path::Path;
 
 /// Width and height, and red, green and blue of all pixels.
@@ -172,5 +172,56 @@ motor a;";
             .done();
         let read = |name: &str| std::fs::read(folder.path(name)).expect("a film");
         assert!(read("a.gif") == read("b.gif"), "{law}");
+    }
+}
+
+#[test]
+fn instant_centres_are_painted_where_they_are_measured() {
+    let text = "struct M; link crank; link rod; link rocker;
+joint o = revolute(ground, crank) at (0, 0); joint a = revolute(crank, rod) at (1, 0.5);
+joint b = revolute(rod, rocker) at (4, 3); joint d = revolute(ground, rocker) at (5, 0); motor o;";
+    let folder = Folder::new().with("a.mech", text);
+    let words = "table a.mech centre(ground,rod) centre(crank,rocker) --from 20 --to 21 --steps 1";
+    let row = &numbers(&folder.mech(words).done())[0];
+    folder
+        .mech("draw a.mech -o a.svg --look diagram --names --centres --at o=20")
+        .done();
+    let svg = folder.text("a.svg");
+    let part = |line: &str, name: &str| -> f64 {
+        let (_, rest) = line
+            .split_once(&format!(" {name}=\""))
+            .expect("it is there");
+        rest.split('"')
+            .next()
+            .and_then(|text| text.parse().ok())
+            .expect("a number")
+    };
+    let circles = svg
+        .split('<')
+        .filter(|one| one.starts_with("circle") && one.contains("r=\"3.5\""));
+    let dots: Vec<[f64; 2]> = circles
+        .map(|one| [part(one, "cx"), -part(one, "cy")])
+        .collect();
+    // The pins of the ground tell the scale.
+    let scale = dots.iter().map(|[x, _]| *x).fold(0.0, f64::max) / 5.0;
+    assert_eq!(dots.len(), 6, "{svg}");
+    for centre in row[1..].chunks(2) {
+        let is_there = |[x, y]: &[f64; 2]| {
+            (x / scale - centre[0]).abs() < 1e-3 && (y / scale - centre[1]).abs() < 1e-3
+        };
+        assert!(dots.iter().any(is_there), "{dots:?} {centre:?}");
+    }
+    for name in [
+        "o",
+        "a",
+        "b",
+        "d",
+        "crank",
+        "rod",
+        "rocker",
+        "ground rod",
+        "crank rocker",
+    ] {
+        assert!(svg.contains(&format!(">{name}</text>")), "{name}");
     }
 }
