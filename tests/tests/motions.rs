@@ -268,3 +268,54 @@ fn a_motor_goes_on_by_a_step_in_each_round() {
         assert!((f64::from(table.a_rate()) - rate).abs() < 1e-5, "{time}");
     }
 }
+
+#[test]
+fn motions_come_back_whatever_their_heights_are() {
+    for heights in [
+        "rise 0.1 over 1, rise 0.2 over 1, fall 0.3 over 1, dwell",
+        "rise p over 1, rise 2 * p + 1 over 1, return over 1, dwell",
+        "from p, rise p * p over 1, fall p * p over 2, dwell",
+    ] {
+        let text = format!(
+            "struct M; param p = 1.5; link disk; link lever; joint s = revolute(ground, disk) at (0, 0);
+            joint f = prismatic(ground, lever) at (0, 3) along (0, 1);
+            joint c = cam(s, f, {heights}); motor s;"
+        );
+        let law = model(&text).laws.swap_remove(0);
+        assert_eq!(law.winding(), Some(0.0), "{heights}");
+        for p in [1.5, 0.7] {
+            for turns in [-3.0, 1.0, 8.0] {
+                let off = law.at(1.3 + turns * TAU, &[p]) - law.at(1.3, &[p]);
+                assert!(off.abs() < 1e-13, "{heights}: {off:e}");
+            }
+        }
+    }
+    // One that goes on with its param is another in each turn.
+    let screw = "struct M; param p = 1.5; link disk; link lever; joint s = revolute(ground, disk) at (0, 0);
+        joint f = prismatic(ground, lever) at (0, 3) along (0, 1); joint c = cam(s, f, p * q); motor s;";
+    assert_eq!(model(screw).laws[0].winding(), None);
+}
+
+/// A cam that a stranger wrote with minima, maxima and remainders, for want of segments.
+#[test]
+fn segments_are_what_a_stranger_spelt_out() {
+    let law = |law: &str| {
+        let text = format!(
+            "struct M; const beta = 120 deg; link disk; link lever; joint s = revolute(ground, disk) at (0, 0);
+            joint f = prismatic(ground, lever) at (0, 3) along (0, 1); joint c = cam(s, f, {law}); motor s;"
+        );
+        model(&text).laws.swap_remove(0)
+    };
+    let spelt_out = law("min(mod(q, 2 * PI), beta) / beta - sin(2 * PI * min(mod(q, 2 * PI), beta) / beta) / (2 * PI)
+        - max(0, min(mod(q, 2 * PI) - 180 deg, beta)) / beta
+        + sin(2 * PI * max(0, min(mod(q, 2 * PI) - 180 deg, beta)) / beta) / (2 * PI)");
+    let said = law("rise 1 over beta, dwell 60 deg, return over beta, dwell");
+    for step in -500..500 {
+        let angle = 0.0217 * f64::from(step);
+        let [found, expected] = [&said, &spelt_out].map(|law| law.at(angle, &[]));
+        assert!(
+            (found - expected).abs() < 1e-14,
+            "{angle}: {found} {expected}"
+        );
+    }
+}

@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 
 /// The law of a segment that names none.
 const USUAL: MotionLaw = MotionLaw::Cycloidal;
-/// Angles that differ less are one.
+/// Angles that differ less are one, and heights of which no more is left than this part.
 const SLACK: f64 = 1e-9;
 /// Why a number of a motion may not depend on a param.
 const WHY_FIXED: &str = "what a segment takes stays as it is; its height may depend on one";
@@ -68,15 +68,9 @@ pub(super) fn read(reader: &mut Reader, motion: &MotionExpr, place: Place) -> Op
     let begin = begin?;
     let spans = spans.into_iter().collect::<Option<Vec<f64>>>()?;
     let heights = heights.into_iter().collect::<Option<Vec<Quantity>>>()?;
-    let (climbs, sum) = climbs(reader, &motion.segments, &spans, &heights)?;
+    let (climbs, rest) = climbs(reader, &motion.segments, &spans, &heights)?;
     let total: f64 = spans.iter().sum();
-    let round = round(
-        reader,
-        motion,
-        nature,
-        [total, sum.value.unwrap_or(0.0)],
-        place,
-    )?;
+    let round = round(reader, motion, nature, [total, rest], place)?;
     let mut value = begin;
     for climb in climbs {
         let stairs = stairs(reader, &climb, round);
@@ -86,14 +80,22 @@ pub(super) fn read(reader: &mut Reader, motion: &MotionExpr, place: Place) -> Op
     Some(value)
 }
 
-/// The segments that move, and how far all of them go together.
+/// The segments that move, and how far all of them go together at the start.
 fn climbs(
     reader: &mut Reader,
     segments: &[SegmentExpr],
     spans: &[f64],
     heights: &[Quantity],
-) -> Option<(Vec<Climb>, Quantity)> {
+) -> Option<(Vec<Climb>, f64)> {
     let (mut at, mut sum) = (0.0, Quantity::fixed(0.0));
+    let sizes = heights.iter().filter_map(|height| height.value);
+    let all: f64 = sizes.map(f64::abs).sum();
+    // Zero where only rounding is left.
+    let far = |sum: Quantity| {
+        sum.value
+            .filter(|sum| sum.abs() > SLACK * all)
+            .unwrap_or(0.0)
+    };
     let mut climbs = Vec::new();
     let last = segments.len() - 1;
     for (number, (segment, &span)) in segments.iter().zip(spans).enumerate() {
@@ -104,7 +106,7 @@ fn climbs(
                 return reader.report.refuse(segment.place, text);
             }
             Way::Dwell => None,
-            Way::Return if sum.value == Some(0.0) => {
+            Way::Return if far(sum) == 0.0 => {
                 let text =
                     "it is where it began already; write `dwell` here, or a `rise` before it";
                 return reader.report.refuse(segment.place, text);
@@ -126,7 +128,7 @@ fn climbs(
         }
         at += span;
     }
-    Some((climbs, sum))
+    Some((climbs, far(sum)))
 }
 
 /// A number of a motion outside of its law: without the law's variable.
