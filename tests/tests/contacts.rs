@@ -212,3 +212,25 @@ fn contacts_are_proved_up_to_their_extremes() {
         }
     }
 }
+
+#[test]
+fn contacts_that_a_param_moves_are_not_proved() {
+    for (x, is_proved) in [("3", true), ("p", false)] {
+        let text = format!(
+            "struct M; param p = 3; link disk; link lever {{ point foot = ({x}, 0); }}
+            joint s = revolute(ground, disk) at (0, 0); joint f = prismatic(ground, lever) at (3, 0) along (1, 0);
+            joint c = cam(s, f, rise 1 over 2, return over 2, dwell) roller lever.foot radius 0.5; motor s;
+            expect pressure(c) < 60 deg;"
+        );
+        let analysis = analyse(text.parse::<TokenStream>().expect("tokens")).prove();
+        let said = analysis
+            .result
+            .err()
+            .map(|faults| faults.messages[0].text.clone());
+        assert_eq!(said.is_none(), is_proved, "{said:?}");
+        assert!(
+            is_proved || said.is_some_and(|said| said.contains("param `p`")),
+            "{text}"
+        );
+    }
+}

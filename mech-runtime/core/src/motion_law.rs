@@ -261,6 +261,7 @@ impl Staircase {
     /// assert_eq!(stairs.at(2.25, 0.5), 2.5);
     /// assert_eq!(stairs.at(2.5, 0.5), 3.0);
     /// ```
+    #[inline]
     #[must_use]
     pub fn at<T: Real>(self, place: T, share: T) -> T {
         let step = if self.repeats { floor(place) } else { T::ZERO };
@@ -283,6 +284,7 @@ impl Staircase {
 }
 
 /// The greatest whole number that is not greater.
+#[inline]
 fn floor<T: Real>(of: T) -> T {
     let near = of.round();
     if near > of { near - T::ONE } else { near }

@@ -23,6 +23,28 @@ impl Model {
         self.rollers.iter().find(|roller| roller.cam == cam)
     }
 
+    /// The axes that place a cam and its roller.
+    #[must_use]
+    pub fn axes_of_contact(&self, cam: JointId) -> Vec<AxisId> {
+        let mut axes: Vec<AxisId> = self
+            .roller_of(cam)
+            .map(|roller| roller.point)
+            .into_iter()
+            .collect();
+        if let JointKind::Cam {
+            shaft, follower, ..
+        } = self.joint(cam).kind
+        {
+            let joints = [shaft, follower].into_iter();
+            axes.extend(
+                joints
+                    .filter_map(|joint| self.joint(joint).kind.axes())
+                    .flatten(),
+            );
+        }
+        axes
+    }
+
     /// Of the axes of a joint, the one that is not on its carrier. With it 1 if the joint is declared from the carrier, else −1.
     #[must_use]
     pub fn beside(&self, joint: JointId, carrier: LinkId) -> Option<(AxisId, f64)> {

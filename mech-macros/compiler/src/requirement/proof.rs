@@ -85,6 +85,9 @@ fn refuse_params(model: &Model, requirement: &Requirement) -> Result<(), Require
                 });
                 axes.collect()
             }
+            Measured::Quantity(Quantity::Pressure(cam) | Quantity::Curvature(cam)) => {
+                model.axes_of_contact(cam)
+            }
             _ => Vec::new(),
         });
     if axes.any(depends) {
