@@ -57,6 +57,7 @@ Quantities:
   coupler                   the angle of link coupler in the scene
   coupler.tip               both coordinates of a point; coupler.tip.x is one of them
   distance(p.a, q.b)        the distance of two points, also of a place, as (1, 2)
+  clear(bucket, boom)       the least distance of what is painted of two links; zero where they overlap
   angle(crank, coupler)     the angle from one link to another
   velocity:coupler.tip      its velocity; also of a joint or a link; .x, .y and .norm are parts of it
   acceleration:coupler.tip  its acceleration

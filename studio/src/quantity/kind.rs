@@ -61,6 +61,8 @@ pub(crate) enum Subject {
     Coordinate(JointId, Order),
     /// The distance of two places.
     Distance([Spot; 2]),
+    /// The least distance of the shapes of two links.
+    Clearance([LinkId; 2]),
     /// The angle from one link to another.
     Between([LinkId; 2]),
     /// The instant centre of two links.
@@ -174,6 +176,7 @@ impl Needs {
                 }
                 Subject::Distance(_)
                 | Subject::Between(_)
+                | Subject::Clearance(_)
                 | Subject::Pressure(_)
                 | Subject::Curvature(_)
                 | Subject::Time => {}

@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::motion::{Drive, Moment, Mover, PlaneMotion, obstacle, place_of, turns};
 use mech_compiler::evaluate::Stop;
 use mech_compiler::model::{AxisId, JointId, JointKind, LinkId, Model, Precision};
-use mech_compiler::program::{self, CamContact, CamNumbers, Forces, Program};
+use mech_compiler::program::{self, CamContact, CamNumbers, Forces, Program, clearance};
 use mech_compiler::{Compiled, compile};
 use mech_runtime::{Acceleration, Velocity};
 use std::collections::BTreeMap;
@@ -355,6 +355,13 @@ impl<'a> Meter<'a> {
                 });
                 let ([x, y], [to_x, to_y]) = (from?, to?);
                 Some((to_x - x).hypot(to_y - y))
+            }
+            Subject::Clearance(links) => {
+                let pose = |link| {
+                    let pose = at.pose(self.compiled, link)?;
+                    Some([pose.cos, pose.sin, pose.x, pose.y])
+                };
+                clearance(self.model, links, [pose(links[0])?, pose(links[1])?])
             }
             Subject::Angle(link, Order::Place) => self.angle(at, link),
             Subject::Between([from, to]) => Some(self.angle(at, to)? - self.angle(at, from)?),

@@ -6,6 +6,7 @@ use crate::motion::{motor_of, read_value};
 use crate::text::quoted;
 use mech_compiler::model::{AxisId, AxisKind, JointId, JointKind, LinkId, Model};
 use mech_compiler::plan::Plan;
+use mech_compiler::program::clearance;
 
 /// The words before a colon.
 const KINDS: [&str; 5] = ["velocity", "acceleration", "torque", "power", "reaction"];
@@ -43,6 +44,7 @@ pub(crate) fn quantities(
     if let Some((kind, ends)) = two_ends(name) {
         return one(match kind {
             "distance" => Subject::Distance([spot(model, ends[0])?, spot(model, ends[1])?]),
+            "clear" => Subject::Clearance(bodies(model, ends)?),
             _ => Subject::Between([body_of(model, ends[0])?, body_of(model, ends[1])?]),
         });
     }
@@ -85,7 +87,7 @@ fn two_ends(name: &str) -> Option<(&str, [&str; 2])> {
         *letter == ',' && depth == 0
     });
     let (first, second) = inside.split_at(comma?.0);
-    let is_known = ["distance", "angle", "centre", "d"].contains(&kind.trim());
+    let is_known = ["distance", "clear", "angle", "centre", "d"].contains(&kind.trim());
     is_known.then(|| (kind.trim(), [first.trim(), second[1..].trim()]))
 }
 
@@ -152,6 +154,18 @@ fn spot(model: &Model, name: &str) -> Result<Spot, Failure> {
         model.axis(id).kind == AxisKind::Point && point_name(model, id).as_deref() == Some(name)
     });
     found.map(Spot::Point).ok_or_else(|| unknown(model, name))
+}
+
+/// Two links whose shapes have a distance.
+fn bodies(model: &Model, ends: [&str; 2]) -> Result<[LinkId; 2], Failure> {
+    let links = [body_of(model, ends[0])?, body_of(model, ends[1])?];
+    match clearance(model, links, [[1.0, 0.0, 0.0, 0.0]; 2]) {
+        Some(_) => Ok(links),
+        None => Err(Failure::usage(format!(
+            "a clearance is that of circles, rings, bars and polygons; one of {} has none, or a figure",
+            quoted(ends.iter())
+        ))),
+    }
 }
 
 /// A link, or the ground.

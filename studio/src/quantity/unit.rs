@@ -27,7 +27,7 @@ impl Units {
         let Self { length, force } = self;
         let torque = || format!("{force}·{length}");
         match subject {
-            Subject::Distance(_) | Subject::Centre(..) => length.clone(),
+            Subject::Distance(_) | Subject::Clearance(_) | Subject::Centre(..) => length.clone(),
             Subject::Influence(of, motor) => {
                 let above = match of {
                     Influenced::Angle(_) => "rad",

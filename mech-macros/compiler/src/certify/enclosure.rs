@@ -76,6 +76,11 @@ impl<'p> Enclosure<'p> {
         self.tape.middle(value)
     }
 
+    /// The mean of a value over the values of a motor on the last box, wherever the others are.
+    pub(crate) fn mean(&self, value: Value, motor: usize) -> Interval {
+        self.tape.mean(value, motor)
+    }
+
     /// The cost of one run, in intervals.
     pub(crate) fn cost(&self) -> usize {
         self.tape.cost()

@@ -70,6 +70,13 @@ impl Forms {
         Interval::point(self.middles[step]) + around
     }
 
+    /// The mean of a step over the values of a motor: what is linear in these is as often above its middle as below.
+    pub(super) fn mean(&self, step: usize, motor: usize) -> Interval {
+        let own = self.row(step)[motor].abs();
+        let radius = rounded_up(self.radii[step], self.motors) - own;
+        Interval::point(self.middles[step]) + Interval::new(-radius, radius)
+    }
+
     /// All values of a − factor · b.
     pub(super) fn difference(&self, a: Operand, b: Operand, factor: f64) -> Interval {
         let natural = a.range - Interval::point(factor) * b.range;

@@ -191,6 +191,13 @@ impl<'p> Tape<'p> {
         self.values[value.index()]
     }
 
+    /// Its mean over the values of a motor there, wherever the others are.
+    pub(super) fn mean(&self, value: Value, motor: usize) -> Interval {
+        let range = self.value(value);
+        let step = self.steps[value.index()];
+        step.map_or(range, |step| range.meet(self.forms.mean(step, motor)))
+    }
+
     /// The same at the middle of that box.
     pub(super) fn middle(&self, value: Value) -> Interval {
         self.middles[value.index()]

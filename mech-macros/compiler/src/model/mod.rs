@@ -4,6 +4,7 @@
 //! maps back to where it was declared.
 
 mod action;
+mod boundary;
 mod drawing;
 mod effects;
 mod figure;
@@ -31,6 +32,7 @@ mod start;
 mod trace;
 
 pub use action::{Actions, Between, Damper, Load, LoadKind, Spring};
+pub(crate) use boundary::{Boundary, Corner, Curve};
 pub(crate) use drawing::{DrawnAxis, FORWARD};
 pub use effects::Effects;
 pub use figure::Figure;

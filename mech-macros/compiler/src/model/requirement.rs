@@ -73,6 +73,8 @@ pub enum Measured {
     Quantity(Quantity),
     /// A number that the whole motion gives.
     Summary(Summary, FormulaId),
+    /// How fast something changes with a motor, while all others stand: an influence coefficient.
+    Influence(FormulaId, MotorId),
 }
 
 /// A number that the position of a mechanism gives, in radians or scene units.
@@ -91,6 +93,8 @@ pub enum Quantity {
     Y(AxisId),
     /// The distance of two places, or of a place and a line.
     Distance([Spot; 2]),
+    /// The least distance of the shapes of two links: zero where they overlap.
+    Clearance([LinkId; 2]),
     /// The transmission angle: of the dyad that finds the coordinate of this joint, or without one of each dyad.
     Transmission(Option<JointId>),
     /// The pressure angle of a cam that has a roller.
@@ -122,7 +126,7 @@ impl Quantity {
             Self::Angle(_) | Self::AngleBetween(_) | Self::Transmission(_) | Self::Pressure(_) => {
                 Dimension::Angle
             }
-            Self::X(_) | Self::Y(_) | Self::Distance(_) => Dimension::Length,
+            Self::X(_) | Self::Y(_) | Self::Distance(_) | Self::Clearance(_) => Dimension::Length,
             Self::Curvature(_) => Dimension::Curvature,
         }
     }
@@ -139,7 +143,7 @@ pub enum Spot {
 }
 
 /// A number that the whole motion gives.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Summary {
     /// The least value.
@@ -148,4 +152,12 @@ pub enum Summary {
     Max,
     /// The difference of the two.
     Swing,
+    /// The mean over equal steps of the motor.
+    Mean,
+    /// The root of the mean square, over the same.
+    Rms,
+    /// How much longer the slower way between least and greatest takes than the quicker one, if the motor turns evenly.
+    TimeRatio,
+    /// The longest way of the motor on which the value stays within this width.
+    Dwell(f64),
 }

@@ -3,12 +3,13 @@
 use super::Program;
 use super::build::{Seed, Tangents};
 use super::builder::SsaBuilder;
+use super::clearance::{corners, gap};
 use super::contact::{Contact, Guide, Pressed};
 use super::node::{Op, Slot, Value};
 use crate::bug::bug;
 use crate::model::{
-    AxisId, AxisKind, InputId, JointId, JointKind, LinkId, Measured, Model, Quantity, Requirement,
-    Spot,
+    AxisId, AxisKind, Boundary, InputId, JointId, JointKind, LinkId, Measured, Model, Quantity,
+    Requirement, Spot,
 };
 use crate::plan::{Algebra, Arithmetic, Dyad};
 
@@ -24,6 +25,17 @@ pub(crate) struct Gauge {
     pub(crate) summaries: Vec<Option<usize>>,
 }
 
+/// The detail of a mechanism that a requirement is about, where it is about each of several.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Detail {
+    /// It is about all of it.
+    Whole,
+    /// The dyad of this number.
+    Dyad(usize),
+    /// The corner of this number, of two bodies that keep clear.
+    Corner(usize),
+}
+
 /// An angle over whole turns: a reference, and the angle from there.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct GaugedAngle {
@@ -37,12 +49,13 @@ pub(crate) struct GaugedAngle {
 
 impl Gauge {
     /// Adds what a requirement measures to a program that finds the poses of all links in closed form; nothing if it asks for a dyad
-    /// that there is not. `dyad` finds the loop whose transmission angle is meant.
+    /// that there is not.
     pub(crate) fn new(
         model: &Model,
         program: &Program,
         requirement: &Requirement,
-        dyad: impl Fn(Option<JointId>) -> Option<usize>,
+        detail: Detail,
+        dyad_of: impl Fn(JointId) -> Option<usize>,
     ) -> Option<Self> {
         let mut measures = Measures {
             model,
@@ -54,9 +67,26 @@ impl Gauge {
         for measured in &requirement.measured {
             let (value, state) = match *measured {
                 Measured::Quantity(Quantity::Transmission(joint)) => {
-                    (measures.transmission(dyad(joint)?)?, None)
+                    let dyad = match (joint, detail) {
+                        (Some(joint), _) => dyad_of(joint)?,
+                        (None, Detail::Dyad(dyad)) => dyad,
+                        (None, _) => bug!("no dyad is chosen of all"),
+                    };
+                    (measures.transmission(dyad)?, None)
+                }
+                Measured::Quantity(Quantity::Clearance(links)) => {
+                    let Detail::Corner(corner) = detail else {
+                        bug!("no corner is chosen of all");
+                    };
+                    (measures.clearance(links, corner)?, None)
                 }
                 Measured::Quantity(quantity) => (measures.quantity(quantity), None),
+                Measured::Influence(of, motor) => {
+                    let value = requirement.formulas.evaluate_one(of, &mut measures.ssa);
+                    let seed = Seed::Alone(motor.index());
+                    let mut tangents = Tangents::new(seed, model.motors.len());
+                    (tangents.of_all_up_to(&mut measures.ssa, value), None)
+                }
                 Measured::Summary(..) => {
                     let carried = measures.ssa.carry(0.0);
                     (carried.last, Some(carried.index))
@@ -129,7 +159,9 @@ impl Measures<'_> {
             Quantity::X(axis) => self.point(axis)[0],
             Quantity::Y(axis) => self.point(axis)[1],
             Quantity::Distance(spots) => self.distance(spots),
-            Quantity::Transmission(_) => bug!("a transmission angle is that of a dyad"),
+            Quantity::Transmission(_) | Quantity::Clearance(_) => {
+                bug!("this is measured of a dyad, or of a corner")
+            }
             Quantity::Pressure(cam) => {
                 let pressed = self.pressed(cam);
                 let ssa = &mut self.ssa;
@@ -226,6 +258,28 @@ impl Measures<'_> {
         }
         let square = self.ssa.dot(between, between);
         self.ssa.sqrt(square)
+    }
+
+    /// The distance of a corner of two bodies from the other body.
+    fn clearance(&mut self, links: [LinkId; 2], number: usize) -> Option<Value> {
+        let [Some(first), Some(second)] = links.map(|link| Boundary::of(self.model, link)) else {
+            return None;
+        };
+        let boundaries = [first, second];
+        let (own, corner) = *corners(&boundaries).get(number)?;
+        let [cos, sin, x, y] = self.pose(links[own]);
+        let [other_cos, other_sin, other_x, other_y] = self.pose(links[1 - own]);
+        let curves = &boundaries[1 - own].curves;
+        let gap = gap(&mut self.ssa, corner, curves, |ssa, at| {
+            let arm = ssa.vector(at);
+            let arm = ssa.rotate([cos, sin], arm);
+            let place = ssa.plus([x, y], arm);
+            let between = ssa.minus(place, [other_x, other_y]);
+            let back = ssa.conjugate([other_cos, other_sin]);
+            ssa.rotate(back, between)
+        })?;
+        let zero = self.ssa.constant(0.0);
+        Some(self.ssa.max(gap, zero))
     }
 
     /// The contact of a cam and its roller.

@@ -70,6 +70,24 @@ impl Words<'_> {
                      or the condition values, as `for {name} in LOW ..= HIGH`"
                 )
             }
+            RequirementTrouble::SeveralMotors { motors } => {
+                let names = motors.iter();
+                let names =
+                    names.map(|motor| &self.model.joint(self.model.motor(*motor).joint).name);
+                let names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
+                let name = names.last().map_or("MOTOR", |name| name.trim_matches('`'));
+                format!(
+                    "{not_proved}: it sums up the way of one motor, and {} have a part in it\nhelp: say where all but one stand, as `at {name} = VALUE`",
+                    names.join(", ")
+                )
+            }
+            RequirementTrouble::NotToAndFro { motor } => {
+                let name = &self.model.joint(self.model.motor(*motor).joint).name;
+                format!(
+                    "`{written}` is about a way there and back, and there is none: a time ratio takes whole turns of motor `{name}`, and one greatest \
+                     and one least place in them"
+                )
+            }
             RequirementTrouble::Endless { motor } => {
                 let name = &self.model.joint(self.model.motor(*motor).joint).name;
                 format!(
@@ -97,6 +115,11 @@ impl Words<'_> {
         let requirement = &self.model.requirements[number];
         let written = &requirement.written;
         let places: Vec<String> = witness.places.iter().map(|at| self.at_values(at)).collect();
+        let places = if places.is_empty() {
+            String::new()
+        } else {
+            format!(" {}", places.join(" and "))
+        };
         let of = if witness.unknowns.is_empty() {
             String::new()
         } else {
@@ -112,9 +135,8 @@ impl Words<'_> {
             format!("\nhelp: it is {sign} {proved}, wherever the motors are")
         });
         format!(
-            "`{written}` does not hold{why}: it is {} {}{of}{}",
+            "`{written}` does not hold{why}: it is {}{places}{of}{}",
             self.measured(number, witness.value, None),
-            places.join(" and "),
             limit.unwrap_or_default()
         )
     }

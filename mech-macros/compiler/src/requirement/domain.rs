@@ -255,7 +255,7 @@ pub(super) fn round_of(
 }
 
 /// Tests whether a motor turns, and may go right round.
-fn is_turning(model: &Model, motor: MotorId) -> bool {
+pub(super) fn is_turning(model: &Model, motor: MotorId) -> bool {
     let joint = model.motor(motor).joint;
     matches!(model.joint(joint).kind, JointKind::Revolute(..))
 }

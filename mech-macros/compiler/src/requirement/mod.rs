@@ -5,6 +5,8 @@
 //! time, from the start.
 
 mod bound;
+mod course;
+mod details;
 mod domain;
 mod proof;
 mod search;
@@ -61,7 +63,7 @@ fn prove_one(
         Condition::Turns(motor) => turn::prove(model, compiled, *motor),
         Condition::Bounds {
             subject, bounds, ..
-        } => proof::prove(model, compiled, requirement, (*subject, bounds)),
+        } => details::prove(model, compiled, requirement, (*subject, bounds)),
     }
 }
 

@@ -1,19 +1,19 @@
 //! The proof of a condition, or a place where it does not hold.
 
-use super::Proof;
 use super::bound::{Bound, Limit};
-use super::domain::{Ranges, ranges};
+use super::course::Course;
+use super::domain::{Ranges, is_turning, ranges};
 use super::search::{BUDGET, Goal, Search};
 use super::sides::{Way, subsets, turns_until_back};
 use crate::certify::{Interval, Sources, side_changes};
 use crate::compiled::Compiled;
 use crate::evaluate::Machine;
 use crate::model::{
-    AxisId, Condition, FormulaId, JointId, Measured, Model, MotorId, Quantity, RequiredBound,
-    Requirement, Spot, Summary,
+    Condition, FormulaId, JointId, LinkId, Measured, Model, MotorId, Quantity, RequiredBound,
+    Requirement, Summary,
 };
 use crate::plan::Loop;
-use crate::program::{BlockId, Gauge, Position, Program, Value};
+use crate::program::{BlockId, Detail, Gauge, Position, Program, Value, clearance};
 use crate::structure::{RequirementTrouble, Witness};
 
 /// A number that sums up the motion is known well enough if this part of it is open.
@@ -31,77 +31,12 @@ const MOST_SIDES: usize = 4;
 /// The difference between a link where it was proved to be and where it goes.
 const ELSEWHERE: f64 = 1e-6;
 
-/// Proves that bounds are kept wherever the motors may be.
-pub(super) fn prove(
-    model: &Model,
-    compiled: &Compiled,
-    requirement: &Requirement,
-    bounds: (FormulaId, &[RequiredBound]),
-) -> Result<Proof, RequirementTrouble> {
-    refuse_params(model, requirement)?;
-    let is_of_all =
-        |measured: &Measured| *measured == Measured::Quantity(Quantity::Transmission(None));
-    let mut dyads: Vec<Option<usize>> = vec![None];
-    if requirement.measured.iter().any(is_of_all) {
-        dyads = (0..compiled.plan.loops().count()).map(Some).collect();
-        if dyads.is_empty() {
-            return Err(RequirementTrouble::NoDyad {
-                unknowns: Vec::new(),
-            });
-        }
-    }
-    let mut effort = 0;
-    for dyad in dyads {
-        let case = Case {
-            model,
-            compiled,
-            requirement,
-            dyad,
-        };
-        effort += case.prove(bounds)?;
-    }
-    Ok(Proof { effort })
-}
-
-/// Refuses what params place.
-fn refuse_params(model: &Model, requirement: &Requirement) -> Result<(), RequirementTrouble> {
-    let Some(param) = model.params.ids().next() else {
-        return Ok(());
-    };
-    let depends = |axis: AxisId| {
-        let axis = model.axis(axis);
-        let mut formulas = axis.formulas.iter().chain(&axis.direction_formulas);
-        formulas.any(Option::is_some)
-    };
-    let mut axes = requirement
-        .measured
-        .iter()
-        .flat_map(|measured| match *measured {
-            Measured::Quantity(Quantity::X(axis) | Quantity::Y(axis)) => vec![axis],
-            Measured::Quantity(Quantity::Distance(spots)) => {
-                let axes = spots.iter().filter_map(|spot| match spot {
-                    Spot::Axis(axis) => Some(*axis),
-                    Spot::At(_) => None,
-                });
-                axes.collect()
-            }
-            Measured::Quantity(Quantity::Pressure(cam) | Quantity::Curvature(cam)) => {
-                model.axes_of_contact(cam)
-            }
-            _ => Vec::new(),
-        });
-    if axes.any(depends) {
-        return Err(RequirementTrouble::Varies { param });
-    }
-    Ok(())
-}
-
-/// A condition, for one dyad if it is about each.
-struct Case<'a> {
-    model: &'a Model,
-    compiled: &'a Compiled,
-    requirement: &'a Requirement,
-    dyad: Option<usize>,
+/// A condition, for one detail if it is about each.
+pub(super) struct Case<'a> {
+    pub(super) model: &'a Model,
+    pub(super) compiled: &'a Compiled,
+    pub(super) requirement: &'a Requirement,
+    pub(super) detail: Detail,
 }
 
 /// What is searched through.
@@ -113,7 +48,7 @@ struct Field<'a> {
 
 impl Case<'_> {
     /// Proves it; gives the intervals that were computed.
-    fn prove(
+    pub(super) fn prove(
         &self,
         (subject, bounds): (FormulaId, &[RequiredBound]),
     ) -> Result<usize, RequirementTrouble> {
@@ -123,11 +58,15 @@ impl Case<'_> {
             requirement,
             ..
         } = *self;
-        let gauge = Gauge::new(model, &compiled.program, requirement, |joint| {
-            self.dyad_of(joint)
-        });
+        let gauge = Gauge::new(
+            model,
+            &compiled.program,
+            requirement,
+            self.detail,
+            |joint| self.dyad_of(joint),
+        );
         let Some(mut gauge) = gauge else {
-            let unknowns = self.unknowns(self.dyad);
+            let unknowns = self.unknowns();
             return Err(RequirementTrouble::NoDyad { unknowns });
         };
         let mut found = subjects(requirement, &gauge, (subject, bounds));
@@ -140,6 +79,9 @@ impl Case<'_> {
         found.sort_unstable();
         found.dedup();
         let mut ranges = ranges(model, compiled, requirement, &gauge, &found)?;
+        if self.detail == Detail::Corner(0) {
+            self.refuse_overlap(&ranges)?;
+        }
         let mut crossing = side_changes(&gauge.program, &found, ranges.touching.as_deref());
         crossing.sort_unstable();
         if crossing.len() > MOST_SIDES {
@@ -179,6 +121,37 @@ impl Case<'_> {
         Ok(searches.iter().map(Search::spent).sum())
     }
 
+    /// Refuses bodies that overlap where their motion begins. Later ones would touch first.
+    fn refuse_overlap(&self, ranges: &Ranges) -> Result<(), RequirementTrouble> {
+        let program = &self.compiled.program;
+        let place = ranges.nearest(&program.start.motors);
+        let position = visit(program, &place).ok_or(RequirementTrouble::TooHard)?;
+        let pose = |link: LinkId| match program.place_of(link) {
+            Some(number) => position.poses[number],
+            None => [1.0, 0.0, 0.0, 0.0],
+        };
+        let overlap = self
+            .requirement
+            .measured
+            .iter()
+            .any(|measured| match measured {
+                Measured::Quantity(Quantity::Clearance(links)) => {
+                    clearance(self.model, *links, links.map(pose)) == Some(0.0)
+                }
+                _ => false,
+            });
+        if !overlap {
+            return Ok(());
+        }
+        Err(RequirementTrouble::Fails(Witness {
+            value: 0.0,
+            is_upper: false,
+            proved: None,
+            places: vec![at(ranges, &place)],
+            unknowns: Vec::new(),
+        }))
+    }
+
     /// Finds the way of the only motor that has a part, if loops change their side on it. A motor that goes round gets as many turns as it
     /// takes until all loops are back on their sides.
     fn find_way(
@@ -202,16 +175,17 @@ impl Case<'_> {
     }
 
     /// The loop whose transmission angle is meant.
-    fn dyad_of(&self, joint: Option<JointId>) -> Option<usize> {
-        let Some(joint) = joint else {
-            return self.dyad;
-        };
+    fn dyad_of(&self, joint: JointId) -> Option<usize> {
         let mut loops = self.compiled.plan.loops();
         loops.position(|ring| ring.unknowns().contains(&joint))
     }
 
-    fn unknowns(&self, dyad: Option<usize>) -> Vec<JointId> {
-        let ring = dyad.and_then(|number| self.compiled.plan.loops().nth(number));
+    /// The unknown joints of the loop that it is about, if it is about one.
+    fn unknowns(&self) -> Vec<JointId> {
+        let Detail::Dyad(number) = self.detail else {
+            return Vec::new();
+        };
+        let ring = self.compiled.plan.loops().nth(number);
         ring.map_or(Vec::new(), Loop::unknowns)
     }
 
@@ -234,7 +208,7 @@ impl Case<'_> {
                 None => return Err(RequirementTrouble::TooHard),
             }
         }
-        let mut places = Vec::new();
+        let mut places = None;
         let measured = self.requirement.measured.iter().zip(&gauge.summaries);
         for (measured, state) in measured {
             if let (Measured::Summary(summary, of), Some(state)) = (measured, state) {
@@ -243,13 +217,13 @@ impl Case<'_> {
                 for search in &mut *searches {
                     search.put(*state, summed.value);
                 }
-                places.extend(summed.places);
+                places.get_or_insert_with(Vec::new).extend(summed.places);
             }
         }
         for bound in bounds {
             let limit = self.limit(gauge, &mut searches[0], subject, bound);
             for search in &mut *searches {
-                self.prove_bound(field, search, subject, bound, limit, &places)?;
+                self.prove_bound(field, search, subject, bound, limit, places.as_deref())?;
             }
         }
         Ok(())
@@ -297,7 +271,55 @@ impl Case<'_> {
                     places: vec![first, second],
                 })
             }
+            Summary::Mean | Summary::Rms | Summary::TimeRatio | Summary::Dwell(_) => {
+                self.sum_up_course(field, searches, summary, value)
+            }
         }
+    }
+
+    /// Bounds a number that sums up how a value changes along the way of the only motor that has a part.
+    fn sum_up_course(
+        &self,
+        field: &Field<'_>,
+        searches: &mut [Search<'_>],
+        summary: Summary,
+        value: Value,
+    ) -> Result<Summed, RequirementTrouble> {
+        let Ranges { all, motors, .. } = field.ranges;
+        let [motor] = motors[..] else {
+            let motors = motors.iter().copied().map(MotorId::new).collect();
+            return Err(RequirementTrouble::SeveralMotors { motors });
+        };
+        // Where loops change their side, the course is in pieces.
+        let [search] = searches else {
+            return Err(RequirementTrouble::TooHard);
+        };
+        let is_turning = is_turning(self.model, MotorId::new(motor));
+        let course = Course::new(search, value, motor, all[motor], is_turning);
+        let mut course = course.ok_or(RequirementTrouble::TooHard)?;
+        let (value, ends) = match summary {
+            Summary::Dwell(width) => course.dwell(width),
+            Summary::TimeRatio => match course.time_ratio() {
+                Some(found) => found,
+                None => {
+                    let motor = MotorId::new(motor);
+                    return Err(RequirementTrouble::NotToAndFro { motor });
+                }
+            },
+            // The value is the square.
+            Summary::Rms => (course.mean().max(Interval::ZERO).sqrt(), Vec::new()),
+            _ => (course.mean(), Vec::new()),
+        };
+        let start = &field.gauge.program.start.motors;
+        let place = |end: f64| {
+            let mut place = start.clone();
+            place[motor] = end;
+            place
+        };
+        Ok(Summed {
+            value,
+            places: ends.into_iter().map(place).collect(),
+        })
     }
 
     /// Bounds the least value, times its sign, over all sides of loops; with the place where one end of the bounds is attained, to which the
@@ -332,7 +354,7 @@ impl Case<'_> {
         Ok((Interval::new(goal.sign * proved, goal.sign * seen), place))
     }
 
-    /// Proves that a bound is kept. `places` are those of what sums up the motion, if anything does.
+    /// Proves that a bound is kept. `places` are those of what sums up the motion, if anything does: a mean has none.
     fn prove_bound(
         &self,
         field: &Field<'_>,
@@ -340,7 +362,7 @@ impl Case<'_> {
         subject: Value,
         bound: &RequiredBound,
         limit: Limit,
-        places: &[Vec<f64>],
+        places: Option<&[Vec<f64>]>,
     ) -> Result<(), RequirementTrouble> {
         let goal = Goal {
             value: field.gauge.formulas[bound.margin.index()],
@@ -370,10 +392,9 @@ impl Case<'_> {
                 }
             }));
         };
-        let places = if places.is_empty() {
-            vec![at(&least.place)]
-        } else {
-            places.iter().map(|place| at(place)).collect()
+        let places = match places {
+            None => vec![at(&least.place)],
+            Some(places) => places.iter().map(|place| at(place)).collect(),
         };
         let way = if bound.is_upper { 1.0 } else { -1.0 };
         let proved = value + way * (least.gap() + limit.slack);
@@ -382,7 +403,7 @@ impl Case<'_> {
             is_upper: bound.is_upper,
             proved: proved.is_finite().then_some(proved),
             places,
-            unknowns: self.unknowns(self.dyad),
+            unknowns: self.unknowns(),
         }))
     }
 
@@ -428,7 +449,7 @@ fn subjects(
     let summed = requirement.measured.iter();
     let summed = summed.filter_map(|measured| match measured {
         Measured::Summary(_, of) => Some(*of),
-        Measured::Quantity(_) => None,
+        Measured::Quantity(_) | Measured::Influence(..) => None,
     });
     let bounds = bounds.iter().flat_map(|bound| [bound.margin, bound.limit]);
     let formulas = [subject].into_iter().chain(bounds).chain(summed);

@@ -326,6 +326,31 @@ impl<'a> Search<'a> {
         Some(seen.value)
     }
 
+    /// The frame at the start.
+    pub(super) fn start(&self) -> Rc<Frame> {
+        Rc::clone(&self.start)
+    }
+
+    /// A value on a box, with a frame for parts of that, from the frame of a box of which this is a part, or which is beside it; nothing
+    /// if that cannot be paid.
+    pub(super) fn look_in(
+        &mut self,
+        place: &[Interval],
+        near: &Rc<Frame>,
+        value: Value,
+    ) -> Option<(Rc<Frame>, Interval)> {
+        let frame = self.frame_in(place, near, true)?;
+        let seen = self.look(place, &frame, Goal { value, sign: 1.0 })?;
+        Some((frame, seen.value))
+    }
+
+    /// The mean of a value over those of a motor on the box that was looked at last, with its frame.
+    pub(super) fn mean(&mut self, frame: &Frame, value: Value, motor: usize) -> Interval {
+        let turned = self.turned.clone();
+        let enclosure = self.enclosure(&frame.references, &turned);
+        enclosure.map_or(Interval::ENTIRE, |enclosure| enclosure.mean(value, motor))
+    }
+
     /// Bounds the least value, until `is_enough`, or so many intervals are spent.
     pub(super) fn least(
         &mut self,

@@ -369,6 +369,16 @@ pub enum RequirementTrouble {
         /// The motor.
         motor: MotorId,
     },
+    /// What sums up a way is asked for where several motors may move.
+    SeveralMotors {
+        /// The motors.
+        motors: Vec<MotorId>,
+    },
+    /// A time ratio is asked for where this motor does not make whole turns, or what is measured has no one greatest and one least place.
+    NotToAndFro {
+        /// The motor.
+        motor: MotorId,
+    },
     /// What is measured grows with every turn of this motor.
     Endless {
         /// The motor.

@@ -127,8 +127,14 @@ pub(super) enum MeasuredExpr {
     Angle(Name, Option<Name>),
     /// `distance(coupler.tip, (1, 2))`
     Distance([SpotExpr; 2]),
+    /// `clear(bucket, boom)`
+    Clearance([Name; 2]),
     /// `max(coupler.tip.y)`
     Summary(Summary, &'static str, Expr),
+    /// `dwell(b, 0.5 deg)`
+    Dwell([Expr; 2]),
+    /// `d(coupler.tip.y, a)`
+    Influence(Expr, Name),
 }
 
 /// A place from which a distance is measured.

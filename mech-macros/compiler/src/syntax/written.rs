@@ -88,7 +88,10 @@ impl Display for MeasuredExpr {
             Self::Angle(link, None) => write!(formatter, "angle({link})"),
             Self::Angle(from, Some(to)) => write!(formatter, "angle({from}, {to})"),
             Self::Distance([from, to]) => write!(formatter, "distance({from}, {to})"),
+            Self::Clearance([first, second]) => write!(formatter, "clear({first}, {second})"),
             Self::Summary(_, word, of) => write!(formatter, "{word}({of})"),
+            Self::Dwell([of, width]) => write!(formatter, "dwell({of}, {width})"),
+            Self::Influence(of, motor) => write!(formatter, "d({of}, {motor})"),
         }
     }
 }

@@ -18,14 +18,25 @@ use syn::parse::ParseStream;
 use syn::token::Paren;
 
 /// The words before brackets that measure something, besides those of [`SUMMARIES`].
-const MEASURES: [&str; 5] = ["transmission", "pressure", "curvature", "angle", "distance"];
+const MEASURES: [&str; 8] = [
+    "transmission",
+    "pressure",
+    "curvature",
+    "angle",
+    "distance",
+    "clear",
+    "dwell",
+    "d",
+];
 
 /// The words before brackets that sum up a motion.
-const SUMMARIES: [(&str, Summary); 4] = [
+const SUMMARIES: [(&str, Summary); 6] = [
     ("min", Summary::Min),
     ("max", Summary::Max),
     ("swing", Summary::Swing),
     ("stroke", Summary::Swing),
+    ("mean", Summary::Mean),
+    ("rms", Summary::Rms),
 ];
 
 /// The signs of comparisons, the longest first: whether the second side is the greater, and whether both must differ.
@@ -158,6 +169,17 @@ fn measure(input: ParseStream, number: &dyn Fn(ParseStream) -> Read<Expr>) -> Re
         return Ok(None);
     };
     let name = first.to_string();
+    if name == "time"
+        && let Some((second, rest)) = rest.ident()
+        && second == "ratio"
+        && rest.group(Delimiter::Parenthesis).is_some()
+    {
+        any_word(input);
+        any_word(input);
+        let (of, brackets) = in_parens(input, "`(`", number)?;
+        let kind = MeasuredExpr::Summary(Summary::TimeRatio, "time ratio", of);
+        return Ok(Some(from(first.span(), brackets, kind)));
+    }
     let Some((inside, ..)) = rest.group(Delimiter::Parenthesis) else {
         let is_of_rust = rest.punct().is_some_and(|(mark, _)| mark.as_char() == ':');
         if name == "PI" || is_of_rust {
@@ -186,19 +208,41 @@ fn measure(input: ParseStream, number: &dyn Fn(ParseStream) -> Read<Expr>) -> Re
             let to = take(input, ",").map(|_| path(input, "the name of a link"));
             Ok(MeasuredExpr::Angle(from, to.transpose()?))
         }
+        (None, "clear") => {
+            let first = path(input, "the name of a link")?;
+            symbol(input, ",")?;
+            let second = path(input, "the name of a link")?;
+            Ok(MeasuredExpr::Clearance([first, second]))
+        }
+        (None, "dwell") => {
+            let of = number(input)?;
+            symbol(input, ",")?;
+            Ok(MeasuredExpr::Dwell([of, number(input)?]))
+        }
+        (None, "d") => {
+            let of = number(input)?;
+            symbol(input, ",")?;
+            let motor = path(input, "the name of a motor")?;
+            Ok(MeasuredExpr::Influence(of, motor))
+        }
         (None, _) => {
             let from = spot(input, number)?;
             symbol(input, ",")?;
             Ok(MeasuredExpr::Distance([from, spot(input, number)?]))
         }
     })?;
-    Ok(Some(Expr {
+    Ok(Some(from(first.span(), brackets, kind)))
+}
+
+/// What is measured, from its first word to the end of its brackets.
+fn from(start: Span, brackets: Place, kind: MeasuredExpr) -> Expr {
+    Expr {
         kind: ExprKind::Measured(Box::new(kind)),
         place: Place {
-            start: first.span(),
+            start,
             end: brackets.end,
         },
-    }))
+    }
 }
 
 fn has_comma(tokens: TokenStream) -> bool {

@@ -60,7 +60,20 @@ impl Reader {
                     }
                 }
             }
+            MeasuredExpr::Clearance(links) => {
+                for link in links {
+                    self.name(link, Noun::Body);
+                }
+            }
             MeasuredExpr::Summary(_, _, of) => self.leaves(of, literals),
+            MeasuredExpr::Dwell([of, width]) => {
+                self.leaves(of, literals);
+                self.leaves(width, literals);
+            }
+            MeasuredExpr::Influence(of, motor) => {
+                self.leaves(of, literals);
+                self.name(motor, Noun::Joint);
+            }
         }
     }
 }

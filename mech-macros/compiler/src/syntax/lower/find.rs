@@ -4,7 +4,7 @@ use super::draft::Draft;
 use super::name::{Body, Referent, divide, word_for};
 use super::path::key;
 use super::reader::Reader;
-use crate::model::{Axis, AxisId, AxisKind, JointId, JointKind, LinkId, Model, Origin};
+use crate::model::{Axis, AxisId, AxisKind, JointId, JointKind, LinkId, Model, MotorId, Origin};
 use crate::syntax::ast::Name;
 use crate::syntax::{Noun, Place, spelling};
 use proc_macro2::Ident;
@@ -54,6 +54,24 @@ pub(super) fn body(reader: &mut Reader, draft: &Draft, name: &Name) -> Option<Bo
     };
     let unknown = reader.names.unknown(Noun::Body, &key);
     reader.report.refuse_unknown(unknown, name.place(), trouble)
+}
+
+/// The motor of this name.
+pub(super) fn motor(reader: &mut Reader, draft: &Draft, name: &Name) -> Option<MotorId> {
+    let id = joint(reader, draft, name)?;
+    let found = draft.model.motor_of(id);
+    if found.is_none() {
+        let motors = draft.model.motors.iter();
+        let names = motors.map(|motor| format!("`{}`", draft.model.joint(motor.joint).name));
+        let names: Vec<String> = names.collect();
+        let text = format!(
+            "joint `{name}` has no motor, so its values cannot be chosen; there {} {}",
+            if names.len() == 1 { "is" } else { "are" },
+            names.join(", ")
+        );
+        return reader.report.refuse(name.place(), text);
+    }
+    found
 }
 
 /// The joint of this name.

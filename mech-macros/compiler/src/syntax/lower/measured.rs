@@ -1,11 +1,15 @@
 //! What is measured: quantities of the position, and summaries of the motion.
 
+use super::angle::{is_degrees_perhaps, is_in_degrees};
 use super::draft::Draft;
+use super::kind::{Kind, kinds};
 use super::name::Referent;
 use super::quantity::Quantity;
 use super::reader::{Measuring, Reader};
 use super::{coordinate, find};
-use crate::model::{self, AxisKind, Formula, JointId, JointKind, LinkId, Measured, Summary};
+use crate::model::{
+    self, AxisKind, Formula, JointId, JointKind, LinkId, Measured, ShapeKind, Summary,
+};
 use crate::syntax::Place;
 use crate::syntax::ast::{End, Expr, MeasuredExpr, Name, Pair, SpotExpr};
 use crate::syntax::spelling;
@@ -54,8 +58,23 @@ impl Reader<'_> {
                 model::Quantity::AngleBetween([from?, to?])
             }
             MeasuredExpr::Distance(spots) => self.distance(draft, spots, place)?,
+            MeasuredExpr::Clearance(links) => self.clearance(draft, links, place)?,
             MeasuredExpr::Summary(summary, word, of) => {
                 return self.summary(*summary, word, of, place);
+            }
+            MeasuredExpr::Dwell([of, width]) => {
+                let width = self.width(draft, of, width)?;
+                return self.summary(Summary::Dwell(width), "dwell", of, place);
+            }
+            MeasuredExpr::Influence(of, motor) => {
+                let motor = find::motor(self, draft, motor);
+                let of = self.quantity(of)?;
+                let (Some(of), Some(motor)) = (of.formula, motor) else {
+                    motor?;
+                    let text = "this never changes: nothing has an influence on it";
+                    return self.report.refuse(place, text);
+                };
+                return self.variable_for(Measured::Influence(of, motor));
             }
         };
         self.variable_for(Measured::Quantity(quantity))
@@ -189,6 +208,44 @@ impl Reader<'_> {
         Some(model::Quantity::Distance(spots))
     }
 
+    fn clearance(
+        &mut self,
+        draft: &Draft,
+        names: &[Name; 2],
+        place: Place,
+    ) -> Option<model::Quantity> {
+        let links = names.each_ref().map(|name| find::link(self, draft, name));
+        let links = [links[0]?, links[1]?];
+        if links[0] == links[1] {
+            let text = format!(
+                "`{}` is no two links: name the one from which it keeps clear",
+                names[0]
+            );
+            return self.report.refuse(place, text);
+        }
+        for (link, name) in links.into_iter().zip(names) {
+            let text = match &draft.model.link(link).shapes[..] {
+                // Perhaps its shape could not be read.
+                [] if !self.report.is_empty() => return None,
+                [] => format!(
+                    "`{name}` has no shape, so nobody knows how far it reaches; give it one, as `bar [(0, 0), (1, 0)] width 0.2`"
+                ),
+                shapes
+                    if shapes
+                        .iter()
+                        .any(|shape| matches!(shape.kind, ShapeKind::Figure(_))) =>
+                {
+                    format!(
+                        "`{name}` has a figure; clearances are measured of circles, rings, bars and polygons"
+                    )
+                }
+                _ => continue,
+            };
+            return self.report.refuse(name.place(), text);
+        }
+        Some(model::Quantity::Clearance(links))
+    }
+
     /// A place of the scene.
     fn fixed_place(&mut self, pair: &Pair) -> Option<[f64; 2]> {
         let [x, y] = [&pair.x, &pair.y].map(|expr| {
@@ -202,6 +259,33 @@ impl Reader<'_> {
         Some([x?, y?])
     }
 
+    /// The width within which something has to stay.
+    fn width(&mut self, draft: &Draft, of: &Expr, width: &Expr) -> Option<f64> {
+        let formula = self.quantity(of)?.formula;
+        let value = self.quantity(width)?;
+        let (Some(value), None) = (value.value, value.formula) else {
+            let text = format!("`{width}` may change; a dwell is within a width that does not");
+            return self.report.refuse(width.place, text);
+        };
+        if !(value > 0.0 && value.is_finite()) {
+            let text = format!("a dwell is within some width; `{width}` is none");
+            return self.report.refuse(width.place, text);
+        }
+        let kind = formula.map(|formula| {
+            let measured = self.law.as_ref().map_or(&[][..], |law| &law.measured);
+            let measured = measured.to_vec();
+            kinds(&draft.model, self.formulas(), &measured)[formula.index()]
+        });
+        match kind {
+            Some(Kind::Angle) if is_degrees_perhaps(self.report, width, value) => None,
+            Some(Kind::Length) if is_in_degrees(width) => {
+                let text = format!("`{of}` is a length, and `{width}` is an angle");
+                self.report.refuse(width.place, text)
+            }
+            _ => Some(value),
+        }
+    }
+
     fn summary(
         &mut self,
         summary: Summary,
@@ -210,7 +294,10 @@ impl Reader<'_> {
         place: Place,
     ) -> Option<Quantity> {
         let inner = self.quantity(of)?;
-        if let Some(formula) = inner.formula {
+        if let Some(mut formula) = inner.formula {
+            if summary == Summary::Rms {
+                formula = self.formulas().add(Formula::Mul(formula, formula));
+            }
             return self.variable_for(Measured::Summary(summary, formula));
         }
         let text = format!("`{of}` never changes; leave `{word}` out");

@@ -18,6 +18,7 @@ mod find;
 mod follow;
 mod given;
 mod joint;
+mod kind;
 mod law;
 mod link;
 mod mass;

@@ -3,17 +3,17 @@
 use super::angle::{is_angle, is_degrees_perhaps, is_half_in_degrees, is_in_degrees};
 use super::draft::Draft;
 use super::find;
+use super::kind::{Kind, kinds};
 use super::measured::OfDraft;
 use super::quantity::Quantity;
 use super::reader::{LawReading, Reader};
 use crate::bug::bug;
 use crate::model::{
-    Arithmetic, BinaryFunction, Case, Condition, Dimension, Formula, FormulaArithmetic, Formulas,
-    Function, JointKind, Measured, MotorId, Number, ParamId, RequiredBound, Requirement,
+    self, Case, Condition, Formula, FormulaId, Formulas, JointKind, Measured, MotorId,
+    RequiredBound, Requirement,
 };
 use crate::syntax::Place;
 use crate::syntax::ast::{CaseExpr, ConditionExpr, Expect, Expr, Name};
-use mech_core::Staircase;
 
 /// Why numbers of a requirement may not depend on params.
 const WHY_FIXED: &str = "what is expected is proved at compile time";
@@ -123,31 +123,13 @@ fn condition(
 
 /// The motor of this name, which turns.
 fn turning_motor(reader: &mut Reader, draft: &Draft, name: &Name) -> Option<MotorId> {
-    let motor = motor(reader, draft, name)?;
+    let motor = find::motor(reader, draft, name)?;
     let kind = draft.model.joint(draft.model.motor(motor).joint).kind;
     if let JointKind::Revolute(..) = kind {
         return Some(motor);
     }
     let text = format!("`{name}` slides: it cannot turn right round");
     reader.report.refuse(name.place(), text)
-}
-
-/// The motor of this name.
-fn motor(reader: &mut Reader, draft: &Draft, name: &Name) -> Option<MotorId> {
-    let joint = find::joint(reader, draft, name)?;
-    let found = draft.model.motor_of(joint);
-    if found.is_none() {
-        let motors = draft.model.motors.iter();
-        let names = motors.map(|motor| format!("`{}`", draft.model.joint(motor.joint).name));
-        let names: Vec<String> = names.collect();
-        let text = format!(
-            "joint `{name}` has no motor, so its values cannot be chosen; there {} {}",
-            if names.len() == 1 { "is" } else { "are" },
-            names.join(", ")
-        );
-        return reader.report.refuse(name.place(), text);
-    }
-    found
 }
 
 /// Bounds of the first number: each with whether it is an upper one.
@@ -219,7 +201,14 @@ fn bounds(
         });
     }
     check_formulas(reader, &formulas, place, &written)?;
-    let kinds = kinds(draft, &formulas, &measured);
+    check_clearance(
+        reader,
+        &formulas,
+        &measured,
+        (subject_formula, &bounds),
+        place,
+    )?;
+    let kinds = kinds(&draft.model, &formulas, &measured);
     let kind = kinds[subject_formula.index()];
     for (number, ((limit, _), bound)) in limits.iter().zip(&bounds).enumerate() {
         check_kinds(reader, [subject, limit], [kind, kinds[bound.limit.index()]])?;
@@ -242,6 +231,29 @@ fn bounds(
             bounds,
         },
     })
+}
+
+/// Complains about a clearance that is not just bounded from below.
+fn check_clearance(
+    reader: &mut Reader,
+    formulas: &Formulas,
+    measured: &[Measured],
+    (subject, bounds): (FormulaId, &[RequiredBound]),
+    place: Place,
+) -> Option<()> {
+    let is_clearance =
+        |measured: &Measured| matches!(measured, Measured::Quantity(model::Quantity::Clearance(_)));
+    if !measured.iter().any(is_clearance) {
+        return Some(());
+    }
+    let is_alone = measured.len() == 1
+        && matches!(formulas.all()[subject.index()], Formula::Variable(_))
+        && bounds.iter().all(|bound| !bound.is_upper);
+    if is_alone {
+        return Some(());
+    }
+    let text = "a clearance has a least value, and nothing else is proved of it; write `clear(LINK, LINK) > LENGTH`";
+    reader.report.refuse(place, text)
 }
 
 /// Complains about params, about more numbers than anybody could read, and where nothing is measured.
@@ -278,140 +290,6 @@ fn check_formulas(
     Some(())
 }
 
-/// The kind of a number.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    /// A number, which may stand for an angle or a length.
-    Plain,
-    Angle,
-    Length,
-    /// An angle times a number, which may make it a length.
-    ScaledAngle,
-    /// A length times a number, which may make it an angle.
-    ScaledLength,
-    /// The sum of an angle and a length.
-    Mixed,
-}
-
-impl Kind {
-    fn and(self, other: Self) -> Self {
-        match (self, other) {
-            (Self::Plain, kind) | (kind, Self::Plain) => kind,
-            (one, other) if one == other => one,
-            (Self::ScaledAngle | Self::ScaledLength, kind @ (Self::Angle | Self::Length))
-            | (kind @ (Self::Angle | Self::Length), Self::ScaledAngle | Self::ScaledLength) => kind,
-            (Self::ScaledAngle, Self::ScaledLength) | (Self::ScaledLength, Self::ScaledAngle) => {
-                Self::ScaledLength
-            }
-            _ => Self::Mixed,
-        }
-    }
-
-    /// This kind times a number.
-    fn scaled(self) -> Self {
-        match self {
-            Self::Angle => Self::ScaledAngle,
-            Self::Length => Self::ScaledLength,
-            kind => kind,
-        }
-    }
-
-    /// Whether it is told in degrees.
-    fn is_angle(self) -> bool {
-        matches!(self, Self::Angle | Self::ScaledAngle)
-    }
-}
-
-/// The kinds of all formulas, by their numbers.
-fn kinds(draft: &Draft, formulas: &Formulas, measured: &[Measured]) -> Vec<Kind> {
-    let mut arithmetic = Kinds {
-        variables: Vec::new(),
-    };
-    for one in measured {
-        let kind = match one {
-            Measured::Quantity(quantity) => match quantity.dimension(&draft.model) {
-                Dimension::Angle => Kind::Angle,
-                Dimension::Length => Kind::Length,
-                Dimension::Curvature => Kind::Plain,
-            },
-            // Its formula is made from variables before it.
-            Measured::Summary(_, of) => formulas.evaluate_one(*of, &mut arithmetic),
-        };
-        arithmetic.variables.push(kind);
-    }
-    formulas.evaluate(&mut arithmetic)
-}
-
-struct Kinds {
-    variables: Vec<Kind>,
-}
-
-impl Arithmetic for Kinds {
-    type Scalar = Kind;
-
-    fn constant(&mut self, _: f64) -> Kind {
-        Kind::Plain
-    }
-
-    fn neg(&mut self, a: Kind) -> Kind {
-        a
-    }
-
-    fn add(&mut self, a: Kind, b: Kind) -> Kind {
-        a.and(b)
-    }
-
-    fn sub(&mut self, a: Kind, b: Kind) -> Kind {
-        a.and(b)
-    }
-
-    fn mul(&mut self, a: Kind, b: Kind) -> Kind {
-        match (a, b) {
-            (Kind::Mixed, _) | (_, Kind::Mixed) => Kind::Mixed,
-            (Kind::Plain, kind) | (kind, Kind::Plain) => kind.scaled(),
-            _ => Kind::Plain,
-        }
-    }
-
-    fn div(&mut self, a: Kind, b: Kind) -> Kind {
-        match (a, b) {
-            (Kind::Mixed, _) | (_, Kind::Mixed) => Kind::Mixed,
-            (kind, Kind::Plain) => kind.scaled(),
-            _ => Kind::Plain,
-        }
-    }
-}
-
-impl FormulaArithmetic for Kinds {
-    fn variable(&mut self, number: usize) -> Kind {
-        self.variables.get(number).copied().unwrap_or(Kind::Plain)
-    }
-
-    fn param(&mut self, _: ParamId) -> Kind {
-        Kind::Plain
-    }
-
-    fn of(&mut self, function: Function, a: Kind) -> Kind {
-        match function {
-            _ if a == Kind::Mixed => a,
-            Function::Abs | Function::Floor => a,
-            Function::Asin | Function::Acos | Function::Atan => Kind::Angle,
-            _ => Kind::Plain,
-        }
-    }
-
-    fn of_both(&mut self, function: BinaryFunction, a: Kind, b: Kind) -> Kind {
-        match function {
-            BinaryFunction::Atan2 if a.and(b) != Kind::Mixed => Kind::Angle,
-            _ => a.and(b),
-        }
-    }
-
-    fn stairs(&mut self, _: Staircase, _: Kind, _: Number) -> Kind {
-        Kind::Plain
-    }
-}
-
 /// Complains about two sides of different kinds.
 fn check_kinds(reader: &mut Reader, sides: [&Expr; 2], kinds: [Kind; 2]) -> Option<()> {
     let place = sides[0].place.to(sides[1].place);
@@ -440,7 +318,7 @@ fn check_kinds(reader: &mut Reader, sides: [&Expr; 2], kinds: [Kind; 2]) -> Opti
 
 /// The values of a motor for which a condition has to hold.
 fn lower_case(reader: &mut Reader, draft: &mut Draft, case: &CaseExpr) -> Option<Case> {
-    let motor = motor(reader, draft, &case.motor)?;
+    let motor = find::motor(reader, draft, &case.motor)?;
     let joint = draft.model.motor(motor).joint;
     let numbers: Vec<&Expr> = case.values.iter().collect();
     let is_turning = matches!(draft.model.joint(joint).kind, JointKind::Revolute(..));
