@@ -7,8 +7,8 @@ use std::f64::consts::TAU;
 type Vector = [f64; 2];
 
 /// So many angles of the crank, and places on a boundary, are looked at.
-const ANGLES: u32 = 240;
-const PLACES: u32 = 400;
+const ANGLES: u32 = 144;
+const PLACES: u32 = 240;
 
 /// A shape, and where it was put by hand.
 enum Shape {
@@ -204,16 +204,16 @@ impl Passing {
 #[test]
 fn bodies_keep_as_clear_as_places_on_their_boundaries() {
     let (mut clear, mut overlapping) = (0, 0);
-    for seed in seeds(cases(24)) {
+    for seed in seeds(cases(16)) {
         let passing = Passing::new(&mut Dice::new(seed));
         let least = passing.least();
         if least == 0.0 {
             overlapping += 1;
             assert!(!passing.meets("clear(ground, crank) > 0"), "seed {seed}");
-        } else if least > 0.1 {
+        } else if least > 0.15 {
             clear += 1;
             // Places between those that were looked at are a little nearer.
-            let within = format!("clear(crank, ground) > {}", least - 0.03);
+            let within = format!("clear(crank, ground) > {}", least - 0.05);
             assert!(passing.meets(&within), "seed {seed}: {least}");
             let beyond = format!("clear(ground, crank) > {}", least * (1.0 + 1e-6));
             assert!(!passing.meets(&beyond), "seed {seed}: {least}");

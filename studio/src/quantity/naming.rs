@@ -2,7 +2,7 @@
 
 use super::kind::{Influenced, Order, Part, Quantity, Reaction, Spot, Subject};
 use crate::failure::Failure;
-use crate::motion::{motor_of, read_value};
+use crate::motion::{motor_of, read_value, turns};
 use crate::text::quoted;
 use mech_compiler::model::{AxisId, AxisKind, JointId, JointKind, LinkId, Model};
 use mech_compiler::plan::Plan;
@@ -132,6 +132,9 @@ fn of_cam(name: &str) -> Option<(&str, &str)> {
 fn cam_of(model: &Model, name: &str) -> Result<JointId, Failure> {
     let joint = joint_of(model, name).ok_or_else(|| unknown(model, name))?;
     match model.joint(joint).kind {
+        JointKind::Cam { shaft, .. } if !turns(model, shaft) => Err(Failure::usage(format!(
+            "the shaft of cam `{name}` slides; this is measured of a cam that turns"
+        ))),
         JointKind::Cam { .. } if model.roller_of(joint).is_some() => Ok(joint),
         JointKind::Cam { .. } => Err(Failure::usage(format!(
             "nobody knows where cam `{name}` is followed; add `roller LINK.POINT radius 1` to it, after its brackets"

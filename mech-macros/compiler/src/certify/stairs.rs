@@ -1,7 +1,7 @@
 //! Staircases, on intervals.
 
 use super::Interval;
-use mech_core::Staircase;
+use mech_core::{MotionLaw, Staircase};
 
 /// What rounding may take from a height or a slope, in parts of the greatest.
 const ROUNDING: f64 = 1e-14;
@@ -65,6 +65,10 @@ fn of_times(stairs: Staircase, [from, to]: [f64; 2]) -> Interval {
         .chain(mirrored)
         .chain([1.0])
         .collect();
+    // Where the slope jumps, no number is the derivative of it.
+    if stairs.order > 1 && law == MotionLaw::Linear && (from <= 0.0 || to >= 1.0) {
+        return Interval::ENTIRE;
+    }
     // Before and after it there is no slope.
     let mut found = (from < 0.0 || to >= 1.0).then_some(Interval::ZERO);
     let mut begin = 0.0;

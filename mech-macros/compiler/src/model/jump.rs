@@ -3,6 +3,7 @@
 use super::formula::{By, Slopes};
 use super::{BinaryFunction, Formula, Function, Law};
 use mech_core::MotionLaw;
+use std::f64::consts::TAU;
 
 /// Places at which a law is looked at first.
 const SAMPLES: u32 = 2000;
@@ -12,8 +13,14 @@ const HALVINGS: u32 = 48;
 const SMOOTH: f64 = 1e-3;
 /// So far beside a jump, as a part of the whole range, numbers are those of one side.
 const BESIDE: f64 = 1e-9;
+/// A jump does not become smaller nearer to it: within this part of that.
+const NEARER: f64 = 1e-2;
 /// What changes by more than this part after all halvings jumps.
 const SHARP: f64 = 1e-5;
+/// What changes by less than this part of the greatest number is rounding.
+const ROUNDING: f64 = 1e-9;
+/// A turn of a shaft begins a little before zero, where many laws have a corner.
+const BEFORE: f64 = 0.0123;
 
 /// A place at which a law jumps, or its rate.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,9 +34,22 @@ pub struct Jump {
 }
 
 impl Law {
-    /// The first place between two values of the variable at which it jumps, or its rate: as far as samples show it.
+    /// The first place in one turn of a cam's shaft at which it jumps, or its rate: as far as samples show it. Whole turns of an angle are
+    /// no jumps.
     #[must_use]
-    pub fn first_jump(&self, [low, high]: [f64; 2], params: &[f64]) -> Option<Jump> {
+    pub fn first_jump_in_turn(&self, params: &[f64], is_angle: bool) -> Option<Jump> {
+        self.first_jump([-BEFORE, TAU - BEFORE], params, is_angle)
+    }
+
+    /// The first place between two values of the variable at which it jumps, or its rate: as far as samples show it. Whole turns of an
+    /// angle are no jumps.
+    #[must_use]
+    pub fn first_jump(
+        &self,
+        [low, high]: [f64; 2],
+        params: &[f64],
+        is_angle: bool,
+    ) -> Option<Jump> {
         if !self.formulas().all().iter().any(may_jump) {
             return None;
         }
@@ -52,6 +72,9 @@ impl Law {
                 .map(change)
                 .filter(|change| change.is_finite());
             let greatest = greatest.fold(0.0, f64::max);
+            let sizes = samples.iter().map(|sample| sample[which].abs());
+            let size = sizes.filter(|size| size.is_finite()).fold(0.0, f64::max);
+            let least = (SHARP * greatest).max(ROUNDING * size);
             let mut steep = numbers.filter(|(pair, _)| change(pair) > SMOOTH * greatest);
             steep.find_map(|(_, number)| {
                 let ends = [place(number), place(number + 1)];
@@ -59,10 +82,23 @@ impl Law {
                 let at = halve(number, ends);
                 // On both sides: at a corner that is none a slope is another in one place alone.
                 let beside = (high - low) * BESIDE;
-                let ends = [number(at - beside), number(at + beside)];
-                let size = (ends[1] - ends[0]).abs();
+                let both = |beside: f64| [number(at - beside), number(at + beside)];
+                let size = |[before, after]: [f64; 2]| {
+                    let change = (after - before).abs();
+                    let is_value = is_angle && which == 0;
+                    let turns = if is_value {
+                        (change / TAU).round()
+                    } else {
+                        0.0
+                    };
+                    (change - turns * TAU).abs()
+                };
+                let (ends, nearer) = (both(beside), both(NEARER * beside));
+                let stays = size(ends).min(size(nearer)) > least.max(0.5 * size(ends));
+                // Before the beginning there is nothing.
+                let is_within = at > low + beside;
                 let is_rate = which == 1;
-                (size > SHARP * greatest).then_some(Jump { at, is_rate, ends })
+                (stays && is_within).then_some(Jump { at, is_rate, ends })
             })
         });
         let [value, rate] = found;

@@ -58,6 +58,9 @@ impl Law {
     }
 }
 
+/// Values of params, from their numbers. What is the same with both does not depend on what the params are.
+const SAMPLES: [fn(f64) -> f64; 2] = [f64::sqrt, f64::cbrt];
+
 /// The change of a number when the variable grows by a whole turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Winding {
@@ -91,9 +94,7 @@ impl Law {
     /// on where it is, or is unknown.
     #[must_use]
     pub fn winding(&self) -> Option<f64> {
-        // What is the same with two values of each param does not depend on what these are.
-        let samples: [fn(f64) -> f64; 2] = [f64::sqrt, f64::cbrt];
-        let [first, second] = samples.map(|sample| self.evaluate(&mut Windings { sample }).by());
+        let [first, second] = SAMPLES.map(|sample| self.evaluate(&mut Windings { sample }).by());
         let (turns, other) = (first?, second?);
         ((turns - other).abs() <= ROUNDING * turns.abs()).then_some(turns)
     }
@@ -121,6 +122,14 @@ impl Law {
 
 /// Numbers that differ less than by this part of them differ by rounding.
 const ROUNDING: f64 = 1e-12;
+
+/// Whether a number is zero whatever the params are.
+pub(crate) fn is_always_zero(formulas: &Formulas, number: FormulaId) -> bool {
+    SAMPLES.iter().all(|sample| {
+        let mut windings = Windings { sample: *sample };
+        formulas.evaluate_one(number, &mut windings) == Winding::Fixed(0.0)
+    })
+}
 
 /// The sum of two numbers; zero, if only rounding is left of them.
 fn sum(a: f64, b: f64) -> f64 {

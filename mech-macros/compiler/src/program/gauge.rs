@@ -11,7 +11,7 @@ use crate::model::{
     AxisId, AxisKind, Boundary, InputId, JointId, JointKind, LinkId, Measured, Model, Quantity,
     Requirement, Spot,
 };
-use crate::plan::{Algebra, Arithmetic, Dyad};
+use crate::plan::{Algebra, Arithmetic, Dyad, Plan, Source, Step, float_of};
 
 /// A program to positions, with the operations of a requirement after its own.
 #[derive(Clone, Debug)]
@@ -52,13 +52,14 @@ impl Gauge {
     /// that there is not.
     pub(crate) fn new(
         model: &Model,
-        program: &Program,
+        (plan, program): (&Plan, &Program),
         requirement: &Requirement,
         detail: Detail,
         dyad_of: impl Fn(JointId) -> Option<usize>,
     ) -> Option<Self> {
         let mut measures = Measures {
             model,
+            plan,
             program,
             ssa: SsaBuilder::resume(program),
             angles: Vec::new(),
@@ -136,6 +137,7 @@ fn followed(program: &Program, ssa: &mut SsaBuilder) -> Vec<GaugedAngle> {
 /// A program to which measures are added.
 struct Measures<'a> {
     model: &'a Model,
+    plan: &'a Plan,
     program: &'a Program,
     ssa: SsaBuilder,
     angles: Vec<GaugedAngle>,
@@ -282,6 +284,44 @@ impl Measures<'_> {
         Some(self.ssa.max(gap, zero))
     }
 
+    /// The coordinate of a cam's shaft: a sum of motors, if it is one. Its law tells whether it goes on over whole turns.
+    fn shaft(&mut self, cam: JointId, shaft: JointId) -> Value {
+        let mut steps = self.plan.steps.iter();
+        let found = steps.find_map(|step| match step {
+            Step::Cam(found) if found.by == cam => Some(found),
+            _ => None,
+        });
+        let mut starts = self.plan.start.cams.iter();
+        let start = starts.find(|start| start.cam == cam);
+        let (Some(found), Some(start)) = (found, start) else {
+            bug!("a cam has no step in the plan");
+        };
+        let parts = found.parts.iter().map(|(number, part)| {
+            let Source::Motor(motor) = self.plan.sources[*number] else {
+                return None;
+            };
+            Some((motor, float_of(part), self.plan.start.sources[*number]))
+        });
+        let Some(parts) = parts.collect::<Option<Vec<_>>>() else {
+            let angle = self.coordinate(shaft);
+            if let Some(own) = self.angles.last_mut() {
+                own.is_measured = false;
+            }
+            return angle;
+        };
+        let offset = parts.iter().map(|(_, part, at_start)| part * at_start);
+        let mut sum = self.ssa.constant(start.shaft - offset.sum::<f64>());
+        for (motor, part, _) in parts {
+            let (input, part) = (
+                self.ssa.make(Op::Input(InputId::of_motor(motor))),
+                self.ssa.constant(part),
+            );
+            let share = self.ssa.mul(part, input);
+            sum = self.ssa.add(sum, share);
+        }
+        sum
+    }
+
     /// The contact of a cam and its roller.
     fn pressed(&mut self, cam: JointId) -> Pressed<Value> {
         let model = self.model;
@@ -306,7 +346,7 @@ impl Measures<'_> {
         let Some(((center, sense), (own, forwards))) = found else {
             bug!("the joints of a cam have no link in common");
         };
-        let angle = self.coordinate(shaft);
+        let angle = self.shaft(cam, shaft);
         let value = self.ssa.law(model.law(law), angle);
         // Nothing moves but the shaft, at a rate of one.
         let mut tangents = Tangents::new(Seed::Alone(usize::MAX), model.motors.len());

@@ -1,12 +1,9 @@
 //! Notes about laws that jump, or whose rates do.
 
 use crate::model::{JointId, JointKind, Jump, Model};
-use std::f64::consts::TAU;
 
 /// Times up to which laws of motors are looked at: of mechanisms that are quick, and of slow ones.
 const TIMES: [f64; 6] = [0.01, 0.1, 1.0, 10.0, 100.0, 1000.0];
-/// A turn of a shaft begins a little before zero, where many laws have a corner.
-const BEFORE: f64 = 0.0123;
 
 /// What is smaller than this part of a jump is nothing.
 const NOTHING: f64 = 1e-6;
@@ -17,19 +14,20 @@ pub(super) fn notes(model: &Model) -> impl Iterator<Item = String> {
     let motors = model.lawful_motors().filter_map({
         let params = params.clone();
         move |(motor, law)| {
-            let mut found = TIMES.into_iter();
-            let jump = found.find_map(|time| law.first_jump([0.0, time], &params))?;
             let joint = model.motor(motor).joint;
+            let is_angle = is_turning(model, joint);
+            let mut found = TIMES.into_iter();
+            let jump = found.find_map(|time| law.first_jump([0.0, time], &params, is_angle))?;
             let place = format!("at t = {}", tidy(jump.at));
             Some(note(model, &jump, joint, ["its law", &place, ""]))
         }
     });
     let cams = model.cams().filter_map(move |(cam, shaft, follower, law)| {
         // A slide has no turn to look at.
-        let JointKind::Revolute(..) = model.joint(shaft).kind else {
+        if !is_turning(model, shaft) {
             return None;
-        };
-        let jump = law.first_jump([-BEFORE, TAU - BEFORE], &params)?;
+        }
+        let jump = law.first_jump_in_turn(&params, is_turning(model, follower))?;
         let by = format!("cam `{}`", model.joint(cam).name);
         let degrees = jump.at.to_degrees();
         let degrees = if degrees.abs() < 1e-9 {
@@ -42,6 +40,10 @@ pub(super) fn notes(model: &Model) -> impl Iterator<Item = String> {
         Some(note(model, &jump, follower, [&by, &place, &per]))
     });
     motors.chain(cams)
+}
+
+fn is_turning(model: &Model, joint: JointId) -> bool {
+    matches!(model.joint(joint).kind, JointKind::Revolute(..))
 }
 
 /// ``by its law the rate of `a` jumps at t = 1, from 0 to 2: nothing that has mass can follow``.

@@ -244,10 +244,11 @@ pub(super) fn round_of(
         return None;
     }
     let domain = Domain::new(model, program, loops);
+    // An angle that a law makes turns with all that the law is made from.
     let whole = Cuts {
         through: &|_| true,
         own: None,
-        into: &|angle| domain.parts(angle).is_some(),
+        into: &|_| true,
     };
     let read = domain.read(found, &whole);
     let period = domain.period(motor, &read);

@@ -60,7 +60,7 @@ impl Case<'_> {
         } = *self;
         let gauge = Gauge::new(
             model,
-            &compiled.program,
+            (&compiled.plan, &compiled.program),
             requirement,
             self.detail,
             |joint| self.dyad_of(joint),
@@ -199,14 +199,7 @@ impl Case<'_> {
         let gauge = field.gauge;
         let subject = gauge.formulas[subject.index()];
         for search in &mut *searches {
-            match search.endless() {
-                Some(Ok(())) => {}
-                Some(Err(motor)) => {
-                    let motor = MotorId::new(motor);
-                    return Err(RequirementTrouble::Endless { motor });
-                }
-                None => return Err(RequirementTrouble::TooHard),
-            }
+            search.come_round().ok_or(RequirementTrouble::TooHard)??;
         }
         let mut places = None;
         let measured = self.requirement.measured.iter().zip(&gauge.summaries);

@@ -6,7 +6,9 @@ use super::sides::{Stretch, Way, spread};
 use super::waiting::{Frame, Part, Waiting};
 use crate::certify::{Enclosure, Interval, Sight};
 use crate::evaluate::Machine;
+use crate::model::MotorId;
 use crate::program::{BlockId, Gauge, Position, Value, computing};
+use crate::structure::RequirementTrouble;
 use std::collections::BinaryHeap;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::rc::Rc;
@@ -280,11 +282,10 @@ impl<'a> Search<'a> {
         Some(angles.collect())
     }
 
-    /// Tests whether all angles that are measured are what they were after each motor that goes right round has done so; else gives the
-    /// first motor that changes one.
-    pub(super) fn endless(&mut self) -> Option<Result<(), usize>> {
+    /// Tests whether all angles are what they were after each motor that goes right round has done so; nothing if that cannot be paid.
+    pub(super) fn come_round(&mut self) -> Option<Result<(), RequirementTrouble>> {
         let gauge = self.gauge;
-        if !gauge.angles.iter().any(|angle| angle.is_measured) {
+        if gauge.angles.is_empty() {
             return Some(Ok(()));
         }
         let start = Rc::clone(&self.start);
@@ -298,9 +299,16 @@ impl<'a> Search<'a> {
                 angles.push(self.angles_at(&frame, &place, &frame.turned)?);
             }
             let both = angles[0].iter().zip(&angles[1]).zip(&gauge.angles);
-            let mut measured = both.filter(|(_, angle)| angle.is_measured);
-            if measured.any(|((a, b), _)| (a - b).abs() > 1.0) {
-                return Some(Err(motor));
+            let goes_on = both.filter(|((a, b), _)| (*a - *b).abs() > 1.0);
+            let mut goes_on = goes_on.map(|(_, angle)| angle.is_measured);
+            let motor = MotorId::new(motor);
+            if let Some(first) = goes_on.next() {
+                return Some(Err(if first || goes_on.any(|is_measured| is_measured) {
+                    RequirementTrouble::Endless { motor }
+                } else {
+                    // A wheel that it drives may take more turns until it is back.
+                    RequirementTrouble::NoRange { motor }
+                }));
             }
         }
         Some(Ok(()))

@@ -52,10 +52,22 @@ pub(super) fn is_in_degrees(expr: &Expr) -> bool {
     }
 }
 
+/// Whether a number is written as a speed.
+pub(super) fn is_in_rpm(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Rpm(_) => true,
+        ExprKind::Negative(inner) => is_in_rpm(inner),
+        ExprKind::Sum(parts) | ExprKind::Product(parts) => {
+            parts.iter().any(|(_, part)| is_in_rpm(part))
+        }
+        _ => false,
+    }
+}
+
 /// Whether what is no angle, but a length or a mass, is written in degrees, or as a speed. Told if so.
 pub(super) fn is_angle(report: &mut Report, number: &Expr, what: &str) -> bool {
     let (noun, unit) = match &number.kind {
-        ExprKind::Rpm(_) => ("a speed", "rpm"),
+        _ if is_in_rpm(number) => ("a speed", "rpm"),
         _ if is_in_degrees(number) => ("an angle", "deg"),
         _ => return false,
     };

@@ -97,7 +97,9 @@ fn roller(
         return reader.report.refuse(end.place(), text);
     };
     let axis = find::axis(reader, draft, body, point, Some(AxisKind::Point))?;
-    let radius = reader.length(&expr.radius, "the radius of a roller");
+    let radius = reader
+        .fixed("the disc of a cam is made for one roller")
+        .length(&expr.radius, "the radius of a roller");
     let turns = matches!(draft.model.joint(follower).kind, JointKind::Revolute(..));
     let found = draft.model.axis(axis);
     let text = if found.kind == AxisKind::Line {

@@ -6,6 +6,7 @@ use super::kind::{Kind, kinds};
 use super::name::Referent;
 use super::quantity::Quantity;
 use super::reader::{Measuring, Reader};
+use super::value::format_number;
 use super::{coordinate, find};
 use crate::model::{
     self, AxisKind, Formula, JointId, JointKind, LinkId, Measured, ShapeKind, Summary,
@@ -47,8 +48,10 @@ impl Reader<'_> {
             MeasuredExpr::Pressure(cam) => {
                 model::Quantity::Pressure(self.cam_with_roller(draft, cam)?)
             }
-            MeasuredExpr::Curvature(cam) => {
-                model::Quantity::Curvature(self.cam_with_roller(draft, cam)?)
+            MeasuredExpr::Curvature(name) => {
+                let cam = self.cam_with_roller(draft, name)?;
+                self.refuse_corner(draft, cam, name)?;
+                model::Quantity::Curvature(cam)
             }
             MeasuredExpr::Angle(link, None) => {
                 model::Quantity::Angle(self.moving_link(draft, link)?)
@@ -163,12 +166,33 @@ impl Reader<'_> {
     fn cam_with_roller(&mut self, draft: &Draft, name: &Name) -> Option<JointId> {
         let cam = find::joint(self, draft, name)?;
         let text = match draft.model.joint(cam).kind {
+            JointKind::Cam { shaft, .. }
+                if matches!(draft.model.joint(shaft).kind, JointKind::Prismatic(..)) =>
+            {
+                format!("the shaft of `{name}` slides; this is measured of a cam that turns")
+            }
             JointKind::Cam { .. } if draft.model.roller_of(cam).is_some() => return Some(cam),
             JointKind::Cam { .. } => format!(
                 "nobody knows where `{name}` is followed; add `roller LINK.POINT radius 1` to it, after its brackets"
             ),
             _ => format!("`{name}` is no cam; this is measured of a cam with a roller"),
         };
+        self.report.refuse(name.place(), text)
+    }
+
+    /// Complains about a cam whose disc has a corner.
+    fn refuse_corner(&mut self, draft: &Draft, cam: JointId, name: &Name) -> Option<()> {
+        let params: Vec<f64> = draft.model.params.values().collect();
+        let mut cams = draft.model.cams();
+        let (.., law) = cams.find(|(one, ..)| *one == cam)?;
+        let jump = law.first_jump_in_turn(&params, false);
+        let Some(jump) = jump else {
+            return Some(());
+        };
+        let text = format!(
+            "the disc of `{name}` has a corner at q = {} deg, where the rate of its law jumps: no curvature tells what a roller does there",
+            format_number((jump.at.to_degrees() * 1e4).round() / 1e4)
+        );
         self.report.refuse(name.place(), text)
     }
 

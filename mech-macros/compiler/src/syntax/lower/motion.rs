@@ -1,11 +1,11 @@
 //! Motions in segments, as sums of staircases: one for each segment that moves.
 
-use super::angle::{is_angle, is_degrees_perhaps};
+use super::angle::{is_angle, is_degrees_perhaps, is_in_rpm};
 use super::constant::Passing;
 use super::quantity::Quantity;
 use super::reader::{Argument, Nature, Reader};
 use super::value::format_number;
-use crate::model::{Formula, Number};
+use crate::model::{Formula, Number, is_always_zero};
 use crate::syntax::Place;
 use crate::syntax::ast::{Expr, MotionExpr, SegmentExpr, Way};
 use mech_core::{MotionLaw, Staircase};
@@ -68,9 +68,18 @@ pub(super) fn read(reader: &mut Reader, motion: &MotionExpr, place: Place) -> Op
     let begin = begin?;
     let spans = spans.into_iter().collect::<Option<Vec<f64>>>()?;
     let heights = heights.into_iter().collect::<Option<Vec<Quantity>>>()?;
-    let (climbs, rest) = climbs(reader, &motion.segments, &spans, &heights)?;
+    let (climbs, rest, sum) = climbs(reader, &motion.segments, &spans, &heights)?;
     let total: f64 = spans.iter().sum();
     let round = round(reader, motion, nature, [total, rest], place)?;
+    let turns = nature.is_some_and(|nature| nature.of == Argument::Angle);
+    if let Some(sum) = sum.formula
+        && turns
+        && !motion.repeats
+        && !is_always_zero(reader.formulas(), sum)
+    {
+        let text = "its heights depend on params, so that it may not come back to where it began; end it with `return over ...`";
+        return reader.report.refuse(place, text);
+    }
     let mut value = begin;
     for climb in climbs {
         let stairs = stairs(reader, &climb, round);
@@ -80,13 +89,13 @@ pub(super) fn read(reader: &mut Reader, motion: &MotionExpr, place: Place) -> Op
     Some(value)
 }
 
-/// The segments that move, and how far all of them go together at the start.
+/// The segments that move, and how far all of them go together: at the start, and as a formula.
 fn climbs(
     reader: &mut Reader,
     segments: &[SegmentExpr],
     spans: &[f64],
     heights: &[Quantity],
-) -> Option<(Vec<Climb>, f64)> {
+) -> Option<(Vec<Climb>, f64, Quantity)> {
     let (mut at, mut sum) = (0.0, Quantity::fixed(0.0));
     let sizes = heights.iter().filter_map(|height| height.value);
     let all: f64 = sizes.map(f64::abs).sum();
@@ -106,7 +115,7 @@ fn climbs(
                 return reader.report.refuse(segment.place, text);
             }
             Way::Dwell => None,
-            Way::Return if far(sum) == 0.0 => {
+            Way::Return if far(sum) == 0.0 && sum.formula.is_none() => {
                 let text =
                     "it is where it began already; write `dwell` here, or a `rise` before it";
                 return reader.report.refuse(segment.place, text);
@@ -128,7 +137,7 @@ fn climbs(
         }
         at += span;
     }
-    Some((climbs, far(sum)))
+    Some((climbs, far(sum), sum))
 }
 
 /// A number of a motion outside of its law: without the law's variable.
@@ -181,6 +190,9 @@ fn height(reader: &mut Reader, of: &Expr, nature: Option<Nature>) -> Option<Quan
     };
     let known = reader.in_this_law(known);
     let is_told = match nature {
+        Some(Nature { is_angle: true, .. }) if is_in_rpm(of) => {
+            is_angle(reader.report, of, "an angle")
+        }
         Some(Nature { is_angle: true, .. }) => known
             .value
             .is_some_and(|value| is_degrees_perhaps(reader.report, of, value)),
@@ -190,7 +202,7 @@ fn height(reader: &mut Reader, of: &Expr, nature: Option<Nature>) -> Option<Quan
     (!is_told).then_some(known)
 }
 
-/// A height that is greater than zero at the start. `other` is the word for the opposite way.
+/// A height that is greater than zero, unless it depends on a param. `other` is the word for the opposite way.
 fn positive_height(
     reader: &mut Reader,
     of: &Expr,
@@ -199,7 +211,8 @@ fn positive_height(
 ) -> Option<Quantity> {
     let known = height(reader, of, nature)?;
     let value = known.value.unwrap_or(1.0);
-    if value > 0.0 {
+    // A param may have another value later.
+    if value > 0.0 || known.formula.is_some() {
         return Some(known);
     }
     let remedy = if value == 0.0 {
@@ -221,13 +234,7 @@ fn round(
 ) -> Option<Round> {
     let last = motion.segments.last();
     let open = last.filter(|segment| segment.span.is_none());
-    let turns = matches!(
-        nature,
-        Some(Nature {
-            of: Argument::Angle,
-            ..
-        })
-    );
+    let turns = nature.is_some_and(|nature| nature.of == Argument::Angle);
     if let Some(open) = open
         && (motion.repeats || !turns)
     {

@@ -1,6 +1,6 @@
 //! Motors, their ranges and steps.
 
-use super::angle::{ask_about_degrees, is_angle, is_half_in_degrees, is_in_degrees};
+use super::angle::{ask_about_degrees, is_angle, is_half_in_degrees, is_in_degrees, is_in_rpm};
 use super::constant::TIME;
 use super::coordinate::is_drawn;
 use super::draft::{Draft, WrittenMotor};
@@ -10,7 +10,7 @@ use super::report::{Report, StatementPlace};
 use super::value::format_number;
 use super::{find, law, rolling};
 use crate::model::{self, JointId, JointKind, Model, Range};
-use crate::syntax::ast::{Expr, ExprKind, Motor, Name, StartClause};
+use crate::syntax::ast::{Expr, Motor, Name, StartClause};
 
 /// The greatest relative difference between two numbers that are equal but were computed differently.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
@@ -41,11 +41,20 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, motor: &Motor) {
     let factors = [Quantity::fixed(1.0); 2];
     let law = written.and_then(|law| law::read(reader, draft, law, TIME, factors, nature));
     if let (Some(written), Some(law)) = (written, law)
-        && let ExprKind::Rpm(_) = written.kind
+        && is_in_rpm(written)
         && draft.model.law(law).is_fixed()
     {
         let text =
             format!("a speed is no place: by this law it never moves; write `{written} * t`");
+        return reader.report.error(written.place, text);
+    }
+    if let (Some(written), Some(JointKind::Prismatic(..))) = (written, kind)
+        && is_in_rpm(written)
+    {
+        let text = format!(
+            "`{written}` is a speed of turning, and `{}` slides; leave `rpm` out",
+            motor.joint
+        );
         return reader.report.error(written.place, text);
     }
     if let (Some(written), Some(law)) = (written, law)
