@@ -16,6 +16,7 @@ mod picture;
 mod play;
 mod plot;
 mod report;
+mod rest;
 mod run;
 mod table;
 mod target;

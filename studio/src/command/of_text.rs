@@ -8,6 +8,7 @@ use super::graph::Graph;
 use super::play::Play;
 use super::plot::Plot;
 use super::report::Report;
+use super::rest::Rest;
 use super::table::Table;
 use super::target::Target;
 use crate::console::Console;
@@ -23,6 +24,7 @@ pub(super) enum OfText {
     Check(Check),
     Fix(Fix),
     Report(Report),
+    Rest(Rest),
     Graph(Graph),
     Draw(Draw),
     Film(Film),
@@ -85,6 +87,7 @@ impl OfText {
             Self::Check(check) => check.run(console),
             Self::Fix(fix) => fix.run(writer, console),
             Self::Report(report) => report.run(console),
+            Self::Rest(rest) => rest.run(console),
             Self::Graph(graph) => graph.run(writer, console),
             Self::Draw(draw) => draw.run(writer, console),
             Self::Film(film) => film.run(writer, console),
@@ -100,6 +103,7 @@ impl OfText {
             Self::Check(check) => &mut check.target,
             Self::Fix(fix) => &mut fix.target,
             Self::Report(report) => &mut report.target,
+            Self::Rest(rest) => &mut rest.target,
             Self::Graph(graph) => &mut graph.target,
             Self::Draw(draw) => &mut draw.target,
             Self::Film(film) => &mut film.target,

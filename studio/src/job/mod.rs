@@ -6,6 +6,7 @@ mod film;
 mod measure;
 mod picture;
 mod plot;
+mod rest;
 mod table;
 
 pub(crate) use draw::Draw;
@@ -13,6 +14,7 @@ pub(crate) use film::{Film, FilmKind};
 pub(crate) use measure::Measure;
 pub(crate) use picture::{Picture, Size};
 pub(crate) use plot::Plot;
+pub(crate) use rest::Rest;
 
 use crate::document::{Faults, Reading};
 use crate::failure::Failure;
@@ -32,6 +34,8 @@ pub(crate) enum Job {
     /// The extremes and means of the same, as CSV.
     Summary(Measure),
     Plot(Plot),
+    /// Where springs and weights bring it, in words.
+    Rest(Rest),
     Report,
     /// A graph in the language DOT.
     Graph(GraphKind),
@@ -115,6 +119,7 @@ impl Job {
             )
             .into_bytes()),
             Self::Plot(plot) => plot.run(&analysed),
+            Self::Rest(rest) => Ok(rest.run(&analysed)?.into_bytes()),
             Self::Report => {
                 Ok(crate::report::report(&analysed.model, &analysed.compiled)?.into_bytes())
             }

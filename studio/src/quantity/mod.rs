@@ -14,7 +14,6 @@ mod unit;
 
 pub(crate) use kind::Quantity;
 pub(crate) use load::Load;
-#[cfg(feature = "editor")]
 pub(crate) use load::numbers as load_numbers;
 pub(crate) use meter::{Measurement, Table, measure};
 pub(crate) use naming::{dyads, only_quantity, quantities, usual};

@@ -13,6 +13,7 @@ mod outputs;
 mod pictures;
 mod play;
 mod properties;
+mod rest;
 mod run;
 mod script;
 mod slips;

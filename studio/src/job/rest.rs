@@ -1,0 +1,81 @@
+//! Where a mechanism comes to rest, in words.
+
+use super::Analysed;
+use crate::failure::Failure;
+use crate::motion::{Mover, Setting, motor_name, posed, rest, show_value};
+use crate::quantity::{Load, load_numbers};
+use mech_compiler::compile;
+use mech_compiler::model::{Model, MotorId, Precision};
+use std::fmt::Write;
+
+/// A mechanism whose motors are let go, but for those that are held.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct Rest {
+    /// Motors that are held, and where.
+    pub(crate) at: Vec<Setting>,
+    pub(crate) loads: Vec<Load>,
+}
+
+impl Rest {
+    pub(super) fn run(&self, analysed: &Analysed) -> Result<String, Failure> {
+        let mut model = Model {
+            show: None,
+            precision: Precision::F64,
+            ..analysed.model.clone()
+        };
+        model.effects.force = true;
+        let compiled = compile(&model).map_err(|diagnoses| {
+            let texts = diagnoses.iter();
+            let texts = texts.map(|one| mech_compiler::reporter::text(one, &model));
+            let texts: Vec<String> = texts.collect();
+            Failure::mechanism(format!("forces cannot be computed: {}", texts.join("\n")))
+        })?;
+        let held = self.at.iter().map(|setting| setting.resolve(&model));
+        let held = held.collect::<Result<Vec<_>, _>>()?;
+        let is_held = |motor: &MotorId| held.iter().any(|(own, _)| own == motor);
+        let is_driven = |motor: &MotorId| model.lawful_motors().any(|(own, _)| own == *motor);
+        let free = model
+            .motor_ids()
+            .filter(|motor| !is_held(motor) && !is_driven(motor));
+        let free: Vec<MotorId> = free.collect();
+        if free.is_empty() {
+            return Err(Failure::usage(
+                "every motor is held, by `--at` or by its law: none is left that could come to rest",
+            ));
+        }
+        let machine = posed(Mover::new(&model, &compiled), &model, &compiled, &self.at)?;
+        let loads = load_numbers(&model, &self.loads)?;
+        let before = machine.position().motors;
+        let found = rest(&model, &compiled, machine, free.clone(), &loads)?;
+        let mut text = format!("{} comes to rest:\n", model.name);
+        for motor in model.motor_ids() {
+            let number = motor.index();
+            let joint = model.motor(motor).joint;
+            let value = |value| show_value(&model, joint, value);
+            let name = motor_name(&model, motor);
+            let at = value(found.motors[number]);
+            let how = match (free.contains(&motor), found.leaning[number]) {
+                (false, _) if is_driven(&motor) => ", where its law holds it".to_owned(),
+                (false, _) => ", where it is held".to_owned(),
+                (true, None) => format!(", from {}", value(before[number])),
+                (true, Some(leans)) => {
+                    format!(
+                        ", its end, against which it leans with {}",
+                        digits(leans.abs())
+                    )
+                }
+            };
+            let _ = writeln!(text, "  motor `{name}` at {at}{how}");
+        }
+        if let Some(stop) = &found.stop {
+            let _ = writeln!(text, "note: it leans against what stops it: {stop}");
+        }
+        Ok(text)
+    }
+}
+
+/// Four digits of a number.
+fn digits(value: f64) -> f64 {
+    format!("{value:.3e}").parse().unwrap_or(value)
+}
