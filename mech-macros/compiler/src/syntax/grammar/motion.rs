@@ -113,7 +113,7 @@ fn without_comma(input: ParseStream) -> Read<()> {
 
 fn segment(input: ParseStream) -> Read<SegmentExpr> {
     let begin = Place::at(input.span());
-    let words = WAYS.map(|word| (word, word));
+    let words = ["rise", "fall", "return", "dwell", REPEAT].map(|word| (word, word));
     if comes_word(input, FROM) {
         let text = "a motion begins with `from`; move it before all segments";
         return Err(Message::new(begin, text));
