@@ -2,7 +2,6 @@
 
 mod animation;
 mod curator;
-mod diagram;
 mod easel;
 mod error;
 mod exhibit;
@@ -17,10 +16,9 @@ mod swatches;
 
 pub use animation::animation;
 pub use curator::Curator;
-pub use diagram::{Diagram, Move};
 pub use easel::Easel;
 pub use error::Error;
-pub use exhibit::{Exhibit, FRAMES, Showcase};
+pub use exhibit::{Exhibit, FRAMES, Move, Showcase};
 pub use film::{Film, Scene, Stuck};
 pub use graphs::Graphs;
 pub use picture::Picture;
