@@ -20,7 +20,6 @@ mod columns;
 #[cfg(feature = "std")]
 pub mod files;
 mod force;
-mod gauss_legendre;
 #[doc(hidden)]
 pub mod generated;
 mod joint;
@@ -36,8 +35,7 @@ mod trace;
 
 pub use blocked::{Blocked, Cause, Place, Reached, Values};
 pub use columns::{BlockedAt, Columns};
-pub use force::{Forces, Reaction};
-pub use gauss_legendre::GaussLegendre;
+pub use force::{Forces, GaussLegendre, Reaction};
 pub use joint::{Anchor, JointInfo};
 /// The number of operations that a position takes, as generated. An operation whose result is never needed is not counted. An iteration
 /// counts once for each round. Where a loop iterates until it closes, three rounds are counted.

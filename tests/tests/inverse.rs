@@ -1,107 +1,11 @@
 //! Points that are led: after each `reach` every joint holds as it was declared, motors are where their joints are, and the point is
 //! where it was asked to be.
 
-use mech_runtime::{Blocked, Cause, JointKind, Mechanism, Pose, mechanism};
+use mech_runtime::{Blocked, Cause, JointKind, Mechanism, Pose};
 use mech_test_support::{Dice, cases};
 use std::f64::consts::{PI, TAU};
 
-mechanism! {
-    /// A five-bar plotter.
-    struct Plotter;
-    ground { point l = (-1, 0); point r = (1, 0); }
-    link left { point foot = (0, 0); point knee = (2, 0); }
-    link right { point foot = (0, 0); point knee = (2, 0); }
-    link pen { point knee = (0, 0); point tip = (2.5, 0); }
-    link rod { point knee = (0, 0); point tip = (2.5, 0); }
-    joint lm = revolute(ground.l, left.foot);
-    joint rm = revolute(ground.r, right.foot);
-    joint lk = revolute(left.knee, pen.knee);
-    joint rk = revolute(right.knee, rod.knee);
-    joint tip = revolute(pen.tip, rod.tip);
-    motor lm;
-    motor rm;
-    start { lm = 120 deg; rm = 60 deg; pen near 50 deg; }
-    follow pen.tip by lm, rm;
-}
-
-mechanism! {
-    /// A SCARA arm: its second motor stands on the ground, and turns the forearm by a toothed belt.
-    struct Scara;
-    link forearm { point tip = (3, 1); }
-    link upper;
-    link pulley;
-    joint belt = belt(pulley, forearm, 20 : 30 on upper);
-    joint elbow = revolute(forearm, upper) at (2, 0);
-    joint drive = revolute(pulley, ground) at (0, 0);
-    joint shoulder = revolute(ground, upper) at (0, 0);
-    motor drive;
-    motor shoulder;
-    follow forearm.tip by shoulder, drive;
-}
-
-mechanism! {
-    /// An excavator: three cylinders lead the bucket to a place and an angle.
-    struct Excavator;
-    link boom; link stick; link bucket { point teeth = (5, -0.8); }
-    link t1; link p1; link t2; link p2; link t3; link p3;
-    joint a = revolute(ground, boom) at (0, 0);
-    joint b = revolute(boom, stick) at (4, 2);
-    joint c = revolute(stick, bucket) at (6, 0);
-    joint f1 = revolute(ground, t1) at (1, -0.5);
-    joint h1 = revolute(p1, boom) at (2, 1.5);
-    joint lift = prismatic(t1, p1) at (1, -0.5) along (1, 2);
-    joint f2 = revolute(boom, t2) at (2.2, 2.4);
-    joint h2 = revolute(p2, stick) at (3.7, 2.8);
-    joint dip = prismatic(t2, p2) at (2.2, 2.4) along (1.5, 0.4);
-    joint f3 = revolute(stick, t3) at (4.6, 1.9);
-    joint h3 = revolute(p3, bucket) at (6.4, 0.5);
-    joint curl = prismatic(t3, p3) at (4.6, 1.9) along (1.8, -1.4);
-    motor lift;
-    motor dip;
-    motor curl;
-    follow bucket.teeth by lift, dip, curl;
-}
-
-mechanism! {
-    /// A pantograph whose ends slide: its pen goes the other way of the first, and twice as far as the second.
-    struct Pantograph;
-    allow coupled;
-    link across; link along; link a; link b; link d;
-    link c { point pen = (4, 0); }
-    joint x = prismatic(ground, across) at (0, 0) along (1, 0);
-    joint y = prismatic(ground, along) at (2, 0) along (0, 1);
-    joint pa = revolute(across, a) at (0, 0);
-    joint ab = revolute(a, b) at (1, 1.5);
-    joint ac = revolute(a, c) at (2, 3);
-    joint bd = revolute(b, along) at (2, 0);
-    joint cd = revolute(c, d) at (3, 1.5);
-    joint dd = revolute(d, along) at (2, 0);
-    motor y;
-    motor x;
-    follow c.pen by x, y;
-}
-
-mechanism! {
-    /// A platform on three legs of two bars each: seen from the motors, its loops wait for each other; led, each leg is a dyad.
-    struct Platform;
-    allow coupled;
-    link platform { point middle = (3, 1.6); }
-    link u1; link v1; link u2; link v2; link u3; link v3;
-    joint m1 = revolute(ground, u1) at (0, 0);
-    joint m2 = revolute(u2, ground) at (6, 0);
-    joint m3 = revolute(ground, u3) at (3, 5);
-    joint k1 = revolute(u1, v1) at (0.4, 1.6);
-    joint k2 = revolute(u2, v2) at (4.4, -0.4);
-    joint k3 = revolute(u3, v3) at (4.6, 4.2);
-    joint h1 = revolute(v1, platform) at (2.2, 1.2);
-    joint h2 = revolute(v2, platform) at (3.8, 1.2);
-    joint h3 = revolute(platform, v3) at (3, 2.6);
-    motor m1;
-    motor m2;
-    motor m3;
-    follow platform.middle by m1, m2, m3;
-    effects { velocity; }
-}
+include!(concat!(env!("OUT_DIR"), "/inverse.rs"));
 
 /// A mechanism whose point can be led.
 trait Follower: Mechanism<Scalar = f64> + Copy + PartialEq + std::fmt::Debug {
@@ -412,28 +316,6 @@ fn motors_keep_their_turns_when_they_follow() {
     assert!((after - drive).abs().max((also - shoulder).abs()) < 0.1);
 }
 
-mechanism! {
-    /// An arm with all that a mechanism may have besides: a param, a motor that does not follow, rates, a trace, and a part.
-    struct Varied: f32;
-    param length = 1.5;
-    part Bar(size = 1) {
-        port base { point pin = (0, 0); }
-        link bar { point foot = (0, 0); point end = (size, 0); }
-        joint pivot = revolute(base.pin, bar.foot);
-    }
-    use upper: Bar(size = 2) { base = ground };
-    use hand: Bar { base = fore at (length, 0) };
-    link fore { point elbow = (0, 0); point wrist = (length, 0); }
-    joint elbow = revolute(upper.bar.end, fore.elbow);
-    motor upper.pivot;
-    motor hand.pivot;
-    motor elbow;
-    start { elbow = 60 deg; }
-    follow fore.wrist by elbow, upper.pivot;
-    show hand.bar;
-    effects { velocity; trace fore.wrist 8; }
-}
-
 #[test]
 fn what_a_mechanism_has_besides_goes_with_it() {
     let mut arm = Varied::new();
@@ -458,18 +340,6 @@ fn what_a_mechanism_has_besides_goes_with_it() {
     assert_eq!(arm.fore_wrist_trace().len(), seen + 1);
 }
 
-mechanism! {
-    /// An arm whose elbow has a range.
-    struct Limited;
-    link upper;
-    link fore { point wrist = (3, 1); }
-    joint shoulder = revolute(ground, upper) at (0, 0);
-    joint elbow = revolute(upper, fore) at (2, 0);
-    motor shoulder;
-    motor elbow in -30 deg ..= 60 deg;
-    follow fore.wrist by elbow, shoulder;
-}
-
 #[test]
 fn a_motor_does_not_leave_its_range() {
     let mut arm = Limited::new();
@@ -488,24 +358,6 @@ fn a_motor_does_not_leave_its_range() {
     let least = (4.0 + fore * fore + 4.0 * fore * (105.0 * PI / 180.0).cos()).sqrt();
     assert!(x.hypot(y) > least && x.hypot(y) < least + 1e-3, "{blocked}");
     assert_eq!(arm.reach([x, y]), Ok(()));
-}
-
-mechanism! {
-    /// A plotter that comes everywhere on its paper.
-    struct Paper;
-    link left;
-    link right;
-    link rod;
-    link pen { point tip = (0, 4); }
-    joint l = revolute(ground, left) at (-1, 0);
-    joint r = revolute(ground, right) at (1, 0);
-    joint lk = revolute(left, pen) at (-2.4, 1.8);
-    joint rk = revolute(right, rod) at (2.4, 1.8);
-    joint tip = revolute(pen, rod) at (0, 4);
-    motor l;
-    motor r;
-    follow pen.tip in (-1.5 ..= 1.5, 2.5 ..= 4.2) by l, r;
-    effects { acceleration; }
 }
 
 #[test]

@@ -21,6 +21,6 @@ pub use mechanisms::{
 };
 #[cfg(feature = "page")]
 pub use page::{
-    Curator, Diagram, Easel, Error, Exhibit, FRAMES, Film, Graphs, Move, Picture, Scene, Showcase,
-    Stuck, Swatches, animation,
+    Curator, Easel, Error, Exhibit, FRAMES, Film, Graphs, Move, Picture, Scene, Showcase, Stuck,
+    Swatches, animation,
 };

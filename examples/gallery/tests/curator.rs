@@ -7,7 +7,7 @@ use mech_gallery::{
     Curator, Easel, Error, Exhibit, FRAMES, Picture, Showcase, Swatches, animation,
 };
 use mech_runtime::files::FileError;
-use mech_runtime::{Smooth, View};
+use mech_runtime::{Mechanism, Smooth, View};
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 use std::{fs, io, thread};
@@ -19,6 +19,8 @@ fn showcase() -> Showcase<FourBar> {
         caption: "A crank turns, a rocker rocks, and the coupler between them draws a curve that no compass can draw.",
         file: None,
         source: "",
+        move_to: FourBar::move_to,
+        paint: |mechanism, scene| mechanism.draw(scene),
         motion: |phase| [phase * TAU],
         frames: FRAMES,
         still: 0.15,

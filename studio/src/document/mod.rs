@@ -1,6 +1,5 @@
 //! Documents: the mechanisms of a file, as text and as what the compiler makes of it.
 
-mod library;
 #[cfg(feature = "editor")]
 mod part_offer;
 mod reading;

@@ -4,7 +4,7 @@
 //! has its place as a range of bytes in the file.
 
 use super::unlexed::{self, Unlexed};
-use super::{Declaration, Document, library, scanner};
+use super::{Declaration, Document, scanner};
 use crate::failure::Failure;
 use crate::text::Replacement;
 use mech_compiler::model::{Model, Origin};
@@ -12,7 +12,8 @@ use mech_compiler::repair::Offers;
 use mech_compiler::structure::Diagnosis;
 use mech_compiler::syntax::{self, ListedName, ListedNumber, Place};
 use mech_compiler::{Analysis, Compiled, Import, PartText, catch, limits};
-use proc_macro2::{LexError, Span, TokenStream, TokenTree};
+use mech_runtime::parts;
+use proc_macro2::{Group, Ident, LexError, Span, TokenStream, TokenTree};
 use std::ops::Range;
 
 /// A mechanism of a document, read and analysed.
@@ -203,7 +204,7 @@ impl Document {
             let part = PartText::read(&tokens).ok()?;
             (part.name == name).then_some(part.body)
         });
-        here.or_else(|| library::part(&name))
+        here.or_else(|| library_part(&name))
     }
 
     pub(super) fn tokens_of(&self, declaration: &Declaration) -> Result<TokenStream, Message> {
@@ -383,3 +384,47 @@ pub type NameText = ListedName<Range<usize>>;
 
 /// A number, or a pair of them, at its place.
 pub type NumberText = ListedNumber<Range<usize>>;
+
+/// The text of a part of the library, without the word `part`. All its tokens have the place of the name that was given.
+fn library_part(name: &Ident) -> Option<TokenStream> {
+    let part = PartText::find(parts::SOURCE, name)?;
+    Some(placed(part.body, name.span()))
+}
+
+fn placed(tokens: TokenStream, place: Span) -> TokenStream {
+    let moved = tokens.into_iter().map(|tree| {
+        let mut tree = match tree {
+            TokenTree::Group(group) => {
+                Group::new(group.delimiter(), placed(group.stream(), place)).into()
+            }
+            other => other,
+        };
+        tree.set_span(place);
+        tree
+    });
+    moved.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::library_part;
+    use mech_runtime::parts;
+    use proc_macro2::{Ident, Span};
+
+    #[test]
+    fn all_parts_of_the_runtime_are_known() {
+        let lines = parts::SOURCE.lines().map(str::trim_start);
+        let declared = lines.filter_map(|line| {
+            let name = line.strip_prefix("pub ")?;
+            name.split(|letter: char| !letter.is_alphanumeric()).next()
+        });
+        let parts: Vec<&str> = declared.filter(|word| *word != "const").collect();
+        assert_eq!(parts.len(), 11);
+        for name in parts {
+            let text = library_part(&Ident::new(name, Span::call_site()))
+                .expect(name)
+                .to_string();
+            assert!(text.starts_with(name), "{text}");
+        }
+    }
+}

@@ -3,6 +3,7 @@
 use super::Item;
 use super::index::{self, HandleKind, Index};
 use super::placement::{Pose, SCENE, closed, ends, placed};
+use crate::play::distance_to_line;
 use mech_compiler::model::{AxisId, Between, JointId, JointKind, LinkId, Model};
 use mech_compiler::plan::have_same_steps;
 use std::sync::Arc;
@@ -246,7 +247,7 @@ impl Drawing {
     /// Finds the item at a place, no farther away than `reach`.
     pub(crate) fn item_at(&self, place: [f64; 2], reach: f64) -> Option<Item> {
         for (name, [from, to]) in self.actions() {
-            if distance_to_bar(place, from, to) <= reach {
+            if distance_to_line(place, [from, to]) <= reach {
                 return Some(Item::Action(name.to_owned()));
             }
         }
@@ -308,7 +309,7 @@ impl Drawing {
     /// Computes the distance of a place from the bars of a link, or from its wheel.
     fn distance_to(&self, link: LinkId, place: [f64; 2]) -> f64 {
         let bars = self.bars_of(link);
-        let away = bars.map(|[from, to]| distance_to_bar(place, from, to));
+        let away = bars.map(|line| distance_to_line(place, line));
         let mut least = away.fold(f64::INFINITY, f64::min);
         if let Some((center, radius)) = self.wheel(link) {
             least = least.min((distance(place, center) - radius).max(0.0));
@@ -323,7 +324,7 @@ impl Drawing {
         place: [f64; 2],
         reach: f64,
     ) -> Option<[[f64; 2]; 2]> {
-        let away = |[from, to]: &[[f64; 2]; 2]| distance_to_bar(place, *from, *to);
+        let away = |line: &[[f64; 2]; 2]| distance_to_line(place, *line);
         let bars = self.bars_of(link).filter(|[from, to]| from != to);
         let nearest = bars.min_by(|a, b| away(a).total_cmp(&away(b)));
         nearest.filter(|bar| away(bar) <= reach)
@@ -381,22 +382,4 @@ impl Drawing {
 
 pub(crate) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
-}
-
-/// Computes the distance of a place from the stretch between two others.
-fn distance_to_bar(place: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
-    distance(place, nearest_on_bar(place, from, to))
-}
-
-/// The place on the stretch between two others that is nearest.
-pub(crate) fn nearest_on_bar(place: [f64; 2], from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
-    let along = [to[0] - from[0], to[1] - from[1]];
-    let square = along[0] * along[0] + along[1] * along[1];
-    let part = if square > 0.0 {
-        let inner = (place[0] - from[0]) * along[0] + (place[1] - from[1]) * along[1];
-        (inner / square).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
-    [from[0] + part * along[0], from[1] + part * along[1]]
 }

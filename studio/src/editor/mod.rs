@@ -15,7 +15,6 @@ mod curves;
 mod desk;
 mod drag;
 mod drawing;
-mod dropped;
 mod example;
 #[cfg(not(target_arch = "wasm32"))]
 mod files;
@@ -34,7 +33,6 @@ mod playing;
 mod plotted;
 mod question;
 mod range;
-mod removing;
 mod selection;
 mod settings;
 mod sight;

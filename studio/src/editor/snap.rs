@@ -1,7 +1,8 @@
 //! Where the pointer means.
 
-use super::drawing::{Drawing, Hit, distance, nearest_on_bar};
+use super::drawing::{Drawing, Hit, distance};
 use super::tool::Pick;
+use crate::play::nearest_on_line;
 
 /// A place that the pointer means, and why.
 #[derive(Clone, Debug, PartialEq)]
@@ -94,7 +95,7 @@ impl Snapping<'_> {
         let way = [to[0] - from[0], to[1] - from[1]];
         // The coordinate that changes most along the bar comes to the grid.
         let part = usize::from(way[1].abs() > way[0].abs());
-        let near = nearest_on_bar(place, from, to);
+        let near = nearest_on_line(place, [from, to]);
         let on_grid = on_grid(near, grid(self.scale))[part];
         let share = (on_grid - from[part]) / way[part];
         if !(0.0..=1.0).contains(&share) {

@@ -65,7 +65,13 @@ pub(super) fn nearest(at: [f64; 2], lines: impl Iterator<Item = [[f64; 2]; 2]>) 
 }
 
 /// The distance of a place from a segment.
-fn distance_to_line(at: [f64; 2], [from, to]: [[f64; 2]; 2]) -> f64 {
+pub(crate) fn distance_to_line(at: [f64; 2], line: [[f64; 2]; 2]) -> f64 {
+    let [x, y] = nearest_on_line(at, line);
+    (at[0] - x).hypot(at[1] - y)
+}
+
+/// The place on a segment that is nearest to another.
+pub(crate) fn nearest_on_line(at: [f64; 2], [from, to]: [[f64; 2]; 2]) -> [f64; 2] {
     let [x, y] = [to[0] - from[0], to[1] - from[1]];
     let square = x * x + y * y;
     let share = if square > 0.0 {
@@ -73,5 +79,5 @@ fn distance_to_line(at: [f64; 2], [from, to]: [[f64; 2]; 2]) -> f64 {
     } else {
         0.0
     };
-    (at[0] - from[0] - share * x).hypot(at[1] - from[1] - share * y)
+    [from[0] + share * x, from[1] + share * y]
 }

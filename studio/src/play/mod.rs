@@ -29,6 +29,8 @@ pub mod window;
 
 pub use camera::Camera;
 pub use control::Control;
+#[cfg(feature = "editor")]
+pub(crate) use distance::{distance_to_line, nearest_on_line};
 pub use driver::{Driver, Pace, Selection};
 use grip::Held;
 pub use grip::{Free, Grip};

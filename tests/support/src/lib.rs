@@ -2,7 +2,6 @@
 
 mod axis;
 mod cam;
-mod cases;
 mod chain;
 mod closure;
 mod dice;
@@ -14,7 +13,6 @@ pub mod journeys;
 pub mod judge;
 mod measure;
 mod painted;
-mod rustc;
 mod sample;
 mod shuffled;
 mod simulated;
@@ -26,17 +24,15 @@ mod varied;
 
 pub use axis::add_axis;
 pub use cam::{add_cam, law, model_of_law};
-pub use cases::{cases, seeds};
 pub use chain::{chain, chain_text, uneven_chain_text};
 pub use closure::{coordinate, factor, size, slip, with_ground, worst_gap, worst_stretch};
-pub use dice::Dice;
+pub use dice::{Dice, cases, seeds};
 pub use fixtures::{GALLERY, four_bar_text, known, known_texts, with_own_params};
 pub use folder::{Case, folder, repository};
 pub use grow::{Grown, grow, grow_coupled, grow_coupled_from, grow_from, grow_wild, in_own_frames};
-pub use house::House;
+pub use house::{House, rustc};
 pub use measure::{apart, cross, differences, dot, in_f64, lengths, reach};
 pub use painted::painted_outside;
-pub use rustc::rustc;
 pub use sample::{Sample, coupled_samples, dice, for_all, samples};
 pub use shuffled::{
     driven_elsewhere, driven_on_the_ground, on_any_ground, reordered, shuffle, shuffled,

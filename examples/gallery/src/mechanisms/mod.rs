@@ -1,6 +1,5 @@
 //! The mechanisms and how they move: without the standard library and without allocation.
 
-mod exhibited;
 mod precisions;
 mod visitor;
 
@@ -18,5 +17,5 @@ pub mod velocities;
 pub mod walker;
 pub mod watt;
 
-pub use exhibited::Exhibited;
+pub use precisions::Exhibited;
 pub use visitor::{Visitor, visit_f32, visit_f64};

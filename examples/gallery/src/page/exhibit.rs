@@ -45,6 +45,8 @@ pub trait Exhibit {
 ///     file: None,
 ///     source: include_str!("exhibit.rs"),
 ///     motion: |phase| [phase * TAU],
+///     move_to: FourBar::move_to,
+///     paint: FourBar::draw,
 ///     frames: FRAMES,
 ///     still: 0.1,
 /// })
@@ -64,11 +66,19 @@ pub struct Showcase<M: Mechanism<Scalar = f64>> {
     /// The values of its motors, in radians or scene units, at a phase in `0.0..1.0`. The motion should continue smoothly from the last
     /// phase to the first, and a little beyond.
     pub motion: fn(f64) -> M::Motors,
+    /// Moves it to these values of its motors: with rates, where these are painted.
+    pub move_to: Move<M>,
+    /// Paints it: with an overlay, where it is a diagram.
+    pub paint: fn(&M, &mut Scene),
     /// The number of frames of its film, at 30 ms each: [`FRAMES`], or more for a long motion.
     pub frames: usize,
     /// The phase of its still picture.
     pub still: f64,
 }
+
+/// A function that moves a mechanism to motor values.
+pub type Move<M> =
+    fn(&mut M, <M as Mechanism>::Motors) -> Result<(), Blocked<<M as Mechanism>::Motors>>;
 
 /// The number of positions from one frame to the next, for methods that start from the last position.
 const STEPS: usize = 8;
@@ -103,8 +113,10 @@ impl<M: Mechanism<Scalar = f64> + 'static> Exhibit for Showcase<M> {
     }
 
     fn film(&self) -> Result<Film, Stuck> {
-        let draw = |mechanism: &M, scene: &mut Scene| mechanism.draw(scene);
-        self.film_by(M::move_to, draw)
+        // Once to find out how much there is to be seen, and once as it will be seen.
+        let rehearsal = self.filmed_at(f64::INFINITY)?;
+        let scale = Easel::for_film(&rehearsal).map_or(1.0, |easel| easel.scale());
+        self.filmed_at(scale)
     }
 }
 
@@ -120,6 +132,8 @@ impl<M: Exhibited<Scalar = f64>> Showcase<M> {
             file: Some(M::FILE),
             source: M::SOURCE,
             motion: M::motion,
+            move_to: M::move_to,
+            paint: |mechanism, scene| mechanism.draw(scene),
             frames: FRAMES,
             still: 0.0,
         }
@@ -127,32 +141,15 @@ impl<M: Exhibited<Scalar = f64>> Showcase<M> {
 }
 
 impl<M: Mechanism<Scalar = f64>> Showcase<M> {
-    /// The film of its motion, moved and painted by these functions.
-    pub(crate) fn film_by(
-        &self,
-        move_to: impl Fn(&mut M, M::Motors) -> Result<(), Blocked<M::Motors>>,
-        paint: impl Fn(&M, &mut Scene),
-    ) -> Result<Film, Stuck> {
-        // Once to find out how much there is to be seen, and once as it will be seen.
-        let rehearsal = self.filmed_at(f64::INFINITY, &move_to, &paint)?;
-        let scale = Easel::for_film(&rehearsal).map_or(1.0, |easel| easel.scale());
-        self.filmed_at(scale, &move_to, &paint)
-    }
-
     /// The film for so many pixels per scene unit.
-    fn filmed_at(
-        &self,
-        scale: f64,
-        move_to: &impl Fn(&mut M, M::Motors) -> Result<(), Blocked<M::Motors>>,
-        paint: &impl Fn(&M, &mut Scene),
-    ) -> Result<Film, Stuck> {
+    fn filmed_at(&self, scale: f64) -> Result<Film, Stuck> {
         let mut mechanism = M::new();
         let mut film = Film::new(scale);
         for step in 0..self.frames * STEPS {
             #[expect(clippy::cast_precision_loss, reason = "a film is not that long")]
             let phase = step as f64 / (self.frames * STEPS) as f64;
             let motors = (self.motion)(phase);
-            move_to(&mut mechanism, motors).map_err(|blocked| Stuck {
+            (self.move_to)(&mut mechanism, motors).map_err(|blocked| Stuck {
                 frame: step / STEPS,
                 frames: self.frames,
                 motors: M::MOTORS
@@ -163,7 +160,7 @@ impl<M: Mechanism<Scalar = f64>> Showcase<M> {
                 blocked: blocked.map(|motors| motors.as_ref().to_vec()),
             })?;
             if step % STEPS == 0 {
-                film.add(|scene| paint(&mechanism, scene));
+                film.add(|scene| (self.paint)(&mechanism, scene));
             }
         }
         Ok(film)

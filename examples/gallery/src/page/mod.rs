@@ -2,7 +2,6 @@
 
 mod animation;
 mod curator;
-mod diagram;
 mod easel;
 mod error;
 mod exhibit;
@@ -11,20 +10,16 @@ mod graph_layout;
 mod graph_svg;
 mod graphs;
 mod html;
-mod picture;
 mod strips;
-mod swatches;
 
-pub use animation::animation;
+pub use animation::{Swatches, animation};
 pub use curator::Curator;
-pub use diagram::{Diagram, Move};
 pub use easel::Easel;
 pub use error::Error;
-pub use exhibit::{Exhibit, FRAMES, Showcase};
+pub use exhibit::{Exhibit, FRAMES, Move, Showcase};
 pub use film::{Film, Scene, Stuck};
 pub use graphs::Graphs;
-pub use picture::Picture;
-pub use swatches::Swatches;
+pub use strips::Picture;
 
 /// A text as text of HTML or SVG.
 fn escape(text: &str) -> String {

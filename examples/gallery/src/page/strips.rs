@@ -1,7 +1,34 @@
-//! Pictures of any height, painted strip by strip.
+//! Pictures in true colour, of any height, painted strip by strip.
 
-use crate::{Picture, Scene};
+use crate::Scene;
+use mech_runtime::files::{self, FileError};
 use mech_runtime::{Palette, Smooth, View};
+
+/// A picture in true colour.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture {
+    /// The width in pixels.
+    pub width: u16,
+    /// The height in pixels.
+    pub height: u16,
+    /// Red, green, blue and opacity, row by row from the top.
+    pub pixels: Vec<[u8; 4]>,
+}
+
+impl Picture {
+    /// The width and height in pixels.
+    pub(crate) fn size(&self) -> [usize; 2] {
+        [self.width, self.height].map(usize::from)
+    }
+
+    /// The bytes of a PNG file of the picture.
+    ///
+    /// # Errors
+    /// [`FileError`] if the number of pixels does not match the size, or is zero.
+    pub fn png(&self) -> Result<Vec<u8>, FileError> {
+        files::Picture::rgba(self.size(), &self.pixels)?.png()
+    }
+}
 
 /// A strip of `W` × `H` pixels, in which pictures of any height are painted strip by strip. A wider picture has paper at both sides.
 #[derive(Clone, Default)]

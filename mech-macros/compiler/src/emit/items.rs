@@ -8,7 +8,7 @@ use super::tokens::integer;
 use super::views::{Site, Views, views};
 use super::{
     accessors, costs, drawing, forces, inverse, inverse_rates, joints, many, moves, overlay,
-    params, phases, ranges, rates, sensitivity, timing, traces,
+    params, rates, sensitivity, timing, traces,
 };
 use crate::compiled::Compiled;
 use crate::syntax::{Header, Parsed};
@@ -134,8 +134,8 @@ pub(crate) fn items(
 fn parts(emitter: &Emitter<'_>) -> Parts {
     let all = [
         moves::emit,
-        phases::emit,
-        ranges::emit,
+        moves::phases,
+        moves::ranges,
         many::emit,
         rates::emit,
         forces::emit,

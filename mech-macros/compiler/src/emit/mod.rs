@@ -26,8 +26,6 @@ mod moves;
 mod overlay;
 mod params;
 mod parts;
-mod phases;
-mod ranges;
 mod rate_accessors;
 mod rates;
 mod sensitivity;

@@ -3,17 +3,14 @@
 mod beside;
 mod journey;
 mod run;
-mod sensitivity;
 mod timing;
 
-use crate::program::{BlockId, Forces, LinkRates, Position, Program, Value};
+use crate::program::{BlockId, Forces, LinkRates, ParamRates, Position, Program, Value};
 use journey::Move;
 use mech_core::journey::Halt;
 use mech_core::{Phase, Real};
-use run::{MotionInputs, Runner};
-
 pub use run::Prepared;
-pub use sensitivity::sensitivities;
+use run::{MotionInputs, Runner};
 
 /// Why a mechanism did not go to a position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -298,4 +295,31 @@ pub fn settle(program: &mut Program) -> Result<(), Stop> {
     }
     program.start = start;
     Ok(())
+}
+
+/// The rates of everything with each param at a position, by the program that computes them.
+///
+/// # Errors
+/// If a loop is at a dead point or a change point, where that is not determined, or if the program does not compute it.
+pub fn sensitivities<T: Real>(
+    program: &Program,
+    at: &Position<T>,
+) -> Result<Vec<ParamRates<T>>, Stop> {
+    let sensitivity = program.sensitivity().ok_or(Stop::Unasked)?;
+    let given = MotionInputs {
+        rates: &[],
+        accelerations: &[],
+        loads: &[],
+    };
+    let values = Runner::new(program).determined_values(at, given)?;
+    let rates = sensitivity.of_params.iter();
+    let rates: Vec<ParamRates<T>> = rates
+        .map(|rates| rates.map(|value: Value| values[value.index()]))
+        .collect();
+    let is_finite = |rates: &ParamRates<T>| rates.roots().all(Real::is_finite);
+    if rates.iter().all(is_finite) {
+        Ok(rates)
+    } else {
+        Err(Stop::Overflow)
+    }
 }

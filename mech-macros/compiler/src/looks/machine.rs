@@ -1,21 +1,20 @@
 //! A machine: every link has a body that is made from what it carries.
 
-use super::Symbols;
 use super::body::{Body, Form, body};
 use super::cam::{CamBody, cams};
-use super::color::Colors;
 use super::declared::eye;
 use super::ground::{rails, stands};
 use super::outline::{Grid, Outline, Painted, painted, rounded};
 use super::planes::{INSIDE, LAID, Order, Pair, order};
-use super::rolling;
 use super::scene::Scene;
 use super::wheel::Wheels;
+use super::{Symbols, rolling};
 use crate::bug::bug;
-use crate::model::{LinkId, Measure};
+use crate::model::{self, LinkId, Measure, Model};
 use crate::symbols::{elastic_symbols, spots};
 use mech_core::colors::GROUND;
 use nalgebra::Point2;
+use std::collections::HashMap;
 
 /// The ground lies behind everything. Each link has two planes, of which the nearer one has its eyes.
 const GROUND_PLANE: i32 = 0;
@@ -271,4 +270,35 @@ fn in_front(scene: &Scene<'_>) -> Vec<Pair<LinkId>> {
         }
     });
     pairs.collect()
+}
+
+/// The colours of all links' bodies. What is the same link in several instances of a part has the same colour.
+struct Colors(Vec<u8>);
+
+impl Colors {
+    pub(super) fn new(model: &Model) -> Self {
+        let parts = model.instances.iter();
+        let parts: HashMap<&str, &str> = parts
+            .map(|instance| (&instance.path[..], &instance.part[..]))
+            .collect();
+        let mut numbers: HashMap<(Option<&str>, &str), usize> = HashMap::new();
+        let colors = model.link_ids().map(|link| {
+            if link == LinkId::GROUND {
+                return model::color_of(link);
+            }
+            let name = &model.link(link).name[..];
+            let kind = match name.rsplit_once('.') {
+                None => (None, name),
+                Some((path, own)) => (parts.get(path).copied(), own),
+            };
+            let next = numbers.len() + 1;
+            model::color_of(LinkId::new(*numbers.entry(kind).or_insert(next)))
+        });
+        Self(colors.collect())
+    }
+
+    /// The colour of a link.
+    pub(super) fn of(&self, link: LinkId) -> u8 {
+        self.0[link.index()]
+    }
 }

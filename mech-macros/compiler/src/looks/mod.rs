@@ -5,15 +5,12 @@
 
 mod body;
 mod cam;
-mod color;
-mod cover;
 mod cylinder;
 mod declared;
 mod figure;
 mod footprint;
 mod ground;
 mod hull;
-mod lettering;
 mod machine;
 mod outline;
 mod planes;

@@ -3,7 +3,6 @@
 use super::algebra::Numbers;
 use super::closed_form::LoopSolutions;
 use super::equation::Equation;
-use super::halton::Halton;
 use super::unknown::{Solution, Unknown};
 use nalgebra::{DMatrix, DVector};
 
@@ -198,4 +197,28 @@ fn differ(a: &[Solution<f64>], b: &[Solution<f64>], size: f64) -> bool {
         (Solution::Slide(a), Solution::Slide(b)) => (a - b).abs() > APART * size,
         _ => true,
     })
+}
+
+/// Halton's sequence of points in a unit box: the same in every build.
+#[derive(Debug, Default)]
+pub(crate) struct Halton(u32);
+
+impl Halton {
+    /// A coordinate of the present point, from 0 to 1.
+    pub(crate) fn at(&self, axis: usize) -> f64 {
+        const PRIMES: [u32; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
+        let base = PRIMES[axis % PRIMES.len()];
+        let (mut index, mut part, mut sum) = (self.0 + 1, 1.0, 0.0);
+        while index > 0 {
+            part /= f64::from(base);
+            sum += part * f64::from(index % base);
+            index /= base;
+        }
+        sum
+    }
+
+    /// Goes on to the next point.
+    pub(crate) fn advance(&mut self) {
+        self.0 += 1;
+    }
 }

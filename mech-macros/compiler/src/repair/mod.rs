@@ -1,6 +1,5 @@
 //! Repairs of a mechanism: each is written as a change of the text, and the changed text compiled, before it is offered.
 
-mod attachment;
 mod candidates;
 mod completions;
 mod declaration;

@@ -3,19 +3,17 @@
 mod contact;
 mod effects;
 mod instances;
-mod inverse;
 mod jump;
 mod loops;
-mod near;
 mod rolling;
 
 use crate::compiled::Compiled;
 use crate::cost;
 use crate::model::{Joint, JointId, JointKind, LinkId, Model};
+use crate::motion::near_miss::NearMiss;
 use crate::structure::Structure;
 use effects::{force_lines, trace_line};
 use instances::{is_described, joint_names, part_lines};
-use inverse::inverse_lines;
 use loops::{accuracy, loop_line, method, method_line, needs_line, omissions};
 use rolling::coupling_lines;
 use std::fmt::Write;
@@ -30,7 +28,7 @@ pub(crate) fn report(model: &Model, compiled: &Compiled) -> String {
 
 /// Returns the notes on how a mechanism moves.
 pub(crate) fn notes(model: &Model, compiled: &Compiled) -> Vec<String> {
-    let near = near::notes(model, compiled).into_iter();
+    let near = near_misses(model, compiled).into_iter();
     let undercut = contact::notes(model, compiled);
     near.chain(jump::notes(model)).chain(undercut).collect()
 }
@@ -183,4 +181,63 @@ fn plural(noun: &str, count: usize, names: &str) -> Option<String> {
 /// The name of a link.
 fn name(model: &Model, link: LinkId) -> &str {
     &model.link(link).name
+}
+
+/// Writes what is led, by which motors, and how the loops are solved; nothing if no motors follow.
+fn inverse_lines(text: &mut String, model: &Model, compiled: &Compiled) -> std::fmt::Result {
+    let (Some(inverse), Some(inverted)) = (&model.inverse, &compiled.inverse) else {
+        return Ok(());
+    };
+    let motors = inverse.motors.iter().map(|motor| model.motor(*motor).joint);
+    let motors: Vec<JointId> = motors.collect();
+    let more = cost::of_program(&inverted.compiled.program);
+    writeln!(
+        text,
+        "  follow    {} is led, {} follow: {more} more",
+        inverse.name(model),
+        joints(model, &motors)
+    )?;
+    for solved in &inverted.compiled.loops {
+        writeln!(text, "            {}", method_line(solved))?;
+    }
+    Ok(())
+}
+
+/// More notes than these say nothing new.
+const MOST_NEAR: usize = 8;
+
+/// Returns the notes on loops that come near change points.
+fn near_misses(model: &Model, compiled: &Compiled) -> Vec<String> {
+    let all = &compiled.near_misses;
+    let mut notes: Vec<String> = all
+        .iter()
+        .take(MOST_NEAR)
+        .map(|miss| near_miss(model, miss))
+        .collect();
+    if all.len() > MOST_NEAR {
+        notes.push(format!("so do {} other loops", all.len() - MOST_NEAR));
+    }
+    notes
+}
+
+/// ``the loop `b`, `c` passes within 5e-11 of a change point at a = -70.53 deg``.
+fn near_miss(model: &Model, miss: &NearMiss) -> String {
+    let NearMiss {
+        place,
+        motor,
+        at,
+        distance,
+        passes,
+        ..
+    } = miss;
+    let joint = model.joint(model.motor(*motor).joint);
+    let at = match joint.kind {
+        JointKind::Revolute(..) => format!("{:.2} deg", at.to_degrees()),
+        _ => format!("{at:.4}"),
+    };
+    let verb = if *passes { "passes" } else { "stops" };
+    format!(
+        "the loop {place} {verb} within {distance:.0e} of a change point at {} = {at}",
+        joint.name
+    )
 }

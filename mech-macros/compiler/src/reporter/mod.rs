@@ -9,7 +9,6 @@ mod exactness;
 mod held;
 mod instances;
 mod inverse;
-mod mesh;
 mod names;
 mod order;
 mod params;

@@ -6,7 +6,6 @@ mod diagnosis;
 mod elimination;
 mod field;
 mod graph;
-mod mesh;
 mod parallel;
 mod pin;
 mod rolling;

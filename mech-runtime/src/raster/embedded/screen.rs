@@ -1,7 +1,6 @@
 //! Displays as canvases.
 
 use super::part;
-use super::strip::Strip;
 use crate::raster::spans::{Clip, Spans};
 use crate::raster::{fixed, paint};
 use crate::{Canvas, Outline, Palette, Pose, Real, Scalar, View};
@@ -180,5 +179,39 @@ impl<D: DrawTarget, F: Fn([u8; 3]) -> D::Color> Spans for Strips<'_, '_, D, F> {
             self.end();
             self.last = Some(next);
         }
+    }
+}
+
+/// A rectangle of one colour that may still grow.
+#[derive(Clone, Debug)]
+struct Strip {
+    pub(super) rows: Range<usize>,
+    pub(super) columns: Range<usize>,
+    pub(super) color: u8,
+}
+
+impl Strip {
+    pub(super) const fn new(row: usize, columns: Range<usize>, color: u8) -> Self {
+        Self {
+            rows: row..row + 1,
+            columns,
+            color,
+        }
+    }
+
+    /// Grows by the next span, if with it it is still a rectangle.
+    pub(super) fn takes(&mut self, next: &Self) -> bool {
+        if self.color != next.color {
+            return false;
+        }
+        if self.columns == next.columns && self.rows.end == next.rows.start {
+            self.rows.end = next.rows.end;
+            return true;
+        }
+        if self.rows == next.rows && self.columns.end == next.columns.start {
+            self.columns.end = next.columns.end;
+            return true;
+        }
+        false
     }
 }

@@ -5,16 +5,12 @@ mod grid;
 #[cfg(feature = "std")]
 mod heap;
 #[cfg(feature = "std")]
-mod too_large;
-
 pub use array::Array;
 pub(crate) use grid::Grid;
 #[cfg(feature = "std")]
-pub use heap::Heap;
-#[cfg(feature = "std")]
 pub(super) use heap::{Block, repeat};
 #[cfg(feature = "std")]
-pub use too_large::TooLarge;
+pub use heap::{Heap, TooLarge};
 
 use super::stage::Places;
 use core::fmt;

@@ -2,7 +2,6 @@
 
 mod clipped;
 mod cover;
-mod descent;
 mod disc;
 mod flank;
 mod mixing;

@@ -6,7 +6,6 @@ mod fence;
 mod hidden;
 mod place;
 mod rights;
-mod rule;
 mod writer;
 
 pub(crate) use fence::Fence;

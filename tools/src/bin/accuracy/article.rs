@@ -1,10 +1,11 @@
-//! The page `docs/accuracy.md`.
+//! The page `docs/accuracy.md`, and the machine that measures.
 
 use crate::frontier::{frontier, never_worth};
-use crate::machine;
 use crate::measurement::{Effort, Figures, Measurement, STEPS};
 use crate::method::Method;
 use crate::table::describe_block;
+use std::num::NonZero;
+use std::{env, fs, thread};
 
 /// The page, in Markdown.
 pub(crate) fn article(measurements: &[Measurement], effort: Effort) -> String {
@@ -51,7 +52,7 @@ pub(crate) fn article(measurements: &[Measurement], effort: Effort) -> String {
          {}. Other builds may have been running on it. Nanoseconds differ from machine to machine and with the load: compare them \
          with each other, and run the command for your own. Times or errors within 4 % count as the same. Errors are the same on \
          every machine.\n",
-        machine::description()
+        machine()
     );
     text
 }
@@ -169,4 +170,23 @@ fn blocked_list(measurements: &[Measurement]) -> String {
          more rounds can be refused where fewer pass, and `f64` where `f32` passes.\n\n\
          | mechanism | method | step | |\n|---|---|---|---|\n{text}\n"
     )
+}
+
+/// The name of the machine.
+fn machine() -> String {
+    let processors = thread::available_parallelism().map_or(1, NonZero::get);
+    let (arch, system) = (env::consts::ARCH, env::consts::OS);
+    let name = name().map(|name| format!("{name}, ")).unwrap_or_default();
+    let processors = match processors {
+        1 => "1 processor".to_owned(),
+        more => format!("{more} processors"),
+    };
+    format!("{name}{processors}, {arch}, {system}")
+}
+
+/// The processor's name, where the system has it in a file.
+fn name() -> Option<String> {
+    let text = fs::read_to_string("/proc/cpuinfo").ok()?;
+    let line = text.lines().find(|line| line.starts_with("model name"))?;
+    Some(line.split_once(':')?.1.trim().to_owned())
 }

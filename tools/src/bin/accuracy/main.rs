@@ -8,7 +8,6 @@ mod command;
 mod contestant;
 mod diagram;
 mod frontier;
-mod machine;
 mod measurement;
 mod method;
 mod octuple;

@@ -3,7 +3,6 @@
 //! `cargo effects` measures four mechanisms with and without effects, prints the table and renews
 //! `docs/effects.md`.
 
-mod code;
 mod measure;
 mod motion;
 mod subjects;

@@ -5,7 +5,6 @@ use super::ending::missing_after;
 use super::expression::{direction, expression, pair, read_labelled};
 use super::figure::{self, corners};
 use super::foreign;
-use super::misplaced;
 use super::recover::{declared_name, doubled, leave_behind, skip, to_semicolon};
 use super::tokens::{
     any_word, comes, expected_message, in_braces, in_brackets, symbol, take, take_tree, take_word,
@@ -66,7 +65,7 @@ fn item(input: ParseStream) -> Item {
 }
 
 fn unknown_item(input: ParseStream, keyword: &Ident) -> Item {
-    let text = misplaced::as_item(&keyword.to_string()).unwrap_or_else(|| {
+    let text = as_item(&keyword.to_string()).unwrap_or_else(|| {
         let remedy = match spelling::nearest(&keyword.to_string(), &ITEMS) {
             Some(near) => format!("did you mean `{near}`?"),
             None => format!(
@@ -274,4 +273,11 @@ pub(super) fn body(input: ParseStream, begin: Cursor) -> Read<Vec<Item>> {
     let missing = "`{` or `;`";
     let forgotten = missing_after(input, begin, &STATEMENTS, missing);
     Err(forgotten.unwrap_or_else(|| expected_message(input, missing)))
+}
+
+/// Returns the help for a word that begins no item of a link, but something else.
+fn as_item(word: &str) -> Option<String> {
+    STATEMENTS.contains(&word).then(|| {
+        format!("`{word}` is a statement of its own; write it after the braces of the link")
+    })
 }

@@ -11,7 +11,6 @@ mod header;
 mod item;
 mod joint;
 mod method;
-mod misplaced;
 mod motion;
 mod part;
 mod path;

@@ -1,6 +1,6 @@
 //! The list of statements, and what each begins with.
 
-use super::beginning::{NOT_YET, STATEMENTS, at_beginning};
+use super::beginning::{ITEMS, NOT_YET, STATEMENTS, at_beginning};
 use super::expression::expression;
 use super::header::{self, Line};
 use super::recover::{
@@ -9,7 +9,7 @@ use super::recover::{
 use super::tokens::{
     any_word, comes, comes_word, expected_message, message_of, symbol, take, take_tree,
 };
-use super::{action, expect, foreign, item, joint, method, misplaced, part, setting};
+use super::{action, expect, foreign, item, joint, method, part, setting};
 use crate::syntax::ast::{Broken, Constant, EFFECTS, Ground, Link, Read, Statement, Text};
 use crate::syntax::{Message, Place, spelling};
 use proc_macro2::{Ident, Span};
@@ -191,7 +191,7 @@ fn not_yet(keyword: &Ident) -> Message {
 
 fn unknown_statement(keyword: &Ident) -> Message {
     let text = keyword.to_string();
-    if let Some(trouble) = misplaced::as_statement(&text) {
+    if let Some(trouble) = as_statement(&text) {
         return Message::new(Place::at(keyword.span()), trouble);
     }
     let remedy = if let Some(near) = spelling::nearest(&text, &STATEMENTS) {
@@ -278,4 +278,37 @@ fn link(input: ParseStream) -> Statement {
         let items = or_skip(input, &STATEMENTS, |input| item::body(input, begin));
         Statement::Link(Link { name, items })
     })
+}
+
+/// Words of Rust that declare a value.
+const VALUES: [&str; 3] = ["let", "var", "static"];
+/// Words of Rust that declare something else.
+const OF_RUST: [&str; 8] = [
+    "fn",
+    "use",
+    "mod",
+    "impl",
+    "trait",
+    "enum",
+    "type",
+    "macro_rules",
+];
+
+/// Returns the help for a word that begins no statement, but something else.
+fn as_statement(word: &str) -> Option<String> {
+    if VALUES.contains(&word) {
+        Some(format!(
+            "numbers are declared by `const`; write `const` for `{word}`"
+        ))
+    } else if OF_RUST.contains(&word) {
+        Some(format!(
+            "`{word}` belongs to Rust; write it outside of `mechanism!`"
+        ))
+    } else if ITEMS.contains(&word) {
+        Some(format!(
+            "`{word}` is fixed to a link; write it in the braces of `ground` or of a `link`"
+        ))
+    } else {
+        None
+    }
 }

@@ -1,23 +1,16 @@
 //! Texts, and what is understood of them or told about them.
 
-mod cam;
 mod expression;
 mod law;
 mod link;
 mod messages;
-mod method;
 mod model;
-mod motor;
 mod offer;
 mod param;
 mod part;
-mod recovery;
 mod rolling;
 mod setting;
 mod slot;
-mod statement;
-mod trace;
-mod weld;
 
 use super::{Message, Parsed, parse};
 use proc_macro2::TokenStream;
