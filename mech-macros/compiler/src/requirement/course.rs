@@ -362,7 +362,9 @@ fn longest(
             && high - low > width
         {
             for ends in [&mut least, &mut greatest] {
-                ends.pop_front_if(|(number, _)| *number == from);
+                if ends.front().is_some_and(|(number, _)| *number == from) {
+                    ends.pop_front();
+                }
             }
             from += 1;
         }

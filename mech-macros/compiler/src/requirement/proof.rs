@@ -292,13 +292,11 @@ impl Case<'_> {
         let mut course = course.ok_or(RequirementTrouble::TooHard)?;
         let (value, ends) = match summary {
             Summary::Dwell(width) => course.dwell(width),
-            Summary::TimeRatio => match course.time_ratio() {
-                Some(found) => found,
-                None => {
-                    let motor = MotorId::new(motor);
-                    return Err(RequirementTrouble::NotToAndFro { motor });
-                }
-            },
+            Summary::TimeRatio => {
+                let motor = MotorId::new(motor);
+                let found = course.time_ratio();
+                found.ok_or(RequirementTrouble::NotToAndFro { motor })?
+            }
             // The value is the square.
             Summary::Rms => (course.mean().max(Interval::ZERO).sqrt(), Vec::new()),
             _ => (course.mean(), Vec::new()),
