@@ -155,7 +155,7 @@ fn spot(model: &Model, name: &str) -> Result<Spot, Failure> {
 }
 
 /// A link, or the ground.
-fn body_of(model: &Model, name: &str) -> Result<LinkId, Failure> {
+pub(crate) fn body_of(model: &Model, name: &str) -> Result<LinkId, Failure> {
     let is_ground = name == "ground";
     let found = is_ground
         .then_some(LinkId::GROUND)

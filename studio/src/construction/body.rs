@@ -1,0 +1,159 @@
+//! Free bodies: each link alone, with all that pushes it.
+
+use super::Place;
+use super::mark::Mark;
+use super::panel::{Inset, usual};
+use super::push::{Push, cam, pushes};
+use super::spot::Spot;
+use crate::failure::Failure;
+use crate::quantity::{Position, Survey};
+use crate::quantity::tick;
+use mech_compiler::model::LinkId;
+use mech_core::colors::INK;
+use mech_runtime::Palette;
+
+/// The parts of a field's side that the longest arrow has, and the distance of a spot from the middle of its link.
+const ARROW: f64 = 0.25;
+const REACH: f64 = 0.2;
+/// A force or torque that is smaller than this part of the greatest is none.
+const NONE: f64 = 1e-9;
+/// Where the number of a torque begins, in pixels from its arrow's middle.
+const BESIDE: Place = [16.0, -16.0];
+
+/// The free bodies of all links, each in all positions. Forces have one scale.
+pub(super) fn bodies(survey: &Survey, rests: bool) -> Result<Vec<Inset>, Failure> {
+    if let Some(name) = cam(survey) {
+        return Err(Failure::mechanism(format!(
+            "free bodies do not show cams, as `{name}`; `mech table` measures `reaction:{name}`"
+        )));
+    }
+    let pushed: Vec<Option<Vec<Push>>> = survey
+        .positions
+        .iter()
+        .map(|at| pushes(survey, at, rests))
+        .collect();
+    if pushed.iter().all(Option::is_none) {
+        return Err(Failure::mechanism(
+            "forces are not determined here: it is at a dead point or a change point; put a motor elsewhere with `--at`",
+        ));
+    }
+    let all = || pushed.iter().map(|pushes| pushes.as_deref().unwrap_or_default());
+    let most = |size: fn(&Push) -> f64| {
+        let greatest = |pushes: &[Push]| pushes.iter().map(size).fold(0.0, f64::max);
+        usual(all().map(greatest))
+    };
+    let [force, torque] = [
+        most(|push| push.force[0].hypot(push.force[1])),
+        most(|push| push.torque.abs()),
+    ];
+    if force == 0.0 && torque == 0.0 {
+        return Err(Failure::mechanism(
+            "nothing pushes its links: give a load by `--load`, or declare `gravity` and masses, or springs",
+        ));
+    }
+    let links: Vec<LinkId> = survey.model.declared_links().collect();
+    let reach = |at: &Position| {
+        let far = links.iter().map(|link| Outline::of(survey, at, *link).reach);
+        far.fold(0.0, f64::max)
+    };
+    let reach = usual(survey.positions.iter().map(reach));
+    let scale = Scale {
+        length: REACH / if reach > 0.0 { reach } else { 1.0 },
+        force: ARROW / if force > 0.0 { force } else { 1.0 },
+        least: [NONE * force, NONE * torque],
+    };
+    let inset = |link: LinkId| {
+        let positions = survey.positions.iter().zip(all());
+        let drawings = positions.map(|(at, pushes)| {
+            let own = pushes.iter().filter(|push| push.link == link);
+            Outline::of(survey, at, link).drawn(own, &scale)
+        });
+        Inset {
+            title: survey.model.link(link).name.clone(),
+            unit: "force",
+            scale: scale.force,
+            drawings: drawings.collect(),
+        }
+    };
+    Ok(links.iter().copied().map(inset).collect())
+}
+
+/// The parts of a field's side that stand for one unit, and the least force and torque that is shown.
+struct Scale {
+    length: f64,
+    force: f64,
+    least: [f64; 2],
+}
+
+/// A link as its spots tell of it.
+struct Outline {
+    spots: Vec<Place>,
+    middle: Place,
+    /// How far the farthest spot is from the middle.
+    reach: f64,
+}
+
+impl Outline {
+    fn of(survey: &Survey, at: &Position, link: LinkId) -> Self {
+        let spots: Vec<Place> = Spot::of(survey, at, link).iter().map(|spot| spot.at).collect();
+        let ends = |part: usize| {
+            let low = spots.iter().map(|at| at[part]).fold(f64::INFINITY, f64::min);
+            let high = spots.iter().map(|at| at[part]).fold(f64::NEG_INFINITY, f64::max);
+            f64::midpoint(low, high)
+        };
+        let middle = if spots.is_empty() { [0.0; 2] } else { [ends(0), ends(1)] };
+        let far = spots.iter().map(|[x, y]| (x - middle[0]).hypot(y - middle[1]));
+        Self {
+            reach: far.fold(0.0, f64::max),
+            spots,
+            middle,
+        }
+    }
+
+    /// The link with what pushes it.
+    fn drawn<'p>(&self, pushes: impl Iterator<Item = &'p Push>, scale: &Scale) -> Vec<Mark> {
+        let to = |place: Place| [0, 1].map(|part| scale.length * (place[part] - self.middle[part]));
+        let color = INK;
+        let line = |from: Place, to: Place| Mark::Line {
+            ends: [from, to],
+            color,
+        };
+        let spots: Vec<Place> = self.spots.iter().copied().map(to).collect();
+        let mut marks: Vec<Mark> = spots.windows(2).map(|pair| line(pair[0], pair[1])).collect();
+        if let [first, _, .., last] = spots[..] {
+            marks.push(line(last, first));
+        }
+        marks.extend(spots.into_iter().map(Mark::Dot));
+        for push in pushes {
+            let at = to(push.at.unwrap_or(self.middle));
+            let size = push.force[0].hypot(push.force[1]);
+            if size > scale.least[0] {
+                let tip = [0, 1].map(|part| at[part] + scale.force * push.force[part]);
+                marks.push(Mark::Arrow {
+                    ends: [at, tip],
+                    color: Palette::RED,
+                });
+                let text = format!("{} {}", push.name, short(size));
+                marks.push(Mark::name(tip, push.force, text));
+            }
+            if push.torque.abs() > scale.least[1] {
+                marks.push(Mark::Turn {
+                    at,
+                    to_the_left: push.torque > 0.0,
+                    color: Palette::PURPLE,
+                });
+                marks.push(Mark::Text {
+                    at,
+                    away: BESIDE,
+                    text: format!("{} torque {}", push.name, short(push.torque.abs())),
+                });
+            }
+        }
+        marks
+    }
+}
+
+/// A number with four digits.
+fn short(number: f64) -> String {
+    tick(format!("{number:.3e}").parse().unwrap_or(number))
+}

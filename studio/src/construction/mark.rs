@@ -1,0 +1,113 @@
+//! Marks with a size in pixels.
+
+use super::Place;
+use mech_core::colors::INK;
+use mech_runtime::overlay::{arrow, moment};
+use mech_runtime::{Canvas, Outline, Pose};
+
+/// The radius of a dot, in pixels.
+const DOT: f64 = 3.5;
+/// The thickness of arrows, relative to the usual one, and the radius of that of a torque, in pixels.
+const SIZE: f32 = 0.8;
+const TURN: f32 = 12.0;
+/// The width of a letter, and the height of one, in pixels.
+const LETTER: [f64; 2] = [6.0, 7.0];
+/// How far a text is from what it names, in pixels.
+const BESIDE: f64 = 5.0;
+
+/// A mark in the scene.
+#[derive(Clone, Debug)]
+pub(super) enum Mark {
+    /// A thin line.
+    Line { ends: [Place; 2], color: u8 },
+    Arrow { ends: [Place; 2], color: u8 },
+    /// The arrow of a torque.
+    Turn {
+        at: Place,
+        to_the_left: bool,
+        color: u8,
+    },
+    Dot(Place),
+    /// A text that begins so far from a place, in pixels.
+    Text { at: Place, away: Place, text: String },
+}
+
+impl Mark {
+    /// A text beside a place, on the side to which this vector points.
+    pub(super) fn name(at: Place, [right, up]: Place, text: String) -> Self {
+        #[expect(clippy::cast_precision_loss, reason = "no text has 2⁵² letters")]
+        let width = LETTER[0] * text.chars().count() as f64;
+        let x = if right < 0.0 { -BESIDE - width } else { BESIDE };
+        let y = if up < 0.0 { -BESIDE - LETTER[1] } else { BESIDE };
+        let away = [x, y];
+        Self::Text { at, away, text }
+    }
+
+    /// The same at other places.
+    pub(super) fn map(&self, to: impl Fn(Place) -> Place) -> Self {
+        match self.clone() {
+            Self::Line { ends, color } => Self::Line {
+                ends: ends.map(to),
+                color,
+            },
+            Self::Arrow { ends, color } => Self::Arrow {
+                ends: ends.map(to),
+                color,
+            },
+            Self::Turn {
+                at,
+                to_the_left,
+                color,
+            } => Self::Turn {
+                at: to(at),
+                to_the_left,
+                color,
+            },
+            Self::Dot(at) => Self::Dot(to(at)),
+            Self::Text { at, away, text } => Self::Text {
+                at: to(at),
+                away,
+                text,
+            },
+        }
+    }
+
+    /// The places for which a picture has room, if they are not far away.
+    pub(super) fn places(&self) -> &[Place] {
+        match self {
+            Self::Dot(at) => std::slice::from_ref(at),
+            _ => &[],
+        }
+    }
+
+    pub(super) fn paint(&self, canvas: &mut impl Canvas<f64>) {
+        let pixel = 1.0 / canvas.scale();
+        match self {
+            Self::Line { ends, color } => {
+                // No trace: that would stay where it was in a moving picture.
+                let line = Outline::Line {
+                    points: &ends[..],
+                    width: pixel,
+                };
+                canvas.fill(line, Pose::identity(), *color);
+            }
+            Self::Arrow { ends, color } => arrow(canvas, *ends, SIZE, *color),
+            Self::Turn {
+                at,
+                to_the_left,
+                color,
+            } => moment(canvas, *at, *to_the_left, TURN, SIZE, *color),
+            Self::Dot(at) => {
+                let dot = Outline::Circle {
+                    center: *at,
+                    radius: DOT * pixel,
+                };
+                canvas.fill(dot, Pose::identity(), INK);
+            }
+            Self::Text { at, away, text } => {
+                let place = [at[0] + away[0] * pixel, at[1] + away[1] * pixel];
+                canvas.text(place, text, INK);
+            }
+        }
+    }
+}
