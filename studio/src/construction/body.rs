@@ -6,15 +6,14 @@ use super::panel::{Inset, usual};
 use super::push::{Push, cam, pushes};
 use super::spot::Spot;
 use crate::failure::Failure;
-use crate::quantity::{Position, Survey};
-use crate::quantity::tick;
+use crate::quantity::{Position, Survey, tick};
 use mech_compiler::model::LinkId;
 use mech_core::colors::INK;
 use mech_runtime::Palette;
 
 /// The parts of a field's side that the longest arrow has, and the distance of a spot from the middle of its link.
-const ARROW: f64 = 0.25;
-const REACH: f64 = 0.2;
+const ARROW: f64 = 0.22;
+const REACH: f64 = 0.18;
 /// A force or torque that is smaller than this part of the greatest is none.
 const NONE: f64 = 1e-9;
 /// Where the number of a torque begins, in pixels from its arrow's middle.
@@ -52,19 +51,22 @@ pub(super) fn bodies(survey: &Survey, rests: bool) -> Result<Vec<Inset>, Failure
         ));
     }
     let links: Vec<LinkId> = survey.model.declared_links().collect();
-    let reach = |at: &Position| {
-        let far = links.iter().map(|link| Outline::of(survey, at, *link).reach);
+    let positions = || survey.positions.iter().zip(all());
+    let reach = usual(positions().map(|(at, pushes)| {
+        let far = links.iter().map(|&link| {
+            let own = pushes.iter().filter(|push| push.link == link);
+            let places = own.filter_map(|push| push.at);
+            Outline::of(survey, at, link).reach(places)
+        });
         far.fold(0.0, f64::max)
-    };
-    let reach = usual(survey.positions.iter().map(reach));
+    }));
     let scale = Scale {
         length: REACH / if reach > 0.0 { reach } else { 1.0 },
         force: ARROW / if force > 0.0 { force } else { 1.0 },
         least: [NONE * force, NONE * torque],
     };
     let inset = |link: LinkId| {
-        let positions = survey.positions.iter().zip(all());
-        let drawings = positions.map(|(at, pushes)| {
+        let drawings = positions().map(|(at, pushes)| {
             let own = pushes.iter().filter(|push| push.link == link);
             Outline::of(survey, at, link).drawn(own, &scale)
         });
@@ -89,8 +91,6 @@ struct Scale {
 struct Outline {
     spots: Vec<Place>,
     middle: Place,
-    /// How far the farthest spot is from the middle.
-    reach: f64,
 }
 
 impl Outline {
@@ -102,12 +102,14 @@ impl Outline {
             f64::midpoint(low, high)
         };
         let middle = if spots.is_empty() { [0.0; 2] } else { [ends(0), ends(1)] };
-        let far = spots.iter().map(|[x, y]| (x - middle[0]).hypot(y - middle[1]));
-        Self {
-            reach: far.fold(0.0, f64::max),
-            spots,
-            middle,
-        }
+        Self { spots, middle }
+    }
+
+    /// How far the farthest of its spots and of these places is from its middle.
+    fn reach(&self, places: impl Iterator<Item = Place>) -> f64 {
+        let all = self.spots.iter().copied().chain(places);
+        let far = all.map(|[x, y]| (x - self.middle[0]).hypot(y - self.middle[1]));
+        far.fold(0.0, f64::max)
     }
 
     /// The link with what pushes it.
@@ -128,13 +130,17 @@ impl Outline {
             let at = to(push.at.unwrap_or(self.middle));
             let size = push.force[0].hypot(push.force[1]);
             if size > scale.least[0] {
-                let tip = [0, 1].map(|part| at[part] + scale.force * push.force[part]);
+                // What pushes inwards ends at its place, what pulls begins there.
+                let inwards = push.force[0] * at[0] + push.force[1] * at[1] < -NONE * size;
+                let side = if inwards { -1.0 } else { 1.0 };
+                let outer = push.force.map(|part| side * part);
+                let far = [0, 1].map(|part| at[part] + scale.force * outer[part]);
                 marks.push(Mark::Arrow {
-                    ends: [at, tip],
+                    ends: if inwards { [far, at] } else { [at, far] },
                     color: Palette::RED,
                 });
                 let text = format!("{} {}", push.name, short(size));
-                marks.push(Mark::name(tip, push.force, text));
+                marks.push(Mark::name(far, outer, text));
             }
             if push.torque.abs() > scale.least[1] {
                 marks.push(Mark::Turn {

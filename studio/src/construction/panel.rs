@@ -27,17 +27,18 @@ impl Panel {
         let [low, high] = extent;
         let [width, height] = [0, 1].map(|part| high[part] - low[part]);
         let is_wide = width > 1.6 * height;
-        let mut along = 1;
-        while along * along < count {
-            along += 1;
-        }
+        let along = if is_wide {
+            2 + usize::from(count > 2) + usize::from(count > 6)
+        } else {
+            1 + usize::from(count > 1) + usize::from(count > 4)
+        };
         let long = if is_wide { width.max(0.6 * height) } else { height.max(0.6 * width) };
         #[expect(clippy::cast_precision_loss, reason = "no mechanism has 2⁵² links")]
-        let (rows, side) = (along, long / along as f64);
+        let side = long / along as f64;
         let mut whole = extent;
         let panels = (0..count).map(|number| {
             #[expect(clippy::cast_precision_loss, reason = "no mechanism has 2⁵² links")]
-            let [first, second] = [number % rows, number / rows].map(|n| n as f64);
+            let [first, second] = [number % along, number / along].map(|n| n as f64);
             let corner = if is_wide {
                 [low[0] + side * first, low[1] - side * (second + 1.0)]
             } else {

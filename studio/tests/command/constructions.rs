@@ -9,10 +9,18 @@ joint b = revolute(rod, rocker) at (4, 3); joint d = revolute(ground, rocker) at
 
 type Place = [f64; 2];
 
+/// The colours of forces and of torques.
+const RED: &str = "#c94f45";
+const PURPLE: &str = "#7b62a6";
+
 /// A drawing as SVG, whose numbers are in pixels, y up.
 struct Drawing {
     dots: Vec<Place>,
     texts: Vec<(Place, String)>,
+    /// Each with how many texts stand before it: the next is its name.
+    arrows: Vec<(Place, usize)>,
+    /// The same of curved arrows: whether they go counter-clockwise.
+    turns: Vec<(bool, usize)>,
 }
 
 impl Drawing {
@@ -22,22 +30,40 @@ impl Drawing {
         let words = format!("draw a.mech -o a.svg --look diagram {options}");
         folder.mech(&words).done();
         let svg = folder.text("a.svg");
-        let (mut dots, mut texts, mut group) = (Vec::new(), Vec::new(), [0.0; 2]);
+        let (mut dots, mut texts) = (Vec::new(), Vec::<(Place, String)>::new());
+        let (mut arrows, mut turns) = (Vec::new(), Vec::new());
+        let (mut group, mut turned) = ([0.0; 2], 0.0);
         for line in svg.lines() {
             if let Some((_, rest)) = line.split_once("<g transform=\"translate(") {
                 let (place, _) = rest.split_once(')').expect("an end");
                 let (x, y) = place.split_once(',').expect("two numbers");
                 group = [x, y].map(|part| part.parse().expect("a number"));
+                let angle = rest.split_once("rotate(").and_then(|(_, rest)| rest.split_once(')'));
+                turned = angle.map_or(0.0, |(angle, _)| angle.parse::<f64>().expect("a number"));
             } else if line.starts_with("<circle") && line.contains("r=\"3.5\"") {
                 let [x, y] = ["cx", "cy"].map(|name| attribute(line, name));
                 dots.push([group[0] + x, -group[1] - y]);
+            } else if let Some((_, rest)) = line.split_once("<polygon points=\"") {
+                let (tip, _) = rest.split_once(',').expect("two numbers");
+                let tip: f64 = tip.parse().expect("a number");
+                let (sin, cos) = (-turned.to_radians()).sin_cos();
+                if line.contains(RED) {
+                    arrows.push(([tip * cos, tip * sin], texts.len()));
+                } else if line.contains(PURPLE) {
+                    turns.push((tip < 0.0, texts.len()));
+                }
             } else if let Some((_, rest)) = line.split_once("<text xml:space=\"preserve\"") {
                 let (_, rest) = rest.split_once('>').expect("an end");
                 let (words, _) = rest.split_once('<').expect("an end");
                 texts.push(([group[0], -group[1]], words.to_owned()));
             }
         }
-        Self { dots, texts }
+        Self {
+            dots,
+            texts,
+            arrows,
+            turns,
+        }
     }
 
     /// Where the dots of this name are: beside each stands the name, alone or with others.
@@ -67,6 +93,37 @@ impl Drawing {
         let ends = self.dots.iter().filter(|dot| (dot[1] - y + 8.0).abs() < 1e-3);
         let lengths = ends.map(|dot| dot[0] - x).filter(|length| *length > 1.0);
         lengths.fold(f64::INFINITY, f64::min) / number
+    }
+
+    /// The force of this name in the free body of a link; none if there is no such arrow.
+    fn force(&self, link: &str, name: &str) -> Option<Place> {
+        let mut own = self.arrows.iter().filter(|(_, next)| self.is_of(link, name, *next));
+        let (arrow, next) = own.next()?;
+        let vector = arrow.map(|part| part / self.scale("force"));
+        let (_, number) = self.texts[*next].1.rsplit_once(' ').expect("a number");
+        let number: f64 = number.parse().expect("a number");
+        assert!((vector[0].hypot(vector[1]) / number - 1.0).abs() < 1e-3, "{number}");
+        Some(vector)
+    }
+
+    /// The torque of this name on a link.
+    fn torque(&self, link: &str, name: &str) -> Option<f64> {
+        let name = format!("{name} torque");
+        let mut own = self.turns.iter().filter(|(_, next)| self.is_of(link, &name, *next));
+        let (is_left, next) = own.next()?;
+        let (_, number) = self.texts[*next].1.rsplit_once(' ').expect("a number");
+        let number: f64 = number.parse().expect("a number");
+        Some(if *is_left { number } else { -number })
+    }
+
+    /// Whether the text of this number has this name before its number, in the free body of a link.
+    fn is_of(&self, link: &str, name: &str, number: usize) -> bool {
+        let (before, rest) = self.texts.split_at(number);
+        let titles = ["crank", "rod", "ram", "first", "second"];
+        let mut above = before.iter().rev().map(|(_, words)| words.as_str());
+        let title = above.find(|words| titles.contains(words));
+        let named = rest[0].1.rsplit_once(' ').map(|(name, _)| name);
+        title == Some(link) && named == Some(name)
     }
 
     /// The vector to the only end of this name, in this unit.
@@ -170,4 +227,68 @@ fn a_film_shows_what_drawings_show() {
         .done();
     let [film, drawing] = ["film.png", "draw.png"].map(|name| pixels(&folder.path(name)));
     assert!(film == drawing);
+}
+
+#[test]
+fn free_bodies_of_a_slider_crank_are_those_of_its_triangle_of_forces() {
+    let text = "struct M; ground { point shaft = (0, 0); line bed = (0, 0) -> (1, 0); }
+link crank { point shaft = (0, 0); point pin = (1, 0); }
+link rod { point big = (0, 0); point small = (3, 0); }
+link ram { point pin = (0, 0); line way = (0, 0) -> (1, 0); }
+joint o = revolute(ground.shaft, crank.shaft); joint a = revolute(crank.pin, rod.big);
+joint b = revolute(rod.small, ram.pin); joint bed = prismatic(ground.bed, ram.way); motor o;
+start { o = 60 deg; rod near -10 deg; } load push = force(ram.pin); effects { force; }";
+    for degrees in [60.0_f64, 130.0, 290.0] {
+        let angle = degrees.to_radians();
+        let options = format!("--forces --load push=-100,0 --at o={degrees}");
+        let drawing = Drawing::of(text, &options);
+        // The rod pushes along itself.
+        let rod = (angle.sin() / 3.0).asin();
+        let along = [-100.0, 100.0 * rod.tan()];
+        let back = along.map(|part| -part);
+        let near = |found: Option<Place>, expected: Place| {
+            let found = found.expect("an arrow");
+            let [x, y] = [0, 1].map(|part| found[part] - expected[part]);
+            assert!(x.hypot(y) < 0.01, "{degrees}: {found:?} {expected:?}");
+        };
+        near(drawing.force("crank", "a"), along);
+        near(drawing.force("crank", "o"), back);
+        near(drawing.force("rod", "a"), back);
+        near(drawing.force("rod", "b"), along);
+        near(drawing.force("ram", "b"), back);
+        near(drawing.force("ram", "push"), [-100.0, 0.0]);
+        near(drawing.force("ram", "bed"), [0.0, along[1]]);
+        let torque = -100.0 * (angle + rod).sin() / rod.cos();
+        let found = drawing.torque("crank", "o").expect("a torque");
+        assert!((found / torque - 1.0).abs() < 1e-3, "{found} {torque}");
+    }
+}
+
+#[test]
+fn teeth_springs_and_weights_push_free_bodies() {
+    let text = "struct M; ground { point hub = (0, 0); point other = (3, 0); }
+link first { point hub = (0, 0); } link second { point hub = (0, 0); mass 2 at (0, 0); }
+joint a = revolute(ground.hub, first.hub); joint b = revolute(ground.other, second.hub);
+joint mesh = gear(first, second, 10 : 20); motor a; gravity (0, -5);
+spring s = torsional(b) stiffness 4 rest 0; load brake = torque(second); effects { force; }";
+    // The first wheel has turned by -90°, the second by 45°.
+    let drawing = Drawing::of(text, "--forces --load brake=6 --at a=-90");
+    let spring = std::f64::consts::PI;
+    let near = |found: Option<Place>, expected: Place| assert_near(found.expect("an arrow"), expected);
+    // The pitch circles, with radii 1 and 2, touch at (1, 0).
+    let tooth = (6.0 - spring) / 2.0;
+    near(drawing.force("second", "mesh"), [0.0, tooth]);
+    near(drawing.force("first", "mesh"), [0.0, -tooth]);
+    near(drawing.force("first", "a"), [0.0, tooth]);
+    near(drawing.force("second", "weight"), [0.0, -10.0]);
+    near(drawing.force("second", "b"), [0.0, 10.0 - tooth]);
+    let torques = [
+        ("second", "brake", 6.0),
+        ("second", "s", -spring),
+        ("first", "a", tooth),
+    ];
+    for (link, name, torque) in torques {
+        let found = drawing.torque(link, name).expect("a torque");
+        assert!((found / torque - 1.0).abs() < 1e-3, "{name} {found}");
+    }
 }
