@@ -19,6 +19,12 @@ pub(super) struct Constructions {
     /// Draws the free body of each link beside it, with the forces and torques on it: those at rest, or as laws move it.
     #[arg(long)]
     forces: bool,
+    /// Draws the centrodes of a link relative to the ground, in the whole motion: the fixed one, and the moving one that rolls on it.
+    #[arg(long, value_name = "LINK")]
+    centrodes: Vec<String>,
+    /// Draws the inflection circle of a link relative to the ground: its points go straight ahead there.
+    #[arg(long, value_name = "LINK")]
+    inflection: Vec<String>,
     /// Puts a load on it for `--forces`: the parts of a force, as `--load push=-100,0`, or a torque, as `--load brake=5`.
     #[arg(long, value_name = "NAME=VALUE", allow_negative_numbers = true, requires = "forces")]
     pub(super) load: Vec<Load>,
@@ -34,6 +40,9 @@ impl Constructions {
             (self.forces, Construction::Forces),
         ];
         let wanted = all.into_iter().filter(|(is_wanted, _)| *is_wanted);
-        wanted.map(|(_, construction)| construction).collect()
+        let wanted = wanted.map(|(_, construction)| construction);
+        let centrodes = self.centrodes.iter().cloned().map(Construction::Centrodes);
+        let inflection = self.inflection.iter().cloned().map(Construction::Inflection);
+        wanted.chain(centrodes).chain(inflection).collect()
     }
 }

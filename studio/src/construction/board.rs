@@ -3,18 +3,27 @@
 use super::body::bodies;
 use super::mark::Mark;
 use super::panel::{Inset, Panel};
+use super::path::Centrodes;
 use super::polygon::polygon;
-use super::{Construction, Place, centres};
+use super::{Construction, Place, centres, path};
 use crate::failure::Failure;
 use crate::motion::{Drive, motor_name};
-use crate::quantity::{Load, Order, Position, Survey};
-use mech_compiler::model::Model;
+use crate::quantity::{Load, Order, Position, Survey, body_of};
+use mech_compiler::model::{LinkId, Model};
 use mech_runtime::Canvas;
+
+/// The number of places of a centrode.
+const PLACES: u32 = 720;
+
+/// Where nothing is determined.
+const NO_VELOCITIES: &str = "there are no velocities";
 
 /// A motion, and the parts of it that are shown.
 pub(crate) struct Filmed<'f> {
     pub(crate) model: &'f Model,
     pub(crate) drive: &'f Drive,
+    /// The whole motion, which centrodes take.
+    pub(crate) whole: &'f Drive,
     pub(crate) parts: &'f [f64],
     pub(crate) loads: &'f [Load],
 }
@@ -50,20 +59,36 @@ impl Board {
         let survey = Survey::new(of.model, of.drive, of.parts, order, forces)?;
         let mut insets = Vec::new();
         let polygons = |title, unit, order| -> Result<Inset, Failure> {
-            let drawings = drawn(&survey, &|at| polygon(&survey, at, order))?;
+            let drawings = drawn(&survey, NO_VELOCITIES, &|at| polygon(&survey, at, order))?;
             let title = format!("{title}{}", pace(of));
             Ok(Inset::filling(title, unit, &drawings))
         };
         for construction in constructions {
             match construction {
                 Construction::Centres => {
-                    board.add(drawn(&survey, &|at| centres::centres(&survey, at))?);
+                    board.add(drawn(&survey, NO_VELOCITIES, &|at| centres::centres(&survey, at))?);
                 }
                 Construction::Velocities => {
                     insets.push(polygons("velocities", "unit/s", Order::Velocity)?);
                 }
                 Construction::Accelerations => {
                     insets.push(polygons("accelerations", "unit/s²", Order::Acceleration)?);
+                }
+                Construction::Centrodes(name) => {
+                    let link = moving_link(of.model, name)?;
+                    let parts: Vec<f64> = (0..=PLACES).map(|n| f64::from(n) / f64::from(PLACES)).collect();
+                    let whole = Survey::new(of.model, of.whole, &parts, Order::Velocity, None)?;
+                    let Some(centrodes) = Centrodes::new(&whole, link, extent) else {
+                        return Err(Failure::mechanism(format!(
+                            "link `{name}` never turns, so its instant centre is always at infinity"
+                        )));
+                    };
+                    board.add(drawn(&survey, NO_VELOCITIES, &|at| centrodes.drawn(&survey, at))?);
+                }
+                Construction::Inflection(name) => {
+                    let link = moving_link(of.model, name)?;
+                    let why = format!("link `{name}` does not turn");
+                    board.add(drawn(&survey, &why, &|at| path::inflection(&survey, at, link))?);
                 }
                 Construction::Forces => {
                     insets.extend(bodies(&survey, of.drive.motor().is_some())?);
@@ -118,24 +143,33 @@ impl Construction {
     /// Up to where rates are needed for it.
     fn order(&self) -> Order {
         match self {
-            Self::Accelerations => Order::Acceleration,
-            Self::Centres | Self::Velocities | Self::Forces => Order::Velocity,
+            Self::Accelerations | Self::Inflection(_) => Order::Acceleration,
+            Self::Centres | Self::Velocities | Self::Forces | Self::Centrodes(_) => Order::Velocity,
         }
     }
 }
 
-/// What is drawn in each position. Somewhere it has to be determined.
+/// What is drawn in each position. Somewhere it has to be determined; `what` it is says why it may not be.
 fn drawn(
     survey: &Survey,
+    what: &str,
     draw: &dyn Fn(&Position) -> Option<Vec<Mark>>,
 ) -> Result<Vec<Vec<Mark>>, Failure> {
     let all: Vec<Option<Vec<Mark>>> = survey.positions.iter().map(draw).collect();
     if all.iter().all(Option::is_none) {
-        return Err(Failure::mechanism(
-            "there are no velocities here: it is at a dead point or a change point; put a motor elsewhere with `--at`",
-        ));
+        return Err(Failure::mechanism(format!(
+            "{what} here, as at a dead point or a change point; put a motor elsewhere with `--at`"
+        )));
     }
     Ok(all.into_iter().map(Option::unwrap_or_default).collect())
+}
+
+/// A link that is not the ground.
+fn moving_link(model: &Model, name: &str) -> Result<LinkId, Failure> {
+    match body_of(model, name)? {
+        LinkId::GROUND => Err(Failure::usage("the ground rests; name a link that moves")),
+        link => Ok(link),
+    }
 }
 
 /// How fast the motor moves, as words of a title.

@@ -10,6 +10,10 @@ const DOT: f64 = 3.5;
 /// The thickness of arrows, relative to the usual one, and the radius of that of a torque, in pixels.
 const SIZE: f32 = 0.8;
 const TURN: f32 = 12.0;
+/// The width of curves, in pixels.
+const CURVE: f64 = 1.5;
+/// A circle with a greater diameter, in pixels, is a straight line where it is seen.
+const STRAIGHT: f64 = 1e5;
 /// The width of a letter, and the height of one, in pixels.
 const LETTER: [f64; 2] = [6.0, 7.0];
 /// How far a text is from what it names, in pixels.
@@ -21,6 +25,14 @@ pub(super) enum Mark {
     /// A thin line.
     Line { ends: [Place; 2], color: u8 },
     Arrow { ends: [Place; 2], color: u8 },
+    /// A line through places of a link in this pose.
+    Curve {
+        places: Vec<Place>,
+        pose: Pose<f64>,
+        color: u8,
+    },
+    /// A circle through the ends of its diameter.
+    Circle { ends: [Place; 2], color: u8 },
     /// The arrow of a torque.
     Turn {
         at: Place,
@@ -43,9 +55,10 @@ impl Mark {
         Self::Text { at, away, text }
     }
 
-    /// The same at other places.
+    /// The same at other places; curves and circles are never moved.
     pub(super) fn map(&self, to: impl Fn(Place) -> Place) -> Self {
         match self.clone() {
+            same @ (Self::Curve { .. } | Self::Circle { .. }) => same,
             Self::Line { ends, color } => Self::Line {
                 ends: ends.map(to),
                 color,
@@ -76,6 +89,7 @@ impl Mark {
     pub(super) fn places(&self) -> &[Place] {
         match self {
             Self::Dot(at) => std::slice::from_ref(at),
+            Self::Curve { places, pose, .. } if *pose == Pose::identity() => places,
             _ => &[],
         }
     }
@@ -91,6 +105,18 @@ impl Mark {
                 };
                 canvas.fill(line, Pose::identity(), *color);
             }
+            Self::Curve {
+                places,
+                pose,
+                color,
+            } => {
+                let curve = Outline::Line {
+                    points: &places[..],
+                    width: CURVE * pixel,
+                };
+                canvas.fill(curve, *pose, *color);
+            }
+            Self::Circle { ends, color } => circle(*ends, pixel, *color, canvas),
             Self::Arrow { ends, color } => arrow(canvas, *ends, SIZE, *color),
             Self::Turn {
                 at,
@@ -109,5 +135,28 @@ impl Mark {
                 canvas.text(place, text, INK);
             }
         }
+    }
+}
+
+/// Paints a circle through both ends of its diameter. The first is seen: where the second is very far away, a tangent is the circle.
+fn circle([near, far]: [Place; 2], pixel: f64, color: u8, canvas: &mut impl Canvas<f64>) {
+    let width = CURVE * pixel;
+    let [x, y] = [0, 1].map(|part| far[part] - near[part]);
+    let diameter = x.hypot(y);
+    if diameter > STRAIGHT * pixel {
+        let reach = STRAIGHT * pixel / diameter;
+        let points = [
+            [near[0] - reach * y, near[1] + reach * x],
+            [near[0] + reach * y, near[1] - reach * x],
+        ];
+        let points = &points[..];
+        canvas.fill(Outline::Line { points, width }, Pose::identity(), color);
+    } else {
+        let ring = Outline::Ring {
+            center: [0, 1].map(|part| f64::midpoint(near[part], far[part])),
+            radius: 0.5 * (diameter + width),
+            hole: 0.5 * (diameter - width),
+        };
+        canvas.fill(ring, Pose::identity(), color);
     }
 }

@@ -1,10 +1,11 @@
-//! What a lecture constructs over a mechanism, as on a blackboard: instant centres, polygons of velocities and accelerations, free bodies.
+//! What a lecture constructs over a mechanism, as on a blackboard: instant centres, polygons of velocities and accelerations, free bodies, centrodes, inflection circles.
 
 mod board;
 mod body;
 mod centres;
 mod mark;
 mod panel;
+mod path;
 mod polygon;
 mod push;
 mod spot;
@@ -26,4 +27,8 @@ pub(crate) enum Construction {
     Accelerations,
     /// The free body of each link, with the forces and torques on it.
     Forces,
+    /// Both centrodes of the link of this name, relative to the ground.
+    Centrodes(String),
+    /// The inflection circle of the link of this name, relative to the ground.
+    Inflection(String),
 }

@@ -24,9 +24,13 @@ impl Draw {
         let Analysed { model, compiled } = &analysed;
         // What does not move is painted, too, if nothing is constructed.
         let is_plain = self.picture.constructions.is_empty();
-        let drive = (!is_plain).then(|| Drive::standing(model, compiled, &self.picture.at));
-        let drive = drive.transpose()?;
-        let sitter = self.picture.sitter(analysed, drive.as_ref(), &[0.0])?;
+        let drives = (!is_plain).then(|| {
+            let standing = Drive::standing(model, compiled, &self.picture.at)?;
+            Ok::<_, Failure>([standing, self.whole(&analysed)?])
+        });
+        let drives = drives.transpose()?;
+        let drives = drives.as_ref().map(|drives| drives.each_ref());
+        let sitter = self.picture.sitter(analysed, drives, &[0.0])?;
         let Sitter {
             analysed: Analysed { model, compiled },
             painting,
@@ -59,12 +63,8 @@ impl Draw {
         }
     }
 
-    /// The whole paths of traced points in the motion that the mechanism makes if nobody says which.
-    fn paths(&self, Analysed { model, compiled }: &Analysed) -> Result<Paths, Failure> {
-        let mut paths = Paths::new(model, compiled)?.whole();
-        if paths.is_empty() {
-            return Ok(paths);
-        }
+    /// The motion that the mechanism makes if nobody says which.
+    fn whole(&self, Analysed { model, compiled }: &Analysed) -> Result<Drive, Failure> {
         // The first motor moves, wherever the picture has it.
         let first = model
             .motors
@@ -76,11 +76,20 @@ impl Draw {
             .iter()
             .filter(|one| Some(&one.motor) != first);
         let others: Vec<Setting> = others.cloned().collect();
-        let drive = Drive::new(model, compiled, None, Span::default(), &others);
-        let Ok(drive) = drive else {
+        let drive = Drive::new(model, compiled, None, Span::default(), &others)?;
+        Ok(drive.completed(model, compiled))
+    }
+
+    /// The whole paths of traced points in that motion.
+    fn paths(&self, analysed: &Analysed) -> Result<Paths, Failure> {
+        let Analysed { model, compiled } = analysed;
+        let mut paths = Paths::new(model, compiled)?.whole();
+        if paths.is_empty() {
+            return Ok(paths);
+        }
+        let Ok(drive) = self.whole(analysed) else {
             return Ok(paths);
         };
-        let drive = drive.completed(model, compiled);
         let places = PLACES * drive.turns(model).min(MOST_TURNS);
         let mut machine = Mover::new(model, compiled);
         for number in 0..=places {

@@ -84,7 +84,7 @@ impl Film {
             ));
         }
         let parts = self.parts(drive.is_cyclic(model));
-        let sitter = self.picture.sitter(analysed, Some(&drive), &parts)?;
+        let sitter = self.picture.sitter(analysed, Some([&drive; 2]), &parts)?;
         drive.attempt(|drive| {
             let mut shoot = Shoot {
                 sitter: &sitter,

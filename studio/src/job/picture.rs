@@ -57,11 +57,12 @@ pub(super) struct Sitter {
 }
 
 impl Picture {
-    /// The mechanism, with its look, what is constructed in these parts of a motion, and a sheet that has room for all.
+    /// The mechanism, with its look, what is constructed in these parts of a motion, the first, and a sheet that has room for all. The
+    /// second is the whole motion.
     pub(super) fn sitter(
         &self,
         mut analysed: Analysed,
-        drive: Option<&Drive>,
+        drives: Option<[&Drive; 2]>,
         parts: &[f64],
     ) -> Result<Sitter, Failure> {
         let Analysed { model, compiled } = &mut analysed;
@@ -73,9 +74,10 @@ impl Picture {
         if self.names {
             painting = painting.with_names(model, compiled);
         }
-        let filmed = drive.map(|drive| Filmed {
+        let filmed = drives.map(|[drive, whole]| Filmed {
             model,
             drive,
+            whole,
             parts,
             loads: &self.loads,
         });

@@ -12,6 +12,9 @@ type Place = [f64; 2];
 /// The colours of forces and of torques.
 const RED: &str = "#c94f45";
 const PURPLE: &str = "#7b62a6";
+/// Those of fixed centrodes and of inflection circles. Moving centrodes have that of torques.
+const TEAL: &str = "#2e9c90";
+const GREEN: &str = "#76a856";
 
 /// A drawing as SVG, whose numbers are in pixels, y up.
 struct Drawing {
@@ -21,6 +24,10 @@ struct Drawing {
     arrows: Vec<(Place, usize)>,
     /// The same of curved arrows: whether they go counter-clockwise.
     turns: Vec<(bool, usize)>,
+    /// The places of lines, each with how it is painted.
+    lines: Vec<(Vec<Place>, String)>,
+    /// The middle and the radius of the inflection circle.
+    circle: Option<(Place, f64)>,
 }
 
 impl Drawing {
@@ -32,7 +39,8 @@ impl Drawing {
         let svg = folder.text("a.svg");
         let (mut dots, mut texts) = (Vec::new(), Vec::<(Place, String)>::new());
         let (mut arrows, mut turns) = (Vec::new(), Vec::new());
-        let (mut group, mut turned) = ([0.0; 2], 0.0);
+        let (mut lines, mut circle) = (Vec::new(), None);
+        let (mut group, mut turned) = ([0.0; 2], 0.0_f64);
         for line in svg.lines() {
             if let Some((_, rest)) = line.split_once("<g transform=\"translate(") {
                 let (place, _) = rest.split_once(')').expect("an end");
@@ -43,6 +51,18 @@ impl Drawing {
             } else if line.starts_with("<circle") && line.contains("r=\"3.5\"") {
                 let [x, y] = ["cx", "cy"].map(|name| attribute(line, name));
                 dots.push([group[0] + x, -group[1] - y]);
+            } else if line.starts_with("<circle") && line.contains(GREEN) {
+                let [x, y, radius] = ["cx", "cy", "r"].map(|name| attribute(line, name));
+                circle = Some(([group[0] + x, -group[1] - y], radius));
+            } else if let Some((_, rest)) = line.split_once("<polyline points=\"") {
+                let (points, style) = rest.split_once('"').expect("an end");
+                let (sin, cos) = turned.to_radians().sin_cos();
+                let places = points.split(' ').map(|point| {
+                    let (x, y) = point.split_once(',').expect("two numbers");
+                    let [x, y] = [x, y].map(|part| part.parse::<f64>().expect("a number"));
+                    [group[0] + x * cos - y * sin, -group[1] - x * sin - y * cos]
+                });
+                lines.push((places.collect(), style.to_owned()));
             } else if let Some((_, rest)) = line.split_once("<polygon points=\"") {
                 let (tip, _) = rest.split_once(',').expect("two numbers");
                 let tip: f64 = tip.parse().expect("a number");
@@ -63,7 +83,30 @@ impl Drawing {
             texts,
             arrows,
             turns,
+            lines,
+            circle,
         }
+    }
+
+    /// Where the name of a joint says that it is.
+    fn joint(&self, name: &str) -> Place {
+        let is_name = |(_, words): &&(Place, String)| words.split(", ").any(|word| word == name);
+        let ([x, y], _) = self.texts.iter().find(is_name).expect("a name");
+        [x - 7.0, y - 7.0]
+    }
+
+    /// A place in scene units, if joint `o` is in the origin and another joint is so far from it.
+    fn in_scene(&self, place: Place, (other, distance): (&str, f64)) -> Place {
+        let [origin, other] = ["o", other].map(|name| self.joint(name));
+        let scale = (other[0] - origin[0]).hypot(other[1] - origin[1]) / distance;
+        [0, 1].map(|part| (place[part] - origin[part]) / scale)
+    }
+
+    /// The places of all lines of this colour, in scene units.
+    fn curve(&self, color: &str, measure: (&str, f64)) -> Vec<Place> {
+        let own = self.lines.iter().filter(|(_, style)| style.contains(color));
+        let places = own.flat_map(|(places, _)| places);
+        places.map(|place| self.in_scene(*place, measure)).collect()
     }
 
     /// Where the dots of this name are: beside each stands the name, alone or with others.
@@ -290,5 +333,99 @@ spring s = torsional(b) stiffness 4 rest 0; load brake = torque(second); effects
     for (link, name, torque) in torques {
         let found = drawing.torque(link, name).expect("a torque");
         assert!((found / torque - 1.0).abs() < 1e-3, "{name} {found}");
+    }
+}
+
+fn distance([a, b]: Place, [c, d]: Place) -> f64 {
+    (c - a).hypot(d - b)
+}
+
+#[test]
+fn centrodes_of_a_trammel_are_the_circles_of_cardan() {
+    let text = "struct T; ground { point o = (0, 0); line x = (0, 0) -> (1, 0); }
+link crank { point o = (0, 0); point m = (1, 0); }
+link rod { point m = (0, 0); point b = (1, 0); }
+link slide { point p = (0, 0); line l = (0, 0) -> (1, 0); }
+joint o = revolute(ground.o, crank.o); joint m = revolute(crank.m, rod.m);
+joint b = revolute(rod.b, slide.p); joint x = prismatic(ground.x, slide.l); motor o;
+start { o = 40 deg; rod near -40 deg; }";
+    let drawing = Drawing::of(text, "--names --centrodes rod --inflection rod");
+    let measure = ("m", 1.0);
+    let middle = drawing.in_scene(drawing.joint("m"), measure);
+    let [fixed, moving] = [TEAL, PURPLE].map(|color| drawing.curve(color, measure));
+    assert!(fixed.len() > 500 && moving.len() > 500);
+    for place in fixed {
+        assert!((place[0].hypot(place[1]) - 2.0).abs() < 1e-4, "{place:?}");
+    }
+    for place in moving {
+        assert!((distance(place, middle) - 1.0).abs() < 1e-4, "{place:?}");
+    }
+    // All points of the smaller circle go straight ahead.
+    let (centre, radius) = drawing.circle.expect("a circle");
+    let centre = drawing.in_scene(centre, measure);
+    assert!(distance(centre, middle) < 1e-4, "{centre:?}");
+    let top = drawing.circle.map(|([x, y], _)| [x, y + radius]);
+    let top = drawing.in_scene(top.expect("a circle"), measure);
+    assert!((distance(centre, top) - 1.0).abs() < 1e-4, "{top:?}");
+}
+
+#[test]
+fn centrodes_of_an_antiparallelogram_are_ellipses_about_its_pins() {
+    let text = "struct A; link left; link bar; link right;
+joint o = revolute(ground, left) at (0, 0); joint a = revolute(left, bar) at (1.2, 2.749545416973504);
+joint d = revolute(ground, right) at (2, 0);
+joint b = revolute(bar, right) at (-0.4878048780487809, 1.6765520835204293); motor o;";
+    let drawing = Drawing::of(text, "--names --centrodes bar");
+    let measure = ("d", 2.0);
+    let foci = |names: [&str; 2]| names.map(|name| drawing.in_scene(drawing.joint(name), measure));
+    for (color, names) in [(TEAL, ["o", "d"]), (PURPLE, ["a", "b"])] {
+        let curve = drawing.curve(color, measure);
+        assert!(curve.len() > 300, "{}", curve.len());
+        let foci = foci(names);
+        for place in curve {
+            let sum = distance(place, foci[0]) + distance(place, foci[1]);
+            assert!((sum - 3.0).abs() < 1e-3, "{place:?} {sum}");
+        }
+    }
+}
+
+#[test]
+fn points_of_the_inflection_circle_go_straight_ahead() {
+    for degrees in [10.0_f64, 80.0, 230.0] {
+        let options = format!("--names --inflection rod --at o={degrees}");
+        let drawing = Drawing::of(FOUR_BAR, &options);
+        let (middle, radius) = drawing.circle.expect("a circle");
+        let turned = degrees.to_radians();
+        // Where a place of the scene is carried by the rod.
+        let carried = |place: Place| {
+            move |at: f64| {
+                let frame = |at: f64| {
+                    let [a, b] = four_bar(at);
+                    let length = distance(a, b);
+                    (a, [0, 1].map(|part| (b[part] - a[part]) / length))
+                };
+                let ((from, [c, s]), (to, [u, v])) = (frame(turned), frame(at));
+                let [x, y] = [place[0] - from[0], place[1] - from[1]];
+                let [along, across] = [c * x + s * y, c * y - s * x];
+                [to[0] + u * along - v * across, to[1] + v * along + u * across]
+            }
+        };
+        let curvature = |place: Place| {
+            let [[x, y], [u, v]] = rates(carried(place), turned);
+            (x * v - y * u) / x.hypot(y).powi(3)
+        };
+        let on_circle = |part: f64| {
+            let (sin, cos) = part.sin_cos();
+            let place = [middle[0] + radius * cos, middle[1] + radius * sin];
+            drawing.in_scene(place, ("d", 5.0))
+        };
+        for part in 0..8 {
+            let place = on_circle(f64::from(part));
+            let bend = curvature(place);
+            assert!(bend.abs() < 1e-3, "{degrees}: {place:?} {bend}");
+        }
+        // Others do not.
+        let [a, b] = four_bar(turned);
+        assert!(curvature(a).abs() > 0.1 && curvature(b).abs() > 0.1);
     }
 }
