@@ -19,7 +19,7 @@ const NONE: f64 = 1e-9;
 /// Where the number of a torque begins, in pixels from its arrow's middle.
 const BESIDE: Place = [16.0, -16.0];
 
-/// The free bodies of all links, each in all positions. Forces have one scale.
+/// The free bodies of all links that something pushes, each in all positions. Forces have one scale.
 pub(super) fn bodies(survey: &Survey, rests: bool) -> Result<Vec<Inset>, Failure> {
     if let Some(name) = cam(survey) {
         return Err(Failure::mechanism(format!(
@@ -60,10 +60,16 @@ pub(super) fn bodies(survey: &Survey, rests: bool) -> Result<Vec<Inset>, Failure
         });
         far.fold(0.0, f64::max)
     }));
+    let reach = if reach > 0.0 { reach } else { 1.0 };
     let scale = Scale {
-        length: REACH / if reach > 0.0 { reach } else { 1.0 },
+        length: REACH / reach,
         force: ARROW / if force > 0.0 { force } else { 1.0 },
-        least: [NONE * force, NONE * torque],
+        least: NONE * force.max(torque / reach),
+        reach,
+    };
+    let is_pushed = |link: &LinkId| {
+        let mut all = all().flatten();
+        all.any(|push| push.link == *link && scale.seen(push) != [false; 2])
     };
     let inset = |link: LinkId| {
         let drawings = positions().map(|(at, pushes)| {
@@ -77,14 +83,27 @@ pub(super) fn bodies(survey: &Survey, rests: bool) -> Result<Vec<Inset>, Failure
             drawings: drawings.collect(),
         }
     };
-    Ok(links.iter().copied().map(inset).collect())
+    Ok(links.iter().copied().filter(is_pushed).map(inset).collect())
 }
 
-/// The parts of a field's side that stand for one unit, and the least force and torque that is shown.
+/// How links and forces are drawn.
 struct Scale {
+    /// The parts of a field's side that stand for one unit.
     length: f64,
     force: f64,
-    least: [f64; 2],
+    /// The least force that is shown, and the arm on which it is the least torque.
+    least: f64,
+    reach: f64,
+}
+
+impl Scale {
+    /// Whether the force of a push is seen, and whether its torque is.
+    fn seen(&self, push: &Push) -> [bool; 2] {
+        [
+            push.force[0].hypot(push.force[1]) > self.least,
+            push.torque.abs() > self.least * self.reach,
+        ]
+    }
 }
 
 /// A link as its spots tell of it.
@@ -129,7 +148,8 @@ impl Outline {
         for push in pushes {
             let at = to(push.at.unwrap_or(self.middle));
             let size = push.force[0].hypot(push.force[1]);
-            if size > scale.least[0] {
+            let [is_force_seen, is_torque_seen] = scale.seen(push);
+            if is_force_seen {
                 // What pushes inwards ends at its place, what pulls begins there.
                 let inwards = push.force[0] * at[0] + push.force[1] * at[1] < -NONE * size;
                 let side = if inwards { -1.0 } else { 1.0 };
@@ -142,7 +162,7 @@ impl Outline {
                 let text = format!("{} {}", push.name, short(size));
                 marks.push(Mark::name(far, outer, text));
             }
-            if push.torque.abs() > scale.least[1] {
+            if is_torque_seen {
                 marks.push(Mark::Turn {
                     at,
                     to_the_left: push.torque > 0.0,
