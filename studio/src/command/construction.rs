@@ -26,7 +26,12 @@ pub(super) struct Constructions {
     #[arg(long, value_name = "LINK")]
     inflection: Vec<String>,
     /// Puts a load on it for `--forces`: the parts of a force, as `--load push=-100,0`, or a torque, as `--load brake=5`.
-    #[arg(long, value_name = "NAME=VALUE", allow_negative_numbers = true, requires = "forces")]
+    #[arg(
+        long,
+        value_name = "NAME=VALUE",
+        allow_negative_numbers = true,
+        requires = "forces"
+    )]
     pub(super) load: Vec<Load>,
 }
 
@@ -42,7 +47,11 @@ impl Constructions {
         let wanted = all.into_iter().filter(|(is_wanted, _)| *is_wanted);
         let wanted = wanted.map(|(_, construction)| construction);
         let centrodes = self.centrodes.iter().cloned().map(Construction::Centrodes);
-        let inflection = self.inflection.iter().cloned().map(Construction::Inflection);
+        let inflection = self
+            .inflection
+            .iter()
+            .cloned()
+            .map(Construction::Inflection);
         wanted.chain(centrodes).chain(inflection).collect()
     }
 }

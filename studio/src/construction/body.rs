@@ -6,7 +6,7 @@ use super::panel::{Inset, usual};
 use super::push::{Push, cam, pushes};
 use super::spot::Spot;
 use crate::failure::Failure;
-use crate::quantity::{Position, Survey, tick};
+use crate::quantity::{Position, Surveyed, tick};
 use mech_compiler::model::LinkId;
 use mech_core::colors::INK;
 use mech_runtime::Palette;
@@ -20,23 +20,28 @@ const NONE: f64 = 1e-9;
 const BESIDE: Place = [16.0, -16.0];
 
 /// The free bodies of all links that something pushes, each in all positions. Forces have one scale.
-pub(super) fn bodies(survey: &Survey, rests: bool) -> Result<Vec<Inset>, Failure> {
+pub(super) fn bodies(
+    survey: Surveyed<'_>,
+    positions: &[Position],
+    rests: bool,
+) -> Result<Vec<Inset>, Failure> {
     if let Some(name) = cam(survey) {
         return Err(Failure::mechanism(format!(
             "free bodies do not show cams, as `{name}`; `mech table` measures `reaction:{name}`"
         )));
     }
-    let pushed: Vec<Option<Vec<Push>>> = survey
-        .positions
-        .iter()
-        .map(|at| pushes(survey, at, rests))
-        .collect();
+    let pushed = positions.iter().map(|at| pushes(survey, at, rests));
+    let pushed: Vec<Option<Vec<Push>>> = pushed.collect();
     if pushed.iter().all(Option::is_none) {
         return Err(Failure::mechanism(
             "forces are not determined here: it is at a dead point or a change point; put a motor elsewhere with `--at`",
         ));
     }
-    let all = || pushed.iter().map(|pushes| pushes.as_deref().unwrap_or_default());
+    let all = || {
+        pushed
+            .iter()
+            .map(|pushes| pushes.as_deref().unwrap_or_default())
+    };
     let most = |size: fn(&Push) -> f64| {
         let greatest = |pushes: &[Push]| pushes.iter().map(size).fold(0.0, f64::max);
         usual(all().map(greatest))
@@ -51,7 +56,7 @@ pub(super) fn bodies(survey: &Survey, rests: bool) -> Result<Vec<Inset>, Failure
         ));
     }
     let links: Vec<LinkId> = survey.model.declared_links().collect();
-    let positions = || survey.positions.iter().zip(all());
+    let positions = || positions.iter().zip(all());
     let reach = usual(positions().map(|(at, pushes)| {
         let far = links.iter().map(|&link| {
             let own = pushes.iter().filter(|push| push.link == link);
@@ -113,14 +118,27 @@ struct Outline {
 }
 
 impl Outline {
-    fn of(survey: &Survey, at: &Position, link: LinkId) -> Self {
-        let spots: Vec<Place> = Spot::of(survey, at, link).iter().map(|spot| spot.at).collect();
+    fn of(survey: Surveyed<'_>, at: &Position, link: LinkId) -> Self {
+        let spots: Vec<Place> = Spot::of(survey, at, link)
+            .iter()
+            .map(|spot| spot.at)
+            .collect();
         let ends = |part: usize| {
-            let low = spots.iter().map(|at| at[part]).fold(f64::INFINITY, f64::min);
-            let high = spots.iter().map(|at| at[part]).fold(f64::NEG_INFINITY, f64::max);
+            let low = spots
+                .iter()
+                .map(|at| at[part])
+                .fold(f64::INFINITY, f64::min);
+            let high = spots
+                .iter()
+                .map(|at| at[part])
+                .fold(f64::NEG_INFINITY, f64::max);
             f64::midpoint(low, high)
         };
-        let middle = if spots.is_empty() { [0.0; 2] } else { [ends(0), ends(1)] };
+        let middle = if spots.is_empty() {
+            [0.0; 2]
+        } else {
+            [ends(0), ends(1)]
+        };
         Self { spots, middle }
     }
 
@@ -140,7 +158,10 @@ impl Outline {
             color,
         };
         let spots: Vec<Place> = self.spots.iter().copied().map(to).collect();
-        let mut marks: Vec<Mark> = spots.windows(2).map(|pair| line(pair[0], pair[1])).collect();
+        let mut marks: Vec<Mark> = spots
+            .windows(2)
+            .map(|pair| line(pair[0], pair[1]))
+            .collect();
         if let [first, _, .., last] = spots[..] {
             marks.push(line(last, first));
         }

@@ -3,7 +3,7 @@
 use super::Place;
 use super::mark::Mark;
 use super::spot::is_same;
-use crate::quantity::{Position, Survey};
+use crate::quantity::{Position, Surveyed};
 use mech_compiler::model::{JointId, LinkId};
 use mech_core::colors::INK;
 
@@ -13,8 +13,8 @@ const MOST_LINKS: usize = 6;
 const BELOW: Place = [5.0, -13.0];
 
 /// The instant centres of a mechanism where it is, each with the names of both links; none where its velocities are not determined.
-pub(super) fn centres(survey: &Survey, at: &Position) -> Option<Vec<Mark>> {
-    let Survey {
+pub(super) fn centres(survey: Surveyed<'_>, at: &Position) -> Option<Vec<Mark>> {
+    let Surveyed {
         model, compiled, ..
     } = survey;
     at.rates.as_ref()?;

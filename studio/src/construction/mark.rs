@@ -23,8 +23,14 @@ const BESIDE: f64 = 5.0;
 #[derive(Clone, Debug)]
 pub(super) enum Mark {
     /// A thin line.
-    Line { ends: [Place; 2], color: u8 },
-    Arrow { ends: [Place; 2], color: u8 },
+    Line {
+        ends: [Place; 2],
+        color: u8,
+    },
+    Arrow {
+        ends: [Place; 2],
+        color: u8,
+    },
     /// A line through places of a link in this pose.
     Curve {
         places: Vec<Place>,
@@ -32,7 +38,10 @@ pub(super) enum Mark {
         color: u8,
     },
     /// A circle through the ends of its diameter.
-    Circle { ends: [Place; 2], color: u8 },
+    Circle {
+        ends: [Place; 2],
+        color: u8,
+    },
     /// The arrow of a torque.
     Turn {
         at: Place,
@@ -41,7 +50,11 @@ pub(super) enum Mark {
     },
     Dot(Place),
     /// A text that begins so far from a place, in pixels.
-    Text { at: Place, away: Place, text: String },
+    Text {
+        at: Place,
+        away: Place,
+        text: String,
+    },
 }
 
 impl Mark {
@@ -50,7 +63,11 @@ impl Mark {
         #[expect(clippy::cast_precision_loss, reason = "no text has 2⁵² letters")]
         let width = LETTER[0] * text.chars().count() as f64;
         let x = if right < 0.0 { -BESIDE - width } else { BESIDE };
-        let y = if up < 0.0 { -BESIDE - LETTER[1] } else { BESIDE };
+        let y = if up < 0.0 {
+            -BESIDE - LETTER[1]
+        } else {
+            BESIDE
+        };
         let away = [x, y];
         Self::Text { at, away, text }
     }
@@ -91,6 +108,15 @@ impl Mark {
             Self::Dot(at) => std::slice::from_ref(at),
             Self::Curve { places, pose, .. } if *pose == Pose::identity() => places,
             _ => &[],
+        }
+    }
+
+    /// What is written, if it is a text.
+    #[cfg(feature = "editor")]
+    pub(super) fn text(&self) -> Option<&str> {
+        match self {
+            Self::Text { text, .. } => Some(text),
+            _ => None,
         }
     }
 

@@ -1,7 +1,7 @@
 //! Fields beside a picture in which something is drawn to a scale of its own.
 
-use super::mark::Mark;
 use super::Place;
+use super::mark::Mark;
 use crate::quantity::{round_step, tick};
 use mech_core::colors::INK;
 
@@ -32,7 +32,11 @@ impl Panel {
         } else {
             1 + usize::from(count > 1) + usize::from(count > 4)
         };
-        let long = if is_wide { width.max(0.6 * height) } else { height.max(0.6 * width) };
+        let long = if is_wide {
+            width.max(0.6 * height)
+        } else {
+            height.max(0.6 * width)
+        };
         #[expect(clippy::cast_precision_loss, reason = "no mechanism has 2⁵² links")]
         let side = long / along as f64;
         let mut whole = extent;
@@ -70,7 +74,10 @@ impl Inset {
     /// Drawings in a unit of their own, which fill a field.
     pub(super) fn filling(title: String, unit: &'static str, drawings: &[Vec<Mark>]) -> Self {
         let reach = usual(drawings.iter().map(|marks| {
-            let lengths = marks.iter().flat_map(Mark::places).map(|[x, y]| x.hypot(*y));
+            let lengths = marks
+                .iter()
+                .flat_map(Mark::places)
+                .map(|[x, y]| x.hypot(*y));
             lengths.fold(0.0, f64::max)
         }));
         let [mut low, mut high] = [[0.0; 2]; 2];
@@ -131,5 +138,8 @@ pub(super) fn usual(numbers: impl Iterator<Item = f64>) -> f64 {
     let mut numbers: Vec<f64> = numbers.filter(|number| number.is_finite()).collect();
     numbers.sort_by(f64::total_cmp);
     let most = GREAT * numbers.get(numbers.len() / 2).copied().unwrap_or(0.0);
-    numbers.into_iter().filter(|number| *number <= most).fold(0.0, f64::max)
+    numbers
+        .into_iter()
+        .filter(|number| *number <= most)
+        .fold(0.0, f64::max)
 }

@@ -3,7 +3,7 @@
 use super::Place;
 use super::mark::Mark;
 use crate::motion::PlaneMotion;
-use crate::quantity::{Order, Position, Survey};
+use crate::quantity::{Order, Position, Survey, Surveyed};
 use mech_compiler::model::LinkId;
 use mech_runtime::{Palette, Pose};
 
@@ -26,18 +26,22 @@ impl Centrodes {
     pub(super) fn new(whole: &Survey, link: LinkId, [low, high]: [Place; 2]) -> Option<Self> {
         let size = (high[0] - low[0]).max(high[1] - low[1]);
         let is_near = |place: &Place| {
-            (0..2).all(|part| (low[part] - FAR * size..=high[part] + FAR * size).contains(&place[part]))
+            (0..2).all(|part| {
+                (low[part] - FAR * size..=high[part] + FAR * size).contains(&place[part])
+            })
         };
+        let survey = whole.subject();
         let centre = |at: &Position| {
-            let centre = centre(whole, at, link)?;
-            Some((centre, at.pose(&whole.compiled, link)?.relative(centre)))
+            let centre = centre(survey, at, link)?;
+            Some((centre, at.pose(survey.compiled, link)?.relative(centre)))
         };
         let (mut fixed, mut moving): (Vec<Vec<Place>>, Vec<Vec<Place>>) = (Vec::new(), Vec::new());
         let mut last: Option<Place> = None;
         for at in &whole.positions {
             let found = centre(at).filter(|(centre, _)| is_near(centre));
             if let Some((here, there)) = found {
-                let goes_on = last.is_some_and(|[x, y]| (here[0] - x).hypot(here[1] - y) <= GAP * size);
+                let goes_on =
+                    last.is_some_and(|[x, y]| (here[0] - x).hypot(here[1] - y) <= GAP * size);
                 match (fixed.last_mut(), moving.last_mut()) {
                     (Some(in_scene), Some(in_link)) if goes_on => {
                         in_scene.push(here);
@@ -51,7 +55,7 @@ impl Centrodes {
             }
             last = found.map(|(centre, _)| centre);
         }
-        let name = whole.model.link(link).name.clone();
+        let name = survey.model.link(link).name.clone();
         (!fixed.is_empty()).then_some(Self {
             link,
             fixed,
@@ -61,8 +65,8 @@ impl Centrodes {
     }
 
     /// Both curves where a mechanism is, and the instant centre, at which the one rolls on the other.
-    pub(super) fn drawn(&self, survey: &Survey, at: &Position) -> Option<Vec<Mark>> {
-        let pose = at.pose(&survey.compiled, self.link)?;
+    pub(super) fn drawn(&self, survey: Surveyed<'_>, at: &Position) -> Option<Vec<Mark>> {
+        let pose = at.pose(survey.compiled, self.link)?;
         let both = [
             ("fixed", &self.fixed, Pose::identity(), Palette::TEAL),
             ("moving", &self.moving, pose, Palette::PURPLE),
@@ -88,11 +92,11 @@ impl Centrodes {
 }
 
 /// The inflection circle of a link, with the instant centre and the inflection pole, which is opposite. None where the link does not turn.
-pub(super) fn inflection(survey: &Survey, at: &Position, link: LinkId) -> Option<Vec<Mark>> {
+pub(super) fn inflection(survey: Surveyed<'_>, at: &Position, link: LinkId) -> Option<Vec<Mark>> {
     let centre = centre(survey, at, link)?;
-    let [turning, ..] = at.rate(&survey.compiled, link, Order::Velocity)?;
+    let [turning, ..] = at.rate(survey.compiled, link, Order::Velocity)?;
     // In the instant centre nothing but the change of place of the centre is accelerated.
-    let acceleration = at.vector(&survey.compiled, link, centre, Order::Acceleration)?;
+    let acceleration = at.vector(survey.compiled, link, centre, Order::Acceleration)?;
     let diameter = acceleration.map(|part| part / turning.powi(2));
     let pole = [0, 1].map(|part| centre[part] + diameter[part]);
     let is_finite = pole.iter().all(|part| part.is_finite());
@@ -111,7 +115,9 @@ pub(super) fn inflection(survey: &Survey, at: &Position, link: LinkId) -> Option
 }
 
 /// The instant centre of a link and the ground.
-fn centre(survey: &Survey, at: &Position, link: LinkId) -> Option<Place> {
-    let found = at.motion(&survey.compiled, link)?.centre(PlaneMotion::default())?;
+fn centre(survey: Surveyed<'_>, at: &Position, link: LinkId) -> Option<Place> {
+    let found = at
+        .motion(survey.compiled, link)?
+        .centre(PlaneMotion::default())?;
     found.iter().all(|part| part.is_finite()).then_some(found)
 }

@@ -1,9 +1,9 @@
 //! The polygons of velocities and of accelerations.
 
+use super::Place;
 use super::mark::Mark;
 use super::spot::{Pair, Spot, is_same};
-use super::Place;
-use crate::quantity::{Order, Position, Survey};
+use crate::quantity::{Order, Position, Surveyed};
 use mech_compiler::model::LinkId;
 use mech_core::colors::INK;
 use mech_runtime::Palette;
@@ -15,8 +15,8 @@ const POLE: &str = "pole";
 /// where the rates are not determined.
 ///
 /// Of accelerations, each image begins with what its link's turning makes of it: first along the line between two spots, then across it.
-pub(super) fn polygon(survey: &Survey, at: &Position, order: Order) -> Option<Vec<Mark>> {
-    let Survey {
+pub(super) fn polygon(survey: Surveyed<'_>, at: &Position, order: Order) -> Option<Vec<Mark>> {
+    let Surveyed {
         model, compiled, ..
     } = survey;
     let mut ends: Vec<(Place, Vec<String>)> = vec![([0.0; 2], vec![POLE.to_owned()])];
@@ -41,13 +41,16 @@ pub(super) fn polygon(survey: &Survey, at: &Position, order: Order) -> Option<Ve
         for pair in image.windows(2) {
             line([pair[0].1, pair[1].1], INK);
         }
-        if let [first, _, .., last] = image[..] && image.len() > 2 {
+        if let [first, _, .., last] = image[..]
+            && image.len() > 2
+        {
             line([last.1, first.1], INK);
         }
         if let ([(from, begin), others @ ..], Order::Acceleration) = (&image[..], order) {
             let [turning, ..] = at.rate(compiled, link, Order::Velocity)?;
             for (to, end) in others {
-                let corner = [0, 1].map(|part| begin[part] - turning * turning * (to[part] - from[part]));
+                let corner =
+                    [0, 1].map(|part| begin[part] - turning * turning * (to[part] - from[part]));
                 line([*begin, corner], Palette::ORANGE);
                 line([corner, *end], Palette::ORANGE);
             }
@@ -55,7 +58,9 @@ pub(super) fn polygon(survey: &Survey, at: &Position, order: Order) -> Option<Ve
     }
     // From the one link of a slide to the other.
     for joint in model.declared_joints() {
-        if let Some(Pair { links, at: place, .. }) = Pair::of(survey, at, joint)
+        if let Some(Pair {
+            links, at: place, ..
+        }) = Pair::of(survey, at, joint)
             && !links.contains(&LinkId::GROUND)
         {
             let [begin, end] = links.map(|link| at.vector(compiled, link, place, order));

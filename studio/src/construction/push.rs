@@ -2,7 +2,7 @@
 
 use super::Place;
 use super::spot::Pair;
-use crate::quantity::{Order, Position, Survey};
+use crate::quantity::{Order, Position, Surveyed};
 use mech_compiler::model::{AxisId, Between, JointId, JointKind, LinkId, LoadKind};
 use mech_compiler::structure::Factor;
 
@@ -18,8 +18,8 @@ pub(super) struct Push {
 }
 
 /// All pushes on all links where a mechanism is; none where they are not determined. Where motors rest, dampers do not push.
-pub(super) fn pushes(survey: &Survey, at: &Position, rests: bool) -> Option<Vec<Push>> {
-    let Survey {
+pub(super) fn pushes(survey: Surveyed<'_>, at: &Position, rests: bool) -> Option<Vec<Push>> {
+    let Surveyed {
         model,
         compiled,
         loads,
@@ -101,20 +101,21 @@ pub(super) fn pushes(survey: &Survey, at: &Position, rests: bool) -> Option<Vec<
             name: load.name.clone(),
         });
     }
-    let is_finite = |push: &Push| push.force.iter().all(|part| part.is_finite()) && push.torque.is_finite();
+    let is_finite =
+        |push: &Push| push.force.iter().all(|part| part.is_finite()) && push.torque.is_finite();
     all.retain(is_finite);
     Some(all)
 }
 
 /// What the first link of a joint does to the second, and the second to the first.
 fn reaction(
-    survey: &Survey,
+    survey: Surveyed<'_>,
     at: &Position,
     joint: JointId,
     (force, torque): (Place, f64),
     name: &str,
 ) -> Option<Vec<Push>> {
-    let Survey {
+    let Surveyed {
         model, compiled, ..
     } = survey;
     let push = |link, at, side: f64, torque| Push {
@@ -153,13 +154,19 @@ fn reaction(
         Factor::Whole(teeth) => teeth as f64,
         Factor::Float(radius) => radius,
     });
-    let shares = [(second, 1.0), (first, p / q), (rolling.carrier, -1.0 - p / q)];
-    Some(Vec::from(shares.map(|(link, share)| push(link, None, 0.0, share * torque))))
+    let shares = [
+        (second, 1.0),
+        (first, p / q),
+        (rolling.carrier, -1.0 - p / q),
+    ];
+    Some(Vec::from(
+        shares.map(|(link, share)| push(link, None, 0.0, share * torque)),
+    ))
 }
 
 /// A pull of the first point towards the second, and back.
 fn pull(
-    survey: &Survey,
+    survey: Surveyed<'_>,
     at: &Position,
     ends: [AxisId; 2],
     force: Place,
@@ -178,14 +185,14 @@ fn pull(
 }
 
 /// Where an axis is in the scene.
-fn spot(survey: &Survey, at: &Position, axis: AxisId) -> Option<Place> {
+fn spot(survey: Surveyed<'_>, at: &Position, axis: AxisId) -> Option<Place> {
     let axis = survey.model.axis(axis);
-    Some(at.pose(&survey.compiled, axis.link)?.apply(axis.at))
+    Some(at.pose(survey.compiled, axis.link)?.apply(axis.at))
 }
 
 /// The name of the first cam, whose push is not at its contact.
-pub(super) fn cam(survey: &Survey) -> Option<&str> {
-    let model = &survey.model;
+pub(super) fn cam(survey: Surveyed<'_>) -> Option<&str> {
+    let model = survey.model;
     let mut joints = model.declared_joints().map(|joint| model.joint(joint));
     let found = joints.find(|joint| matches!(joint.kind, JointKind::Cam { .. }));
     found.map(|joint| joint.name.as_str())

@@ -1,7 +1,7 @@
 //! The places of a link that have names: where it is joined to others, and its points.
 
 use super::Place;
-use crate::quantity::{Position, Survey};
+use crate::quantity::{Position, Surveyed};
 use mech_compiler::model::{AxisId, AxisKind, JointId, JointKind, LinkId};
 
 /// Places that are nearer than this part of their distance from the origin are one.
@@ -15,8 +15,8 @@ pub(super) struct Spot {
 
 impl Spot {
     /// The spots of a link. It has one, too, where another link slides on it, unless it is the ground.
-    pub(super) fn of(survey: &Survey, at: &Position, link: LinkId) -> Vec<Self> {
-        let model = &survey.model;
+    pub(super) fn of(survey: Surveyed<'_>, at: &Position, link: LinkId) -> Vec<Self> {
+        let model = survey.model;
         let mut spots: Vec<Self> = Vec::new();
         for joint in model.declared_joints() {
             let Some(Pair { pin, links, at }) = Pair::of(survey, at, joint) else {
@@ -27,12 +27,16 @@ impl Spot {
             if link == model.axis(pin).link || (links.contains(&link) && !is_slide) {
                 add(&mut spots, at, name);
             } else if links.contains(&link) && link != LinkId::GROUND {
-                add(&mut spots, at, &format!("{name} on {}", model.link(link).name));
+                add(
+                    &mut spots,
+                    at,
+                    &format!("{name} on {}", model.link(link).name),
+                );
             }
         }
         let points = model.axes.iter().filter(|axis| axis.link == link);
         for point in points.filter(|axis| axis.kind == AxisKind::Point) {
-            let place = at.pose(&survey.compiled, link);
+            let place = at.pose(survey.compiled, link);
             let place = place.map(|pose| pose.apply(point.at));
             if let (Some(place), Some(name)) = (place, &point.name)
                 && !spots.iter().any(|spot| is_same(spot.at, place))
@@ -55,8 +59,8 @@ pub(super) struct Pair {
 
 impl Pair {
     /// None if it has no place.
-    pub(super) fn of(survey: &Survey, at: &Position, joint: JointId) -> Option<Self> {
-        let model = &survey.model;
+    pub(super) fn of(survey: Surveyed<'_>, at: &Position, joint: JointId) -> Option<Self> {
+        let model = survey.model;
         let axes = model.joint(joint).kind.axes()?;
         let is_die = model.link(model.axis(axes[0]).link).die.is_some();
         let axes = axes.map(|axis| model.seen_axis(axis));
@@ -65,7 +69,7 @@ impl Pair {
         Some(Self {
             pin,
             links: axes.map(|axis| model.axis(axis).link),
-            at: at.pose(&survey.compiled, axis.link)?.apply(axis.at),
+            at: at.pose(survey.compiled, axis.link)?.apply(axis.at),
         })
     }
 }

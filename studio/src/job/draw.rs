@@ -4,8 +4,8 @@ use super::picture::{Picture, Sitter};
 use super::{Analysed, StillKind};
 use crate::failure::Failure;
 use crate::motion::{Drive, Mover, Paths, Setting, Span, posed};
-use mech_runtime::files::{self, Svg};
 use mech_runtime::HeapSmooth;
+use mech_runtime::files::{self, Svg};
 
 /// A picture of a mechanism as it is assembled, or where its motors are put.
 #[derive(Clone, Debug)]

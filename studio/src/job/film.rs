@@ -204,10 +204,11 @@ impl Shoot<'_> {
     ) -> Result<(), Failure> {
         let Analysed { model, compiled } = &self.sitter.analysed;
         let mut poses = vec![Vec::new(); self.parts.len()];
-        self.drive.visit(model, compiled, self.parts, |number, at| {
-            poses[number].clone_from(&at.poses);
-            Ok(())
-        })?;
+        self.drive
+            .visit(model, compiled, self.parts, |number, at| {
+                poses[number].clone_from(&at.poses);
+                Ok(())
+            })?;
         let mut paths = Paths::new(model, compiled)?;
         if !paths.is_empty() {
             for poses in &poses {

@@ -262,8 +262,11 @@ impl<'a> Meter<'a> {
     fn coordinate_rate(&self, at: &Position, joint: JointId, order: Order) -> Option<f64> {
         let [a, b] = self.axes(joint)?;
         let [guide, other] = [a, b].map(|id| self.model.axis(id).link);
-        let turning =
-            |order| Some(at.rate(self.compiled, other, order)?[0] - at.rate(self.compiled, guide, order)?[0]);
+        let turning = |order| {
+            Some(
+                at.rate(self.compiled, other, order)?[0] - at.rate(self.compiled, guide, order)?[0],
+            )
+        };
         if let JointKind::Revolute(..) = self.model.joint(joint).kind {
             return turning(order);
         }

@@ -25,5 +25,5 @@ pub(crate) use offer::{Offer, offers};
 pub(crate) use position::Position;
 pub(crate) use round::{round_step, tick};
 pub(crate) use summary::{Extreme, FLAT, Summary, summarize};
-pub(crate) use survey::Survey;
+pub(crate) use survey::{Survey, Surveyed};
 pub(crate) use unit::Units;

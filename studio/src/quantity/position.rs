@@ -27,7 +27,7 @@ pub(crate) struct Position {
 
 impl Position {
     /// A position of a machine, without rates and forces.
-    pub(super) fn of(at: &program::Position<f64>) -> Self {
+    pub(crate) fn of(at: &program::Position<f64>) -> Self {
         let motors = at.motors.iter().zip(&at.turns);
         Self {
             motors: motors

@@ -14,12 +14,26 @@ use mech_compiler::model::{Between, JointId, Model};
 /// A mechanism, compiled for what is asked for, and where it is in some parts of a motion: its motor moves at a rate of 1, and forces are
 /// those at rest. By laws, motors have their own rates.
 pub(crate) struct Survey {
-    pub(crate) model: Model,
-    pub(crate) compiled: Compiled,
-    /// The numbers of all loads.
-    pub(crate) loads: Vec<f64>,
+    model: Model,
+    compiled: Compiled,
+    loads: Vec<f64>,
     /// In the order of the parts. Where a rate is not determined, a position has none.
     pub(crate) positions: Vec<Position>,
+}
+
+/// A mechanism that is compiled for what is asked for, and the numbers of all its loads.
+#[derive(Clone, Copy)]
+pub(crate) struct Surveyed<'s> {
+    pub(crate) model: &'s Model,
+    pub(crate) compiled: &'s Compiled,
+    pub(crate) loads: &'s [f64],
+}
+
+impl Surveyed<'_> {
+    /// The coordinate of a joint on which a spring acts, over whole turns.
+    pub(crate) fn twist(&self, at: &Position, joint: JointId) -> Option<f64> {
+        whole_angle(self.model, self.compiled, at, joint)
+    }
 }
 
 impl Survey {
@@ -31,7 +45,9 @@ impl Survey {
         order: Order,
         forces: Option<&[Load]>,
     ) -> Result<Self, Failure> {
-        let rates = model.declared_links().map(|link| Subject::Angle(link, order));
+        let rates = model
+            .declared_links()
+            .map(|link| Subject::Angle(link, order));
         let reactions = model
             .declared_joints()
             .map(|joint| Subject::Reaction(joint, Reaction::Force(Part::Norm)));
@@ -53,7 +69,8 @@ impl Survey {
         let positions = drive.attempt(|drive| {
             let mut positions: Vec<Position> = parts.iter().map(|_| Position::default()).collect();
             drive.visit(&model, &compiled, parts, |number, at| {
-                let moments = [1.0, 0.0].map(|rate| drive.moment(&model, &compiled, parts[number], rate));
+                let moments =
+                    [1.0, 0.0].map(|rate| drive.moment(&model, &compiled, parts[number], rate));
                 positions[number] = meter.position(at, moments.each_ref(), &quantities)?;
                 Ok(())
             })?;
@@ -67,8 +84,18 @@ impl Survey {
         })
     }
 
-    /// The coordinate of a joint on which a spring acts, over whole turns.
-    pub(crate) fn twist(&self, at: &Position, joint: JointId) -> Option<f64> {
-        whole_angle(&self.model, &self.compiled, at, joint)
+    /// What is surveyed.
+    pub(crate) fn subject(&self) -> Surveyed<'_> {
+        let Self {
+            model,
+            compiled,
+            loads,
+            ..
+        } = self;
+        Surveyed {
+            model,
+            compiled,
+            loads,
+        }
     }
 }
