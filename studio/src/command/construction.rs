@@ -6,6 +6,10 @@ use clap::Args;
 
 /// What is constructed over a picture, as a motor moves at a rate of 1: the first in drawings, in films the one that moves.
 #[derive(Args, Clone, Debug)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is asked for or not, whatever the others"
+)]
 pub(super) struct Constructions {
     /// Paints the instant centres of its links, with the lines on which Kennedy has them.
     #[arg(long)]

@@ -146,9 +146,9 @@ impl Board {
             (0..2).all(|part| (low[part] - size..=high[part] + size).contains(&place[part]))
         };
         for place in places.filter(is_near) {
-            for part in 0..2 {
-                self.extent[0][part] = self.extent[0][part].min(place[part]);
-                self.extent[1][part] = self.extent[1][part].max(place[part]);
+            for (part, at) in place.iter().copied().enumerate() {
+                self.extent[0][part] = self.extent[0][part].min(at);
+                self.extent[1][part] = self.extent[1][part].max(at);
             }
         }
         let insets = std::mem::take(&mut self.insets);

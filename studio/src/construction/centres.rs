@@ -2,7 +2,8 @@
 
 use super::Place;
 use super::mark::Mark;
-use super::spot::is_same;
+use super::spot::{is_near, is_same};
+use crate::motion::PlaneMotion;
 use crate::quantity::{Position, Surveyed};
 use mech_compiler::model::{JointId, LinkId};
 use mech_core::colors::INK;
@@ -28,13 +29,17 @@ pub(super) fn centres(survey: Surveyed<'_>, at: &Position) -> Option<Vec<Mark>> 
         let mut joints = model.declared_joints().filter(has_place);
         joints.any(|joint| [(a, b), (b, a)].contains(&model.ends(joint)))
     };
+    let centre = |one: PlaneMotion, other| {
+        let found = one.centre(other);
+        found.filter(|place| is_near(model, *place))
+    };
     let (mut dots, mut marks): (Vec<(Place, String)>, Vec<Mark>) = (Vec::new(), Vec::new());
     for (number, &(first, motion)) in links.iter().enumerate() {
         for &(second, other) in &links[number + 1..] {
             if !all && first != LinkId::GROUND {
                 continue;
             }
-            let Some(at) = motion.centre(other) else {
+            let Some(at) = centre(motion, other) else {
                 continue;
             };
             // A pin is the centre of the links that it joins, and has a name of its own.
@@ -55,7 +60,7 @@ pub(super) fn centres(survey: Surveyed<'_>, at: &Position) -> Option<Vec<Mark>> 
             // With a third link that both are joined to, three centres lie in one line.
             for &(third, between) in &links {
                 if joined(first, third) && joined(third, second) {
-                    let ends = [motion.centre(between), between.centre(other)];
+                    let ends = [centre(motion, between), centre(between, other)];
                     marks.extend(ends.into_iter().flatten().map(|end| Mark::Line {
                         ends: [at, end],
                         color: INK,

@@ -2,6 +2,7 @@
 
 use super::Place;
 use super::mark::Mark;
+use super::spot::is_near;
 use crate::motion::PlaneMotion;
 use crate::quantity::{Order, Position, Survey, Surveyed};
 use mech_compiler::model::LinkId;
@@ -95,7 +96,7 @@ impl Centrodes {
 pub(super) fn inflection(survey: Surveyed<'_>, at: &Position, link: LinkId) -> Option<Vec<Mark>> {
     let centre = centre(survey, at, link)?;
     let [turning, ..] = at.rate(survey.compiled, link, Order::Velocity)?;
-    // In the instant centre nothing but the change of place of the centre is accelerated.
+    // The acceleration of the point of the link that is in the instant centre points to the inflection pole.
     let acceleration = at.vector(survey.compiled, link, centre, Order::Acceleration)?;
     let diameter = acceleration.map(|part| part / turning.powi(2));
     let pole = [0, 1].map(|part| centre[part] + diameter[part]);
@@ -114,10 +115,10 @@ pub(super) fn inflection(survey: Surveyed<'_>, at: &Position, link: LinkId) -> O
     })
 }
 
-/// The instant centre of a link and the ground.
+/// The instant centre of a link and the ground; none if the link turns by rounding alone.
 fn centre(survey: Surveyed<'_>, at: &Position, link: LinkId) -> Option<Place> {
     let found = at
         .motion(survey.compiled, link)?
         .centre(PlaneMotion::default())?;
-    found.iter().all(|part| part.is_finite()).then_some(found)
+    is_near(survey.model, found).then_some(found)
 }

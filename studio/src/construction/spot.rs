@@ -2,10 +2,12 @@
 
 use super::Place;
 use crate::quantity::{Position, Surveyed};
-use mech_compiler::model::{AxisId, AxisKind, JointId, JointKind, LinkId};
+use mech_compiler::model::{AxisId, AxisKind, JointId, JointKind, LinkId, Model};
 
-/// Places that are nearer than this part of their distance from the origin are one.
-const SAME: f64 = 1e-9;
+/// Places that are nearer than this part of their distance from the origin are one: in single precision, too.
+const SAME: f64 = 1e-5;
+/// What is farther away than so many times the size of the mechanism is at infinity: rounding alone may have brought it nearer.
+const INFINITY: f64 = 1e3;
 
 /// A place in the scene, as a place of a link, and its names.
 pub(super) struct Spot {
@@ -82,6 +84,12 @@ fn add(spots: &mut Vec<Spot>, at: Place, name: &str) {
             names: vec![name.to_owned()],
         }),
     }
+}
+
+/// Whether a place is not at infinity.
+pub(super) fn is_near(model: &Model, place: Place) -> bool {
+    let most = INFINITY * (1.0 + model.size());
+    place.iter().all(|part| part.abs() < most)
 }
 
 pub(super) fn is_same([a, b]: Place, [c, d]: Place) -> bool {

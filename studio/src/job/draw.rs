@@ -29,7 +29,7 @@ impl Draw {
             Ok::<_, Failure>([standing, self.whole(&analysed)?])
         });
         let drives = drives.transpose()?;
-        let drives = drives.as_ref().map(|drives| drives.each_ref());
+        let drives = drives.as_ref().map(<[Drive; 2]>::each_ref);
         let sitter = self.picture.sitter(analysed, drives, &[0.0])?;
         let Sitter {
             analysed: Analysed { model, compiled },

@@ -280,7 +280,10 @@ fn what_a_lecture_constructs_is_shown_at_the_present_pose() {
     }
     assert!(user.editor().constructed().is_empty());
     user.show("Inflection circles");
-    assert!(user.editor().constructed().is_empty(), "no link is selected");
+    assert!(
+        user.editor().constructed().is_empty(),
+        "no link is selected"
+    );
     let ends = user.ends_of("coupler");
     user.click([0, 1].map(|part| f64::midpoint(ends[0][part], ends[1][part])));
     assert!(
