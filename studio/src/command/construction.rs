@@ -14,13 +14,13 @@ pub(super) struct Constructions {
     /// Paints the instant centres of its links, with the lines on which Kennedy has them.
     #[arg(long)]
     centres: bool,
-    /// Draws the velocity polygon beside it, as the motor moves at a rate of 1.
+    /// Draws the velocity polygon beside it, as a motor moves at a rate of 1: in drawings the first, in films the one that moves.
     #[arg(long)]
     velocities: bool,
-    /// Draws the acceleration polygon beside it, as the motor moves at a steady rate of 1.
+    /// Draws the acceleration polygon beside it, as the same motor moves at a steady rate of 1.
     #[arg(long)]
     accelerations: bool,
-    /// Draws the free body of each link beside it, with the forces and torques on it: those at rest, or as laws move it.
+    /// Draws the free body of each link beside it, with the forces and torques on it: those at rest, or in a film as laws move it.
     #[arg(long)]
     forces: bool,
     /// Draws the centrodes of a link relative to the ground, in the whole motion: the fixed one, and the moving one that rolls on it.

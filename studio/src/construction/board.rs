@@ -71,6 +71,7 @@ impl Board {
                 board.construct(construction, subject, (&survey.positions, of.drive.motor()))?;
             }
         }
+        board.make_room();
         Ok(board.arranged())
     }
 
@@ -137,8 +138,8 @@ impl Board {
         }
     }
 
-    /// The same with its insets in place, and with room for all that is not farther away than the pictures are large.
-    fn arranged(mut self) -> Self {
+    /// Has room for all that is not farther away than the pictures are large.
+    fn make_room(&mut self) {
         let [low, high] = self.extent;
         let size = (high[0] - low[0]).max(high[1] - low[1]);
         let places = self.marks.iter().flatten().flat_map(Mark::places);
@@ -151,6 +152,10 @@ impl Board {
                 self.extent[1][part] = self.extent[1][part].max(at);
             }
         }
+    }
+
+    /// The same with its insets in place.
+    fn arranged(mut self) -> Self {
         let insets = std::mem::take(&mut self.insets);
         let (panels, extent) = Panel::beside(self.extent, insets.len());
         self.extent = extent;

@@ -459,3 +459,39 @@ fn points_of_the_inflection_circle_go_straight_ahead() {
         assert!(curvature(a).abs() > 0.1 && curvature(b).abs() > 0.1);
     }
 }
+
+#[test]
+fn what_cannot_be_constructed_is_told() {
+    let trammel = "struct T; ground { line x = (0, 0) -> (1, 0); } link crank; link rod;
+link slide { line l = (0, 0) -> (1, 0); }
+joint o = revolute(ground, crank) at (0, 0); joint m = revolute(crank, rod) at (1, 1);
+joint b = revolute(rod, slide) at (2, 0); joint x = prismatic(ground.x, slide.l); motor o;";
+    let parallelogram = "struct P: f32; link crank; link rod; link rocker;
+joint o = revolute(ground, crank) at (0, 0); joint a = revolute(crank, rod) at (1, 0.7);
+joint b = revolute(rod, rocker) at (4.3, 0.7); joint d = revolute(ground, rocker) at (3.3, 0); motor o;";
+    let cases = [
+        (FOUR_BAR, "--forces", "nothing pushes its links"),
+        (FOUR_BAR, "--inflection ground", "the ground rests"),
+        (FOUR_BAR, "--centrodes bar", "has no link `bar`"),
+        (trammel, "--centrodes slide", "link `slide` never turns"),
+        (
+            trammel,
+            "--inflection slide",
+            "link `slide` does not turn here",
+        ),
+        (parallelogram, "--centrodes rod", "link `rod` never turns"),
+    ];
+    for (text, option, words) in cases {
+        let folder = Folder::new().with("a.mech", text);
+        for kind in [
+            "draw a.mech -o a.png",
+            "film a.mech -o a.gif --seconds 1 --rate 3",
+        ] {
+            let answer = folder.mech(&format!("{kind} {option}"));
+            assert!(answer.code != Some(0), "{option}");
+            assert!(answer.err.contains(words), "{option}: {}", answer.err);
+        }
+    }
+    // What is at infinity alone leaves the rest.
+    Drawing::of(parallelogram, "--centres --velocities --accelerations");
+}

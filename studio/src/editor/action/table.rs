@@ -220,10 +220,13 @@ pub(super) const ACTIONS: &[Action] = &[
     Action {
         menu: Menu::View,
         name: "See everything",
-        help: "fits the whole motion into the window",
+        help: "fits the whole motion into the window, and what is constructed beside it",
         key: Some(alone(Key::Home)),
         is_possible: ALWAYS,
-        perform: |editor| editor.sight.fit(),
+        perform: |editor| {
+            let beside = editor.board().map(|board| board.extent());
+            editor.sight.fit_with(beside);
+        },
     },
     Action {
         menu: Menu::View,
