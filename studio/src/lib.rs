@@ -19,6 +19,7 @@ mod check;
 #[cfg(not(target_arch = "wasm32"))]
 mod command;
 mod console;
+mod construction;
 mod dialogue;
 mod document;
 mod edit;

@@ -17,9 +17,6 @@ pub(super) struct Draw {
     pub(super) target: Target,
     #[command(flatten)]
     picture: Picture,
-    /// Paints the instant centres of its links, as the first motor moves, with the lines on which Kennedy has them.
-    #[arg(long)]
-    centres: bool,
 }
 
 const EXAMPLES: &str = "\
@@ -27,6 +24,7 @@ Examples:
   mech draw four_bar.mech -o four_bar.png
   mech draw four_bar.mech -o four_bar.svg --at a=30 --overlay
   mech draw four_bar.mech -o centres.svg --names --centres
+  mech draw four_bar.mech -o polygons.svg --names --velocities --accelerations
   mech draw src/main.rs --mechanism FourBar -o wide.png --size 1920x1080 --look diagram --night";
 
 impl Draw {
@@ -35,11 +33,7 @@ impl Draw {
         let kind = kind_of(path, &[("png", StillKind::Png), ("svg", StillKind::Svg)])?;
         let analysed = self.target.coherent_with(&self.picture.set, console)?;
         let picture = self.picture.job();
-        let job = Job::Draw(job::Draw {
-            picture,
-            kind,
-            centres: self.centres,
-        });
+        let job = Job::Draw(job::Draw { picture, kind });
         let bytes = job.run(analysed, console)?;
         let replacing = self.picture.replacing;
         writer.write(replacing.output(path, kind.file(), bytes, &self.target))

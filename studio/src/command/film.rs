@@ -41,6 +41,7 @@ const EXAMPLES: &str = "\
 Examples:
   mech film four_bar.mech -o four_bar.gif
   mech film four_bar.mech -o four_bar.svg --seconds 2
+  mech film four_bar.mech -o velocities.gif --names --velocities
   mech film crane.mech -o crane.png --motor luff --from 10 --to 70 --overlay";
 
 impl Film {

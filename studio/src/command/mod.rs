@@ -3,6 +3,7 @@
 mod assignment;
 mod check;
 mod completions;
+mod construction;
 mod draw;
 #[cfg(all(feature = "editor", not(target_arch = "wasm32")))]
 mod edit;

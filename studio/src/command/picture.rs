@@ -1,6 +1,7 @@
 //! What drawings and films have in common: what is painted, and on what.
 
 use super::assignment::Assignment;
+use super::construction::Constructions;
 use super::target::Replacing;
 use crate::failure::Failure;
 use crate::job::{self, Size};
@@ -29,6 +30,8 @@ pub(super) struct Picture {
     /// Writes the names of joints and links over it.
     #[arg(long)]
     names: bool,
+    #[command(flatten)]
+    constructions: Constructions,
     /// Paints on dark ground.
     #[arg(long)]
     night: bool,
@@ -85,6 +88,8 @@ impl Picture {
             }),
             overlay: self.overlay,
             names: self.names,
+            constructions: self.constructions.all(),
+            loads: self.constructions.load.clone(),
             night: self.night,
             at: self.at.clone(),
         }

@@ -11,6 +11,7 @@ mod arrow;
 mod canvas;
 mod clipboard;
 mod colors;
+mod constructed;
 mod curves;
 mod desk;
 mod drag;

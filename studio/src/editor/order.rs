@@ -109,11 +109,7 @@ impl Export {
                 at,
                 ..Picture::default()
             };
-            Job::Draw(Draw {
-                picture,
-                kind,
-                centres: false,
-            })
+            Job::Draw(Draw { picture, kind })
         };
         let film = |kind| Job::Film(Film::of_kind(kind));
         let plot = |kind| {

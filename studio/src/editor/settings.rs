@@ -14,15 +14,26 @@ pub(crate) enum Visible {
     Velocities,
     Accelerations,
     Forces,
+    Centres,
+    VelocityPolygon,
+    AccelerationPolygon,
+    FreeBodies,
+    /// Of the links that are selected.
+    InflectionCircles,
 }
 
 impl Visible {
     /// What has to be computed for it besides positions.
     pub(crate) const fn derived(self) -> Option<Derived> {
         match self {
-            Self::Velocities | Self::Accelerations => Some(Derived::Rates),
-            Self::Forces => Some(Derived::Forces),
-            _ => None,
+            Self::Velocities
+            | Self::Accelerations
+            | Self::Centres
+            | Self::VelocityPolygon
+            | Self::AccelerationPolygon
+            | Self::InflectionCircles => Some(Derived::Rates),
+            Self::Forces | Self::FreeBodies => Some(Derived::Forces),
+            Self::Grid | Self::Names | Self::Bodies | Self::Paths => None,
         }
     }
 }

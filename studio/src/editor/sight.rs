@@ -183,7 +183,17 @@ impl Sight {
 
     /// Sees everything.
     pub fn fit(&mut self) {
-        self.camera = Camera::new(self.bounds(), self.camera.size());
+        self.fit_with(None);
+    }
+
+    /// Sees everything, and what is within this box.
+    pub(super) fn fit_with(&mut self, beside: Option<[[f64; 2]; 2]>) {
+        let [mut low, mut high] = self.bounds();
+        if let Some([lower, higher]) = beside {
+            low = [0, 1].map(|part| low[part].min(lower[part]));
+            high = [0, 1].map(|part| high[part].max(higher[part]));
+        }
+        self.camera = Camera::new([low, high], self.camera.size());
     }
 
     fn bounds(&self) -> [[f64; 2]; 2] {

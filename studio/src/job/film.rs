@@ -70,8 +70,7 @@ impl Film {
         analysed: Analysed,
         listener: &mut dyn Listener,
     ) -> Result<Vec<u8>, Failure> {
-        let sitter = self.picture.sitter(analysed, None);
-        let Analysed { model, compiled } = &sitter.analysed;
+        let Analysed { model, compiled } = &analysed;
         let motor = self.motor.as_deref();
         let drive = Drive::new(model, compiled, motor, self.span, &self.picture.at)?;
         let drive = if self.span.to.is_none() {
@@ -84,23 +83,41 @@ impl Film {
                 "no time is known after which all is back: the film is from t = {from} to {to}; say others by `--from` and `--to`"
             ));
         }
-        let frames = self.seconds * self.rate;
+        let parts = self.parts(drive.is_cyclic(model));
+        let sitter = self.picture.sitter(analysed, Some([&drive; 2]), &parts)?;
         drive.attempt(|drive| {
             let mut shoot = Shoot {
                 sitter: &sitter,
-                is_cyclic: drive.is_cyclic(model),
-                drive: drive.clone(),
+                drive,
+                parts: &parts,
                 listener: &mut *listener,
             };
             match self.kind {
-                FilmKind::Gif => self.gif(&mut shoot, frames),
-                FilmKind::Apng => self.apng(&mut shoot, frames),
+                FilmKind::Gif => self.gif(&mut shoot),
+                FilmKind::Apng => self.apng(&mut shoot),
                 FilmKind::Svg => self.svg(&mut shoot),
             }
         })
     }
 
-    fn gif(&self, shoot: &mut Shoot<'_>, frames: u32) -> Result<Vec<u8>, Failure> {
+    /// The parts of the motion that the frames show, one after the other: what does not come round goes to and fro.
+    fn parts(&self, is_cyclic: bool) -> Vec<f64> {
+        let frames = match self.kind {
+            FilmKind::Svg => MOMENTS,
+            FilmKind::Gif | FilmKind::Apng => self.seconds * self.rate,
+        };
+        let parts = (0..frames).map(|number| {
+            let time = f64::from(number) / f64::from(frames);
+            if is_cyclic {
+                time
+            } else {
+                0.5 - 0.5 * (2.0 * PI * time).cos()
+            }
+        });
+        parts.collect()
+    }
+
+    fn gif(&self, shoot: &mut Shoot<'_>) -> Result<Vec<u8>, Failure> {
         let sitter = shoot.sitter;
         let [width, height] = sitter.size;
         let mut frame = HeapFrame::new(width, height)?;
@@ -109,9 +126,10 @@ impl Film {
         let mut bytes = Vec::new();
         let mut sink = Some(&mut bytes);
         let mut file: Option<Gif<&mut Vec<u8>>> = None;
-        shoot.run(frames, |poses, paths| {
+        shoot.run(|number, poses, paths| {
             frame.clear();
             sitter.painting.paint(poses, paths, &mut frame);
+            sitter.board.paint(number, &mut frame);
             match (&mut file, sink.take()) {
                 (Some(file), _) => file.add(&frame)?,
                 (None, Some(sink)) => file = Some(Gif::new(sink, &frame, self.delay())?),
@@ -123,7 +141,7 @@ impl Film {
         Ok(bytes)
     }
 
-    fn apng(&self, shoot: &mut Shoot<'_>, frames: u32) -> Result<Vec<u8>, Failure> {
+    fn apng(&self, shoot: &mut Shoot<'_>) -> Result<Vec<u8>, Failure> {
         let sitter = shoot.sitter;
         let [width, height] = sitter.size;
         let mut picture = HeapSmooth::new(width, height)?;
@@ -132,9 +150,11 @@ impl Film {
         let mut bytes = Vec::new();
         let mut sink = Some(&mut bytes);
         let mut file: Option<Apng<&mut Vec<u8>>> = None;
-        shoot.run(frames, |poses, paths| {
+        let frames = self.seconds * self.rate;
+        shoot.run(|number, poses, paths| {
             picture.clear();
             sitter.painting.paint(poses, paths, &mut picture);
+            sitter.board.paint(number, &mut picture);
             match (&mut file, sink.take()) {
                 (Some(file), _) => file.add(&picture)?,
                 (None, Some(sink)) => {
@@ -152,8 +172,11 @@ impl Film {
         let sitter = shoot.sitter;
         let period = Duration::from_secs(self.seconds.into());
         let mut svg = AnimatedSvg::new(sitter.sheet.clone(), period);
-        shoot.run(MOMENTS, |poses, paths| {
-            svg.add(|canvas| sitter.painting.paint(poses, paths, canvas));
+        shoot.run(|number, poses, paths| {
+            svg.add(|canvas| {
+                sitter.painting.paint(poses, paths, canvas);
+                sitter.board.paint(number, canvas);
+            });
             Ok(())
         })?;
         Ok(svg.finish().into_bytes())
@@ -168,47 +191,37 @@ impl Film {
 /// A mechanism and its motion, which is filmed.
 struct Shoot<'s> {
     sitter: &'s Sitter,
-    drive: Drive,
-    is_cyclic: bool,
+    drive: &'s Drive,
+    parts: &'s [f64],
     listener: &'s mut dyn Listener,
 }
 
 impl Shoot<'_> {
-    /// Shows so many frames, one after the other. The mechanism makes the motion once before, so that its traces are complete.
+    /// Shows its frames, one after the other. The mechanism makes the motion once before, so that its traces are complete.
     fn run(
         &mut self,
-        frames: u32,
-        mut show: impl FnMut(&[[f64; 4]], &Paths) -> Result<(), Failure>,
+        mut show: impl FnMut(usize, &[[f64; 4]], &Paths) -> Result<(), Failure>,
     ) -> Result<(), Failure> {
         let Analysed { model, compiled } = &self.sitter.analysed;
-        let parts = (0..frames).map(|number| self.part(f64::from(number) / f64::from(frames)));
-        let parts: Vec<f64> = parts.collect();
-        let mut poses = vec![Vec::new(); parts.len()];
-        self.drive.visit(model, compiled, &parts, |number, at| {
-            poses[number].clone_from(&at.poses);
-            Ok(())
-        })?;
+        let mut poses = vec![Vec::new(); self.parts.len()];
+        self.drive
+            .visit(model, compiled, self.parts, |number, at| {
+                poses[number].clone_from(&at.poses);
+                Ok(())
+            })?;
         let mut paths = Paths::new(model, compiled)?;
         if !paths.is_empty() {
             for poses in &poses {
                 paths.record(poses);
             }
         }
-        for (done, poses) in (1..).zip(&poses) {
+        let frames = u32::try_from(poses.len()).unwrap_or(u32::MAX);
+        for ((number, poses), done) in poses.iter().enumerate().zip(1..) {
             mech_compiler::cancel::check();
             paths.record(poses);
-            show(poses, &paths)?;
+            show(number, poses, &paths)?;
             self.listener.progress(done, frames);
         }
         Ok(())
-    }
-
-    /// The part of the motion at a part of the film: what does not come round goes to and fro.
-    fn part(&self, time: f64) -> f64 {
-        if self.is_cyclic {
-            time
-        } else {
-            0.5 - 0.5 * (2.0 * PI * time).cos()
-        }
     }
 }

@@ -59,11 +59,7 @@ impl Drive {
         span: Span,
         settings: &[Setting],
     ) -> Result<Self, Failure> {
-        let mut base = compiled.program.start.motors[..model.motors.len()].to_vec();
-        for setting in settings {
-            let (motor, value) = setting.resolve(model)?;
-            base[motor.index()] = value;
-        }
+        let base = set(model, compiled, settings)?;
         if motor.is_none() && model.lawful_motors().next().is_some() {
             return Ok(Self::by_laws(model, compiled, &base, span));
         }
@@ -97,6 +93,22 @@ impl Drive {
             ends: reach.ends,
             found: reach.is_stopped(),
         }
+    }
+
+    /// The first motor where it is set, or where it stands: it moves, but gets nowhere.
+    pub(crate) fn standing(
+        model: &Model,
+        compiled: &Compiled,
+        settings: &[Setting],
+    ) -> Result<Self, Failure> {
+        let base = set(model, compiled, settings)?;
+        let motor = moving_motor(model, None, &[])?;
+        Ok(Self {
+            ends: [base[motor.index()]; 2],
+            base,
+            kind: Kind::Motor(motor),
+            found: [false; 2],
+        })
     }
 
     fn by_laws(model: &Model, compiled: &Compiled, base: &[f64], span: Span) -> Self {
@@ -340,6 +352,16 @@ impl Drive {
         machine.put_back(&start);
         visit(&mut machine, &down)
     }
+}
+
+/// The values of all motors as they are set; others are at their start.
+fn set(model: &Model, compiled: &Compiled, settings: &[Setting]) -> Result<Vec<f64>, Failure> {
+    let mut values = compiled.program.start.motors[..model.motors.len()].to_vec();
+    for setting in settings {
+        let (motor, value) = setting.resolve(model)?;
+        values[motor.index()] = value;
+    }
+    Ok(values)
 }
 
 /// The motor of this name; without one the first that no setting puts at a value, as two cannot say where it is.

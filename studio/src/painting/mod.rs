@@ -1,9 +1,6 @@
 //! Mechanisms that the interpreter moves, painted as their generated code would paint them.
 
-mod centres;
 mod names;
-
-pub(crate) use centres::Centres;
 
 use crate::motion::Paths;
 use mech_compiler::model::{LinkId, Look, Measure, Model};
@@ -106,20 +103,9 @@ impl Painting {
         self
     }
 
-    /// The same in a view that has room for these places, if they are not farther away than the view is large.
-    pub(crate) fn with_room_for(mut self, places: impl Iterator<Item = [f64; 2]>) -> Self {
-        let [low, high] = self.extent;
-        let size = (high[0] - low[0]).max(high[1] - low[1]);
-        let is_near = |place: &[f64; 2]| {
-            (0..2).all(|part| (low[part] - size..=high[part] + size).contains(&place[part]))
-        };
-        for place in places.filter(is_near) {
-            for (part, at) in place.into_iter().enumerate() {
-                self.extent[0][part] = self.extent[0][part].min(at);
-                self.extent[1][part] = self.extent[1][part].max(at);
-            }
-        }
-        self
+    /// The same in a view of this box.
+    pub(crate) fn with_extent(self, extent: [[f64; 2]; 2]) -> Self {
+        Self { extent, ..self }
     }
 
     /// The view that fits the whole motion into a picture of this width and height in pixels, with the margin that generated code has.

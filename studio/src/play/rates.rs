@@ -1,8 +1,12 @@
 //! Rates of a mechanism that is played, and the forces in its joints.
 
 use super::{Derived, Mechanism, Rates};
+#[cfg(feature = "editor")]
+use crate::construction::{Board, Construction};
 use crate::motion::Mover;
 use crate::painting::poses_of;
+#[cfg(feature = "editor")]
+use crate::quantity::{self, Surveyed};
 use mech_compiler::program::Forces;
 use mech_runtime::{Acceleration, Velocity};
 
@@ -64,10 +68,7 @@ impl Mechanism {
         };
         let mut machine = Mover::of(&self.model, program);
         machine.put_back(&self.position);
-        let declared = self.model.actions.loads.iter();
-        let count = declared.map(|load| load.kind.numbers()).sum();
-        let mut loads = loads.to_vec();
-        loads.resize(count, 0.0);
+        let loads = self.all_loads(loads);
         let [first, second] = self.all_rates(rates);
         let Ok(Forces::InverseDynamics(found)) = machine.forces([&first, &second], &loads) else {
             return Vec::new();
@@ -75,6 +76,60 @@ impl Mechanism {
         let joints = self.model.declared_joints().zip(&found.reactions);
         let reactions = joints.filter_map(|(joint, &[x, y, _])| Some((self.joint(joint)?, [x, y])));
         reactions.collect()
+    }
+
+    /// What is constructed where it is, while this motor alone moves at a rate of 1, and forces are those at rest. Nothing where what that
+    /// needs is not [prepared](Self::prepare).
+    #[cfg(feature = "editor")]
+    pub(crate) fn constructed(
+        &self,
+        constructions: &[Construction],
+        motor: usize,
+        loads: &[f64],
+    ) -> Option<Board> {
+        let forced = self.with(Derived::Forces);
+        let forced = forced.filter(|_| constructions.contains(&Construction::Forces));
+        let compiled = forced.or_else(|| self.with(Derived::Rates))?;
+        let id = self.model.motor_ids().nth(motor)?;
+        let rest = vec![0.0; self.model.motors.len()];
+        let mut alone = rest.clone();
+        alone[motor] = 1.0;
+        let loads = self.all_loads(loads);
+        let mut at = quantity::Position::of(&self.position);
+        at.rates = compiled.moving.as_ref().and_then(|program| {
+            let mut machine = Mover::of(&self.model, program);
+            machine.put_back(&self.position);
+            machine.motion([&alone, &rest]).ok()
+        });
+        let program = compiled.forced.inverse_dynamics.as_ref();
+        at.forces = program.and_then(|program| {
+            let mut machine = Mover::of(&self.model, program);
+            machine.put_back(&self.position);
+            match machine.forces([&rest, &rest], &loads) {
+                Ok(Forces::InverseDynamics(found)) => Some(found),
+                _ => None,
+            }
+        });
+        let subject = Surveyed {
+            model: &self.model,
+            compiled,
+            loads: &loads,
+        };
+        Some(Board::known(
+            constructions,
+            subject,
+            (at, id),
+            self.bounds(),
+        ))
+    }
+
+    /// The numbers of all loads; those that are not given are zero.
+    fn all_loads(&self, given: &[f64]) -> Vec<f64> {
+        let declared = self.model.actions.loads.iter();
+        let count = declared.map(|load| load.kind.numbers()).sum();
+        let mut loads = given.to_vec();
+        loads.resize(count, 0.0);
+        loads
     }
 
     /// The rates of all motors, and their second rates.

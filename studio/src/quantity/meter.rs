@@ -1,216 +1,19 @@
-//! Measures quantities while a mechanism moves.
+//! A mechanism that moves and is measured.
 
-use super::Units;
 use super::kind::{Needs, Order, Part, Quantity, Reaction, Spot, Subject};
-use super::load::{self, Load};
 use super::position::{Position, torques};
 use super::turning::{Chain, whole_angle};
 use crate::failure::Failure;
-use crate::motion::{Drive, Moment, Mover, PlaneMotion, obstacle, place_of, turns};
+use crate::motion::{Moment, Mover, obstacle, place_of};
+use mech_compiler::Compiled;
 use mech_compiler::evaluate::Stop;
-use mech_compiler::model::{AxisId, JointId, JointKind, LinkId, Model, Precision};
+use mech_compiler::model::{AxisId, JointId, JointKind, LinkId, Model};
 use mech_compiler::program::{self, CamContact, CamNumbers, Forces, Program, clearance};
-use mech_compiler::{Compiled, compile};
 use mech_runtime::{Acceleration, Velocity};
 use std::collections::BTreeMap;
-use std::ops::Range;
-
-/// A table of measurements: a row for each position.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
-pub(crate) struct Table {
-    /// The name and the unit of each column. The first is what the mechanism is driven by.
-    pub(crate) columns: Vec<(String, String)>,
-    /// The values of each row, in these units; none where a value is not determined, as a velocity at a dead point.
-    pub(crate) rows: Vec<Vec<Option<f64>>>,
-    /// The number of the column over which the others are shown: the first, or the second.
-    pub(crate) across: usize,
-    pub(crate) precision: Precision,
-}
-
-impl Table {
-    /// The numbers of the columns that are shown over that.
-    pub(crate) fn curves(&self) -> Range<usize> {
-        self.across + 1..self.columns.len()
-    }
-
-    /// Whether what has this unit is shown over the same unit, as the path of a point is: then both axes have one scale. Angles of links say
-    /// nothing by their shape.
-    pub(crate) fn is_path(&self, unit: &str) -> bool {
-        self.across > 0 && self.columns[self.across].1 == unit && unit != "deg"
-    }
-}
-
-/// A motion that is measured.
-pub(crate) struct Measurement<'a> {
-    pub(crate) model: &'a Model,
-    pub(crate) drive: &'a Drive,
-    /// Over what the others are shown, if not over what the mechanism is driven by.
-    pub(crate) over: Option<Quantity>,
-    /// The speed of its motor, in radians or scene units per second: without it, velocities are those at 1, and forces those at rest.
-    pub(crate) rate: Option<f64>,
-    /// The number of steps: there is a row more.
-    pub(crate) steps: u32,
-    /// The loads that are not zero.
-    pub(crate) loads: &'a [Load],
-    pub(crate) units: &'a Units,
-}
-
-/// Measures quantities through a motion, in the precision of the mechanism.
-pub(crate) fn measure(of: &Measurement<'_>, quantities: &[Quantity]) -> Result<Table, Failure> {
-    let quantities: Vec<Quantity> = of.over.iter().chain(quantities).cloned().collect();
-    let prepared = Prepared::new(of, &quantities)?;
-    let parts = of.parts();
-    let rows = of.drive.attempt(|drive| prepared.rows(drive, &parts))?;
-    Ok(Table {
-        columns: columns(of, &quantities),
-        rows,
-        across: usize::from(of.over.is_some()),
-        precision: of.model.precision,
-    })
-}
-
-impl Measurement<'_> {
-    /// The parts of the motion at which it is measured, 0 to 1.
-    pub(super) fn parts(&self) -> Vec<f64> {
-        let parts = (0..=self.steps).map(|step| f64::from(step) / f64::from(self.steps.max(1)));
-        parts.collect()
-    }
-}
-
-/// A mechanism that is compiled for what is measured.
-pub(super) struct Prepared<'a> {
-    of: &'a Measurement<'a>,
-    quantities: &'a [Quantity],
-    model: Model,
-    compiled: Compiled,
-}
-
-impl<'a> Prepared<'a> {
-    pub(super) fn new(
-        of: &'a Measurement<'a>,
-        quantities: &'a [Quantity],
-    ) -> Result<Self, Failure> {
-        let model = with_needs(of.model, quantities);
-        Ok(Self {
-            compiled: compiled_for(&model)?,
-            of,
-            quantities,
-            model,
-        })
-    }
-
-    /// What drives it and all quantities in these parts of a motion, a row for each.
-    pub(super) fn rows(
-        &self,
-        drive: &Drive,
-        parts: &[f64],
-    ) -> Result<Vec<Vec<Option<f64>>>, Failure> {
-        let Self {
-            of,
-            quantities,
-            model,
-            compiled,
-        } = self;
-        let mut meter = Meter::new(of, model, compiled, quantities)?;
-        let mut rows = vec![Vec::new(); parts.len()];
-        drive.visit(model, compiled, parts, |number, at| {
-            let moment = drive.moment(model, compiled, parts[number], of.rate.unwrap_or(1.0));
-            let pushed = drive.moment(model, compiled, parts[number], of.rate.unwrap_or(0.0));
-            let values = meter.read(at, [&moment, &pushed], quantities)?;
-            let shown = quantities.iter().zip(values).map(|(quantity, value)| {
-                value.map(|value| of.units.shown(model, quantity.subject, value))
-            });
-            rows[number] = std::iter::once(Some(driver(of, moment.by)))
-                .chain(shown)
-                .collect();
-            Ok(())
-        })?;
-        Ok(rows)
-    }
-}
-
-/// Converts the value that drives the mechanism to the unit in which it is shown.
-fn driver(of: &Measurement<'_>, value: f64) -> f64 {
-    match of.drive.motor() {
-        Some(motor) => {
-            let joint = of.model.motor(motor).joint;
-            let subject = Subject::Coordinate(joint, Order::Place);
-            of.units.shown(of.model, subject, value)
-        }
-        None => value,
-    }
-}
-
-pub(super) fn columns(of: &Measurement<'_>, quantities: &[Quantity]) -> Vec<(String, String)> {
-    let unit = |subject| of.units.of(of.model, subject);
-    let first = match of.drive.motor() {
-        Some(motor) => {
-            let joint = of.model.motor(motor).joint;
-            let name = format!("motor {}", of.model.joint(joint).name);
-            (name, unit(Subject::Coordinate(joint, Order::Place)))
-        }
-        None => ("t".to_owned(), "s".to_owned()),
-    };
-    let others = quantities.iter();
-    let others = others.map(|quantity| {
-        let name = format!("{}{}", quantity.name, assumed(of, quantity.subject));
-        (name, unit(quantity.subject))
-    });
-    std::iter::once(first).chain(others).collect()
-}
-
-/// The rate of the motor for which a force holds, as words after its name.
-fn assumed(of: &Measurement<'_>, subject: Subject) -> String {
-    match (subject, of.drive.motor(), of.rate.unwrap_or(0.0)) {
-        (Subject::Torque(_) | Subject::Reaction(..), Some(_), 0.0) => " at rest".to_owned(),
-        (Subject::Torque(_) | Subject::Power(_) | Subject::Reaction(..), Some(_), rate) => {
-            format!(" at rate {rate}")
-        }
-        _ => String::new(),
-    }
-}
-
-/// A mechanism with everything shown that declares what is needed, whatever effects it has: angles go on over whole turns however long a
-/// step is.
-fn with_needs(model: &Model, quantities: &[Quantity]) -> Model {
-    let mut whole = Model {
-        show: None,
-        ..model.clone()
-    };
-    Needs::of(quantities).add_to(&mut whole.effects);
-    for quantity in quantities {
-        whole.continuous.extend(quantity.joint());
-        for link in quantity.turning_links() {
-            whole.continuous.extend(Chain::to(model, link).joints());
-        }
-    }
-    whole.continuous.retain(|&joint| turns(model, joint));
-    whole.continuous.sort_unstable();
-    whole.continuous.dedup();
-    whole
-}
-
-/// The mechanism, compiled: where equilibrium does not determine the forces within it, with what virtual work tells of the motors.
-fn compiled_for(model: &Model) -> Result<Compiled, Failure> {
-    let compiled = compile(model).map_err(|diagnoses| {
-        let texts = diagnoses
-            .iter()
-            .map(|diagnosis| mech_compiler::reporter::text(diagnosis, model));
-        let texts: Vec<String> = texts.collect();
-        Failure::mechanism(format!("that cannot be computed: {}", texts.join("\n")))
-    })?;
-    let forced = &compiled.forced;
-    if !model.effects.force || forced.inverse_dynamics.is_some() || forced.inertia.is_some() {
-        return Ok(compiled);
-    }
-    let mut moved = model.clone();
-    moved.effects.dynamics = true;
-    compiled_for(&moved)
-}
 
 /// A mechanism that moves and is measured.
-struct Meter<'a> {
+pub(super) struct Meter<'a> {
     model: &'a Model,
     compiled: &'a Compiled,
     moving: Option<Mover<'a>>,
@@ -226,19 +29,14 @@ struct Meter<'a> {
 }
 
 impl<'a> Meter<'a> {
-    fn new(
-        of: &Measurement<'_>,
+    /// A mechanism that is compiled for these quantities, with the numbers of all its loads.
+    pub(super) fn new(
         model: &'a Model,
         compiled: &'a Compiled,
         quantities: &[Quantity],
+        loads: Vec<f64>,
     ) -> Result<Self, Failure> {
         let needs = Needs::of(quantities);
-        let is_power = |one: &Quantity| matches!(one.subject, Subject::Power(_));
-        if of.rate.is_none() && of.drive.motor().is_some() && quantities.iter().any(is_power) {
-            return Err(Failure::usage(
-                "a power needs the rate at which the motor moves: `--rate 1`",
-            ));
-        }
         let forced = compiled.forced.inverse_dynamics.as_ref();
         let is_within = |one: &Quantity| {
             matches!(
@@ -282,18 +80,33 @@ impl<'a> Meter<'a> {
             inertia: inertia
                 .filter(|_| needs.force && forced.is_none())
                 .map(mover),
-            loads: load::numbers(model, of.loads)?,
+            loads,
         })
     }
 
     /// The values of all quantities where the mechanism is, in radians and scene units: velocities at one moment, forces as at another that
     /// has other rates.
-    fn read<'m>(
+    pub(super) fn read(
+        &mut self,
+        at: &program::Position<f64>,
+        moments: [&Moment; 2],
+        quantities: &[Quantity],
+    ) -> Result<Vec<Option<f64>>, Failure> {
+        let position = self.position(at, moments, quantities)?;
+        let values = quantities.iter().map(|quantity| {
+            let value = self.value(&position, moments[0], quantity.subject);
+            value.filter(|value| value.is_finite())
+        });
+        Ok(values.collect())
+    }
+
+    /// All that these quantities need to be known where the mechanism is.
+    pub(super) fn position<'m>(
         &mut self,
         at: &program::Position<f64>,
         [moment, pushed]: [&'m Moment; 2],
         quantities: &[Quantity],
-    ) -> Result<Vec<Option<f64>>, Failure> {
+    ) -> Result<Position, Failure> {
         let mut position = Position::of(at);
         let rates = |moment: &'m Moment| moment.rates.each_ref().map(Vec::as_slice);
         position.rates = self.moving.as_mut().and_then(|machine| {
@@ -335,11 +148,7 @@ impl<'a> Meter<'a> {
                 }
             }
         }
-        let values = quantities.iter().map(|quantity| {
-            let value = self.value(&position, moment, quantity.subject);
-            value.filter(|value| value.is_finite())
-        });
-        Ok(values.collect())
+        Ok(position)
     }
 
     fn value(&self, at: &Position, moment: &Moment, subject: Subject) -> Option<f64> {
@@ -369,7 +178,7 @@ impl<'a> Meter<'a> {
                 let torque = at.torques.as_ref()?.get(motor.index())?;
                 Some(torque * moment.rates[0][motor.index()])
             }
-            Subject::Angle(link, order) => Some(self.rate(at, link, order)?[0]),
+            Subject::Angle(link, order) => Some(at.rate(self.compiled, link, order)?[0]),
             Subject::Centre(links, part) => Some(part_of(self.centre(at, links)?, part)),
             Subject::Influence(of, motor) => {
                 let alone = at.with_rates(at.influences.get(&motor)?.clone());
@@ -398,13 +207,8 @@ impl<'a> Meter<'a> {
 
     /// The place in the scene at which two links move as one; none if they turn at the same rate, as it is at infinity then.
     fn centre(&self, at: &Position, links: [LinkId; 2]) -> Option<[f64; 2]> {
-        let mut motions = [PlaneMotion::default(); 2];
-        for (motion, link) in motions.iter_mut().zip(links) {
-            let pose = at.pose(self.compiled, link)?;
-            *motion = PlaneMotion::new(self.rate(at, link, Order::Velocity)?, pose);
-        }
-        let [first, second] = motions;
-        first.centre(second)
+        let [first, second] = links.map(|link| at.motion(self.compiled, link));
+        first?.centre(second?)
     }
 
     /// The contact of a cam and its roller.
@@ -423,20 +227,6 @@ impl<'a> Meter<'a> {
         Some(chain.whole(self.model, self.compiled, at, heading))
     }
 
-    /// The angular rate of a link, and those of x and y.
-    fn rate(&self, at: &Position, link: LinkId, order: Order) -> Option<[f64; 3]> {
-        if link == LinkId::GROUND {
-            return Some([0.0; 3]);
-        }
-        let place = self.compiled.program.place_of(link)?;
-        let rates = at.rates.as_ref()?;
-        let all = match order {
-            Order::Velocity => &rates.velocities,
-            _ => rates.accelerations.as_ref()?,
-        };
-        all.get(place).copied()
-    }
-
     /// A point in the scene, or its velocity or acceleration.
     fn point(&self, at: &Position, point: AxisId, order: Order) -> Option<[f64; 2]> {
         let axis = self.model.axis(point);
@@ -444,12 +234,12 @@ impl<'a> Meter<'a> {
         if order == Order::Place {
             return Some(place_of(self.model.precision, pose.into(), axis.at));
         }
-        let [turning, x, y] = self.rate(at, axis.link, Order::Velocity)?;
+        let [turning, x, y] = at.rate(self.compiled, axis.link, Order::Velocity)?;
         let angular = turning;
         if order == Order::Velocity {
             return Some(Velocity { angular, x, y }.of_point(pose, axis.at));
         }
-        let [angular, x, y] = self.rate(at, axis.link, Order::Acceleration)?;
+        let [angular, x, y] = at.rate(self.compiled, axis.link, Order::Acceleration)?;
         Some(Acceleration { angular, x, y }.of_point(pose, turning, axis.at))
     }
 
@@ -479,8 +269,11 @@ impl<'a> Meter<'a> {
     fn coordinate_rate(&self, at: &Position, joint: JointId, order: Order) -> Option<f64> {
         let [a, b] = self.axes(joint)?;
         let [guide, other] = [a, b].map(|id| self.model.axis(id).link);
-        let turning =
-            |order| Some(self.rate(at, other, order)?[0] - self.rate(at, guide, order)?[0]);
+        let turning = |order| {
+            Some(
+                at.rate(self.compiled, other, order)?[0] - at.rate(self.compiled, guide, order)?[0],
+            )
+        };
         if let JointKind::Revolute(..) = self.model.joint(joint).kind {
             return turning(order);
         }
@@ -491,12 +284,12 @@ impl<'a> Meter<'a> {
             let [from, to] = [self.point(at, a, order)?, self.point(at, b, order)?];
             Some([to[0] - from[0], to[1] - from[1]])
         };
-        let spin = self.rate(at, guide, Order::Velocity)?[0];
+        let spin = at.rate(self.compiled, guide, Order::Velocity)?[0];
         let (apart, speed) = (between(Order::Place)?, between(Order::Velocity)?);
         if order == Order::Velocity {
             return Some(dot(speed, along) + spin * dot(apart, across));
         }
-        let change = self.rate(at, guide, Order::Acceleration)?[0];
+        let change = at.rate(self.compiled, guide, Order::Acceleration)?[0];
         let second = between(Order::Acceleration)?;
         Some(
             dot(second, along) + 2.0 * spin * dot(speed, across) + change * dot(apart, across)

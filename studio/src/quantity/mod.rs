@@ -2,6 +2,7 @@
 
 mod kind;
 mod load;
+mod measurement;
 mod meter;
 mod naming;
 #[cfg(feature = "editor")]
@@ -9,16 +10,19 @@ mod offer;
 mod position;
 mod round;
 mod summary;
+mod survey;
 mod turning;
 mod unit;
 
-pub(crate) use kind::Quantity;
+pub(crate) use kind::{Order, Quantity};
 pub(crate) use load::Load;
 pub(crate) use load::numbers as load_numbers;
-pub(crate) use meter::{Measurement, Table, measure};
-pub(crate) use naming::{dyads, only_quantity, quantities, usual};
+pub(crate) use measurement::{Measurement, Table, measure};
+pub(crate) use naming::{body_of, dyads, only_quantity, quantities, usual};
 #[cfg(feature = "editor")]
 pub(crate) use offer::{Offer, offers};
+pub(crate) use position::Position;
 pub(crate) use round::{round_step, tick};
 pub(crate) use summary::{Extreme, FLAT, Summary, summarize};
+pub(crate) use survey::{Survey, Surveyed};
 pub(crate) use unit::Units;

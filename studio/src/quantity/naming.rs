@@ -172,7 +172,7 @@ fn bodies(model: &Model, ends: [&str; 2]) -> Result<[LinkId; 2], Failure> {
 }
 
 /// A link, or the ground.
-fn body_of(model: &Model, name: &str) -> Result<LinkId, Failure> {
+pub(crate) fn body_of(model: &Model, name: &str) -> Result<LinkId, Failure> {
     let is_ground = name == "ground";
     let found = is_ground
         .then_some(LinkId::GROUND)

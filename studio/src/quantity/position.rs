@@ -1,5 +1,7 @@
 //! All that is known where a mechanism is.
 
+use super::kind::Order;
+use crate::motion::PlaneMotion;
 use mech_compiler::Compiled;
 use mech_compiler::model::{LinkId, MotorId};
 use mech_compiler::program::LinkRates;
@@ -10,22 +12,22 @@ use std::f64::consts::TAU;
 
 /// All that is known where a mechanism is.
 #[derive(Default)]
-pub(super) struct Position {
+pub(crate) struct Position {
     /// The values of the motors, whole turns included.
     motors: Vec<f64>,
     poses: Vec<[f64; 4]>,
     state: Vec<f64>,
-    pub(super) rates: Option<LinkRates<f64>>,
+    pub(crate) rates: Option<LinkRates<f64>>,
     /// The rates if one motor alone moves, at a rate of 1: of the motors that are asked for.
     pub(super) influences: BTreeMap<MotorId, LinkRates<f64>>,
     /// The torques or forces of the motors.
     pub(super) torques: Option<Vec<f64>>,
-    pub(super) forces: Option<InverseDynamics<f64>>,
+    pub(crate) forces: Option<InverseDynamics<f64>>,
 }
 
 impl Position {
     /// A position of a machine, without rates and forces.
-    pub(super) fn of(at: &program::Position<f64>) -> Self {
+    pub(crate) fn of(at: &program::Position<f64>) -> Self {
         let motors = at.motors.iter().zip(&at.turns);
         Self {
             motors: motors
@@ -59,12 +61,54 @@ impl Position {
     }
 
     /// The pose of a link.
-    pub(super) fn pose(&self, compiled: &Compiled, link: LinkId) -> Option<Pose<f64>> {
+    pub(crate) fn pose(&self, compiled: &Compiled, link: LinkId) -> Option<Pose<f64>> {
         if link == LinkId::GROUND {
             return Some(Pose::identity());
         }
         let place = compiled.program.place_of(link)?;
         self.poses.get(place).copied().map(Pose::from)
+    }
+
+    /// The rates of a link, of this order: of its angle, and of x and y of its origin.
+    pub(crate) fn rate(&self, compiled: &Compiled, link: LinkId, order: Order) -> Option<[f64; 3]> {
+        if link == LinkId::GROUND {
+            return Some([0.0; 3]);
+        }
+        let place = compiled.program.place_of(link)?;
+        let rates = self.rates.as_ref()?;
+        let all = match order {
+            Order::Velocity => &rates.velocities,
+            _ => rates.accelerations.as_ref()?,
+        };
+        all.get(place).copied()
+    }
+
+    /// The velocity or the acceleration of that point of a link which is at a place in the scene.
+    pub(crate) fn vector(
+        &self,
+        compiled: &Compiled,
+        link: LinkId,
+        place: [f64; 2],
+        order: Order,
+    ) -> Option<[f64; 2]> {
+        let pose = self.pose(compiled, link)?;
+        let [x, y] = [place[0] - pose.x, place[1] - pose.y];
+        let [turning, along_x, along_y] = self.rate(compiled, link, order)?;
+        let centripetal = match order {
+            Order::Acceleration => self.rate(compiled, link, Order::Velocity)?[0].powi(2),
+            _ => 0.0,
+        };
+        Some([
+            along_x - turning * y - centripetal * x,
+            along_y + turning * x - centripetal * y,
+        ])
+    }
+
+    /// The motion of a link.
+    pub(crate) fn motion(&self, compiled: &Compiled, link: LinkId) -> Option<PlaneMotion> {
+        let pose = self.pose(compiled, link)?;
+        let rates = self.rate(compiled, link, Order::Velocity)?;
+        Some(PlaneMotion::new(rates, pose))
     }
 
     /// The angle of a link in the scene, between −π and π.

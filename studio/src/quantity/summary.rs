@@ -2,7 +2,7 @@
 
 use super::Measurement;
 use super::kind::Quantity;
-use super::meter::{Prepared, columns};
+use super::measurement::{Prepared, columns};
 use crate::failure::Failure;
 use crate::motion::Drive;
 use std::collections::VecDeque;

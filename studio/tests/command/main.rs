@@ -3,6 +3,7 @@
 mod bad_input;
 mod blocks;
 mod check;
+mod constructions;
 mod dialogue;
 mod edit;
 mod import;

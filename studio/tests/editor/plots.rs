@@ -238,6 +238,62 @@ fn arrows_are_what_the_path_says() {
 }
 
 #[test]
+fn what_a_lecture_constructs_is_shown_at_the_present_pose() {
+    let text = FOUR_BAR.replace(
+        "motor a;",
+        "motor a;\nload push = force(coupler.tip);\neffects { force; }",
+    );
+    let mut user = User::with_text(&text);
+    let has = |user: &User, words: &str| {
+        let texts = user.editor().constructed();
+        texts.iter().any(|text| text == words)
+    };
+    assert!(user.editor().constructed().is_empty());
+    user.show("Instant centres");
+    assert!(
+        has(&user, "ground coupler"),
+        "{:?}",
+        user.editor().constructed()
+    );
+    user.show("Velocity polygon");
+    user.show("Acceleration polygon");
+    assert!(has(&user, "velocities, a at 1 rad/s"));
+    assert!(has(&user, "accelerations, a at 1 rad/s"));
+    // Nothing pushes yet.
+    user.show("Free bodies");
+    assert!(!has(&user, "coupler"));
+    user.click_on("Plots");
+    user.enter("load push", "3, -40");
+    assert!(has(&user, "coupler"), "{:?}", user.editor().constructed());
+    assert!(
+        has(&user, "push 40.11"),
+        "{:?}",
+        user.editor().constructed()
+    );
+    for name in [
+        "Instant centres",
+        "Velocity polygon",
+        "Acceleration polygon",
+        "Free bodies",
+    ] {
+        user.show(name);
+    }
+    assert!(user.editor().constructed().is_empty());
+    user.show("Inflection circles");
+    assert!(
+        user.editor().constructed().is_empty(),
+        "no link is selected"
+    );
+    let ends = user.ends_of("coupler");
+    user.click([0, 1].map(|part| f64::midpoint(ends[0][part], ends[1][part])));
+    assert!(
+        has(&user, "inflection circle of coupler"),
+        "{:?}",
+        user.editor().selection()
+    );
+}
+
+#[test]
 fn a_load_acts_in_plots_and_arrows() {
     let text = FOUR_BAR.replace(
         "motor a;",

@@ -220,10 +220,13 @@ pub(super) const ACTIONS: &[Action] = &[
     Action {
         menu: Menu::View,
         name: "See everything",
-        help: "fits the whole motion into the window",
+        help: "fits the whole motion into the window, and what is constructed beside it",
         key: Some(alone(Key::Home)),
         is_possible: ALWAYS,
-        perform: |editor| editor.sight.fit(),
+        perform: |editor| {
+            let beside = editor.board().map(|board| board.extent());
+            editor.sight.fit_with(beside);
+        },
     },
     Action {
         menu: Menu::View,
@@ -288,6 +291,46 @@ pub(super) const ACTIONS: &[Action] = &[
         key: Some(alone(Key::Num9)),
         is_possible: MOVES,
         perform: |editor| editor.settings.toggle(Visible::Forces),
+    },
+    Action {
+        menu: Menu::View,
+        name: "Instant centres",
+        help: "shows the instant centres of all links, as the plotted motor moves",
+        key: None,
+        is_possible: MOVES,
+        perform: |editor| editor.settings.toggle(Visible::Centres),
+    },
+    Action {
+        menu: Menu::View,
+        name: "Velocity polygon",
+        help: "draws the velocity polygon beside the mechanism, at 1 rad or unit per second of the plotted motor",
+        key: None,
+        is_possible: MOVES,
+        perform: |editor| editor.settings.toggle(Visible::VelocityPolygon),
+    },
+    Action {
+        menu: Menu::View,
+        name: "Acceleration polygon",
+        help: "draws the acceleration polygon beside it, at the same rate",
+        key: None,
+        is_possible: MOVES,
+        perform: |editor| editor.settings.toggle(Visible::AccelerationPolygon),
+    },
+    Action {
+        menu: Menu::View,
+        name: "Free bodies",
+        help: "draws each link alone beside it, with the forces and torques on it at rest",
+        key: None,
+        is_possible: MOVES,
+        perform: |editor| editor.settings.toggle(Visible::FreeBodies),
+    },
+    Action {
+        menu: Menu::View,
+        name: "Inflection circles",
+        help: "shows the inflection circles of the selected links",
+        key: None,
+        is_possible: MOVES,
+        perform: |editor| editor.settings.toggle(Visible::InflectionCircles),
     },
     Action {
         menu: Menu::View,

@@ -7,6 +7,7 @@ mod findings;
 use super::analysis::Analysis;
 use super::arrow::{Arrow, arrows};
 use super::clipboard::Clipboard;
+use super::constructed::board;
 use super::desk::Desk;
 use super::drawing::Drawing;
 use super::item::Item;
@@ -20,6 +21,7 @@ use super::tool::Picking;
 use super::worker::Worker;
 #[cfg(feature = "transfer")]
 use super::worker::{Port, Remote};
+use crate::construction::Board;
 use crate::dialogue::Session;
 use crate::edit::Workspace;
 use crate::mend::Mending;
@@ -167,6 +169,19 @@ impl Editor {
     pub fn arrows(&self) -> Vec<Arrow> {
         let snapshot = &self.analysis.snapshot;
         arrows(&self.sight, snapshot, &self.plotted, &self.settings)
+    }
+
+    /// What is constructed at the present pose, if anything is wanted.
+    pub(in crate::editor) fn board(&self) -> Option<Board> {
+        let snapshot = &self.analysis.snapshot;
+        let (plotted, settings) = (&self.plotted, &self.settings);
+        board(&self.sight, snapshot, plotted, settings, &self.selection)
+    }
+
+    /// The texts of what is constructed at the present pose.
+    #[must_use]
+    pub fn constructed(&self) -> Vec<String> {
+        self.board().as_ref().map(Board::texts).unwrap_or_default()
     }
 
     /// The picture behind the drawing, if there is one: its file, its centre and its width in scene units.

@@ -1,6 +1,7 @@
 //! The layers over and under the bodies: the grid, the schematic, paths, handles, and the marks of a tool.
 
 mod handle;
+mod ink;
 mod mechanism;
 
 use super::Shown;
@@ -69,6 +70,7 @@ impl Paint<'_> {
             }
         }
         self.arrows(&painter);
+        self.board(&painter);
         self.selected_links(&painter, ui.visuals());
         self.tool(&painter, ui.visuals());
     }

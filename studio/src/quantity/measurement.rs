@@ -1,0 +1,213 @@
+//! What is measured through a motion, and the table of it.
+
+use super::Units;
+use super::kind::{Needs, Order, Quantity, Subject};
+use super::load::{self, Load};
+use super::meter::Meter;
+use super::turning::Chain;
+use crate::failure::Failure;
+use crate::motion::{Drive, turns};
+use mech_compiler::model::{Model, Precision};
+use mech_compiler::{Compiled, compile};
+use std::ops::Range;
+
+/// A table of measurements: a row for each position.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct Table {
+    /// The name and the unit of each column. The first is what the mechanism is driven by.
+    pub(crate) columns: Vec<(String, String)>,
+    /// The values of each row, in these units; none where a value is not determined, as a velocity at a dead point.
+    pub(crate) rows: Vec<Vec<Option<f64>>>,
+    /// The number of the column over which the others are shown: the first, or the second.
+    pub(crate) across: usize,
+    pub(crate) precision: Precision,
+}
+
+impl Table {
+    /// The numbers of the columns that are shown over that.
+    pub(crate) fn curves(&self) -> Range<usize> {
+        self.across + 1..self.columns.len()
+    }
+
+    /// Whether what has this unit is shown over the same unit, as the path of a point is: then both axes have one scale. Angles of links say
+    /// nothing by their shape.
+    pub(crate) fn is_path(&self, unit: &str) -> bool {
+        self.across > 0 && self.columns[self.across].1 == unit && unit != "deg"
+    }
+}
+
+/// A motion that is measured.
+pub(crate) struct Measurement<'a> {
+    pub(crate) model: &'a Model,
+    pub(crate) drive: &'a Drive,
+    /// Over what the others are shown, if not over what the mechanism is driven by.
+    pub(crate) over: Option<Quantity>,
+    /// The speed of its motor, in radians or scene units per second: without it, velocities are those at 1, and forces those at rest.
+    pub(crate) rate: Option<f64>,
+    /// The number of steps: there is a row more.
+    pub(crate) steps: u32,
+    /// The loads that are not zero.
+    pub(crate) loads: &'a [Load],
+    pub(crate) units: &'a Units,
+}
+
+/// Measures quantities through a motion, in the precision of the mechanism.
+pub(crate) fn measure(of: &Measurement<'_>, quantities: &[Quantity]) -> Result<Table, Failure> {
+    let quantities: Vec<Quantity> = of.over.iter().chain(quantities).cloned().collect();
+    let prepared = Prepared::new(of, &quantities)?;
+    let parts = of.parts();
+    let rows = of.drive.attempt(|drive| prepared.rows(drive, &parts))?;
+    Ok(Table {
+        columns: columns(of, &quantities),
+        rows,
+        across: usize::from(of.over.is_some()),
+        precision: of.model.precision,
+    })
+}
+
+impl Measurement<'_> {
+    /// The parts of the motion at which it is measured, 0 to 1.
+    pub(super) fn parts(&self) -> Vec<f64> {
+        let parts = (0..=self.steps).map(|step| f64::from(step) / f64::from(self.steps.max(1)));
+        parts.collect()
+    }
+}
+
+/// A mechanism that is compiled for what is measured.
+pub(super) struct Prepared<'a> {
+    of: &'a Measurement<'a>,
+    quantities: &'a [Quantity],
+    model: Model,
+    compiled: Compiled,
+}
+
+impl<'a> Prepared<'a> {
+    pub(super) fn new(
+        of: &'a Measurement<'a>,
+        quantities: &'a [Quantity],
+    ) -> Result<Self, Failure> {
+        let is_power = |one: &Quantity| matches!(one.subject, Subject::Power(_));
+        if of.rate.is_none() && of.drive.motor().is_some() && quantities.iter().any(is_power) {
+            return Err(Failure::usage(
+                "a power needs the rate at which the motor moves: `--rate 1`",
+            ));
+        }
+        let model = with_needs(of.model, quantities);
+        Ok(Self {
+            compiled: compiled_for(&model)?,
+            of,
+            quantities,
+            model,
+        })
+    }
+
+    /// What drives it and all quantities in these parts of a motion, a row for each.
+    pub(super) fn rows(
+        &self,
+        drive: &Drive,
+        parts: &[f64],
+    ) -> Result<Vec<Vec<Option<f64>>>, Failure> {
+        let Self {
+            of,
+            quantities,
+            model,
+            compiled,
+        } = self;
+        let loads = load::numbers(model, of.loads)?;
+        let mut meter = Meter::new(model, compiled, quantities, loads)?;
+        let mut rows = vec![Vec::new(); parts.len()];
+        drive.visit(model, compiled, parts, |number, at| {
+            let moment = drive.moment(model, compiled, parts[number], of.rate.unwrap_or(1.0));
+            let pushed = drive.moment(model, compiled, parts[number], of.rate.unwrap_or(0.0));
+            let values = meter.read(at, [&moment, &pushed], quantities)?;
+            let shown = quantities.iter().zip(values).map(|(quantity, value)| {
+                value.map(|value| of.units.shown(model, quantity.subject, value))
+            });
+            rows[number] = std::iter::once(Some(driver(of, moment.by)))
+                .chain(shown)
+                .collect();
+            Ok(())
+        })?;
+        Ok(rows)
+    }
+}
+
+/// Converts the value that drives the mechanism to the unit in which it is shown.
+fn driver(of: &Measurement<'_>, value: f64) -> f64 {
+    match of.drive.motor() {
+        Some(motor) => {
+            let joint = of.model.motor(motor).joint;
+            let subject = Subject::Coordinate(joint, Order::Place);
+            of.units.shown(of.model, subject, value)
+        }
+        None => value,
+    }
+}
+
+pub(super) fn columns(of: &Measurement<'_>, quantities: &[Quantity]) -> Vec<(String, String)> {
+    let unit = |subject| of.units.of(of.model, subject);
+    let first = match of.drive.motor() {
+        Some(motor) => {
+            let joint = of.model.motor(motor).joint;
+            let name = format!("motor {}", of.model.joint(joint).name);
+            (name, unit(Subject::Coordinate(joint, Order::Place)))
+        }
+        None => ("t".to_owned(), "s".to_owned()),
+    };
+    let others = quantities.iter();
+    let others = others.map(|quantity| {
+        let name = format!("{}{}", quantity.name, assumed(of, quantity.subject));
+        (name, unit(quantity.subject))
+    });
+    std::iter::once(first).chain(others).collect()
+}
+
+/// The rate of the motor for which a force holds, as words after its name.
+fn assumed(of: &Measurement<'_>, subject: Subject) -> String {
+    match (subject, of.drive.motor(), of.rate.unwrap_or(0.0)) {
+        (Subject::Torque(_) | Subject::Reaction(..), Some(_), 0.0) => " at rest".to_owned(),
+        (Subject::Torque(_) | Subject::Power(_) | Subject::Reaction(..), Some(_), rate) => {
+            format!(" at rate {rate}")
+        }
+        _ => String::new(),
+    }
+}
+
+/// A mechanism with everything shown that declares what is needed, whatever effects it has: angles go on over whole turns however long a
+/// step is.
+pub(super) fn with_needs(model: &Model, quantities: &[Quantity]) -> Model {
+    let mut whole = Model {
+        show: None,
+        ..model.clone()
+    };
+    Needs::of(quantities).add_to(&mut whole.effects);
+    for quantity in quantities {
+        whole.continuous.extend(quantity.joint());
+        for link in quantity.turning_links() {
+            whole.continuous.extend(Chain::to(model, link).joints());
+        }
+    }
+    whole.continuous.retain(|&joint| turns(model, joint));
+    whole.continuous.sort_unstable();
+    whole.continuous.dedup();
+    whole
+}
+
+/// The mechanism, compiled: where equilibrium does not determine the forces within it, with what virtual work tells of the motors.
+pub(super) fn compiled_for(model: &Model) -> Result<Compiled, Failure> {
+    let compiled = compile(model).map_err(|diagnoses| {
+        let texts = diagnoses
+            .iter()
+            .map(|diagnosis| mech_compiler::reporter::text(diagnosis, model));
+        let texts: Vec<String> = texts.collect();
+        Failure::mechanism(format!("that cannot be computed: {}", texts.join("\n")))
+    })?;
+    let forced = &compiled.forced;
+    if !model.effects.force || forced.inverse_dynamics.is_some() || forced.inertia.is_some() {
+        return Ok(compiled);
+    }
+    let mut moved = model.clone();
+    moved.effects.dynamics = true;
+    compiled_for(&moved)
+}
