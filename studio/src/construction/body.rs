@@ -16,6 +16,8 @@ const ARROW: f64 = 0.22;
 const REACH: f64 = 0.18;
 /// A force or torque that is smaller than this part of the greatest is none.
 const NONE: f64 = 1e-9;
+/// A force whose part upwards is smaller than this part of it is level.
+const LEVEL: f64 = 0.1;
 /// Where the number of a torque begins, in pixels from its arrow's middle.
 const BESIDE: Place = [16.0, -16.0];
 
@@ -166,7 +168,7 @@ impl Outline {
             marks.push(line(last, first));
         }
         marks.extend(spots.into_iter().map(Mark::Dot));
-        for push in pushes {
+        for (number, push) in pushes.enumerate() {
             let at = to(push.at.unwrap_or(self.middle));
             let size = push.force[0].hypot(push.force[1]);
             let [is_force_seen, is_torque_seen] = scale.seen(push);
@@ -181,7 +183,14 @@ impl Outline {
                     color: Palette::RED,
                 });
                 let text = format!("{} {}", push.name, short(size));
-                marks.push(Mark::name(far, outer, text));
+                // Names of arrows that lie in each other stand above and below these.
+                let is_level = outer[1].abs() < LEVEL * size;
+                let up = match number % 2 {
+                    0 if is_level => 1.0,
+                    _ if is_level => -1.0,
+                    _ => outer[1],
+                };
+                marks.push(Mark::name(far, [outer[0], up], text));
             }
             if is_torque_seen {
                 marks.push(Mark::Turn {
