@@ -63,9 +63,12 @@ pub(crate) fn rest(
     let Some(program) = &compiled.forced.holding else {
         return Err(Failure::internal("forces have no program that holds"));
     };
-    let size = |motor: &MotorId| match turns(model, model.motor(*motor).joint) {
-        true => 1.0,
-        false => model.size(),
+    let size = |motor: &MotorId| {
+        if turns(model, model.motor(*motor).joint) {
+            1.0
+        } else {
+            model.size()
+        }
     };
     let mut falling = Falling {
         model,
@@ -182,36 +185,7 @@ impl Falling<'_> {
             let way = inverse.way(&slope);
             let from = self.place();
             let along = dot(&way, &slope);
-            let mut part = 1.0;
-            let mut stop = None;
-            // Between what is too short and what is too long.
-            let (mut short, mut long) = (0.0, f64::INFINITY);
-            let mut pulled = None;
-            for _ in 0..HALVINGS {
-                match self.go(&plus(&from, part, &way)) {
-                    Err(blocked) => {
-                        stop = Some(blocked);
-                        long = part;
-                    }
-                    Ok(()) => {
-                        let slope = self.pull().map_err(&told)?;
-                        let left = dot(&way, &slope);
-                        pulled = Some(slope);
-                        if left < -SMALL * along {
-                            long = part;
-                        } else if left > 0.9 * along && part < 4.0 && long.is_infinite() {
-                            short = part;
-                        } else {
-                            break;
-                        }
-                    }
-                }
-                part = if long.is_finite() {
-                    0.5 * (short + long)
-                } else {
-                    2.0 * part
-                };
-            }
+            let (pulled, stop) = self.step(&from, &way, along).map_err(&told)?;
             let to = self.place();
             let moved = plus(&to, -1.0, &from);
             let size = moved.iter().fold(0.0, |most: f64, one| most.max(one.abs()));
@@ -229,6 +203,42 @@ impl Falling<'_> {
         Err(Failure::mechanism(
             "it does not come to rest: nothing stops what pulls at its motors; hold one by `--at`, or give it a range or a spring",
         ))
+    }
+
+    /// Goes a part of a way, on which it is pulled so much, until that has become small. Gives the pull there, and what stopped it.
+    fn step(
+        &mut self,
+        from: &[f64],
+        way: &[f64],
+        along: f64,
+    ) -> Result<(Option<Vec<f64>>, Option<Stop>), Stop> {
+        let (mut pulled, mut stop) = (None, None);
+        let mut part = 1.0;
+        // Between what is too short and what is too long.
+        let (mut short, mut long) = (0.0, f64::INFINITY);
+        for _ in 0..HALVINGS {
+            if let Err(blocked) = self.go(&plus(from, part, way)) {
+                stop = Some(blocked);
+                long = part;
+            } else {
+                let slope = self.pull()?;
+                let left = dot(way, &slope);
+                pulled = Some(slope);
+                if left < -SMALL * along {
+                    long = part;
+                } else if left > 0.9 * along && part < 4.0 && long.is_infinite() {
+                    short = part;
+                } else {
+                    break;
+                }
+            }
+            part = if long.is_finite() {
+                0.5 * (short + long)
+            } else {
+                2.0 * part
+            };
+        }
+        Ok((pulled, stop))
     }
 
     /// Whether it comes back from a little beside where it is. Else it is left there.
@@ -287,7 +297,9 @@ impl Inverse {
         let most = way.iter().fold(0.0, |most: f64, part| most.max(part.abs()));
         if most > LONGEST || !self.is_known {
             let share = LONGEST / most;
-            way.iter_mut().for_each(|part| *part *= share);
+            for part in &mut way {
+                *part *= share;
+            }
         }
         way
     }
@@ -301,7 +313,9 @@ impl Inverse {
         if !self.is_known {
             let share = along / dot(change, change);
             for row in &mut self.rows {
-                row.iter_mut().for_each(|entry| *entry *= share);
+                for entry in row {
+                    *entry *= share;
+                }
             }
             self.is_known = true;
         }

@@ -101,7 +101,7 @@ fn a_lamp_rests_where_its_energy_is_least() {
     for seed in seeds(cases(6)) {
         let mut dice = Dice::new(seed);
         let lamp = Lamp::new(&mut dice);
-        let folder = Folder::new().with("a.mech", &lamp.text());
+        let folder = Folder::new().with("a.mech", lamp.text());
         let [a, b] = told(&folder.mech("rest a.mech").done())[..] else {
             panic!("seed {seed}");
         };
@@ -163,9 +163,9 @@ fn what_is_held_stays_and_what_is_pulled_leans() {
         )
     };
     let folder = Folder::new()
-        .with("free.mech", &lamp("motor a; start { a = 90 deg; }"))
-        .with("ends.mech", &lamp("motor a in -60 deg ..= 90 deg;"))
-        .with("led.mech", &lamp("motor a = 0.1 * t;"))
+        .with("free.mech", lamp("motor a; start { a = 90 deg; }"))
+        .with("ends.mech", lamp("motor a in -60 deg ..= 90 deg;"))
+        .with("led.mech", lamp("motor a = 0.1 * t;"))
         .with(
             "idle.mech",
             "struct M; link bar; joint a = revolute(ground, bar) at (0, 0); motor a;",

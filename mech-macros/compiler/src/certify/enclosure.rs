@@ -125,6 +125,26 @@ impl Sources {
         }
     }
 
+    /// The values from which operations choose that have a corner or a jump.
+    pub(crate) fn chosen(&self, program: &Program) -> Vec<Value> {
+        let ops = self.made_from.iter().map(|value| program.node(*value).op);
+        let choosing = ops.filter(|op| {
+            matches!(
+                op,
+                Op::Abs(_)
+                    | Op::Max(..)
+                    | Op::Choose(..)
+                    | Op::CopySign(..)
+                    | Op::Round(_)
+                    | Op::Stairs(..)
+            )
+        });
+        let mut chosen: Vec<Value> = choosing.flat_map(Op::operands).collect();
+        chosen.sort_unstable();
+        chosen.dedup();
+        chosen
+    }
+
     /// Tests whether the values are computed from this one.
     pub(crate) fn contain(&self, value: Value) -> bool {
         self.made_from.contains(&value)

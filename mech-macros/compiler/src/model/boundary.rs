@@ -26,6 +26,17 @@ impl Corner {
         let (Self::End { at, .. } | Self::Circle { center: at, .. }) = self;
         at
     }
+
+    /// A place of the body, where the middle of a hole is none.
+    pub(crate) fn place(self) -> [f64; 2] {
+        match self {
+            Self::End { at, .. } => at,
+            Self::Circle {
+                center: [x, y],
+                radius,
+            } => [x + radius, y],
+        }
+    }
 }
 
 /// The boundary of a body.

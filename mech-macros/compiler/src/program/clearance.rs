@@ -156,7 +156,7 @@ pub fn clearance(model: &Model, links: [LinkId; 2], poses: [[f64; 4]; 2]) -> Opt
     let holds = |inner: usize, outer: usize| {
         let shapes = &model.link(links[outer]).shapes;
         let corners = boundaries[inner].corners.iter();
-        corners.map(|corner| corner.middle()).any(|at| {
+        corners.map(|corner| corner.place()).any(|at| {
             let at = moved(poses[inner], poses[outer], at);
             shapes.iter().any(|shape| contains(&shape.kind, at))
         })

@@ -70,17 +70,7 @@ impl Words<'_> {
                      or the condition values, as `for {name} in LOW ..= HIGH`"
                 )
             }
-            RequirementTrouble::SeveralMotors { motors } => {
-                let names = motors.iter();
-                let names =
-                    names.map(|motor| &self.model.joint(self.model.motor(*motor).joint).name);
-                let names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
-                let name = names.last().map_or("MOTOR", |name| name.trim_matches('`'));
-                format!(
-                    "{not_proved}: it sums up the way of one motor, and {} have a part in it\nhelp: say where all but one stand, as `at {name} = VALUE`",
-                    names.join(", ")
-                )
-            }
+            RequirementTrouble::SeveralMotors { motors } => self.several_motors(written, motors),
             RequirementTrouble::NotToAndFro { motor } => {
                 let name = &self.model.joint(self.model.motor(*motor).joint).name;
                 format!(
@@ -109,6 +99,21 @@ impl Words<'_> {
             }
         };
         (requirement.origin, text)
+    }
+
+    /// The way of one motor is to be summed up, and these move.
+    fn several_motors(&self, written: &str, motors: &[MotorId]) -> String {
+        let names = motors.iter();
+        let names = names.map(|motor| &self.model.joint(self.model.motor(*motor).joint).name);
+        let names: Vec<&str> = names.map(String::as_str).collect();
+        let Some(last) = names.last() else {
+            return format!("`{written}` sums up the way of a motor, and none moves there");
+        };
+        format!(
+            "it could not be proved that `{written}`: it sums up the way of one motor, and `{}` have a part in it\nhelp: say where all but one stand, \
+             as `at {last} = VALUE`",
+            names.join("`, `")
+        )
     }
 
     fn fails(&self, number: usize, witness: &Witness, why: &str) -> String {

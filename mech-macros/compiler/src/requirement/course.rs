@@ -5,7 +5,6 @@ use super::waiting::Frame;
 use crate::certify::Interval;
 use crate::program::Value;
 use std::collections::VecDeque;
-use std::f64::consts::TAU;
 use std::rc::Rc;
 
 /// The way is cut into so many stretches at first.
@@ -29,6 +28,9 @@ const PLACED: f64 = 1e-6;
 /// What turns round within a longer part of the way than this does not do so in one place.
 const ONE_PLACE: f64 = 1e-3;
 
+/// What it costs to look at a stretch once more, in intervals.
+const LOOK: usize = 4;
+
 /// What differs by this part is equal but for rounding.
 const ROUNDING: f64 = 1e-9;
 
@@ -51,7 +53,7 @@ pub(super) struct Course<'s, 'a> {
     reserve: usize,
     value: Value,
     motor: usize,
-    start: Vec<f64>,
+    near: Vec<f64>,
     whole: Interval,
     /// Whether its end is its beginning.
     is_round: bool,
@@ -61,22 +63,23 @@ pub(super) struct Course<'s, 'a> {
 }
 
 impl<'s, 'a> Course<'s, 'a> {
-    /// The course of a value while a motor goes through a range; nothing if it cannot be found within the time there is.
+    /// The course of a value while a motor goes through a range, and all others stand near a place; nothing if it cannot be found within
+    /// the time there is. With the turn of the motor after which the value is what it was, if there is one.
     pub(super) fn new(
         search: &'s mut Search<'a>,
         value: Value,
-        motor: usize,
-        whole: Interval,
-        is_turning: bool,
+        (motor, whole): (usize, Interval),
+        near: Vec<f64>,
+        period: Option<f64>,
     ) -> Option<Self> {
         let reserve = search.left() / 2;
-        let start = search.start();
+        let start = Rc::clone(&search.start);
         let mut course = Self {
             search,
             reserve,
             value,
             motor,
-            start: start.at.clone(),
+            near,
             whole,
             is_round: false,
             stretches: Vec::new(),
@@ -96,17 +99,22 @@ impl<'s, 'a> Course<'s, 'a> {
         }
         let place = course.place(Interval::point(whole.high()));
         course.last = course.search.look_in(&place, &frame, value)?.1;
-        let turns = whole.width() / TAU;
         let (first, last) = (course.stretches[0].first, course.last);
-        let all = course.stretches.iter();
-        let size = all.map(|one| one.values.abs().high()).fold(0.0, f64::max);
-        let is_back = (first - last).abs().high() <= ROUNDING * size;
-        course.is_round = is_turning && is_back && (turns - turns.round()).abs() <= ROUNDING;
+        let is_back = (first - last).abs().high() <= ROUNDING * course.greatest();
+        let rounds = period.map_or(0.0, |period| whole.width() / period);
+        let is_whole = rounds.round() >= 1.0 && (rounds - rounds.round()).abs() <= ROUNDING;
+        course.is_round = is_whole && is_back;
         Some(course)
     }
 
+    /// The greatest size of the value where it has bounds.
+    fn greatest(&self) -> f64 {
+        let sizes = self.stretches.iter().map(|one| one.values.abs().high());
+        sizes.filter(|size| size.is_finite()).fold(0.0, f64::max)
+    }
+
     fn place(&self, range: Interval) -> Vec<Interval> {
-        let mut place: Vec<Interval> = self.start.iter().copied().map(Interval::point).collect();
+        let mut place: Vec<Interval> = self.near.iter().copied().map(Interval::point).collect();
         place[self.motor] = range;
         place
     }
@@ -114,7 +122,12 @@ impl<'s, 'a> Course<'s, 'a> {
     fn stretch(&mut self, range: Interval, near: &Rc<Frame>) -> Option<Stretch> {
         let place = self.place(range);
         let (frame, values) = self.search.look_in(&place, near, self.value)?;
-        let mean = self.search.mean(&frame, self.value, self.motor);
+        // Without bounds, a frame may be that of another turn.
+        let mean = if values.is_bounded() {
+            self.search.mean(&frame, self.value, self.motor)
+        } else {
+            values
+        };
         let begin = self.place(Interval::point(range.low()));
         let (_, first) = self.search.look_in(&begin, &frame, self.value)?;
         Some(Stretch {
@@ -132,6 +145,8 @@ impl<'s, 'a> Course<'s, 'a> {
         numbers.dedup();
         let narrow = NARROW * self.whole.width();
         let mut has_cut = false;
+        // Who asked has looked at all of them.
+        self.search.spend(LOOK * self.stretches.len());
         // What is cut moves only what comes after it.
         for number in numbers.into_iter().rev() {
             let Stretch { range, frame, .. } = &self.stretches[number];
@@ -322,8 +337,7 @@ impl<'s, 'a> Course<'s, 'a> {
             let parts: Vec<Interval> = parts.collect();
             let sum = parts.iter().fold(Interval::ZERO, |sum, part| sum + *part);
             let mean = sum / whole;
-            let all = self.stretches.iter().map(|one| one.values.abs().high());
-            if mean.width() <= SUMMED * all.fold(0.0, f64::max) {
+            if mean.width() <= SUMMED * self.greatest() {
                 return mean;
             }
             // Those of which most is open.

@@ -1,14 +1,14 @@
 //! What a requirement is about: the whole mechanism, or each of its details.
 
 use super::Proof;
-use super::proof::Case;
+use super::proof::{Case, visit};
 use crate::bug::bug;
 use crate::compiled::Compiled;
 use crate::model::{
-    AxisId, Boundary, FormulaId, LinkId, Measured, Model, Quantity, RequiredBound, Requirement,
-    Shape, Spot,
+    self, AxisId, Boundary, FormulaId, LinkId, Measured, Model, Quantity, RequiredBound,
+    Requirement, Shape, Spot,
 };
-use crate::program::{Detail, corners};
+use crate::program::{Detail, clearance, corners};
 use crate::structure::{RequirementTrouble, Witness};
 
 /// Proves that bounds are kept wherever the motors may be.
@@ -68,6 +68,13 @@ fn prove_clear<'a>(
     else {
         bug!("bodies without shapes are to keep clear");
     };
+    let Case {
+        model,
+        compiled,
+        requirement,
+        ..
+    } = of_detail(Detail::Whole);
+    refuse_overlap(model, compiled, requirement, links)?;
     let mut effort = 0;
     let (mut worst, mut open): (Option<Witness>, _) = (None, None);
     for number in 0..corners(&[first, second]).len() {
@@ -92,6 +99,36 @@ fn prove_clear<'a>(
         Some(trouble) => Err(trouble),
         None => Ok(Proof { effort }),
     }
+}
+
+/// Refuses bodies that overlap where their motion begins. Later ones would touch first.
+fn refuse_overlap(
+    model: &Model,
+    compiled: &Compiled,
+    requirement: &Requirement,
+    links: [LinkId; 2],
+) -> Result<(), RequirementTrouble> {
+    let program = &compiled.program;
+    let mut place = program.start.motors.clone();
+    for model::Case { motor, ends, .. } in &requirement.cases {
+        place[motor.index()] = place[motor.index()].clamp(ends[0], ends[1]);
+    }
+    let position = visit(program, &place).ok_or(RequirementTrouble::TooHard)?;
+    let pose = |link: LinkId| match program.place_of(link) {
+        Some(number) => position.poses[number],
+        None => [1.0, 0.0, 0.0, 0.0],
+    };
+    if clearance(model, links, links.map(pose)) != Some(0.0) {
+        return Ok(());
+    }
+    let motors = model.motor_ids().zip(place);
+    Err(RequirementTrouble::Fails(Witness {
+        value: 0.0,
+        is_upper: false,
+        proved: None,
+        places: vec![motors.collect()],
+        unknowns: Vec::new(),
+    }))
 }
 
 /// Refuses what params place.

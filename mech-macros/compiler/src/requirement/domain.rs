@@ -185,11 +185,17 @@ const PARTS: [f64; 3] = [0.11, 0.47, 0.83];
 const SPREAD: f64 = 0.618_033_988_749_894_9;
 
 /// Lets motors stand that have no part in what is found, though it is computed from them: they only carry it along. What is the same has
-/// enclosures that overlap wherever it is computed; what is not differs by more than rounding at some place.
+/// enclosures that overlap wherever it is computed; what is not differs by more than rounding at some place. Where an operation chooses,
+/// what it chooses from has to be the same, too: elsewhere it may choose otherwise. Motors that stand somewhere stay there.
 fn hold_idle(ranges: &mut Ranges, tested: &[usize], gauge: &Gauge, found: &[Value]) {
     if ranges.motors.len() < 2 {
         return;
     }
+    let found = &[
+        found,
+        &Sources::of(&gauge.program, found).chosen(&gauge.program),
+    ]
+    .concat()[..];
     let carried = gauge.angles.iter().map(|angle| {
         let at_start = gauge.program.start.state[angle.reference];
         (angle.reference, Interval::point(at_start))
@@ -208,7 +214,7 @@ fn hold_idle(ranges: &mut Ranges, tested: &[usize], gauge: &Gauge, found: &[Valu
     };
     let part = |range: Interval, part: f64| range.low() + part * range.width();
     for motor in ranges.motors.clone() {
-        if tested.contains(&motor) {
+        if tested.contains(&motor) || ranges.all[motor].width() == 0.0 {
             continue;
         }
         let is_idle = (0..TRIALS).all(|trial| {
@@ -228,7 +234,8 @@ fn hold_idle(ranges: &mut Ranges, tested: &[usize], gauge: &Gauge, found: &[Valu
         if is_idle {
             ranges.motors.retain(|other| *other != motor);
             ranges.round.retain(|other| *other != motor);
-            ranges.all[motor] = Interval::point(gauge.program.start.motors[motor]);
+            let near = ranges.nearest(&gauge.program.start.motors);
+            ranges.all[motor] = Interval::point(near[motor]);
         }
     }
 }
@@ -256,7 +263,7 @@ pub(super) fn round_of(
 }
 
 /// Tests whether a motor turns, and may go right round.
-pub(super) fn is_turning(model: &Model, motor: MotorId) -> bool {
+fn is_turning(model: &Model, motor: MotorId) -> bool {
     let joint = model.motor(motor).joint;
     matches!(model.joint(joint).kind, JointKind::Revolute(..))
 }

@@ -2,18 +2,17 @@
 
 use super::bound::{Bound, Limit};
 use super::course::Course;
-use super::domain::{Ranges, is_turning, ranges};
+use super::domain::{Ranges, ranges, round_of};
 use super::search::{BUDGET, Goal, Search};
 use super::sides::{Way, subsets, turns_until_back};
 use crate::certify::{Interval, Sources, side_changes};
 use crate::compiled::Compiled;
 use crate::evaluate::Machine;
 use crate::model::{
-    Condition, FormulaId, JointId, LinkId, Measured, Model, MotorId, Quantity, RequiredBound,
-    Requirement, Summary,
+    Condition, FormulaId, JointId, Measured, Model, MotorId, RequiredBound, Requirement, Summary,
 };
 use crate::plan::Loop;
-use crate::program::{BlockId, Detail, Gauge, Position, Program, Value, clearance};
+use crate::program::{BlockId, Detail, Gauge, Position, Program, Value};
 use crate::structure::{RequirementTrouble, Witness};
 
 /// A number that sums up the motion is known well enough if this part of it is open.
@@ -79,9 +78,6 @@ impl Case<'_> {
         found.sort_unstable();
         found.dedup();
         let mut ranges = ranges(model, compiled, requirement, &gauge, &found)?;
-        if self.detail == Detail::Corner(0) {
-            self.refuse_overlap(&ranges)?;
-        }
         let mut crossing = side_changes(&gauge.program, &found, ranges.touching.as_deref());
         crossing.sort_unstable();
         if crossing.len() > MOST_SIDES {
@@ -119,37 +115,6 @@ impl Case<'_> {
         };
         self.prove_on_all(&field, &mut searches, (subject, bounds))?;
         Ok(searches.iter().map(Search::spent).sum())
-    }
-
-    /// Refuses bodies that overlap where their motion begins. Later ones would touch first.
-    fn refuse_overlap(&self, ranges: &Ranges) -> Result<(), RequirementTrouble> {
-        let program = &self.compiled.program;
-        let place = ranges.nearest(&program.start.motors);
-        let position = visit(program, &place).ok_or(RequirementTrouble::TooHard)?;
-        let pose = |link: LinkId| match program.place_of(link) {
-            Some(number) => position.poses[number],
-            None => [1.0, 0.0, 0.0, 0.0],
-        };
-        let overlap = self
-            .requirement
-            .measured
-            .iter()
-            .any(|measured| match measured {
-                Measured::Quantity(Quantity::Clearance(links)) => {
-                    clearance(self.model, *links, links.map(pose)) == Some(0.0)
-                }
-                _ => false,
-            });
-        if !overlap {
-            return Ok(());
-        }
-        Err(RequirementTrouble::Fails(Witness {
-            value: 0.0,
-            is_upper: false,
-            proved: None,
-            places: vec![at(ranges, &place)],
-            unknowns: Vec::new(),
-        }))
     }
 
     /// Finds the way of the only motor that has a part, if loops change their side on it. A motor that goes round gets as many turns as it
@@ -278,17 +243,25 @@ impl Case<'_> {
         summary: Summary,
         value: Value,
     ) -> Result<Summed, RequirementTrouble> {
-        let Ranges { all, motors, .. } = field.ranges;
+        let all = &field.ranges.all;
+        let motors = field.ranges.motors.iter().copied();
+        let motors: Vec<usize> = motors.filter(|motor| all[*motor].width() > 0.0).collect();
         let [motor] = motors[..] else {
-            let motors = motors.iter().copied().map(MotorId::new).collect();
+            let motors = motors.into_iter().map(MotorId::new).collect();
             return Err(RequirementTrouble::SeveralMotors { motors });
         };
         // Where loops change their side, the course is in pieces.
         let [search] = searches else {
             return Err(RequirementTrouble::TooHard);
         };
-        let is_turning = is_turning(self.model, MotorId::new(motor));
-        let course = Course::new(search, value, motor, all[motor], is_turning);
+        let period = round_of(
+            self.model,
+            &field.gauge.program,
+            (self.compiled.plan.loops().count(), motor),
+            &[value],
+        );
+        let near = field.ranges.nearest(&field.gauge.program.start.motors);
+        let course = Course::new(search, value, (motor, all[motor]), near.clone(), period);
         let mut course = course.ok_or(RequirementTrouble::TooHard)?;
         let (value, ends) = match summary {
             Summary::Dwell(width) => course.dwell(width),
@@ -301,9 +274,8 @@ impl Case<'_> {
             Summary::Rms => (course.mean().max(Interval::ZERO).sqrt(), Vec::new()),
             _ => (course.mean(), Vec::new()),
         };
-        let start = &field.gauge.program.start.motors;
         let place = |end: f64| {
-            let mut place = start.clone();
+            let mut place = near.clone();
             place[motor] = end;
             place
         };
@@ -370,7 +342,7 @@ impl Case<'_> {
         if least.place.is_empty() {
             return Err(RequirementTrouble::TooHard);
         }
-        let at = |place: &[f64]| at(field.ranges, place);
+        let at = |place: &[f64]| self.at(field.ranges, place);
         let reached = self.reach(field, search, &least.place);
         let measured = reached.and_then(|position| search.measure(&position, subject));
         let (true, Some(value)) = (limit.is_broken(&least), measured) else {
@@ -396,6 +368,16 @@ impl Case<'_> {
             places,
             unknowns: self.unknowns(),
         }))
+    }
+
+    /// The values of motors at a place: of those that have a part, and of those that stand elsewhere than at the start.
+    fn at(&self, ranges: &Ranges, place: &[f64]) -> Vec<(MotorId, f64)> {
+        let start = &self.compiled.program.start.motors;
+        let motors = place.iter().take(self.model.motors.len()).enumerate();
+        let told = motors
+            .filter(|(motor, value)| ranges.motors.contains(motor) || **value != start[*motor]);
+        told.map(|(motor, value)| (MotorId::new(motor), *value))
+            .collect()
     }
 
     /// What is compared is at least of this size, but for rounding: a radian, or the size of the mechanism.
@@ -449,15 +431,8 @@ fn subjects(
         .collect()
 }
 
-/// The motors that have a part, with their values at a place.
-fn at(ranges: &Ranges, place: &[f64]) -> Vec<(MotorId, f64)> {
-    let motors = ranges.motors.iter();
-    let values = motors.filter_map(|&motor| Some((MotorId::new(motor), *place.get(motor)?)));
-    values.collect()
-}
-
 /// The position at a place to which the motors go together, or one after the other.
-fn visit(program: &Program, place: &[f64]) -> Option<Position<f64>> {
+pub(super) fn visit(program: &Program, place: &[f64]) -> Option<Position<f64>> {
     let mut machine = Machine::<f64>::new(program);
     if machine.move_to(place).is_err() {
         let mut values = program.start.motors.clone();

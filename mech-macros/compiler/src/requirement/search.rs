@@ -51,7 +51,8 @@ pub(super) struct Search<'a> {
     /// The numbers that sum up the motion, as far as they are known.
     summaries: Vec<(usize, Interval)>,
     enclosures: Vec<Framed<'a>>,
-    start: Rc<Frame>,
+    /// The frame at the start.
+    pub(super) start: Rc<Frame>,
     /// The frames on the way.
     known: Vec<Rc<Frame>>,
     budget: usize,
@@ -113,6 +114,11 @@ impl<'a> Search<'a> {
     /// The intervals that were computed.
     pub(super) fn spent(&self) -> usize {
         self.budget - self.left
+    }
+
+    /// Counts what was computed besides intervals.
+    pub(super) fn spend(&mut self, count: usize) {
+        self.left = self.left.saturating_sub(count);
     }
 
     /// Puts in a number that sums up the motion.
@@ -332,11 +338,6 @@ impl<'a> Search<'a> {
         let frame = self.frame_at(&Rc::clone(&self.start), place)?;
         let seen = self.look(&points(place), &frame, goal)?;
         Some(seen.value)
-    }
-
-    /// The frame at the start.
-    pub(super) fn start(&self) -> Rc<Frame> {
-        Rc::clone(&self.start)
     }
 
     /// A value on a box, with a frame for parts of that, from the frame of a box of which this is a part, or which is beside it; nothing

@@ -249,6 +249,15 @@ fn check_clearance(
     let is_alone = measured.len() == 1
         && matches!(formulas.all()[subject.index()], Formula::Variable(_))
         && bounds.iter().all(|bound| !bound.is_upper);
+    let limit = |bound: &RequiredBound| match formulas.all()[bound.limit.index()] {
+        Formula::Constant(limit) => Some((limit.get(), bound.is_strict)),
+        _ => None,
+    };
+    let always = |(limit, is_strict): (f64, bool)| limit < 0.0 || limit == 0.0 && !is_strict;
+    if is_alone && bounds.iter().filter_map(limit).any(always) {
+        let text = "a clearance is never less than zero: this always holds; write `> 0`";
+        return reader.report.refuse(place, text);
+    }
     if is_alone {
         return Some(());
     }
