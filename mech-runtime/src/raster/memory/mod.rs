@@ -4,7 +4,6 @@ mod array;
 mod grid;
 #[cfg(feature = "std")]
 mod heap;
-#[cfg(feature = "std")]
 pub use array::Array;
 pub(crate) use grid::Grid;
 #[cfg(feature = "std")]
