@@ -6,13 +6,13 @@ use super::recover::read_setting;
 use super::tokens::{
     any_word, comes, comes_word, expected_message, in_parens, symbol, take, take_word, word,
 };
-use crate::model::Summary;
+use crate::model::{Summary, function_names};
 use crate::syntax::ast::{
     CaseExpr, ConditionExpr, End, Expect, Expr, ExprKind, MeasuredExpr, Pair, Read, SpotExpr,
     Statement,
 };
-use crate::syntax::{Message, Place};
-use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
+use crate::syntax::{Message, Place, spelling};
+use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 use syn::LitStr;
 use syn::parse::ParseStream;
 use syn::token::Paren;
@@ -38,6 +38,9 @@ const SUMMARIES: [(&str, Summary); 6] = [
     ("mean", Summary::Mean),
     ("rms", Summary::Rms),
 ];
+
+/// Two words before brackets that do so, too.
+const TIME_RATIO: &str = "time ratio";
 
 /// The signs of comparisons, the longest first: whether the second side is the greater, and whether both must differ.
 const RELATIONS: [(&str, bool, bool); 4] = [
@@ -177,7 +180,7 @@ fn measure(input: ParseStream, number: &dyn Fn(ParseStream) -> Read<Expr>) -> Re
         any_word(input);
         any_word(input);
         let (of, brackets) = in_parens(input, "`(`", number)?;
-        let kind = MeasuredExpr::Summary(Summary::TimeRatio, "time ratio", of);
+        let kind = MeasuredExpr::Summary(Summary::TimeRatio, TIME_RATIO, of);
         return Ok(Some(from(first.span(), brackets, kind)));
     }
     let Some((inside, ..)) = rest.group(Delimiter::Parenthesis) else {
@@ -192,7 +195,7 @@ fn measure(input: ParseStream, number: &dyn Fn(ParseStream) -> Read<Expr>) -> Re
     // The greater of two numbers is a function.
     let summary = summary.filter(|_| !has_comma(inside.token_stream()));
     if summary.is_none() && !MEASURES.contains(&name.as_str()) {
-        return Ok(None);
+        return misspelt(&first, &name).map_or(Ok(None), Err);
     }
     any_word(input);
     let (kind, brackets) = in_parens(input, "`(`", |input| match (summary, name.as_str()) {
@@ -243,6 +246,22 @@ fn from(start: Span, brackets: Place, kind: MeasuredExpr) -> Expr {
             end: brackets.end,
         },
     }
+}
+
+/// The message about a word before brackets that is no function, but nearly one that measures something.
+fn misspelt(word: &Ident, name: &str) -> Option<Message> {
+    let functions: Vec<&str> = function_names().collect();
+    if functions.contains(&name) {
+        return None;
+    }
+    let summaries = SUMMARIES.iter().map(|(word, _)| *word);
+    let measures = MEASURES.into_iter().chain(summaries);
+    let measures: Vec<&str> = measures.chain([TIME_RATIO]).collect();
+    let meant = spelling::nearest(name, &[&functions[..], &measures[..]].concat())?;
+    measures.contains(&meant).then(|| {
+        let text = format!("nothing that is measured is called `{name}`; did you mean `{meant}`?");
+        Message::new(Place::at(word.span()), text)
+    })
 }
 
 fn has_comma(tokens: TokenStream) -> bool {
