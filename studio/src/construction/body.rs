@@ -6,7 +6,7 @@ use super::panel::{Inset, usual};
 use super::push::{Push, cam, pushes};
 use super::spot::Spot;
 use crate::failure::Failure;
-use crate::quantity::{Position, Surveyed, tick};
+use crate::quantity::{Position, Surveyed, four_digits, tick};
 use mech_compiler::model::LinkId;
 use mech_core::colors::INK;
 use mech_runtime::Palette;
@@ -182,7 +182,7 @@ impl Outline {
                     ends: if inwards { [far, at] } else { [at, far] },
                     color: Palette::RED,
                 });
-                let text = format!("{} {}", push.name, short(size));
+                let text = format!("{} {}", push.name, tick(four_digits(size)));
                 // Names of arrows that lie in each other stand above and below these.
                 let is_level = outer[1].abs() < LEVEL * size;
                 let up = match number % 2 {
@@ -201,15 +201,14 @@ impl Outline {
                 marks.push(Mark::Text {
                     at,
                     away: BESIDE,
-                    text: format!("{} torque {}", push.name, short(push.torque.abs())),
+                    text: format!(
+                        "{} torque {}",
+                        push.name,
+                        tick(four_digits(push.torque.abs()))
+                    ),
                 });
             }
         }
         marks
     }
-}
-
-/// A number with four digits.
-fn short(number: f64) -> String {
-    tick(format!("{number:.3e}").parse().unwrap_or(number))
 }

@@ -2,9 +2,8 @@
 
 use super::Analysed;
 use crate::failure::Failure;
-use crate::motion::{Mover, Setting, motor_name, posed, rest, show_value};
-use crate::quantity::{Load, load_numbers};
-use mech_compiler::compile;
+use crate::motion::{Mover, Setting, find_rest, motor_name, posed, show_value};
+use crate::quantity::{Load, compiled, four_digits, load_numbers};
 use mech_compiler::model::{Model, MotorId, Precision};
 use std::fmt::Write;
 
@@ -25,12 +24,7 @@ impl Rest {
             ..analysed.model.clone()
         };
         model.effects.force = true;
-        let compiled = compile(&model).map_err(|diagnoses| {
-            let texts = diagnoses.iter();
-            let texts = texts.map(|one| mech_compiler::reporter::text(one, &model));
-            let texts: Vec<String> = texts.collect();
-            Failure::mechanism(format!("forces cannot be computed: {}", texts.join("\n")))
-        })?;
+        let compiled = compiled(&model)?;
         let held = self.at.iter().map(|setting| setting.resolve(&model));
         let held = held.collect::<Result<Vec<_>, _>>()?;
         let is_held = |motor: &MotorId| held.iter().any(|(own, _)| own == motor);
@@ -47,7 +41,7 @@ impl Rest {
         let machine = posed(Mover::new(&model, &compiled), &model, &compiled, &self.at)?;
         let loads = load_numbers(&model, &self.loads)?;
         let before = machine.position().motors;
-        let found = rest(&model, &compiled, machine, free.clone(), &loads)?;
+        let found = find_rest(&model, &compiled, machine, free.clone(), &loads)?;
         let mut text = format!("{} comes to rest:\n", model.name);
         for motor in model.motor_ids() {
             let number = motor.index();
@@ -62,7 +56,7 @@ impl Rest {
                 (true, Some(leans)) => {
                     format!(
                         ", its end, against which it leans with {}",
-                        digits(leans.abs())
+                        four_digits(leans.abs())
                     )
                 }
             };
@@ -73,9 +67,4 @@ impl Rest {
         }
         Ok(text)
     }
-}
-
-/// Four digits of a number.
-fn digits(value: f64) -> f64 {
-    format!("{value:.3e}").parse().unwrap_or(value)
 }

@@ -53,7 +53,7 @@ struct Falling<'a> {
 
 /// Finds where a mechanism comes to rest from where a machine is, if these motors are let go, and the others are held. It has to be compiled
 /// with forces.
-pub(crate) fn rest(
+pub(crate) fn find_rest(
     model: &Model,
     compiled: &Compiled,
     machine: Mover<'_>,
@@ -128,7 +128,7 @@ impl Falling<'_> {
     }
 
     /// Moves the free motors to other values, within their ranges.
-    fn go(&mut self, place: &[f64]) -> Result<(), Stop> {
+    fn move_to(&mut self, place: &[f64]) -> Result<(), Stop> {
         let mut motors = self.machine.position().motors[..self.model.motors.len()].to_vec();
         for (number, motor) in self.free.iter().enumerate() {
             let value = place[number] * self.sizes[number];
@@ -182,7 +182,7 @@ impl Falling<'_> {
                 inverse = Inverse::new(count);
                 continue;
             }
-            let way = inverse.way(&slope);
+            let way = inverse.direction(&slope);
             let from = self.place();
             let along = dot(&way, &slope);
             let (pulled, stop) = self.step(&from, &way, along).map_err(&told)?;
@@ -217,7 +217,7 @@ impl Falling<'_> {
         // Between what is too short and what is too long.
         let (mut short, mut long) = (0.0, f64::INFINITY);
         for _ in 0..HALVINGS {
-            if let Err(blocked) = self.go(&plus(from, part, way)) {
+            if let Err(blocked) = self.move_to(&plus(from, part, way)) {
                 stop = Some(blocked);
                 long = part;
             } else {
@@ -248,7 +248,7 @@ impl Falling<'_> {
             for sign in [1.0, -1.0] {
                 let mut beside = here.clone();
                 beside[number] += sign * BESIDE;
-                if self.go(&beside).is_ok() {
+                if self.move_to(&beside).is_ok() {
                     let slope = self.pull().map_err(told)?;
                     let moved = self.place()[number] - here[number];
                     if moved * sign > 0.0 && slope[number] * sign > 1e-7 * self.steepest {
@@ -282,7 +282,7 @@ impl Inverse {
     }
 
     /// The way to go where this pulls: no motor farther than the longest step.
-    fn way(&mut self, slope: &[f64]) -> Vec<f64> {
+    fn direction(&mut self, slope: &[f64]) -> Vec<f64> {
         let mut way: Vec<f64> = self.rows.iter().map(|row| dot(row, slope)).collect();
         for (part, slope) in way.iter_mut().zip(slope) {
             // What leans against an end stays there.

@@ -194,15 +194,20 @@ pub(super) fn with_needs(model: &Model, quantities: &[Quantity]) -> Model {
     whole
 }
 
-/// The mechanism, compiled: where equilibrium does not determine the forces within it, with what virtual work tells of the motors.
-pub(super) fn compiled_for(model: &Model) -> Result<Compiled, Failure> {
-    let compiled = compile(model).map_err(|diagnoses| {
+/// A mechanism with the effects that it declares, compiled; what is wrong with it is told.
+pub(crate) fn compiled(model: &Model) -> Result<Compiled, Failure> {
+    compile(model).map_err(|diagnoses| {
         let texts = diagnoses
             .iter()
             .map(|diagnosis| mech_compiler::reporter::text(diagnosis, model));
         let texts: Vec<String> = texts.collect();
         Failure::mechanism(format!("that cannot be computed: {}", texts.join("\n")))
-    })?;
+    })
+}
+
+/// The mechanism, compiled: where equilibrium does not determine the forces within it, with what virtual work tells of the motors.
+pub(super) fn compiled_for(model: &Model) -> Result<Compiled, Failure> {
+    let compiled = compiled(model)?;
     let forced = &compiled.forced;
     if !model.effects.force || forced.inverse_dynamics.is_some() || forced.inertia.is_some() {
         return Ok(compiled);

@@ -17,12 +17,12 @@ mod unit;
 pub(crate) use kind::{Order, Quantity};
 pub(crate) use load::Load;
 pub(crate) use load::numbers as load_numbers;
-pub(crate) use measurement::{Measurement, Table, measure};
+pub(crate) use measurement::{Measurement, Table, compiled, measure};
 pub(crate) use naming::{body_of, dyads, only_quantity, quantities, usual};
 #[cfg(feature = "editor")]
 pub(crate) use offer::{Offer, offers};
 pub(crate) use position::Position;
-pub(crate) use round::{round_step, tick};
+pub(crate) use round::{four_digits, round_step, tick};
 pub(crate) use summary::{Extreme, FLAT, Summary, summarize};
 pub(crate) use survey::{Survey, Surveyed};
 pub(crate) use unit::Units;

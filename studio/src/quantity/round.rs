@@ -16,6 +16,11 @@ pub(crate) fn round_step(range: &Range<f64>, unit: &str, count: u32) -> f64 {
     step.unwrap_or(10.0 * decade)
 }
 
+/// Four digits of a number.
+pub(crate) fn four_digits(value: f64) -> f64 {
+    format!("{value:.3e}").parse().unwrap_or(value)
+}
+
 /// A number at an axis, without the digits that only rounding has put there.
 pub(crate) fn tick(value: f64) -> String {
     let rounded: f64 = format!("{value:.6e}").parse().unwrap_or(value);

@@ -86,7 +86,7 @@ impl Lamp {
 }
 
 /// The values of motors that are told, in degrees or scene units.
-fn told(text: &str) -> Vec<f64> {
+fn values_told(text: &str) -> Vec<f64> {
     let lines = text.lines().filter(|line| line.starts_with("  motor "));
     let values = lines.map(|line| {
         let (_, value) = line.split_once(" at ").expect("a value");
@@ -102,7 +102,7 @@ fn a_lamp_rests_where_its_energy_is_least() {
         let mut dice = Dice::new(seed);
         let lamp = Lamp::new(&mut dice);
         let folder = Folder::new().with("a.mech", lamp.text());
-        let [a, b] = told(&folder.mech("rest a.mech").done())[..] else {
+        let [a, b] = values_told(&folder.mech("rest a.mech").done())[..] else {
             panic!("seed {seed}");
         };
         let here = [a.to_radians(), b.to_radians()];
@@ -149,7 +149,7 @@ fn a_pendulum_on_a_slider_crank_rests_in_the_nearest_valley() {
             here += step;
         }
         let folder = Folder::new().with("a.mech", &text);
-        let found = told(&folder.mech("rest a.mech").done())[0].to_radians();
+        let found = values_told(&folder.mech("rest a.mech").done())[0].to_radians();
         assert!((found - here).abs() < 3e-4, "seed {seed}: {found}, {here}");
     }
 }
@@ -172,7 +172,7 @@ fn what_is_held_stays_and_what_is_pulled_leans() {
         );
     // Upright it does not stay.
     assert_eq!(
-        told(&folder.mech("rest free.mech").done())[0].rem_euclid(360.0),
+        values_told(&folder.mech("rest free.mech").done())[0].rem_euclid(360.0),
         270.0
     );
     // The weight turns by 2 · 10 · 3 · cos 60 deg.
@@ -184,7 +184,7 @@ fn what_is_held_stays_and_what_is_pulled_leans() {
     // Three quarters of the weight.
     let text = folder.mech("rest ends.mech --load push=45").done();
     assert!(
-        (told(&text)[0] + 0.75_f64.acos().to_degrees()).abs() < 1e-4,
+        (values_told(&text)[0] + 0.75_f64.acos().to_degrees()).abs() < 1e-4,
         "{text}"
     );
     for (words, code, why) in [

@@ -47,8 +47,14 @@ pub(crate) struct Boundary {
 }
 
 impl Boundary {
+    /// The boundaries of two links; nothing if one has no shape, or a figure.
+    pub(crate) fn of_both(model: &Model, links: [LinkId; 2]) -> Option<[Self; 2]> {
+        let [first, second] = links.map(|link| Self::of(model, link));
+        Some([first?, second?])
+    }
+
     /// The boundary of a link; nothing if it has no shape, or a figure.
-    pub(crate) fn of(model: &Model, link: LinkId) -> Option<Self> {
+    fn of(model: &Model, link: LinkId) -> Option<Self> {
         let shapes = &model.link(link).shapes;
         let mut boundary = Self::default();
         for shape in shapes {

@@ -13,11 +13,11 @@ const HALVINGS: u32 = 48;
 const SMOOTH: f64 = 1e-3;
 /// So far beside a jump, as a part of the whole range, numbers are those of one side.
 const BESIDE: f64 = 1e-9;
-/// A jump does not become smaller nearer to it: within this part of that.
+/// A jump is as great so much nearer to it, as a part of that.
 const NEARER: f64 = 1e-2;
 /// What changes by more than this part after all halvings jumps.
 const SHARP: f64 = 1e-5;
-/// What changes by less than this part of the greatest number is rounding.
+/// A change of less than this part of the greatest number is rounding.
 const ROUNDING: f64 = 1e-9;
 /// A turn of a shaft begins a little before zero, where many laws have a corner.
 const BEFORE: f64 = 0.0123;

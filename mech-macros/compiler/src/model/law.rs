@@ -123,12 +123,14 @@ impl Law {
 /// Numbers that differ less than by this part of them differ by rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// Whether a number is zero whatever the params are.
-pub(crate) fn is_always_zero(formulas: &Formulas, number: FormulaId) -> bool {
-    SAMPLES.iter().all(|sample| {
-        let mut windings = Windings { sample: *sample };
-        formulas.evaluate_one(number, &mut windings) == Winding::Fixed(0.0)
-    })
+impl Formulas {
+    /// Whether a number is zero whatever the params are.
+    pub(crate) fn is_always_zero(&self, number: FormulaId) -> bool {
+        SAMPLES.iter().all(|sample| {
+            let mut windings = Windings { sample: *sample };
+            self.evaluate_one(number, &mut windings) == Winding::Fixed(0.0)
+        })
+    }
 }
 
 /// The sum of two numbers; zero, if only rounding is left of them.

@@ -46,7 +46,6 @@ pub use inverse::Inverse;
 pub use joint::{Joint, JointKind, Motor, Range, Ratio};
 pub use jump::Jump;
 pub use law::Law;
-pub(crate) use law::is_always_zero;
 pub use link::{Axis, AxisKind, Link};
 pub use look::Look;
 pub(crate) use look::color_of;

@@ -73,7 +73,7 @@ pub enum Measured {
     Quantity(Quantity),
     /// A number that the whole motion gives.
     Summary(Summary, FormulaId),
-    /// How fast something changes with a motor, while all others stand: an influence coefficient.
+    /// The derivative of something by a motor, while all others stand: an influence coefficient.
     Influence(FormulaId, MotorId),
 }
 
@@ -156,7 +156,7 @@ pub enum Summary {
     Mean,
     /// The root of the mean square, over the same.
     Rms,
-    /// How much longer the slower way between least and greatest takes than the quicker one, if the motor turns evenly.
+    /// The time of the slower way between least and greatest, divided by that of the quicker one, if the motor turns evenly.
     TimeRatio,
     /// The longest way of the motor on which the value stays within this width.
     Dwell(f64),

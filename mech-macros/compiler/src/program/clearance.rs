@@ -12,7 +12,7 @@ use crate::plan::{Algebra, Numbers};
 pub(super) trait Ordered<S: Copy>: Algebra<S> {
     fn greater(&mut self, a: S, b: S) -> S;
 
-    fn less(&mut self, a: S, b: S) -> S {
+    fn lesser(&mut self, a: S, b: S) -> S {
         let (a, b) = (self.neg(a), self.neg(b));
         let greater = self.greater(a, b);
         self.neg(greater)
@@ -58,7 +58,7 @@ pub(super) fn gap<S: Copy, A: Ordered<S>>(
     for curve in curves {
         let own = gap_of_curve(a, corner, at, *curve);
         least = Some(match least {
-            Some(least) => a.less(least, own),
+            Some(least) => a.lesser(least, own),
             None => own,
         });
     }
@@ -141,10 +141,7 @@ fn from_line<S: Copy, A: Ordered<S>>(a: &mut A, at: [S; 2], [from, to]: [[f64; 2
 /// Poses are those of the links: cosine, sine and origin.
 #[must_use]
 pub fn clearance(model: &Model, links: [LinkId; 2], poses: [[f64; 4]; 2]) -> Option<f64> {
-    let [Some(first), Some(second)] = links.map(|link| Boundary::of(model, link)) else {
-        return None;
-    };
-    let boundaries = [first, second];
+    let boundaries = Boundary::of_both(model, links)?;
     let gaps = corners(&boundaries)
         .into_iter()
         .filter_map(|(own, corner)| {

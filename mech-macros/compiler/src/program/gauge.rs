@@ -264,10 +264,7 @@ impl Measures<'_> {
 
     /// The distance of a corner of two bodies from the other body.
     fn clearance(&mut self, links: [LinkId; 2], number: usize) -> Option<Value> {
-        let [Some(first), Some(second)] = links.map(|link| Boundary::of(self.model, link)) else {
-            return None;
-        };
-        let boundaries = [first, second];
+        let boundaries = Boundary::of_both(self.model, links)?;
         let (own, corner) = *corners(&boundaries).get(number)?;
         let [cos, sin, x, y] = self.pose(links[own]);
         let [other_cos, other_sin, other_x, other_y] = self.pose(links[1 - own]);

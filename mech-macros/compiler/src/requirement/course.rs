@@ -10,28 +10,28 @@ use std::rc::Rc;
 /// The way is cut into so many stretches at first.
 const FIRST: u32 = 64;
 
-/// What sums up the way is known well enough if this part of it is open.
+/// A dwell is known well enough if no more than this part of it is open.
 const WELL_KNOWN: f64 = 1e-7;
 
 /// Shorter stretches than this part of the way are not cut.
 const NARROW: f64 = 1e-11;
 
-/// Extremes on more stretches than this are in no one place.
+/// An extreme that may lie on more stretches than this is in no one place.
 const MOST_CANDIDATES: usize = 256;
 
-/// A mean is if no more than this part of the greatest value is open.
+/// A mean is known if no more than this part of the greatest value is open.
 const SUMMED: f64 = 1e-5;
 
-/// A time ratio is if so little of it is open: where something turns round is found less well, for nothing changes there.
+/// A time ratio is known if so little of it is open. Extremes are found less well than values: nothing changes there.
 const PLACED: f64 = 1e-6;
 
-/// What turns round within a longer part of the way than this does not do so in one place.
+/// The longest part of the way that is one place of an extreme.
 const ONE_PLACE: f64 = 1e-3;
 
-/// What it costs to look at a stretch once more, in intervals.
+/// The cost of looking at a stretch once more, in intervals.
 const LOOK: usize = 4;
 
-/// What differs by this part is equal but for rounding.
+/// Numbers that differ by this part are equal but for rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// A stretch of the way.
@@ -53,6 +53,7 @@ pub(super) struct Course<'s, 'a> {
     reserve: usize,
     value: Value,
     motor: usize,
+    /// Where all other motors stand.
     near: Vec<f64>,
     whole: Interval,
     /// Whether its end is its beginning.
@@ -260,7 +261,7 @@ impl<'s, 'a> Course<'s, 'a> {
         open.into_iter().map(|number| number % count).collect()
     }
 
-    /// How much longer the slower way between least and greatest takes than the quicker one, and where these are. Nothing if the way is
+    /// The time of the slower way between least and greatest, divided by that of the quicker one, and where these are. Nothing if the way is
     /// no round, or if one of the two is not in one place.
     pub(super) fn time_ratio(&mut self) -> Option<(Interval, Vec<f64>)> {
         if !self.is_round {

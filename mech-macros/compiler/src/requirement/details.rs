@@ -19,11 +19,11 @@ pub(super) fn prove(
     bounds: (FormulaId, &[RequiredBound]),
 ) -> Result<Proof, RequirementTrouble> {
     refuse_params(model, requirement)?;
-    let of_detail = |detail| Case {
+    let case = Case {
         model,
         compiled,
         requirement,
-        detail,
+        detail: Detail::Whole,
     };
     let mut quantities = requirement
         .measured
@@ -37,7 +37,7 @@ pub(super) fn prove(
         _ => None,
     });
     if let Some(links) = clear {
-        return prove_clear(links, of_detail, bounds);
+        return prove_clear(case, links, bounds);
     }
     let mut details = vec![Detail::Whole];
     if quantities.any(|quantity| quantity == Quantity::Transmission(None)) {
@@ -52,33 +52,26 @@ pub(super) fn prove(
     }
     let mut effort = 0;
     for detail in details {
-        effort += of_detail(detail).prove(bounds)?;
+        effort += Case { detail, ..case }.prove(bounds)?;
     }
     Ok(Proof { effort })
 }
 
 /// Proves that two bodies keep clear: of whatever is nearest, the nearest place is told.
-fn prove_clear<'a>(
+fn prove_clear(
+    case: Case<'_>,
     links: [LinkId; 2],
-    of_detail: impl Fn(Detail) -> Case<'a>,
     bounds: (FormulaId, &[RequiredBound]),
 ) -> Result<Proof, RequirementTrouble> {
-    let [Some(first), Some(second)] =
-        links.map(|link| Boundary::of(of_detail(Detail::Whole).model, link))
-    else {
+    let Some(boundaries) = Boundary::of_both(case.model, links) else {
         bug!("bodies without shapes are to keep clear");
     };
-    let Case {
-        model,
-        compiled,
-        requirement,
-        ..
-    } = of_detail(Detail::Whole);
-    refuse_overlap(model, compiled, requirement, links)?;
+    refuse_overlap(case, links)?;
     let mut effort = 0;
     let (mut worst, mut open): (Option<Witness>, _) = (None, None);
-    for number in 0..corners(&[first, second]).len() {
-        match of_detail(Detail::Corner(number)).prove(bounds) {
+    for number in 0..corners(&boundaries).len() {
+        let detail = Detail::Corner(number);
+        match (Case { detail, ..case }).prove(bounds) {
             Ok(own) => effort += own,
             Err(RequirementTrouble::Fails(own)) => {
                 let proved = worst.as_ref().map_or(own.proved, |worst| {
@@ -88,26 +81,31 @@ fn prove_clear<'a>(
                     Some(worst) if worst.value <= own.value => worst,
                     _ => own,
                 };
-                // That it is not negative says nothing.
-                let proved = proved.filter(|proved| *proved > 0.0);
                 worst = Some(Witness { proved, ..nearest });
             }
             Err(trouble) => open = open.or(Some(trouble)),
         }
     }
-    match worst.map(RequirementTrouble::Fails).or(open) {
-        Some(trouble) => Err(trouble),
-        None => Ok(Proof { effort }),
+    match (worst, open) {
+        (Some(worst), open) => {
+            // That it is not negative says nothing, nor do some corners without the others.
+            let is_limit = |proved: &f64| *proved > 0.0 && open.is_none();
+            let proved = worst.proved.filter(is_limit);
+            Err(RequirementTrouble::Fails(Witness { proved, ..worst }))
+        }
+        (None, Some(trouble)) => Err(trouble),
+        (None, None) => Ok(Proof { effort }),
     }
 }
 
 /// Refuses bodies that overlap where their motion begins. Later ones would touch first.
-fn refuse_overlap(
-    model: &Model,
-    compiled: &Compiled,
-    requirement: &Requirement,
-    links: [LinkId; 2],
-) -> Result<(), RequirementTrouble> {
+fn refuse_overlap(case: Case<'_>, links: [LinkId; 2]) -> Result<(), RequirementTrouble> {
+    let Case {
+        model,
+        compiled,
+        requirement,
+        ..
+    } = case;
     let program = &compiled.program;
     let mut place = program.start.motors.clone();
     for model::Case { motor, ends, .. } in &requirement.cases {
@@ -158,14 +156,14 @@ fn refuse_params(model: &Model, requirement: &Requirement) -> Result<(), Require
             }
             _ => Vec::new(),
         });
-    let is_clear = |measured: &Measured| match measured {
+    let has_varying_shapes = |measured: &Measured| match measured {
         Measured::Quantity(Quantity::Clearance(links)) => {
-            let shapes = links.iter().flat_map(|link| &model.link(*link).shapes);
-            shapes.clone().any(Shape::varies)
+            let mut shapes = links.iter().flat_map(|link| &model.link(*link).shapes);
+            shapes.any(Shape::varies)
         }
         _ => false,
     };
-    if axes.any(depends) || requirement.measured.iter().any(is_clear) {
+    if axes.any(depends) || requirement.measured.iter().any(has_varying_shapes) {
         return Err(RequirementTrouble::Varies { param });
     }
     Ok(())

@@ -31,6 +31,7 @@ const MOST_SIDES: usize = 4;
 const ELSEWHERE: f64 = 1e-6;
 
 /// A condition, for one detail if it is about each.
+#[derive(Clone, Copy)]
 pub(super) struct Case<'a> {
     pub(super) model: &'a Model,
     pub(super) compiled: &'a Compiled,

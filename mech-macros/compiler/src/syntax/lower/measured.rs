@@ -63,11 +63,14 @@ impl Reader<'_> {
             MeasuredExpr::Distance(spots) => self.distance(draft, spots, place)?,
             MeasuredExpr::Clearance(links) => self.clearance(draft, links, place)?,
             MeasuredExpr::Summary(summary, word, of) => {
-                return self.summary(*summary, word, of, place);
+                let inner = self.quantity(of)?;
+                return self.summary((*summary, word), (of, inner), place);
             }
             MeasuredExpr::Dwell([of, width]) => {
-                let width = self.width(draft, of, width)?;
-                return self.summary(Summary::Dwell(width), "dwell", of, place);
+                let inner = self.quantity(of)?;
+                let width = self.width(draft, (of, inner), width)?;
+                let dwell = (Summary::Dwell(width), "dwell");
+                return self.summary(dwell, (of, inner), place);
             }
             MeasuredExpr::Influence(of, motor) => {
                 let motor = find::motor(self, draft, motor);
@@ -284,8 +287,12 @@ impl Reader<'_> {
     }
 
     /// The width within which something has to stay.
-    fn width(&mut self, draft: &Draft, of: &Expr, width: &Expr) -> Option<f64> {
-        let formula = self.quantity(of)?.formula;
+    fn width(
+        &mut self,
+        draft: &Draft,
+        (of, inner): (&Expr, Quantity),
+        width: &Expr,
+    ) -> Option<f64> {
         let value = self.quantity(width)?;
         let (Some(value), None) = (value.value, value.formula) else {
             let text = format!("`{width}` may change; a dwell is within a width that does not");
@@ -295,7 +302,7 @@ impl Reader<'_> {
             let text = format!("a dwell is within some width; `{width}` is none");
             return self.report.refuse(width.place, text);
         }
-        let kind = formula.map(|formula| {
+        let kind = inner.formula.map(|formula| {
             let measured = self.law.as_ref().map_or(&[][..], |law| &law.measured);
             let measured = measured.to_vec();
             kinds(&draft.model, self.formulas(), &measured)[formula.index()]
@@ -312,12 +319,10 @@ impl Reader<'_> {
 
     fn summary(
         &mut self,
-        summary: Summary,
-        word: &str,
-        of: &Expr,
+        (summary, word): (Summary, &str),
+        (of, inner): (&Expr, Quantity),
         place: Place,
     ) -> Option<Quantity> {
-        let inner = self.quantity(of)?;
         if let Some(mut formula) = inner.formula {
             if summary == Summary::Rms {
                 formula = self.formulas().add(Formula::Mul(formula, formula));

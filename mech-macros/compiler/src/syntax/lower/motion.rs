@@ -5,7 +5,7 @@ use super::constant::Passing;
 use super::quantity::Quantity;
 use super::reader::{Argument, Nature, Reader};
 use super::value::format_number;
-use crate::model::{Formula, Number, is_always_zero};
+use crate::model::{Formula, Number};
 use crate::syntax::Place;
 use crate::syntax::ast::{Expr, MotionExpr, SegmentExpr, Way};
 use mech_core::{MotionLaw, Staircase};
@@ -75,7 +75,7 @@ pub(super) fn read(reader: &mut Reader, motion: &MotionExpr, place: Place) -> Op
     if let Some(sum) = sum.formula
         && turns
         && !motion.repeats
-        && !is_always_zero(reader.formulas(), sum)
+        && !reader.formulas().is_always_zero(sum)
     {
         let text = "its heights depend on params, so that it may not come back to where it began; end it with `return over ...`";
         return reader.report.refuse(place, text);
