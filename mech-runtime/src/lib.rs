@@ -181,7 +181,7 @@ pub use mech_macros::mechanism_part;
 /// | `motor NAME;`, `motor NAME in … by …;`, `motor NAME = LAW;` | [`moves`](language::moves), [`laws`](language::laws) |
 /// | `start { … }` | [`links`](language::links) |
 /// | `method …;`, `accuracy …;`, `cost …;`, `at change points …;` | [`moves`](language::moves) |
-/// | `follow … by …;` | [`inverse`](language::inverse) |
+/// | `follow … by …;`, `path … = (…, …);` | [`inverse`](language::inverse) |
 /// | `expect …;` | [`requirements`](language::requirements) |
 /// | `look machine;`, `circle`, `ring`, `polygon`, `bar`, `gear`, `stand`, `rail`, `spring` and `text` in a link | [`looks`](language::looks) |
 /// | `quality smooth;` | [`pictures`](language::pictures) |

@@ -33,6 +33,8 @@ fn led(model: &Model, dice: &mut Dice) -> Option<(Model, [f64; 2])> {
         named: vec![Origin::default(); motors.len()],
         motors,
         region: Vec::new(),
+        trajectory: Vec::new(),
+        is_least: false,
         origin: Origin::default(),
     });
     Some((model, at))

@@ -11,7 +11,7 @@ use mech_core::motors;
 const MOST_HALVINGS: i32 = 12;
 
 /// The way cannot be followed at once.
-const TOO_FAR: Stop = Stop::new("", Cause::TooFar);
+pub(super) const TOO_FAR: Stop = Stop::new("", Cause::TooFar);
 
 /// So many whole turns of an angle that gears follow are tried.
 const MOST_TURNS: i32 = 32;
@@ -194,7 +194,7 @@ where
     }
 
     fn try_pieces(&mut self, place: [T; N]) -> Result<(), Blocked<[T; N]>> {
-        let mut stop = TOO_FAR;
+        let stop = TOO_FAR;
         let (at, from) = (&*self.mechanism.position, &*self.inverse.position);
         if !self.led.agree(at, from) {
             let here = self.led.nearest(self.led.here, &from.motors);
@@ -205,31 +205,47 @@ where
         }
         let start = self.led.values(&self.inverse.position.motors);
         let end = self.led.nearest(place, &self.inverse.position.motors);
-        let between = |part: T| {
-            if part >= T::ONE {
-                return end;
-            }
-            let mut place = end;
-            for (value, start) in place.iter_mut().zip(start) {
-                *value = start + (*value - start) * part;
-            }
-            place
-        };
-        // From zero to one: how much of the way is done, and how much is tried next.
-        let (mut done, mut part) = (T::ZERO, T::ONE);
-        while part * T::from_i32(1 << MOST_HALVINGS) >= T::ONE {
-            if let Some(trouble) = self.go_at_once(between(done + part))? {
-                stop = trouble;
-                part *= T::HALF;
-                continue;
-            }
-            done += part;
-            if done >= T::ONE {
-                return Ok(());
-            }
-        }
-        Err(self.led.blocked(stop, between(done)))
+        let way = |part| between(start, end, part);
+        in_pieces(stop, |part| self.go_at_once(way(part)))?
+            .map_err(|(stop, done)| self.led.blocked(stop, way(done)))
     }
+}
+
+/// The place so far on the straight way.
+pub(super) fn between<T: Scalar, const N: usize>(start: [T; N], end: [T; N], part: T) -> [T; N] {
+    if part >= T::ONE {
+        return end;
+    }
+    let mut place = end;
+    for (value, start) in place.iter_mut().zip(start) {
+        *value = start + (*value - start) * part;
+    }
+    place
+}
+
+/// Goes a way in as many pieces as it takes: `go` goes on to a part of it, or gives the reason why it stays. If it does not arrive, it gives
+/// the last reason and how far it came.
+///
+/// # Errors
+/// That of `go`.
+pub(super) fn in_pieces<T: Scalar, E>(
+    mut stop: Stop,
+    mut go: impl FnMut(T) -> Result<Option<Stop>, E>,
+) -> Result<Result<(), (Stop, T)>, E> {
+    // From zero to one: how much of the way is done, and how much is tried next.
+    let (mut done, mut part) = (T::ZERO, T::ONE);
+    while part * T::from_i32(1 << MOST_HALVINGS) >= T::ONE {
+        if let Some(trouble) = go(done + part)? {
+            stop = trouble;
+            part *= T::HALF;
+            continue;
+        }
+        done += part;
+        if done >= T::ONE {
+            return Ok(Ok(()));
+        }
+    }
+    Ok(Err((stop, done)))
 }
 
 /// The rates of all motors at which what is given moves at these rates: motors that do not follow rest. `rates` computes the rates of links

@@ -216,7 +216,7 @@ fn trace(rewriter: &mut Rewriter<'_>, point: &str, length: &str) -> Result<(), R
 
 /// Says something of the whole mechanism, in place of what was said.
 fn setting(rewriter: &mut Rewriter<'_>, statement: &str) -> Result<(), Refusal> {
-    const WORDS: [&str; 11] = [
+    const WORDS: [&str; 12] = [
         "gravity",
         "look",
         "quality",
@@ -227,6 +227,7 @@ fn setting(rewriter: &mut Rewriter<'_>, statement: &str) -> Result<(), Refusal> 
         "show",
         "continuous",
         "follow",
+        "path",
         "at",
     ];
     let statement = statement.trim().trim_end_matches(';');

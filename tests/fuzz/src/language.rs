@@ -73,6 +73,8 @@ pub(crate) const MECHANISM: Language = Language {
         "cost",
         "continuous",
         "follow",
+        "path",
+        "least",
         "by",
         "expect",
         "for",

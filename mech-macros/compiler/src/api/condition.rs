@@ -6,7 +6,7 @@ use std::fmt::{self, Display, Formatter};
 /// The statements of a text from which methods are made, right or wrong.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Asked {
-    /// Whether a motor has a law.
+    /// Whether a motor or a point has a law of the time.
     pub laws: bool,
     /// Whether motors follow a point.
     pub follow: bool,

@@ -1,12 +1,12 @@
 //! Inverse kinematics: the mechanism in which a point is given and motors follow.
 
-use super::compile;
+use super::{compile, surplus, trajectory};
 use crate::compiled::InverseMechanism;
 use crate::digits::significant;
 use crate::evaluate::Machine;
 use crate::kinematics::LinkFrames;
 use crate::model::{Inverse, JointId, JointKind, LinkId, Model, MotorId, Near, Start, StartValue};
-use crate::program::Program;
+use crate::program::{self, Program};
 use crate::structure::{Diagnosis, InverseTrouble};
 
 /// The mechanism in which the point is given, if motors follow one. It starts where the given program does.
@@ -16,13 +16,17 @@ use crate::structure::{Diagnosis, InverseTrouble};
 pub(super) fn invert(
     model: &Model,
     program: &Program,
+    moving: Option<&Program>,
 ) -> Result<Option<Box<InverseMechanism>>, Diagnosis> {
     let Some(inverse) = &model.inverse else {
         return Ok(None);
     };
+    if inverse.is_least {
+        return check_least(model, inverse, program, moving).map(|()| None);
+    }
     let inverted = inverted(model, inverse, program);
     starts_within(inverse, &inverted)?;
-    let compiled = compile(&inverted).map_err(|found| {
+    let mut compiled = compile(&inverted).map_err(|found| {
         let mut found = diagnosis(model, inverse, program, &found);
         if let Diagnosis::Inverse {
             trouble: InverseTrouble::Region { proved, .. },
@@ -32,6 +36,8 @@ pub(super) fn invert(
         }
         found
     })?;
+    compiled.timing = program::build_trajectory(&inverted, inverse, model.effects);
+    trajectory::check(model, inverse, &inverted, &compiled)?;
     Ok(Some(Box::new(InverseMechanism {
         model: inverted,
         compiled,
@@ -42,10 +48,17 @@ pub(super) fn invert(
 ///
 /// # Errors
 /// As [`invert`].
-pub(super) fn check(model: &Model, program: &Program) -> Result<(), Diagnosis> {
+pub(super) fn check(
+    model: &Model,
+    program: &Program,
+    moving: impl FnOnce() -> Option<Program>,
+) -> Result<(), Diagnosis> {
     let Some(inverse) = &model.inverse else {
         return Ok(());
     };
+    if inverse.is_least {
+        return check_least(model, inverse, program, moving().as_ref());
+    }
     let checked = super::check(&inverted(model, inverse, program));
     checked.map_err(|found| diagnosis(model, inverse, program, &found))
 }
@@ -113,11 +126,10 @@ fn diagnosis(
         let declared = declared.filter(|joint| joint.index() < model.joints.len());
         declared.collect::<Vec<JointId>>()
     };
-    let motors = inverse.motors.iter().copied();
-    let idle = motors.filter(|motor| is_idle(model, inverse, program, *motor));
-    let idle: Vec<MotorId> = idle.collect();
+    if let Err(idle) = find_idle(model, inverse, program) {
+        return idle;
+    }
     let trouble = match diagnoses.first() {
-        _ if !idle.is_empty() => InverseTrouble::Idle { motors: idle },
         Some(Diagnosis::DeadStart { unknowns }) => InverseTrouble::DeadStart {
             unknowns: declared(unknowns),
         },
@@ -137,6 +149,32 @@ fn diagnosis(
         _ => InverseTrouble::Bound,
     };
     Diagnosis::Inverse { trouble }
+}
+
+/// Checks whether more motors than needed move what is given every way.
+fn check_least(
+    model: &Model,
+    inverse: &Inverse,
+    program: &Program,
+    moving: Option<&Program>,
+) -> Result<(), Diagnosis> {
+    find_idle(model, inverse, program)?;
+    moving.map_or(Ok(()), |moving| surplus::check(model, inverse, moving))
+}
+
+/// Tests that each motor moves what is given.
+///
+/// # Errors
+/// The motors that do not.
+fn find_idle(model: &Model, inverse: &Inverse, program: &Program) -> Result<(), Diagnosis> {
+    let motors = inverse.motors.iter().copied();
+    let idle = motors.filter(|motor| is_idle(model, inverse, program, *motor));
+    let idle: Vec<MotorId> = idle.collect();
+    if idle.is_empty() {
+        return Ok(());
+    }
+    let trouble = InverseTrouble::Idle { motors: idle };
+    Err(Diagnosis::Inverse { trouble })
 }
 
 /// A smaller region for which it can be proved that the point comes everywhere within it, as large as a few trials find; none if none do.

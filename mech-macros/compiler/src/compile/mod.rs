@@ -11,6 +11,8 @@ mod closure;
 mod inverse;
 mod overconstrained;
 mod overflow;
+mod surplus;
+mod trajectory;
 
 use crate::bug::bug;
 use crate::compiled::{Compiled, ForcePrograms};
@@ -40,14 +42,7 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         prediction,
     } = analyse(model, Depth::WholeMotion)?;
     closure::check(model, &structure, &program);
-    let derive = |output: Output<'_>| {
-        let derived = program::derive(model, &plan, &choices, &program, output)?;
-        Some(Program {
-            start: program.start.clone(),
-            range: program.range.clone(),
-            ..derived
-        })
-    };
+    let derive = |output: Output<'_>| derive(model, &plan, &choices, &program, output);
     let moving = derive(Output::Rates);
     let forced = ForcePrograms {
         holding: derive(Output::Holding),
@@ -55,7 +50,8 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         inertia: derive(Output::Inertia),
     };
     let sensitive = derive(Output::Sensitivity);
-    let inverse = inverse::invert(model, &program).map_err(|diagnosis| vec![diagnosis])?;
+    let inverse =
+        inverse::invert(model, &program, moving.as_ref()).map_err(|diagnosis| vec![diagnosis])?;
     let loops = accuracy::solved_loops(&program, prediction.as_ref());
     let saved = saved_cost(model, &plan, &program, &choices);
     let mut compiled = Compiled {
@@ -87,13 +83,33 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
     Ok(compiled)
 }
 
+/// The program of something besides positions, if it is asked for.
+fn derive(
+    model: &Model,
+    plan: &Plan,
+    choices: &[Choice],
+    program: &Program,
+    output: Output<'_>,
+) -> Option<Program> {
+    let derived = program::derive(model, plan, choices, program, output)?;
+    Some(Program {
+        start: program.start.clone(),
+        range: program.range.clone(),
+        ..derived
+    })
+}
+
 /// Checks whether a mechanism compiles, as far as its start shows: declared ranges and accuracies are not examined.
 ///
 /// # Errors
 /// As [`compile`].
 pub(crate) fn check(model: &Model) -> Result<(), Vec<Diagnosis>> {
     let coherent = analyse(model, Depth::Start)?;
-    inverse::check(model, &coherent.program).map_err(|diagnosis| vec![diagnosis])
+    let moving = || {
+        let (plan, choices) = (&coherent.plan, &coherent.choices);
+        derive(model, plan, choices, &coherent.program, Output::Rates)
+    };
+    inverse::check(model, &coherent.program, moving).map_err(|diagnosis| vec![diagnosis])
 }
 
 /// The motors that move nothing that has a mass.

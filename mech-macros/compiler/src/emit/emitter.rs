@@ -61,6 +61,15 @@ impl<'a> Emitter<'a> {
 
     /// The mechanism in which a point is given. Nothing of it is seen, and `at` is its position.
     pub(super) fn of_inverse(&self, inverse: &'a InverseMechanism) -> Self {
+        self.unseen(&inverse.model, &inverse.compiled, quote!(at))
+    }
+
+    /// The same mechanism where a variable is its position. Nothing of it is seen.
+    pub(super) fn at(&self, position: TokenStream) -> Self {
+        self.unseen(self.model, self.compiled, position)
+    }
+
+    fn unseen(&self, model: &'a Model, compiled: &'a Compiled, at: TokenStream) -> Self {
         let of = Declared {
             krate: self.krate,
             header: self.header,
@@ -70,7 +79,7 @@ impl<'a> Emitter<'a> {
             painted: Vec::new(),
             symbols: None,
         };
-        Self::of(of, &inverse.model, &inverse.compiled, looks, quote!(at))
+        Self::of(of, model, compiled, looks, at)
     }
 
     fn of(

@@ -4,20 +4,31 @@ use super::advance::with_end;
 use super::coordinate::coordinate;
 use super::emitter::Emitter;
 use super::known::start;
+use super::least;
+use super::led::{count, given, here, lead};
 use super::limits::limits;
 use super::parts::Parts;
-use super::step::step;
+use super::step::{laws, step};
 use super::tokens::{integer, position};
 use crate::bug::bug;
 use crate::compiled::InverseMechanism;
-use crate::model::{Inverse, MotorId};
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use crate::model::{Effects, Inverse, MotorId};
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
 
 /// `reach`; nothing where motors follow no point.
 pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
-    let (Some(inverse), Some(inverted)) = (&emitter.model.inverse, &emitter.compiled.inverse)
-    else {
+    let Some(inverse) = &emitter.model.inverse else {
+        return Parts::default();
+    };
+    if let (true, Some(moving)) = (inverse.is_least, &emitter.compiled.moving) {
+        return Parts {
+            methods: reach(emitter, inverse, &least::lead(emitter, inverse, moving)),
+            modules: least::module(emitter, inverse),
+            ..Parts::default()
+        };
+    }
+    let Some(inverted) = &emitter.compiled.inverse else {
         return Parts::default();
     };
     let (krate, scalar) = (emitter.krate, emitter.scalar_path());
@@ -26,13 +37,19 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
     Parts {
         fields: quote!(inverse: #krate::generated::Position<#scalar, #(#sizes),*>,),
         start: quote!(inverse: inverse::START,),
-        methods: reach(emitter, inverse),
+        methods: {
+            let here = here(emitter, inverse);
+            let lead = lead();
+            let reach = reach(emitter, inverse, &quote!({ let here = #here; #lead }));
+            let at_time = at_time(emitter, inverse);
+            quote!(#reach #at_time)
+        },
         modules: inverse_module(emitter, inverse, inverted),
         ..Parts::default()
     }
 }
 
-fn reach(emitter: &Emitter<'_>, inverse: &Inverse) -> TokenStream {
+fn reach(emitter: &Emitter<'_>, inverse: &Inverse, lead: &TokenStream) -> TokenStream {
     let Emitter {
         visibility,
         scalar,
@@ -54,8 +71,7 @@ fn reach(emitter: &Emitter<'_>, inverse: &Inverse) -> TokenStream {
     } else {
         " The place is x and y in scene units."
     };
-    let here = here(emitter, inverse);
-    let moved = with_end(emitter, lead());
+    let moved = with_end(emitter, lead.clone());
     quote! {
         #[doc = #doc]
         #[doc = #unit]
@@ -64,42 +80,91 @@ fn reach(emitter: &Emitter<'_>, inverse: &Inverse) -> TokenStream {
         /// If a number is not finite, a loop cannot be closed on the way there, or a motor would leave its range; the mechanism
         /// then stays where it was.
         #visibility fn reach(&mut self, place: [#scalar; #count]) -> Result<(), Blocked<[#scalar; #count]>> {
-            let here = #here;
             #moved
         }
     }
 }
 
-/// The call that leads the point from the variable `here` to `place`: an expression in a method.
-pub(super) fn lead() -> TokenStream {
+/// The method that leads the point along its path; nothing without one.
+fn at_time(emitter: &Emitter<'_>, inverse: &Inverse) -> TokenStream {
+    if inverse.trajectory.is_empty() {
+        return TokenStream::new();
+    }
+    let Emitter {
+        visibility,
+        scalar,
+        model,
+        ..
+    } = emitter;
+    let laws = inverse.trajectory.iter().map(|law| model.law(*law));
+    let laws: Vec<&str> = laws.map(|law| law.written.as_str()).collect();
+    let doc = format!(
+        " Leads `{}` to where its path has it at a time, and moves everything accordingly: `({})`.",
+        inverse.name(model),
+        laws.join(", ")
+    );
+    let (count, here) = (count(inverse), here(emitter, inverse));
+    let given = given_in_time(model.effects);
+    let lead = if given.len() == 1 {
+        quote!(reach)
+    } else {
+        quote!(reach_with)
+    };
     quote! {
-        inverse::reach(
-            Mover {
-                position: &mut self.position,
-                limits: &known::MOVE_LIMITS,
-                step: positions::step,
-            },
-            &mut self.inverse,
-            here,
-            place,
-        )
+        #[doc = #doc]
+        ///
+        /// # Errors
+        /// If the time, or a law's value or rate at it, is not finite, or the point cannot be led there; the mechanism then stays where
+        /// it was.
+        #visibility fn at_time(&mut self, t: f64) -> Result<(), Blocked<[#scalar; #count]>> {
+            let found = generated::finite([t], &[inverse::GIVEN[0]])
+                .and_then(|()| inverse::at_time(self.inverse.motors, t));
+            match found {
+                Result::Ok([#(#given),*]) => self.#lead(#(#given),*),
+                Result::Err(stop) => {
+                    Result::Err(Blocked::of(Blocked::new(stop.place, stop.cause, #here), &inverse::GIVEN))
+                }
+            }
+        }
     }
 }
 
-/// The present value of what is given: an expression in a method.
-pub(super) fn here(emitter: &Emitter<'_>, inverse: &Inverse) -> TokenStream {
-    let pose = emitter.pose(inverse.link);
-    let origin = || quote!([#pose.x, #pose.y]);
-    let place = inverse
-        .point
-        .map_or_else(origin, |point| emitter.point(point));
-    if !inverse.gives_angle() {
-        return place;
+/// The names of what a path gives at a time, as far as effects ask for it.
+fn given_in_time(effects: Effects) -> Vec<Ident> {
+    let all = [
+        ("place", true),
+        ("velocity", effects.velocity),
+        ("acceleration", effects.acceleration),
+    ];
+    let all = all.into_iter().filter(|(_, is_asked)| *is_asked);
+    all.map(|(name, _)| format_ident!("{name}")).collect()
+}
+
+/// The function that gives what is given at a time, in the module of the inverse, and the laws that it calls; nothing without a path.
+fn trajectory(emitter: &Emitter<'_>, inverse: &Inverse, other: &Emitter<'_>) -> TokenStream {
+    let Some(timing) = &other.compiled.timing else {
+        return TokenStream::new();
+    };
+    let laws = laws(other, timing);
+    let (scalar, count, given) = (
+        &emitter.scalar,
+        count(inverse),
+        given_in_time(emitter.model.effects),
+    );
+    let (inputs, numbers) = (integer(other.program.inputs()), integer(given.len()));
+    let motors = inverse.motors.iter().map(|motor| integer(motor.index()));
+    let chosen = quote!([#(all[#motors]),*]);
+    let others = given.iter().skip(1);
+    quote! {
+        #laws
+
+        /// The place of the point at a time, and its rates as far as effects ask for them.
+        pub(super) fn at_time(motors: Motors<#scalar, #inputs>, t: f64) -> Result<[[#scalar; #count]; #numbers], Stop> {
+            let (motors #(, #others)*) = laws::laws(motors, t)?;
+            let place = motors.total();
+            Ok([#({ let all = #given; #chosen }),*])
+        }
     }
-    quote!({
-        let [x, y] = #place;
-        [x, y, generated::atan2(#pose.sin, #pose.cos)]
-    })
 }
 
 /// The module of the mechanism in which the point is given.
@@ -114,9 +179,7 @@ fn inverse_module(
     let (start, limits, step) = (start(other), limits(other), step(krate, other.program));
     let motors = inverse.motors.iter().map(|motor| integer(motor.index()));
     let turning = inverse.motors.iter().map(|motor| emitter.turns(*motor));
-    let given = Inverse::GIVEN.iter().take(inverse.motors.len());
-    let given = given.zip([quote!(Sliding), quote!(Sliding), quote!(Turning)]);
-    let given = given.map(|(name, kind)| quote!(Input::#kind(#name)));
+    let given = given(inverse);
     let coordinates = inverse.motors.iter().map(|motor| {
         let joint = emitter.model.motor(*motor).joint;
         let Some(coordinate) = coordinate(other, joint) else {
@@ -124,6 +187,7 @@ fn inverse_module(
         };
         coordinate.value
     });
+    let trajectory = trajectory(emitter, inverse, other);
     let program = emitter.program;
     let size = emitter.number(inverted.model.size());
     let links = integer(emitter.model.declared_links().count());
@@ -143,7 +207,7 @@ fn inverse_module(
             pub(super) const START: #all = #start;
 
             /// What is given, and in whose place it stands.
-            pub(super) const GIVEN: [Input; #count] = [#(#given),*];
+            pub(super) const GIVEN: [Input; #count] = #given;
             pub(super) const MOTORS: [usize; #count] = [#(#motors),*];
 
             #limits
@@ -172,12 +236,10 @@ fn inverse_module(
             }
 
             #step
+
+            #trajectory
         }
     }
-}
-
-pub(super) fn count(inverse: &Inverse) -> Literal {
-    integer(inverse.motors.len())
 }
 
 fn motor_name<'e>(emitter: &'e Emitter<'_>, motor: MotorId) -> &'e str {

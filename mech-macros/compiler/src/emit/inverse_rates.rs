@@ -2,7 +2,8 @@
 
 use super::advance::{rates_at, record};
 use super::emitter::Emitter;
-use super::inverse::{count, here, lead};
+use super::least;
+use super::led::{Rates, count, here, lead};
 use super::parts::Parts;
 use super::rates::stored_rates;
 use crate::model::Inverse;
@@ -41,7 +42,13 @@ fn reach_with(emitter: &Emitter<'_>, inverse: &Inverse, moving: &Program) -> Tok
     let doc = format!(
         " Leads `{name}` to this place as `reach` does, and gives it {rated}: rates of motors follow."
     );
-    let (lead, following) = (lead(), following(emitter, inverse, moving));
+    let following = following(emitter, inverse, moving);
+    let (lead, held) = if inverse.is_least {
+        let lead = least::lead(emitter, inverse, moving);
+        (lead, quote!(self.position))
+    } else {
+        (lead(), quote!((self.position, self.inverse)))
+    };
     quote! {
         #[doc = #doc]
         /// Motors that do not follow rest.
@@ -59,7 +66,7 @@ fn reach_with(emitter: &Emitter<'_>, inverse: &Inverse, moving: &Program) -> Tok
             for given in #given {
                 generated::finite(given, &inverse::GIVEN).map_err(refuse)?;
             }
-            let before = (self.position, self.inverse);
+            let before = #held;
             #lead?;
             let found = (|| {
                 #following
@@ -72,7 +79,7 @@ fn reach_with(emitter: &Emitter<'_>, inverse: &Inverse, moving: &Program) -> Tok
                     Result::Ok(())
                 }
                 Result::Err(stop) => {
-                    (self.position, self.inverse) = before;
+                    #held = before;
                     Result::Err(refuse(stop))
                 }
             }
@@ -89,11 +96,19 @@ fn following(emitter: &Emitter<'_>, inverse: &Inverse, moving: &Program) -> Toke
         velocity,
         acceleration,
     } = Rates::new(emitter, inverse);
+    let solve = |given: TokenStream| {
+        if inverse.is_least {
+            quote!(generated::least_rates(&inverse::LED, #given, influence, led)?)
+        } else {
+            quote!(generated::led_rates(inverse::MOTORS, #given, #name, influence, led)?)
+        }
+    };
     let rates = |found: TokenStream| {
+        let solved = solve(quote!(velocity));
         quote! {
             let influence = |rates: [#scalar; #motors]| #found;
             let led = |velocities: &[Velocity<#scalar>; _]| #velocity;
-            let rates = generated::led_rates(inverse::MOTORS, velocity, #name, influence, led)?;
+            let rates = #solved;
         }
     };
     if !emitter.model.effects.acceleration {
@@ -110,46 +125,13 @@ fn following(emitter: &Emitter<'_>, inverse: &Inverse, moving: &Program) -> Toke
         found(quote!(, rates, accelerations)),
     );
     let rates = rates(quote!(Result::map(#unresisted, |(velocities, _)| velocities)));
+    let solved = solve(quote!(wanted));
     quote! {
         #rates
         let (velocities, accelerations) = #unresisted?;
         let wanted = generated::less(acceleration, #acceleration);
-        let accelerations = generated::led_rates(inverse::MOTORS, wanted, #name, influence, led)?;
+        let accelerations = #solved;
         let found = #all?;
         Result::Ok((rates, found))
-    }
-}
-
-/// The rates of what is given, as expressions of the variables `velocities` and `accelerations`.
-struct Rates {
-    velocity: TokenStream,
-    acceleration: TokenStream,
-}
-
-impl Rates {
-    fn new(emitter: &Emitter<'_>, inverse: &Inverse) -> Self {
-        let (index, pose) = (emitter.index(inverse.link), emitter.pose(inverse.link));
-        let origin = || quote!([0.0, 0.0]);
-        let point = inverse
-            .point
-            .map_or_else(origin, |point| emitter.place(point));
-        let with_angle = |place: TokenStream, rate: TokenStream| {
-            if inverse.gives_angle() {
-                quote!({ let [x, y] = #place; [x, y, #rate.angular] })
-            } else {
-                place
-            }
-        };
-        let (velocity, acceleration) = (quote!(velocities[#index]), quote!(accelerations[#index]));
-        Self {
-            acceleration: with_angle(
-                quote!(Acceleration::of_point(#acceleration, #pose, #velocity.angular, #point)),
-                acceleration,
-            ),
-            velocity: with_angle(
-                quote!(Velocity::of_point(#velocity, #pose, #point)),
-                velocity,
-            ),
-        }
     }
 }

@@ -17,6 +17,8 @@ mod inverse_rates;
 mod items;
 mod joints;
 mod known;
+mod least;
+mod led;
 mod limits;
 mod many;
 mod merge;

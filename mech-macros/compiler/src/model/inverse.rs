@@ -1,8 +1,8 @@
 //! Inverse kinematics: a point or a pose is given, and motors follow.
 
 use super::{
-    Actions, AxisId, DrawnAxis, Effects, FORWARD, Joint, JointId, JointKind, Link, LinkId, Model,
-    Motor, MotorId, Origin, Range, Start,
+    Actions, AxisId, DrawnAxis, Effects, FORWARD, Joint, JointId, JointKind, LawId, Link, LinkId,
+    Model, Motor, MotorId, Origin, Range, Start,
 };
 
 /// A point that is given, or a point and the angle of its link, and the motors that follow.
@@ -15,8 +15,12 @@ pub struct Inverse {
     pub point: Option<AxisId>,
     /// The motors that follow, each once: two for the place of the point, three for the angle of the link, too.
     pub motors: Vec<MotorId>,
+    /// Whether they are more than that, and go as little as they can.
+    pub is_least: bool,
     /// The values of what is given everywhere within which it is proved to come, one range for each, or none.
     pub region: Vec<Range>,
+    /// The laws of what is given, one for each, or none: the path of the point.
+    pub trajectory: Vec<LawId>,
     /// Where the point was named.
     pub origin: Origin,
     /// Where each motor was named.
@@ -27,10 +31,23 @@ impl Inverse {
     /// The names of what is given, in the order in which it is.
     pub const GIVEN: [&'static str; 3] = ["x", "y", "angle"];
 
+    /// The number of the angle among what is given.
+    pub const ANGLE: usize = 2;
+
     /// Whether the angle of the link is given, too.
     #[must_use]
     pub fn gives_angle(&self) -> bool {
-        self.motors.len() == Self::GIVEN.len()
+        if self.is_least {
+            self.point.is_none()
+        } else {
+            self.motors.len() == Self::GIVEN.len()
+        }
+    }
+
+    /// The names of what is given.
+    #[must_use]
+    pub fn given(&self) -> &'static [&'static str] {
+        &Self::GIVEN[..if self.gives_angle() { 3 } else { 2 }]
     }
 
     /// The number of what is given in place of a motor; none of a motor that does not follow.

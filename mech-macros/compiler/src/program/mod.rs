@@ -45,6 +45,7 @@ pub use newton::{Limits, Newton, Rounds, Scalar};
 pub use node::{BlockId, Node, Op, Part, Slot, Value};
 pub use sensitivity::{ParamRates, Sensitivity};
 pub use state::{JointAngle, Place, StateLayout};
+pub(crate) use timing::build_trajectory;
 pub use timing::{LawValues, Timing, build_timing};
 pub use watch::{Follow, Watch};
 

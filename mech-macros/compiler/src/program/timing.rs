@@ -5,7 +5,7 @@ use super::builder::SsaBuilder;
 use super::live::live;
 use super::node::{Op, Value};
 use super::{Position, Program};
-use crate::model::{Model, MotorId, ParamId, Precision};
+use crate::model::{Effects, Inverse, Law, Model, MotorId, ParamId, Precision};
 
 /// The laws of all motors that have one.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,7 +52,25 @@ impl Timing {
 /// Lowers the laws of the motors, and their rates as far as effects ask for them; none if no motor has a law.
 #[must_use]
 pub fn build_timing(model: &Model) -> Option<Timing> {
-    model.lawful_motors().next()?;
+    build_laws(model, model.lawful_motors().collect(), model.effects)
+}
+
+/// Lowers the path of a point, in the mechanism in which it is given, and its rates as far as these effects ask for them; none without a
+/// path.
+pub(crate) fn build_trajectory(
+    inverted: &Model,
+    inverse: &Inverse,
+    effects: Effects,
+) -> Option<Timing> {
+    let laws = inverse.trajectory.iter().map(|law| inverted.law(*law));
+    let laws = inverse.motors.iter().copied().zip(laws);
+    build_laws(inverted, laws.collect(), effects)
+}
+
+fn build_laws(model: &Model, laws: Vec<(MotorId, &Law)>, effects: Effects) -> Option<Timing> {
+    if laws.is_empty() {
+        return None;
+    }
     let mut ssa = SsaBuilder::new(at_rest(model), Precision::F64);
     ssa.block(
         "laws".to_owned(),
@@ -62,7 +80,7 @@ pub fn build_timing(model: &Model) -> Option<Timing> {
     let params = ssa.params(model);
     let mut tangents = Tangents::new(Seed::Given, model.motors.len());
     let mut motors = Vec::new();
-    for (motor, law) in model.lawful_motors() {
+    for (motor, law) in laws {
         let name = &model.joint(model.motor(motor).joint).name;
         let value = ssa.law(law, time);
         if value != time {
@@ -72,7 +90,6 @@ pub fn build_timing(model: &Model) -> Option<Timing> {
             let rate = tangents.of_all_up_to(&mut ssa, value);
             ssa.name(rate, name)
         };
-        let effects = model.effects;
         let rate = effects
             .velocity
             .then(|| differentiate(value, format!("{name}_rate")));

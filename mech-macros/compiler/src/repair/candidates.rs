@@ -123,8 +123,13 @@ fn followers(model: &Model, trouble: &InverseTrouble) -> Vec<Repair> {
             .collect(),
         InverseTrouble::Coupled { .. } => vec![Repair::AllowCoupled],
         InverseTrouble::Idle { .. } | InverseTrouble::Bound => Vec::new(),
-        InverseTrouble::StartsOutside { .. } | InverseTrouble::Region { .. } => return Vec::new(),
+        InverseTrouble::StartsOutside { .. }
+        | InverseTrouble::Region { .. }
+        | InverseTrouble::Trajectory { .. } => return Vec::new(),
     };
+    if inverse.is_least {
+        return repairs;
+    }
     let lawless = model
         .motor_ids()
         .filter(|id| model.motor(*id).law.is_none());

@@ -185,18 +185,23 @@ fn name(model: &Model, link: LinkId) -> &str {
 
 /// Writes what is led, by which motors, and how the loops are solved; nothing if no motors follow.
 fn inverse_lines(text: &mut String, model: &Model, compiled: &Compiled) -> std::fmt::Result {
-    let (Some(inverse), Some(inverted)) = (&model.inverse, &compiled.inverse) else {
+    let Some(inverse) = &model.inverse else {
         return Ok(());
     };
     let motors = inverse.motors.iter().map(|motor| model.motor(*motor).joint);
     let motors: Vec<JointId> = motors.collect();
+    let (what, motors) = (inverse.name(model), joints(model, &motors));
+    write!(text, "  follow    {what} is led, {motors} follow")?;
+    let Some(inverted) = &compiled.inverse else {
+        return writeln!(text, ", and go as little as they can");
+    };
     let more = cost::of_program(&inverted.compiled.program);
-    writeln!(
-        text,
-        "  follow    {} is led, {} follow: {more} more",
-        inverse.name(model),
-        joints(model, &motors)
-    )?;
+    writeln!(text, ": {more} more")?;
+    if !inverse.trajectory.is_empty() {
+        let laws = inverse.trajectory.iter().map(|law| model.law(*law));
+        let laws: Vec<&str> = laws.map(|law| law.written.as_str()).collect();
+        writeln!(text, "            along ({})", laws.join(", "))?;
+    }
     for solved in &inverted.compiled.loops {
         writeln!(text, "            {}", method_line(solved))?;
     }

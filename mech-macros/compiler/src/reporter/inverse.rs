@@ -6,7 +6,7 @@ use crate::bug::bug;
 use crate::digits::significant;
 use crate::model::{Inverse, JointId, MotorId, Origin};
 use crate::repair::Offers;
-use crate::structure::{InverseTrouble, RangeTrouble};
+use crate::structure::{InverseTrouble, RangeTrouble, TrajectoryStop};
 
 impl Words<'_> {
     pub(super) fn cannot_follow(
@@ -36,6 +36,10 @@ impl Words<'_> {
             InverseTrouble::Bound => (
                 None,
                 format!("{motors} do not determine {where_it_is}: it is held on a path"),
+            ),
+            InverseTrouble::DeadStart { unknowns } if unknowns.is_empty() => (
+                None,
+                format!("at the start {motors} cannot move `{what}` every way; start elsewhere"),
             ),
             InverseTrouble::DeadStart { unknowns } => (
                 None,
@@ -70,6 +74,13 @@ impl Words<'_> {
                     self.joints(waiting)
                 ),
             ),
+            InverseTrouble::Trajectory { time, given, stop } => {
+                let path = inverse.trajectory.first();
+                (
+                    path.map(|law| self.model.law(*law).origin),
+                    self.path(*time, given, stop),
+                )
+            }
         };
         let help = match trouble {
             InverseTrouble::DeadStart { .. } => self.start_elsewhere(offers),
@@ -133,6 +144,36 @@ impl Words<'_> {
         )
     }
 
+    /// Why a point does not come along its path.
+    fn path(&self, time: f64, given: &[f64], stop: &TrajectoryStop) -> String {
+        let what = self.inverse().name(self.model);
+        let given = given.iter().enumerate();
+        let given: Vec<String> = given
+            .map(|(given, value)| given_value(given, *value))
+            .collect();
+        let why = match stop {
+            TrajectoryStop::Loop(joints) if joints.is_empty() => "a loop does not close".to_owned(),
+            TrajectoryStop::Loop(joints) => format!(
+                "{} close the loop",
+                self.the_joints(joints, ["cannot", "cannot"])
+            ),
+            TrajectoryStop::Region(given) => format!("{} leaves its range", Inverse::GIVEN[*given]),
+            TrajectoryStop::Range(motor, value) => format!(
+                "motor `{}` would be at {}, outside of its range",
+                self.name_of_motor(*motor),
+                self.motor_value(*motor, *value)
+            ),
+            TrajectoryStop::Law => "one of these is no number".to_owned(),
+            TrajectoryStop::TooLarge => "that is too far away".to_owned(),
+        };
+        format!(
+            "`{what}` does not come along its path: at t = {} it would be at ({}), and there {why}\nhelp: write a path that stays where \
+             `{what}` comes, or begin nearer to it",
+            significant(time, DIGITS, None),
+            given.join(", ")
+        )
+    }
+
     /// The value of what is given in place of a motor, or of the motor itself: each with a verb.
     fn is_at(&self, motor: MotorId, value: f64, [is, is_at]: [&str; 2]) -> String {
         if let Some(given) = self.inverse().given_by(motor) {
@@ -187,11 +228,13 @@ impl Words<'_> {
     }
 }
 
+/// So many digits of a number are told.
+const DIGITS: i32 = 4;
+
 /// A value of what is given, as one would write it.
 fn given_value(given: usize, value: f64) -> String {
-    const DIGITS: i32 = 4;
     let (value, unit) = match given {
-        2 => (value.to_degrees(), " deg"),
+        Inverse::ANGLE => (value.to_degrees(), " deg"),
         _ => (value, ""),
     };
     format!("{}{unit}", significant(value, DIGITS, None))

@@ -316,6 +316,31 @@ pub enum InverseTrouble {
         /// The joints that wait.
         waiting: Vec<JointId>,
     },
+    /// The point cannot be led along its path.
+    Trajectory {
+        /// The time at which it is stopped.
+        time: f64,
+        /// What its path gives there: x, y, the angle.
+        given: Vec<f64>,
+        /// Its obstacle.
+        stop: TrajectoryStop,
+    },
+}
+
+/// The obstacle on a path.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum TrajectoryStop {
+    /// The loop of these joints of unknown coordinate does not close, or is at a dead point.
+    Loop(Vec<JointId>),
+    /// What is given leaves its region: x, y, the angle.
+    Region(usize),
+    /// A motor that follows would leave its range, to this value.
+    Range(MotorId, f64),
+    /// A law has no value.
+    Law,
+    /// A coordinate leaves the range of the numbers.
+    TooLarge,
 }
 
 /// Why a requirement is not met.

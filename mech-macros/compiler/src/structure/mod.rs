@@ -15,7 +15,7 @@ mod welded;
 
 pub use diagnosis::{
     Diagnosis, Extreme, InverseTrouble, LoopAssembly, MeshTrouble, OpenLoop, RangeTrouble,
-    RequirementTrouble, Witness,
+    RequirementTrouble, TrajectoryStop, Witness,
 };
 pub(crate) use graph::KinematicGraph;
 pub use parallel::Parallels;

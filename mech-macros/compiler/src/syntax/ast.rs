@@ -84,6 +84,8 @@ pub(super) enum Statement {
     Use(Box<Use>),
     /// `follow pen.tip in (1 ..= 3, 0 ..= 2) by left, right;`
     Follow(Follow),
+    /// `path pen.tip = (2 + cos(t), 1 + sin(t));`
+    Path(Trajectory),
     /// `expect transmission > 40 deg for a in 0 deg ..= 90 deg;`
     Expect(Box<Expect>),
     /// `allow redundant;`
@@ -102,6 +104,18 @@ pub(super) struct Follow {
     pub region: Vec<[Expr; 2]>,
     /// The joints of the motors.
     pub motors: Vec<Name>,
+    /// The word `least`, if it stands there.
+    pub least: Option<Span>,
+}
+
+/// `path pen.tip = (2 + cos(t), 1 + sin(t));`
+pub(super) struct Trajectory {
+    /// The word `path`.
+    pub keyword: Span,
+    /// The point, or the link.
+    pub what: End,
+    /// The laws of what is given.
+    pub laws: Vec<Expr>,
 }
 
 /// A statement or an item that could not be read.

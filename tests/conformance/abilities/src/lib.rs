@@ -28,6 +28,7 @@ mod diagrams;
 mod dynamics;
 mod forces;
 mod lawful;
+mod led;
 mod loops;
 mod many;
 mod methods;
@@ -54,6 +55,7 @@ pub fn abilities(listener: &mut impl Listener) {
     coupled::ask(listener);
     ranges::ask(listener);
     lawful::ask(listener);
+    led::ask(listener);
     many::ask(listener);
     rates::ask(listener);
     forces::ask(listener);

@@ -13,7 +13,7 @@ mod subject;
 pub use figures::figures;
 pub use firmware::{entry, exit};
 pub use printer::Printer;
-pub use subject::{Drawn, Moved, Nothing, Subject};
+pub use subject::{Drawn, Moved, Nothing, Reaching, Subject};
 
 /// An image that measures a [`Subject`].
 #[macro_export]

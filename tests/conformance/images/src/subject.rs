@@ -1,6 +1,7 @@
 //! What is measured.
 
 use core::hint::black_box;
+use mech_probes::plotter::Led;
 use mech_probes::{Probed, phase};
 use mech_runtime::{Frame, View};
 
@@ -81,6 +82,37 @@ impl<M: Probed> Subject for Moved<M> {
     fn draw(&self, _: &mut Picture) {
         black_box(self.0.poses());
     }
+
+    fn state() -> usize {
+        size_of::<M>()
+    }
+}
+
+/// A mechanism whose point is led.
+pub struct Reaching<M>(M);
+
+impl<M: Led> Subject for Reaching<M> {
+    type Motors = M::Place;
+
+    fn new() -> Self {
+        Self(M::new())
+    }
+
+    fn motion(step: u16) -> M::Place {
+        M::place(phase(step))
+    }
+
+    // As above.
+    #[inline(never)]
+    fn move_to(&mut self, place: M::Place) -> bool {
+        self.0.lead(place)
+    }
+
+    fn view() -> View {
+        View::default()
+    }
+
+    fn draw(&self, _: &mut Picture) {}
 
     fn state() -> usize {
         size_of::<M>()

@@ -1,13 +1,14 @@
 //! What is asked of mechanisms on every machine: the same code runs on a desktop and on a microcontroller, and what it tells is compared.
 //!
 //! [`poses`] tells where the links of a mechanism are, bit by bit, [`pictures`] a check sum of each picture of it. [`ask_all`] goes
-//! through all mechanisms there are: the gallery's, one [four-bar](four_bar) by every method, and [walkers](legs).
+//! through all mechanisms there are: the gallery's, one [four-bar](four_bar) by every method, and [walkers](legs). A [plotter] is led, and measured alone.
 #![no_std]
 
 pub mod four_bar;
 pub mod legs;
 mod panel;
 mod pictures;
+pub mod plotter;
 mod poses;
 
 pub use panel::{Panel, sum};

@@ -63,17 +63,20 @@ pub(in crate::emit) fn laws(emitter: &Emitter<'_>, timing: &Timing) -> TokenStre
     };
     let motors = motors_type(program);
     let (mut kind, mut result) = (quote!(#motors), quote!(motors));
-    if model.effects.velocity {
+    let is_asked = |part: fn(&LawValues) -> Option<Value>| {
+        timing.motors.iter().any(|timed| part(timed).is_some())
+    };
+    if is_asked(|timed| timed.rate) {
         let rates = rates(|timed| timed.rate);
         kind.extend(quote!(, #values));
         result.extend(quote!(, #rates));
     }
-    if model.effects.acceleration {
+    if is_asked(|timed| timed.second) {
         let accelerations = rates(|timed| timed.second);
         kind.extend(quote!(, #values));
         result.extend(quote!(, #accelerations));
     }
-    if model.effects.velocity {
+    if is_asked(|timed| timed.rate) {
         (kind, result) = (quote!((#kind)), quote!((#result)));
     }
     let functions = quote! {

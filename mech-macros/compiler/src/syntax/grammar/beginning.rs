@@ -3,7 +3,7 @@
 use syn::parse::ParseStream;
 
 /// The words that a statement may begin with.
-pub const STATEMENTS: [&str; 27] = [
+pub const STATEMENTS: [&str; 28] = [
     "const",
     "param",
     "ground",
@@ -26,6 +26,7 @@ pub const STATEMENTS: [&str; 27] = [
     "damper",
     "load",
     "follow",
+    "path",
     "expect",
     "part",
     "port",

@@ -13,6 +13,7 @@ use super::tokens::{
 use super::trace::trace;
 use crate::syntax::ast::{
     Broken, EFFECTS, Effect, Expr, Follow, Motor, Name, Read, Start, StartClause, Statement,
+    Trajectory,
 };
 use crate::syntax::written::in_product;
 use crate::syntax::{Message, Place, spelling};
@@ -270,11 +271,28 @@ pub(super) fn follow(input: ParseStream, keyword: Span) -> Statement {
             return Err(error);
         }
         let motors = read_list(input, |input| path(input, "the name of a motor's joint"))?;
+        let least = take_word(input, "least");
         Ok(Statement::Follow(Follow {
             keyword,
             what,
             region,
             motors,
+            least,
+        }))
+    })
+}
+
+/// Reads `pen.tip = (2 + cos(t), 1 + sin(t));`.
+pub(super) fn trajectory(input: ParseStream, keyword: Span) -> Statement {
+    read_setting(input, |input| {
+        let what = end(input)?;
+        symbol(input, "=")?;
+        let expected = "the laws of x and y, as `(2 + cos(t), 1 + sin(t))`";
+        let laws = in_parens(input, expected, |input| read_list(input, expression))?.0;
+        Ok(Statement::Path(Trajectory {
+            keyword,
+            what,
+            laws,
         }))
     })
 }

@@ -56,7 +56,7 @@ pub(super) fn text(input: ParseStream) -> Text {
             text.statements.extend(stray.map(broken_statement));
             if !input.is_empty() {
                 text.motors += usize::from(comes_word(input, "motor"));
-                text.asked.laws |= setting::law_comes(input);
+                text.asked.laws |= setting::law_comes(input) || comes_word(input, "path");
                 text.asked.follow |= comes_word(input, "follow");
                 text.beginnings.push((text.statements.len(), begin));
                 text.statements.push(statement(input));
@@ -162,6 +162,7 @@ pub(super) fn statement(input: ParseStream) -> Statement {
         "damper" => action::damper(input),
         "load" => action::load(input),
         "follow" => setting::follow(input, keyword.span()),
+        "path" => setting::trajectory(input, keyword.span()),
         "expect" => expect::expect(input, keyword.span()),
         "allow" => setting::allow(input),
         "part" => part::part(input, statement),

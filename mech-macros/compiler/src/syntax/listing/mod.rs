@@ -163,6 +163,12 @@ impl Reader {
                     self.name(name, Noun::Joint);
                 }
             }
+            Statement::Path(path) => {
+                self.end(&path.what, Noun::Body);
+                for (name, law) in Inverse::GIVEN.iter().zip(&path.laws) {
+                    self.number("path", name, law);
+                }
+            }
             Statement::Part(part) => self.part(part),
             Statement::Use(used) => self.used(used),
             Statement::Expect(expect) => self.expect(expect),

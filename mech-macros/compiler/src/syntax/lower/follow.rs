@@ -1,17 +1,19 @@
 //! The point that motors follow.
 
 use super::angle::{is_angle, is_half_in_degrees};
+use super::constant::TIME;
 use super::draft::Draft;
-use super::find;
 use super::motor::ordered_range;
 use super::name::{Body, Referent};
-use super::reader::Reader;
+use super::quantity::Quantity;
+use super::reader::{Argument, Nature, Reader};
 use super::report::Report;
 use super::trace::one_of_its_points;
+use super::{find, law};
 use crate::api::Owner;
-use crate::model::{AxisId, AxisKind, Inverse, LinkId, MotorId, Range};
+use crate::model::{AxisId, AxisKind, Inverse, LawId, LinkId, MotorId, Range};
 use crate::syntax::Place;
-use crate::syntax::ast::{End, Follow, Name};
+use crate::syntax::ast::{End, Follow, Name, Trajectory};
 use crate::syntax::spelling;
 
 pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, follow: &Follow) {
@@ -28,6 +30,9 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, follow: &Follow) {
     if motors.len() < follow.motors.len() || draft.model.inverse.is_some() {
         return;
     }
+    if let Some((place, text)) = wrong_least(draft, follow) {
+        return reader.report.error(place, text);
+    }
     let Some(region) = find_region(reader, draft, follow) else {
         return;
     };
@@ -40,10 +45,103 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, follow: &Follow) {
         link: body.id,
         point,
         motors,
+        is_least: follow.least.is_some(),
         region,
+        trajectory: Vec::new(),
         origin: draft.places.note(follow.what.place()),
         named,
     });
+}
+
+/// Lowers the path of the point that motors follow.
+pub(super) fn trajectory(reader: &mut Reader, draft: &mut Draft, path: &Trajectory) {
+    let nature = |is_angle| Nature {
+        of: Argument::Time,
+        is_angle,
+    };
+    // Each is looked at, so that the errors of all are reported.
+    let factors = [Quantity::fixed(1.0); 2];
+    let laws = path.laws.iter().zip([false, false, true]);
+    let laws = laws.map(|(law, is_angle)| {
+        if !is_angle && self::is_angle(reader.report, law, "a length") {
+            return None;
+        }
+        law::read(reader, draft, law, TIME, factors, Some(nature(is_angle)))
+    });
+    let laws: Vec<Option<LawId>> = laws.collect();
+    let led = find_led(reader, draft, &path.what);
+    let (Some((body, point)), Some(laws)) = (led, laws.into_iter().collect::<Option<Vec<_>>>())
+    else {
+        return;
+    };
+    if let Some((place, text)) = wrong_trajectory(reader, draft, path, (body, point), &laws) {
+        return reader.report.error(place, text);
+    }
+    if let Some(inverse) = &mut draft.model.inverse {
+        inverse.trajectory = laws;
+    }
+}
+
+/// The message about a path that cannot be followed.
+fn wrong_trajectory(
+    reader: &Reader,
+    draft: &Draft,
+    path: &Trajectory,
+    (body, point): (Body, Option<AxisId>),
+    laws: &[LawId],
+) -> Option<(Place, String)> {
+    let (what, model) = (&path.what, &draft.model);
+    let Some(inverse) = &model.inverse else {
+        let motors = model.motors.iter().take(Inverse::GIVEN.len() - 1);
+        let motors: Vec<&str> = motors
+            .map(|motor| model.joint(motor.joint).name.as_str())
+            .collect();
+        let text = format!(
+            "no motors follow `{what}` on its path; write `follow {what} by {};`",
+            motors.join(", ")
+        );
+        // With an error elsewhere, they may.
+        return reader.report.is_empty().then(|| (what.place(), text));
+    };
+    if (inverse.link, inverse.point) != (body.id, point) {
+        let led = inverse.name(model);
+        let text = format!("motors follow `{led}`, not `{what}`; write `path {led} = ...;`");
+        return Some((what.place(), text));
+    }
+    let all = path.laws.first()?.place.to(path.laws.last()?.place);
+    let (given, expected) = (path.laws.len(), inverse.given().len());
+    if given != expected {
+        let text = format!(
+            "each of {} has a law: there are {expected}, and {given} stand here",
+            inverse.given().join(", ")
+        );
+        return Some((all, text));
+    }
+    if !laws.iter().any(|law| model.law(*law).varies()) {
+        let text = format!("by these laws `{what}` never moves; write them with `t`, the time");
+        return Some((all, text));
+    }
+    let mut starts = path.laws.iter().zip(laws);
+    if let Some((law, _)) =
+        starts.find(|(_, law)| !model.at_start(model.law(**law), 0.0).is_finite())
+    {
+        let text = format!(
+            "the path begins at time 0, but `{law}` has no value there; change it so that it has one"
+        );
+        return Some((law.place, text));
+    }
+    if inverse.is_least {
+        let text = format!(
+            "there is no path for motors that go as little as they can: they need not come back; leave out `least`, or lead `{what}` by `reach`"
+        );
+        return Some((what.place(), text));
+    }
+    let (motor, _) = model.lawful_motors().next()?;
+    let name = &model.joint(model.motor(motor).joint).name;
+    let text = format!(
+        "motor `{name}` has a law beside this path, and there is one time for both; leave out its law, or the path"
+    );
+    Some((what.place(), text))
 }
 
 /// The ranges of what is given, if they can be read: none where no region is given.
@@ -149,6 +247,15 @@ fn wrong_count(
 ) -> Option<String> {
     let what = &follow.what;
     let count = follow.motors.len();
+    if follow.least.is_some() {
+        let (given, what_is) = match point {
+            None => (3, "the place and the angle of a link take"),
+            Some(_) => (2, "the place of a point takes"),
+        };
+        return (count <= given).then(|| {
+            format!("`least` is for more motors than needed: {what_is} {given}, and {count} stand here; leave out `least`")
+        });
+    }
     match (count, point) {
         (3, _) | (2, Some(_)) => None,
         (2, None) => Some(format!(
@@ -159,9 +266,22 @@ fn wrong_count(
             "one motor cannot bring `{what}` to any place: two follow a point, three a point and the angle of its link"
         )),
         _ => Some(format!(
-            "{count} motors are too many for `{what}`: two follow a point, three a point and the angle of its link"
+            "{count} motors are too many for `{what}`: two follow a point, three a point and the angle of its link; \
+             write `least` after them, and they go as little as they can"
         )),
     }
+}
+
+/// The message about a statement with `least` that asks for more, and its place.
+fn wrong_least(draft: &Draft, follow: &Follow) -> Option<(Place, String)> {
+    let place = Place::at(follow.least?);
+    if !follow.region.is_empty() {
+        let text = "there is no proof of a region where motors go as little as they can; leave out `in`, or `least`";
+        return Some((place, text.to_owned()));
+    }
+    let text =
+        "what each motor has to do is told by rates; write `effects { velocity; }` for `least`";
+    (!draft.model.effects.velocity).then(|| (place, text.to_owned()))
 }
 
 /// Claims the name of the method that leads the point.
@@ -169,5 +289,8 @@ pub(super) fn take_method(draft: &mut Draft, report: &mut Report) {
     if let Some(inverse) = &draft.model.inverse {
         let place = draft.places.get(inverse.origin);
         draft.claims.take_all(Owner::Inverse, place, report);
+        if !inverse.trajectory.is_empty() {
+            draft.claims.take_all(Owner::Laws, place, report);
+        }
     }
 }

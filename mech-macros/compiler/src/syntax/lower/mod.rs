@@ -65,7 +65,7 @@ pub(super) struct Lowered {
 }
 
 /// The passes through the statements once all joints are known.
-const PASSES: [fn(&mut Reader, &mut Draft, &Statement); 3] = [set, begin, go_on];
+const PASSES: [fn(&mut Reader, &mut Draft, &Statement); 4] = [set, begin, go_on, lead];
 
 /// Makes the model of a text, of which `tokens` are all words, readable or not. Each pass goes once through the text, and through each part as often as there are instances.
 pub(super) fn lower(text: &mut Text, tokens: &TokenStream) -> Lowered {
@@ -155,5 +155,12 @@ fn go_on(reader: &mut Reader, draft: &mut Draft, statement: &Statement) {
         Statement::Follow(follow) => follow::lower(reader, draft, follow),
         Statement::Expect(expect) => requirement::lower(reader, draft, expect),
         _ => {}
+    }
+}
+
+/// Lowers the path of a point, once it is known that motors follow it.
+fn lead(reader: &mut Reader, draft: &mut Draft, statement: &Statement) {
+    if let Statement::Path(trajectory) = statement {
+        follow::trajectory(reader, draft, trajectory);
     }
 }

@@ -43,6 +43,7 @@ impl Single {
             }
             Statement::Show { keyword, .. } => whole(*keyword, "show", LIST),
             Statement::Follow(follow) => whole(follow.keyword, "follow", CHOICE),
+            Statement::Path(path) => whole(path.keyword, "path", CHOICE),
             Statement::Gravity { keyword, .. } => whole(*keyword, "gravity", "remove this one"),
             Statement::Method(method) => whole(method.keyword, "method", CHOICE),
             Statement::Accuracy { keyword, .. } => whole(*keyword, "accuracy", CHOICE),

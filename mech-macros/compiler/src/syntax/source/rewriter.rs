@@ -167,8 +167,15 @@ impl<'s> Rewriter<'s> {
     pub fn remove_motor(&mut self, joint: &str) -> Option<()> {
         self.remove_statement("motor", joint)?;
         self.forget_start(joint);
-        self.remove_all(|one| one.is("follow") && one.mentions(joint));
+        self.remove_follow(joint);
         Some(())
+    }
+
+    /// Removes what motors follow, and its path, if it mentions this link or joint.
+    fn remove_follow(&mut self, name: &str) {
+        if self.all("follow").any(|one| one.mentions(name)) {
+            self.remove_all(|one| one.is("follow") || one.is("path"));
+        }
     }
 
     /// Removes a joint, and everything that cannot be without it.
@@ -177,7 +184,8 @@ impl<'s> Rewriter<'s> {
         let _ = self.remove_statement("motor", joint);
         self.forget_start(joint);
         self.remove_from_lists(joint);
-        self.remove_all(|one| (one.is("expect") || one.is("follow")) && one.mentions(joint));
+        self.remove_all(|one| one.is("expect") && one.mentions(joint));
+        self.remove_follow(joint);
         self.remove_all(|one| {
             let is_torsional = one.find("torsional").is_some();
             (one.is("spring") || one.is("damper")) && is_torsional && one.mentions(joint)
@@ -200,8 +208,9 @@ impl<'s> Rewriter<'s> {
         self.remove_all(|one| {
             let is_action = one.is("spring") || one.is("damper") || one.is("load");
             is_action && one.find("torsional").is_none() && one.mentions(name)
-                || (one.is("expect") || one.is("follow")) && one.mentions(name)
+                || one.is("expect") && one.mentions(name)
         });
+        self.remove_follow(name);
         Some(())
     }
 
