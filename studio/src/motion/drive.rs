@@ -1,7 +1,6 @@
 //! A motion of all motors: one of them alone, or all by their laws.
 
 use super::obstacle::{motor_name, obstacle};
-use super::period::period;
 use super::reach::{Reach, limits};
 use super::setting::{motor_of, show_value, turns};
 use super::{Mover, Setting, Span};
@@ -126,7 +125,7 @@ impl Drive {
                 found: [false; 2],
             }
         };
-        let round = drive(period(model));
+        let round = drive(model.period());
         if span.to.is_some() || round.kind == Kind::Laws(None) {
             return round;
         }

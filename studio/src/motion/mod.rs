@@ -5,7 +5,6 @@ mod drive;
 mod mover;
 mod obstacle;
 mod paths;
-mod period;
 mod reach;
 mod rest;
 mod setting;

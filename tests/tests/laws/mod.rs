@@ -2,6 +2,7 @@
 
 mod generated;
 mod jet;
+mod period;
 
 use jet::{Jet, jet};
 use mech_compiler::model::{Effects, Law, Model, Now};

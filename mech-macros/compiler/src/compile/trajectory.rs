@@ -7,10 +7,10 @@ use crate::model::{Inverse, JointKind, Law, Model, Range};
 use crate::structure::{Diagnosis, InverseTrouble, TrajectoryStop};
 use std::f64::consts::TAU;
 
-/// So many places are looked at in a whole turn of the time.
+/// So many places are looked at until the path comes back.
 const PLACES: i32 = 360;
 
-/// Leads the point to where its path begins, and along it, where the path comes back after a whole turn of the time.
+/// Leads the point to where its path begins, and along it, if it comes back after a time that is known.
 ///
 /// # Errors
 /// If it is stopped at a place that is looked at.
@@ -28,14 +28,11 @@ pub(super) fn check(
     if laws.is_empty() {
         return Ok(());
     }
-    let comes_back = laws.iter().enumerate().all(|(number, law)| {
-        let turns = law.winding();
-        turns.is_some_and(|turns| turns == 0.0 || number == Inverse::ANGLE && turns.fract() == 0.0)
-    });
+    let period = model.period_of_trajectory(inverse);
     let params: Vec<f64> = model.params.values().collect();
     let mut follower = Follower::new(model, inverse, inverted, compiled);
-    for place in 0..=if comes_back { PLACES } else { 0 } {
-        let time = TAU * f64::from(place) / f64::from(PLACES);
+    for place in 0..=if period.is_some() { PLACES } else { 0 } {
+        let time = period.unwrap_or(0.0) * f64::from(place) / f64::from(PLACES);
         let given: Vec<f64> = laws.iter().map(|law| law.at(time, &params)).collect();
         if let Err(stop) = follower.lead(&given) {
             let trouble = InverseTrouble::Trajectory { time, given, stop };

@@ -22,6 +22,7 @@ mod mass;
 mod measure;
 mod number;
 mod param;
+mod period;
 mod polygon;
 mod requirement;
 mod roller;

@@ -1,30 +1,53 @@
 //! After what time laws are back where they began.
 
-use super::setting::turns;
-use mech_compiler::model::{
-    Arithmetic, BinaryFunction, FormulaArithmetic, Function, Model, Now, Number, ParamId,
+use super::formula::Now;
+use super::{
+    Arithmetic, BinaryFunction, FormulaArithmetic, Function, Inverse, JointKind, Law, Model,
+    Number, ParamId,
 };
 use mech_core::Staircase;
 use std::f64::consts::TAU;
 
-/// After what time all motors are where they were, with the params as they are at the start; none if nobody knows one. Motors that turn may
-/// have made whole turns.
-pub(super) fn period(model: &Model) -> Option<f64> {
-    let params: Vec<f64> = model.params.values().collect();
-    let mut courses = Courses(Now {
-        variable: 0.0,
-        params: &params,
-    });
-    let mut period = 0.0;
-    for (motor, law) in model.lawful_motors() {
-        let course = law.evaluate(&mut courses)?;
-        period = common(period, course.period)?;
-        if course.rate != 0.0 {
-            let round = turns(model, model.motor(motor).joint).then(|| TAU / course.rate.abs());
-            period = common(period, round?)?;
-        }
+impl Model {
+    /// After what time all motors that follow laws are where they were, with the params as they are at the start; none if nobody knows one.
+    /// Motors that turn may have made whole turns.
+    #[must_use]
+    pub fn period(&self) -> Option<f64> {
+        let turns = |motor| {
+            matches!(
+                self.joint(self.motor(motor).joint).kind,
+                JointKind::Revolute(..)
+            )
+        };
+        let laws = self.lawful_motors();
+        self.common_period(laws.map(|(motor, law)| (law, turns(motor))))
     }
-    (period > 0.0).then_some(period)
+
+    /// After what time a led point is on its path where it was; none if nobody knows one, or there is no path. Its link may have made whole
+    /// turns.
+    #[must_use]
+    pub fn period_of_trajectory(&self, inverse: &Inverse) -> Option<f64> {
+        let laws = inverse.trajectory.iter().enumerate();
+        self.common_period(laws.map(|(given, law)| (self.law(*law), given == Inverse::ANGLE)))
+    }
+
+    fn common_period<'m>(&self, laws: impl Iterator<Item = (&'m Law, bool)>) -> Option<f64> {
+        let params: Vec<f64> = self.params.values().collect();
+        let mut courses = Courses(Now {
+            variable: 0.0,
+            params: &params,
+        });
+        let mut period = 0.0;
+        for (law, turns) in laws {
+            let course = law.evaluate(&mut courses)?;
+            period = common(period, course.period)?;
+            if course.rate != 0.0 {
+                let round = turns.then(|| TAU / course.rate.abs());
+                period = common(period, round?)?;
+            }
+        }
+        (period > 0.0).then_some(period)
+    }
 }
 
 /// The course of a number in time: after each period it is farther, by the rate times the period.
@@ -213,61 +236,5 @@ fn sum(a: f64, b: f64) -> f64 {
         0.0
     } else {
         sum
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::period;
-    use crate::document::{Document, Source};
-    use std::f64::consts::{PI, TAU};
-
-    #[test]
-    fn laws_are_back_after_their_common_period() {
-        let text = |laws: [&str; 2]| {
-            let motors = [("a", laws[0]), ("s", laws[1])];
-            let motors = motors.map(|(joint, law)| match law {
-                "" => String::new(),
-                law => format!("motor {joint} = {law};"),
-            });
-            format!(
-                "struct M; const K = 3; param p = 4;
-                ground {{ point o = (0, 0); line x = (1, 0) -> (1, 0); }}
-                link c {{ point o = (0, 0); }} link b {{ line x = (0, 0) -> (1, 0); }}
-                joint a = revolute(ground.o, c.o);
-                joint s = prismatic(ground.x, b.x);
-                {}",
-                motors.concat()
-            )
-        };
-        for (turning, sliding, expected) in [
-            ("2 * PI * t", "", Some(1.0)),
-            ("-90 deg * t", "", Some(4.0)),
-            ("0.5 + K * t / 2", "", Some(2.0 * TAU / 3.0)),
-            ("0.3 * sin(2 * PI * t / K)", "", Some(3.0)),
-            ("p * t", "", Some(PI / 2.0)),
-            ("t + sin(2 * t)", "", Some(TAU)),
-            ("t", "cos(3 * t) * sin(2 * t)", Some(TAU)),
-            ("", "sqrt(2 + sin(t))", Some(TAU)),
-            ("", "mod(3 * t, 6)", Some(2.0)),
-            ("", "max(0, sin(4 * PI * t))", Some(0.5)),
-            ("PI * t", "sin(4 * PI * t / 3)", Some(6.0)),
-            // These never come back, or nobody knows when.
-            ("0.3 * t * t", "", None),
-            ("", "t", None),
-            ("", "exp(-t) * sin(t)", None),
-            ("t", "sin(sqrt(2) * t)", None),
-            ("1", "", None),
-        ] {
-            let document = Document::of(Source::new("m.mech", text([turning, sliding])));
-            let model = document.model(&document.declarations()[0]);
-            let model = model.expect("it is read").expect("it is right");
-            let found = period(&model);
-            let is_it = match (found, expected) {
-                (Some(found), Some(expected)) => (found - expected).abs() < 1e-9,
-                (found, expected) => found.is_none() && expected.is_none(),
-            };
-            assert!(is_it, "{turning}, {sliding}: {found:?}, not {expected:?}");
-        }
     }
 }
