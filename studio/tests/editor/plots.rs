@@ -291,6 +291,13 @@ fn what_a_lecture_constructs_is_shown_at_the_present_pose() {
         "{:?}",
         user.editor().selection()
     );
+    user.show("Inflection circles");
+    user.show("Centrodes");
+    for name in ["fixed centrode of coupler", "moving centrode of coupler"] {
+        assert!(has(&user, name), "{:?}", user.editor().constructed());
+    }
+    user.show("Centrodes");
+    assert!(user.editor().constructed().is_empty());
 }
 
 #[test]
