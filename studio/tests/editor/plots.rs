@@ -180,7 +180,7 @@ fn every_example_opens_and_plays() {
     user.click_on_beginning("Examples");
     let mut names = user.names();
     names.retain(|name| !before.contains(name));
-    assert_eq!(names.len(), 11, "{names:#?}");
+    assert_eq!(names.len(), 12, "{names:#?}");
     user.click_on("File");
     for name in names {
         let (_, name) = name.split_once(' ').expect("what it is, and its name");
