@@ -12,6 +12,7 @@ mod contacts;
 mod courses;
 mod embedded_page;
 mod expand;
+mod expected;
 mod force;
 mod large;
 mod led;

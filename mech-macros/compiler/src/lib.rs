@@ -36,7 +36,7 @@ pub mod syntax;
 pub use analysis::{Analysis, Faults, analyse};
 pub use api::Asked;
 pub use bug::catch;
-pub use compile::compile;
+pub use compile::{Unreachable, compile, lead, led_place};
 pub use compiled::{Compiled, ForcePrograms, InverseMechanism};
 pub use expand::{Import, PartText, expand, expand_part, macro_calls, write};
 pub use looks::{Looks, Outline, Painted, Points, Symbols, Toothed, looks};

@@ -6,6 +6,7 @@ use super::target::Target;
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::job::{self, Job, StillKind};
+use crate::motion::Goal;
 use crate::output::Writer;
 use clap::Args;
 
@@ -17,6 +18,9 @@ pub(super) struct Draw {
     pub(super) target: Target,
     #[command(flatten)]
     picture: Picture,
+    /// Leads the point of `follow` there, from where the motors are put: `--reach 1.5,2`; with three motors `--reach 1.5,2,30`, in degrees.
+    #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
+    reach: Option<Goal>,
 }
 
 const EXAMPLES: &str = "\
@@ -25,6 +29,7 @@ Examples:
   mech draw four_bar.mech -o four_bar.svg --at a=30 --overlay
   mech draw four_bar.mech -o centres.svg --names --centres
   mech draw four_bar.mech -o polygons.svg --names --velocities --accelerations
+  mech draw plotter.mech -o there.png --reach 1.5,2
   mech draw src/main.rs --mechanism FourBar -o wide.png --size 1920x1080 --look diagram --night";
 
 impl Draw {
@@ -33,7 +38,12 @@ impl Draw {
         let kind = kind_of(path, &[("png", StillKind::Png), ("svg", StillKind::Svg)])?;
         let analysed = self.target.coherent_with(&self.picture.set, console)?;
         let picture = self.picture.job();
-        let job = Job::Draw(job::Draw { picture, kind });
+        let reach = self.reach.clone();
+        let job = Job::Draw(job::Draw {
+            picture,
+            reach,
+            kind,
+        });
         let bytes = job.run(analysed, console)?;
         let replacing = self.picture.replacing;
         writer.write(replacing.output(path, kind.file(), bytes, &self.target))

@@ -89,6 +89,7 @@ impl Measure {
             steps: self.steps,
             rate: self.rate,
             at: self.at.clone(),
+            reach: None,
             loads: self.load.clone(),
             units: Units {
                 length: self.length.clone(),

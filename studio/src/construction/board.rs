@@ -9,7 +9,11 @@ use super::polygon::polygon;
 use super::{Construction, Place};
 use crate::failure::Failure;
 use crate::motion::{Drive, motor_name, turns};
+#[cfg(feature = "editor")]
+use crate::motion::{Setting, Span};
 use crate::quantity::{Load, Order, Position, Survey, Surveyed, body_of};
+#[cfg(feature = "editor")]
+use mech_compiler::Compiled;
 use mech_compiler::model::{LinkId, Model, MotorId};
 use mech_runtime::Canvas;
 
@@ -26,6 +30,40 @@ pub(crate) struct Filmed<'f> {
     pub(crate) whole: &'f Drive,
     pub(crate) parts: &'f [f64],
     pub(crate) loads: &'f [Load],
+}
+
+/// Links whose centrodes are wanted, as a motor moves while others stand.
+#[cfg(feature = "editor")]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct Rolling {
+    pub(crate) links: Vec<String>,
+    pub(crate) motor: String,
+    pub(crate) others: Vec<Setting>,
+    /// The box of the picture.
+    pub(crate) extent: [Place; 2],
+}
+
+#[cfg(feature = "editor")]
+impl Rolling {
+    /// The centrodes of those links that have any.
+    pub(crate) fn centrodes(&self, model: &Model, compiled: &Compiled) -> Vec<Centrodes> {
+        let motor = Some(self.motor.as_str());
+        let drive = Drive::new(model, compiled, motor, Span::default(), &self.others);
+        let Ok(drive) = drive.map(|drive| drive.completed(model, compiled)) else {
+            return Vec::new();
+        };
+        let of = Filmed {
+            model,
+            drive: &drive,
+            whole: &drive,
+            parts: &[],
+            loads: &[],
+        };
+        let links = self.links.iter();
+        let found = links.filter_map(|link| centrodes(&of, link, self.extent).ok());
+        found.collect()
+    }
 }
 
 /// All that is constructed over the pictures of a motion, and beside them.
@@ -75,16 +113,19 @@ impl Board {
         Ok(board.arranged())
     }
 
-    /// Constructs where a mechanism is, as this motor moves, for a picture of this box. What is not determined there is left out, and so
-    /// are centrodes.
+    /// Constructs where a mechanism is, as this motor moves, for a picture of this box. What is not determined there is left out.
     #[cfg(feature = "editor")]
     pub(crate) fn known(
         constructions: &[Construction],
         subject: Surveyed<'_>,
+        centrodes: &[Centrodes],
         (at, motor): (Position, MotorId),
         extent: [Place; 2],
     ) -> Self {
         let (mut board, positions) = (Self::empty(extent), [at]);
+        let drawn = centrodes.iter();
+        let drawn = drawn.filter_map(|one| one.drawn(subject, &positions[0]));
+        board.add(vec![drawn.flatten().collect()]);
         for construction in constructions {
             // Nobody asked for an answer.
             let _ = board.construct(construction, subject, (&positions, Some(motor)));

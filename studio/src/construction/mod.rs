@@ -10,7 +10,11 @@ mod polygon;
 mod push;
 mod spot;
 
+#[cfg(feature = "editor")]
+pub(crate) use board::Rolling;
 pub(crate) use board::{Board, Filmed};
+#[cfg(feature = "editor")]
+pub(crate) use path::Centrodes;
 
 /// A place in the scene, or a vector.
 type Place = [f64; 2];

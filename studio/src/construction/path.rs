@@ -14,7 +14,9 @@ const FAR: f64 = 2.0;
 const GAP: f64 = 0.5;
 
 /// The centrodes of a link, through a whole motion.
-pub(super) struct Centrodes {
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct Centrodes {
     link: LinkId,
     /// The pieces of the curve on which the instant centre runs in the scene, and of that in the link.
     fixed: Vec<Vec<Place>>,

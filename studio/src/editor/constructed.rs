@@ -1,6 +1,5 @@
 //! What a lecture constructs, at the present pose.
 
-use super::Item;
 use super::plotted::Plotted;
 use super::selection::Selection;
 use super::settings::{Settings, Visible};
@@ -8,11 +7,12 @@ use super::sight::Sight;
 use super::snapshot::Snapshot;
 use crate::construction::{Board, Construction};
 use crate::quantity::load_numbers;
+use std::sync::Arc;
 
 /// What is wanted of it, as the plotted motor moves, as far as what it needs is known; none if nothing is wanted or moves.
 pub(super) fn board(
     sight: &Sight,
-    snapshot: &Snapshot,
+    snapshot: &Arc<Snapshot>,
     plotted: &Plotted,
     settings: &Settings,
     selection: &Selection,
@@ -26,17 +26,16 @@ pub(super) fn board(
     let wanted = whole.into_iter().filter(|(what, _)| settings.shows(*what));
     let mut constructions: Vec<Construction> = wanted.map(|(_, wanted)| wanted).collect();
     if settings.shows(Visible::InflectionCircles) {
-        constructions.extend(selection.items.iter().filter_map(|item| match item {
-            Item::Link(name) => Some(Construction::Inflection(name.clone())),
-            _ => None,
-        }));
+        constructions.extend(selection.links().map(Construction::Inflection));
     }
-    if constructions.is_empty() {
+    let centrodes = plotted.centrodes(snapshot, settings, selection);
+    if constructions.is_empty() && centrodes.is_empty() {
         return None;
     }
     let (motor, _) = plotted.motor_of(&sight.playing.ranges)?;
     let reading = snapshot.reading.as_ref();
     let loads = reading.and_then(|it| load_numbers(&it.model, &plotted.loads(snapshot)).ok());
     let mechanism = sight.seen_player()?.mechanism();
-    mechanism.constructed(&constructions, motor, &loads.unwrap_or_default())
+    let loads = loads.unwrap_or_default();
+    mechanism.constructed(&constructions, centrodes, motor, &loads)
 }

@@ -109,7 +109,11 @@ impl Export {
                 at,
                 ..Picture::default()
             };
-            Job::Draw(Draw { picture, kind })
+            Job::Draw(Draw {
+                picture,
+                reach: None,
+                kind,
+            })
         };
         let film = |kind| Job::Film(Film::of_kind(kind));
         let plot = |kind| {

@@ -3,8 +3,11 @@
 use super::curves::Curves;
 use super::playing::Playing;
 use super::range::MotorRange;
+use super::selection::Selection;
+use super::settings::{Settings, Visible};
 use super::snapshot::Snapshot;
 use super::worker::{Task, Undone, Use};
+use crate::construction::{Centrodes, Rolling};
 use crate::job::Measure;
 use crate::motion::Setting;
 use crate::play::Player;
@@ -26,6 +29,17 @@ pub(super) struct Plotted {
     pub(super) loads: BTreeMap<String, String>,
     is_asked: bool,
     pub(super) curves: Option<Curves>,
+    /// The centrodes that were asked for last.
+    rolled: Option<Rolled>,
+}
+
+/// Centrodes of a mechanism, by the number of their task.
+struct Rolled {
+    number: u64,
+    snapshot: Arc<Snapshot>,
+    wanted: Rolling,
+    /// Empty until they are known.
+    found: Vec<Centrodes>,
 }
 
 impl Plotted {
@@ -115,6 +129,67 @@ impl Plotted {
         if let Undone::Measure | Undone::All = undone {
             self.is_asked = false;
         }
+    }
+
+    /// Asks for the centrodes of the selected links, if they are shown and others than before. While something plays, others wait.
+    pub(super) fn roll(
+        &mut self,
+        playing: &Playing,
+        (snapshot, settings, selection): (&Arc<Snapshot>, &Settings, &Selection),
+        number: impl FnOnce() -> u64,
+    ) -> Option<Task> {
+        let player = playing.player.as_ref().filter(|player| !player.plays())?;
+        let (_, motor) = self.motor_of(&playing.ranges)?;
+        let others = player.mechanism().shown_motors().into_iter();
+        let others = others.filter(|(name, _)| name != motor);
+        let wanted = Rolling {
+            links: selection.links().collect(),
+            motor: motor.to_owned(),
+            others: others.map(Setting::from).collect(),
+            extent: player.mechanism().bounds(),
+        };
+        let is_wanted = settings.shows(Visible::Centrodes) && !wanted.links.is_empty();
+        let is_known = self
+            .rolled
+            .as_ref()
+            .is_some_and(|known| Arc::ptr_eq(&known.snapshot, snapshot) && known.wanted == wanted);
+        if !is_wanted || is_known || !playing.is_of(snapshot) {
+            return None;
+        }
+        let number = number();
+        self.rolled = Some(Rolled {
+            number,
+            snapshot: snapshot.clone(),
+            wanted: wanted.clone(),
+            found: Vec::new(),
+        });
+        Some(Task::Of(
+            snapshot.clone(),
+            Use::Roll(number, Box::new(wanted)),
+        ))
+    }
+
+    /// Takes over centrodes, if nobody has asked for others since.
+    pub(super) fn take_centrodes(&mut self, number: u64, found: Vec<Centrodes>) {
+        let asked = self.rolled.as_mut();
+        if let Some(asked) = asked.filter(|asked| asked.number == number) {
+            asked.found = found;
+        }
+    }
+
+    /// The centrodes of the selected links, if they are shown and known.
+    pub(super) fn centrodes(
+        &self,
+        snapshot: &Arc<Snapshot>,
+        settings: &Settings,
+        selection: &Selection,
+    ) -> &[Centrodes] {
+        let known = self.rolled.as_ref().filter(|known| {
+            settings.shows(Visible::Centrodes)
+                && Arc::ptr_eq(&known.snapshot, snapshot)
+                && known.wanted.links.iter().cloned().eq(selection.links())
+        });
+        known.map_or(&[], |known| &known.found)
     }
 
     /// Returns the plotted quantities as a measurement for a file.

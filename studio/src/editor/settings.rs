@@ -20,6 +20,8 @@ pub(crate) enum Visible {
     FreeBodies,
     /// Of the links that are selected.
     InflectionCircles,
+    /// Of the links that are selected.
+    Centrodes,
 }
 
 impl Visible {
@@ -31,7 +33,8 @@ impl Visible {
             | Self::Centres
             | Self::VelocityPolygon
             | Self::AccelerationPolygon
-            | Self::InflectionCircles => Some(Derived::Rates),
+            | Self::InflectionCircles
+            | Self::Centrodes => Some(Derived::Rates),
             Self::Forces | Self::FreeBodies => Some(Derived::Forces),
             Self::Grid | Self::Names | Self::Bodies | Self::Paths => None,
         }

@@ -3,7 +3,7 @@
 use super::picture::{Picture, Sitter};
 use super::{Analysed, StillKind};
 use crate::failure::Failure;
-use crate::motion::{Drive, Mover, Paths, Setting, Span, posed};
+use crate::motion::{Drive, Goal, Mover, Paths, Setting, Span, posed};
 use mech_runtime::HeapSmooth;
 use mech_runtime::files::{self, Svg};
 
@@ -12,6 +12,8 @@ use mech_runtime::files::{self, Svg};
 #[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Draw {
     pub(crate) picture: Picture,
+    /// Where the point of `follow` is led.
+    pub(crate) reach: Option<Goal>,
     pub(crate) kind: StillKind,
 }
 
@@ -22,11 +24,21 @@ const MOST_TURNS: u32 = 22;
 impl Draw {
     pub(super) fn run(&self, analysed: Analysed) -> Result<Vec<u8>, Failure> {
         let Analysed { model, compiled } = &analysed;
+        let set = &self.picture.at;
+        let led = self.reach.as_ref();
+        let led = led.map(|goal| Drive::led(model, compiled, set, goal));
+        let led = led.transpose()?;
+        let at = led
+            .as_ref()
+            .map_or_else(|| set.clone(), |led| led.settings(model));
         // What does not move is painted, too, if nothing is constructed.
         let is_plain = self.picture.constructions.is_empty();
         let drives = (!is_plain).then(|| {
-            let standing = Drive::standing(model, compiled, &self.picture.at)?;
-            Ok::<_, Failure>([standing, self.whole(&analysed)?])
+            let standing = match led {
+                Some(led) => led,
+                None => Drive::standing(model, compiled, set)?,
+            };
+            Ok::<_, Failure>([standing, whole(&analysed, &at)?])
         });
         let drives = drives.transpose()?;
         let drives = drives.as_ref().map(<[Drive; 2]>::each_ref);
@@ -40,8 +52,11 @@ impl Draw {
             palette,
         } = &sitter;
         let start = Mover::new(model, compiled);
-        let machine = posed(start, model, compiled, &self.picture.at)?;
-        let paths = self.paths(&sitter.analysed)?;
+        let mut machine = posed(start, model, compiled, set)?;
+        if let Some(goal) = &self.reach {
+            goal.lead(model, compiled, &mut machine)?;
+        }
+        let paths = paths(&sitter.analysed, &at)?;
         let poses = &machine.position().poses[..];
         match self.kind {
             StillKind::Svg => {
@@ -62,42 +77,38 @@ impl Draw {
             }
         }
     }
+}
 
-    /// The motion that the mechanism makes if nobody says which.
-    fn whole(&self, Analysed { model, compiled }: &Analysed) -> Result<Drive, Failure> {
-        // The first motor moves, wherever the picture has it.
-        let first = model
-            .motors
-            .first()
-            .map(|motor| &model.joint(motor.joint).name);
-        let others = self
-            .picture
-            .at
-            .iter()
-            .filter(|one| Some(&one.motor) != first);
-        let others: Vec<Setting> = others.cloned().collect();
-        let drive = Drive::new(model, compiled, None, Span::default(), &others)?;
-        Ok(drive.completed(model, compiled))
-    }
+/// The motion that the mechanism makes if nobody says which.
+fn whole(Analysed { model, compiled }: &Analysed, at: &[Setting]) -> Result<Drive, Failure> {
+    // The first motor moves, wherever the picture has it.
+    let first = model
+        .motors
+        .first()
+        .map(|motor| &model.joint(motor.joint).name);
+    let others = at.iter().filter(|one| Some(&one.motor) != first);
+    let others: Vec<Setting> = others.cloned().collect();
+    let drive = Drive::new(model, compiled, None, Span::default(), &others)?;
+    Ok(drive.completed(model, compiled))
+}
 
-    /// The whole paths of traced points in that motion.
-    fn paths(&self, analysed: &Analysed) -> Result<Paths, Failure> {
-        let Analysed { model, compiled } = analysed;
-        let mut paths = Paths::new(model, compiled)?.whole();
-        if paths.is_empty() {
-            return Ok(paths);
-        }
-        let Ok(drive) = self.whole(analysed) else {
-            return Ok(paths);
-        };
-        let places = PLACES * drive.turns(model).min(MOST_TURNS);
-        let mut machine = Mover::new(model, compiled);
-        for number in 0..=places {
-            let part = f64::from(number) / f64::from(places);
-            if drive.move_to(model, compiled, &mut machine, part).is_ok() {
-                paths.record(&machine.position().poses);
-            }
-        }
-        Ok(paths)
+/// The whole paths of traced points in that motion.
+fn paths(analysed: &Analysed, at: &[Setting]) -> Result<Paths, Failure> {
+    let Analysed { model, compiled } = analysed;
+    let mut paths = Paths::new(model, compiled)?.whole();
+    if paths.is_empty() {
+        return Ok(paths);
     }
+    let Ok(drive) = whole(analysed, at) else {
+        return Ok(paths);
+    };
+    let places = PLACES * drive.turns(model).min(MOST_TURNS);
+    let mut machine = Mover::new(model, compiled);
+    for number in 0..=places {
+        let part = f64::from(number) / f64::from(places);
+        if drive.move_to(model, compiled, &mut machine, part).is_ok() {
+            paths.record(&machine.position().poses);
+        }
+    }
+    Ok(paths)
 }

@@ -2,7 +2,7 @@
 
 use super::Analysed;
 use crate::failure::Failure;
-use crate::motion::{Drive, Setting, Span};
+use crate::motion::{Drive, Goal, Setting, Span};
 use crate::quantity::{self, Load, Measurement, Quantity, Summary, Table, Units};
 use mech_compiler::Compiled;
 use mech_compiler::model::Model;
@@ -23,6 +23,8 @@ pub(crate) struct Measure {
     /// The speed of the motor, in radians or scene units per second: without, 1, and forces are those at rest.
     pub(crate) rate: Option<f64>,
     pub(crate) at: Vec<Setting>,
+    /// Where the point of `follow` is led: it is measured there alone.
+    pub(crate) reach: Option<Goal>,
     pub(crate) loads: Vec<Load>,
     pub(crate) units: Units,
     /// In a summary, the width within which dwells are looked for.
@@ -92,13 +94,19 @@ impl Measure {
         if wanted.is_empty() && missing.is_none() {
             wanted = quantity::usual(model);
         }
-        let drive = Drive::new(model, compiled, self.motor.as_deref(), self.span, &self.at)?;
+        let (drive, steps) = if let Some(goal) = &self.reach {
+            (Drive::led(model, compiled, &self.at, goal)?, 0)
+        } else {
+            let motor = self.motor.as_deref();
+            let drive = Drive::new(model, compiled, motor, self.span, &self.at)?;
+            (drive, self.steps)
+        };
         let measurement = Measurement {
             model,
             drive: &drive,
             over,
             rate: self.rate,
-            steps: self.steps,
+            steps,
             loads: &self.loads,
             units: &self.units,
         };
@@ -116,6 +124,7 @@ impl Default for Measure {
             steps: Self::STEPS,
             rate: None,
             at: Vec::new(),
+            reach: None,
             loads: Vec::new(),
             units: Units::default(),
             dwell: None,

@@ -2,8 +2,8 @@
 
 use super::obstacle::{motor_name, obstacle};
 use super::reach::{Reach, limits};
-use super::setting::{motor_of, show_value, turns};
-use super::{Mover, Setting, Span};
+use super::setting::{motor_of, posed, show_value, turns};
+use super::{Goal, Mover, Setting, Span, shown};
 use crate::failure::{Failure, FailureKind};
 use mech_compiler::Compiled;
 use mech_compiler::model::{Model, MotorId};
@@ -21,6 +21,8 @@ pub(crate) struct Drive {
     ends: [f64; 2],
     /// Which of them nobody has said: the mechanism goes no farther.
     found: [bool; 2],
+    /// Where the point of `follow` was led before it, and the values of all motors before that: these do not tell how it is assembled there.
+    led: Option<(Goal, Vec<f64>)>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,6 +83,7 @@ impl Drive {
             kind: Kind::Motor(motor),
             ends,
             found,
+            led: None,
         })
     }
 
@@ -91,6 +94,7 @@ impl Drive {
             kind: Kind::Motor(motor),
             ends: reach.ends,
             found: reach.is_stopped(),
+            led: None,
         }
     }
 
@@ -107,7 +111,40 @@ impl Drive {
             base,
             kind: Kind::Motor(motor),
             found: [false; 2],
+            led: None,
         })
+    }
+
+    /// The same with the point of `follow` led to a place, from where the motors are set.
+    pub(crate) fn led(
+        model: &Model,
+        compiled: &Compiled,
+        settings: &[Setting],
+        goal: &Goal,
+    ) -> Result<Self, Failure> {
+        let standing = Self::standing(model, compiled, settings)?;
+        let mut machine = posed(Mover::new(model, compiled), model, compiled, settings)?;
+        goal.lead(model, compiled, &mut machine)?;
+        let at = machine.position();
+        let whole = at.motors.iter().zip(&at.turns);
+        let whole = whole.map(|(value, turns)| value + TAU * f64::from(*turns));
+        let base: Vec<f64> = whole.take(model.motors.len()).collect();
+        let end = standing.motor().map_or(0.0, |motor| base[motor.index()]);
+        Ok(Self {
+            ends: [end; 2],
+            led: Some((goal.clone(), standing.base)),
+            base,
+            ..standing
+        })
+    }
+
+    /// The values of all motors before it, as they are set.
+    pub(crate) fn settings(&self, model: &Model) -> Vec<Setting> {
+        let values = model.motor_ids().map(|motor| {
+            let value = shown(model, model.motor(motor).joint, self.base[motor.index()]);
+            Setting::from((motor_name(model, motor).to_owned(), value))
+        });
+        values.collect()
     }
 
     fn by_laws(model: &Model, compiled: &Compiled, base: &[f64], span: Span) -> Self {
@@ -123,6 +160,7 @@ impl Drive {
                 kind: Kind::Laws(period),
                 ends: [from, to],
                 found: [false; 2],
+                led: None,
             }
         };
         let round = drive(model.period());
@@ -327,6 +365,14 @@ impl Drive {
         mut look: impl FnMut(usize, &Position<f64>) -> Result<(), Failure>,
     ) -> Result<(), Failure> {
         let mut machine = Mover::new(model, compiled);
+        if let Some((goal, before)) = &self.led {
+            machine
+                .move_to(before)
+                .map_err(|stop| Failure::mechanism(obstacle(model, compiled, stop)))?;
+            goal.lead(model, compiled, &mut machine)?;
+            let at = machine.position();
+            return (0..parts.len()).try_for_each(|number| look(number, &at));
+        }
         let mut visit = |machine: &mut Mover<'_>, numbers: &[usize]| {
             numbers.iter().try_for_each(|&number| {
                 self.move_to(model, compiled, machine, parts[number])?;

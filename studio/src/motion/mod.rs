@@ -2,6 +2,7 @@
 
 mod centre;
 mod drive;
+mod lead;
 mod mover;
 mod obstacle;
 mod paths;
@@ -11,6 +12,7 @@ mod setting;
 
 pub(crate) use centre::PlaneMotion;
 pub(crate) use drive::{Drive, Moment};
+pub(crate) use lead::Goal;
 pub(crate) use mover::{Mover, Ready, in_precision, place_of};
 pub(crate) use obstacle::{joints_in_the_way, motor_name, obstacle};
 pub(crate) use paths::Paths;

@@ -1,9 +1,9 @@
 //! A mechanism that moves in its own precision.
 
-use mech_compiler::Compiled;
 use mech_compiler::evaluate::{Machine, Prepared, Stop};
 use mech_compiler::model::{Model, Precision};
 use mech_compiler::program::{Forces, LinkRates, Position, Program};
+use mech_compiler::{Compiled, Unreachable, lead};
 use mech_core::{Pose, Real};
 
 /// A mechanism that moves as its generated code does, in the precision of its text. What it is given and what it tells is in double precision,
@@ -89,6 +89,25 @@ impl<'p> Mover<'p> {
     /// Moves towards these values of the motors as far as it can: what stops it, if it does not arrive.
     pub(crate) fn move_toward(&mut self, motors: &[f64]) -> Option<Stop> {
         either!(self, machine => machine.move_toward(&rounded(motors)).unwrap_or_else(Some))
+    }
+
+    /// Leads the point of `follow` to a place; the other machine is that of the inverse.
+    ///
+    /// # Errors
+    /// What keeps it from coming there; the mechanism then stays where it was.
+    pub(crate) fn lead(
+        &mut self,
+        model: &Model,
+        compiled: &Compiled,
+        inverse: &mut Mover<'_>,
+        place: &[f64],
+    ) -> Result<(), Unreachable> {
+        match (self, inverse) {
+            (Self::Single(own), Mover::Single(other)) => lead(model, compiled, (own, other), place),
+            (Self::Double(own), Mover::Double(other)) => lead(model, compiled, (own, other), place),
+            // Both have the precision of the text.
+            _ => Err(Unreachable::Apart),
+        }
     }
 
     /// The rates of all links where it is, if the motors move at these rates and second rates.

@@ -12,7 +12,7 @@ use crate::painting::{Painting, number_of, poses_of};
 use mech_compiler::evaluate::Stop;
 use mech_compiler::model::{JointId, Look, Measure, Model, MotorId};
 use mech_compiler::program::Position;
-use mech_compiler::{Compiled, symbols};
+use mech_compiler::{Compiled, led_place, symbols};
 use mech_runtime::overlay::{Arrows, Spot};
 use mech_runtime::{Canvas, Overlay, Palette, Pose};
 
@@ -35,6 +35,8 @@ pub struct Mechanism {
     /// The points whose velocities are drawn.
     pub(super) points: Vec<Spot<f64>>,
     ready: Ready,
+    /// The mechanism in which the point of `follow` is given, ready for motion, and its start.
+    inverse: Option<(Ready, Position<f64>)>,
     pub(super) position: Position<f64>,
     paths: Paths,
 }
@@ -67,6 +69,10 @@ impl Mechanism {
             landmarks: Landmarks::new(&model, &compiled),
             prepared,
             ready: Ready::new(&model, &compiled.program),
+            inverse: compiled.inverse.as_ref().map(|inverted| {
+                let start = Mover::new(&model, &inverted.compiled).position();
+                (Ready::new(&model, &inverted.compiled.program), start)
+            }),
             position: Mover::new(&model, &compiled).position(),
             paths: Paths::new(&model, &compiled)?,
             painting,
@@ -237,6 +243,50 @@ impl Mechanism {
         let mut machine = Mover::at(&self.compiled.program, &self.ready, &self.position);
         let stop = machine.move_toward(&goal);
         (machine.position(), stop.map(Obstacle::Stop).or(range))
+    }
+
+    /// The point that `follow` leads, as a place on its link.
+    pub(super) fn led_spot(&self) -> Option<Spot<f64>> {
+        let inverse = self.model.inverse.as_ref()?;
+        let point = inverse.point.map(|point| self.model.axis(point).at);
+        Some(Spot {
+            link: number_of(&self.compiled, inverse.link)?,
+            at: point.unwrap_or_default(),
+        })
+    }
+
+    /// Leads a place on a link straight to `aim`, by the exact inverse, if `follow` leads it and only these motors move: the point itself, or
+    /// with three motors any place of its link, which keeps its angle. Returns whether it comes there; if not, nothing moves.
+    pub(super) fn lead(&mut self, spot: Spot<f64>, aim: [f64; 2], may_move: &[usize]) -> bool {
+        let Some(position) = self.led(spot, aim, may_move) else {
+            return false;
+        };
+        self.paths.record(&position.poses);
+        self.position = position;
+        true
+    }
+
+    fn led(&self, spot: Spot<f64>, aim: [f64; 2], may_move: &[usize]) -> Option<Position<f64>> {
+        let (inverse, inverted) = (
+            self.model.inverse.as_ref()?,
+            self.compiled.inverse.as_ref()?,
+        );
+        let (ready, start) = self.inverse.as_ref()?;
+        let (point, here) = (self.led_spot()?, self.place(spot)?);
+        let is_led = point == spot || inverse.gives_angle() && point.link == spot.link;
+        let mut motors = inverse.motors.iter();
+        if !is_led || !motors.all(|motor| may_move.contains(&motor.index())) {
+            return None;
+        }
+        let program = &self.compiled.program;
+        let mut place = led_place(&self.model, program, &self.position.poses)?;
+        for (value, (aim, here)) in place.iter_mut().zip(aim.into_iter().zip(here)) {
+            *value += aim - here;
+        }
+        let mut machine = Mover::at(program, &self.ready, &self.position);
+        let mut other = Mover::at(&inverted.compiled.program, ready, start);
+        let led = machine.lead(&self.model, &self.compiled, &mut other, &place);
+        led.ok().map(|()| machine.position())
     }
 
     /// Ends a straight move where the first motor comes to an end of its declared range: that motor. Its value is that end, exactly.

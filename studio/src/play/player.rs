@@ -404,7 +404,12 @@ impl Player {
         let aim = self.camera.place(pixel);
         let near =
             (NEAR * f64::from(self.camera.symbol_size()).max(0.5)) / self.camera.view().scale();
-        self.held = Some(match self.mechanism.spot_at(aim, near) {
+        // What `follow` leads is taken rather than what is beside it.
+        let led = self.mechanism.led_spot().filter(|spot| {
+            let place = self.mechanism.place(*spot);
+            place.is_some_and(|[x, y]| (x - aim[0]).hypot(y - aim[1]) <= near)
+        });
+        self.held = Some(match led.or_else(|| self.mechanism.spot_at(aim, near)) {
             Some(spot) => Held::Link {
                 grip: Grip { spot },
                 aim,
@@ -431,7 +436,12 @@ impl Player {
     fn drag(&mut self, grip: Grip, aim: [f64; 2]) {
         let free = self.driver.free();
         let from = self.mechanism.motors().to_vec();
-        let obstacle = grip.follow(&mut self.mechanism, &free, aim);
+        let may_move: Vec<usize> = free.iter().map(|free| free.motor).collect();
+        let obstacle = if self.mechanism.lead(grip.spot, aim, &may_move) {
+            None
+        } else {
+            grip.follow(&mut self.mechanism, &free, aim)
+        };
         self.direction = None;
         // The limit names all motors that could have moved.
         let target = vec![f64::NAN; from.len()];

@@ -2,7 +2,7 @@
 
 use super::{Derived, Mechanism, Rates};
 #[cfg(feature = "editor")]
-use crate::construction::{Board, Construction};
+use crate::construction::{Board, Centrodes, Construction};
 use crate::motion::Mover;
 use crate::painting::poses_of;
 #[cfg(feature = "editor")]
@@ -84,6 +84,7 @@ impl Mechanism {
     pub(crate) fn constructed(
         &self,
         constructions: &[Construction],
+        centrodes: &[Centrodes],
         motor: usize,
         loads: &[f64],
     ) -> Option<Board> {
@@ -118,6 +119,7 @@ impl Mechanism {
         Some(Board::known(
             constructions,
             subject,
+            centrodes,
             (at, id),
             self.bounds(),
         ))

@@ -552,3 +552,67 @@ joint f = revolute(pen, arm) at (2, 3); motor a; motor b;";
     let refused = folder.mech("table a.mech d(pen.tip,a)").refused(2);
     assert!(refused.contains("`pen.tip` is a place"), "{refused}");
 }
+
+/// A plotter whose pen is led by two motors.
+const PLOTTER: &str = include_str!("../../../tests/tests/subjects/inverse/plotter.mech");
+
+#[test]
+fn a_point_is_led_where_it_is_asked_and_no_farther() {
+    let folder = Folder::new().with("a.mech", PLOTTER);
+    for step in 0..8 {
+        let turn = f64::from(step) * 0.785;
+        let place = [0.3 + turn.cos(), 3.0 + 0.8 * turn.sin()];
+        let words = format!("a.mech lm rm pen.tip --reach={},{}", place[0], place[1]);
+        let [row] = &numbers(&folder.mech(&format!("table {words}")).done())[..] else {
+            panic!("it is measured there alone");
+        };
+        assert!(
+            close(row[3], place[0]) && close(row[4], place[1]),
+            "{row:?}"
+        );
+        // Each arm, of 2 and 2.5, is a triangle with the way from its foot to the pen.
+        for (foot, side, motor) in [(-1.0, 1.0, row[1]), (1.0, -1.0, row[2])] {
+            let [x, y] = [place[0] - foot, place[1]];
+            let away = x.hypot(y);
+            let corner = (4.0 + away * away - 6.25) / (4.0 * away);
+            let angle = y.atan2(x) + side * corner.acos();
+            assert!(close(motor, angle.to_degrees()), "{row:?}");
+        }
+        // What is drawn there is what is drawn with the motors there.
+        let reach = format!("{},{}", place[0], place[1]);
+        folder
+            .mech(&format!("draw a.mech -o led.svg --reach={reach}"))
+            .done();
+        let at = format!("--at lm={} --at rm={}", row[1], row[2]);
+        folder.mech(&format!("draw a.mech -o put.svg {at}")).done();
+        assert_eq!(folder.text("led.svg"), folder.text("put.svg"));
+    }
+    // An arm is as long as 4.5, and as short as 0.5.
+    for place in ["9,9", "-1,4.6", "1.2,0.1", "1e300,1e300", "-1,0"] {
+        for command in ["table a.mech pen.tip", "draw a.mech -o no.svg"] {
+            let said = folder
+                .mech(&format!("{command} --reach={place}"))
+                .refused(1);
+            assert!(
+                said.contains("`pen.tip` cannot be led to (") && !said.contains("NaN"),
+                "{said}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_bucket_is_led_past_where_its_cylinder_is_longest() {
+    let text = include_str!("../../../tests/tests/subjects/inverse/excavator.mech");
+    let folder = Folder::new().with("a.mech", text);
+    let words = "table a.mech bucket bucket.teeth --reach=6,0.5,-40";
+    let [row] = &numbers(&folder.mech(words).done())[..] else {
+        panic!("it is measured there alone");
+    };
+    // The first is the motor of the lift.
+    let off = row[1..].iter().zip([-40.0, 6.0, 0.5]);
+    assert!(
+        off.clone().all(|(found, asked)| close(*found, asked)),
+        "{row:?}"
+    );
+}

@@ -180,7 +180,7 @@ fn every_example_opens_and_plays() {
     user.click_on_beginning("Examples");
     let mut names = user.names();
     names.retain(|name| !before.contains(name));
-    assert_eq!(names.len(), 11, "{names:#?}");
+    assert_eq!(names.len(), 12, "{names:#?}");
     user.click_on("File");
     for name in names {
         let (_, name) = name.split_once(' ').expect("what it is, and its name");
@@ -291,6 +291,13 @@ fn what_a_lecture_constructs_is_shown_at_the_present_pose() {
         "{:?}",
         user.editor().selection()
     );
+    user.show("Inflection circles");
+    user.show("Centrodes");
+    for name in ["fixed centrode of coupler", "moving centrode of coupler"] {
+        assert!(has(&user, name), "{:?}", user.editor().constructed());
+    }
+    user.show("Centrodes");
+    assert!(user.editor().constructed().is_empty());
 }
 
 #[test]

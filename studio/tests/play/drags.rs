@@ -1,8 +1,8 @@
 //! Links that are dragged, without a window.
 
-use crate::gallery::{FILES, mechanism, near, player};
+use crate::gallery::{FILES, SIZE, from_text, mechanism, near, player};
 use mech_runtime::overlay::Spot;
-use mech_studio::play::{Control, Free, Grip};
+use mech_studio::play::{Control, Free, Grip, Player};
 use std::f64::consts::TAU;
 
 #[test]
@@ -152,4 +152,60 @@ fn a_diagram_without_shapes_is_dragged_by_its_bars() {
     };
     player.obey(Control::Press(player.pixel(rod).expect("it is there")));
     assert_eq!(player.held_spot().map(|spot| spot.link), Some(3));
+}
+
+/// A place on a link of a text that is dragged round, and how far it ever is from the pointer.
+fn dragged(text: &str, spot: Spot<f64>, radius: f64) -> (Player, f64) {
+    let mut player = Player::new(from_text(text), Vec::new(), SIZE);
+    player.obey(Control::PlayOrPause);
+    let camera = player.camera().clone();
+    let start = player.mechanism().place(spot).expect("it is there");
+    player.obey(Control::Press(camera.pixel(start)));
+    let held = player.held_spot().expect("a link is there");
+    let mut worst: f64 = 0.0;
+    for step in 0..=90 {
+        let turn = TAU * f64::from(step) / 60.0;
+        let aim = [
+            start[0] + radius * (turn.cos() - 1.0),
+            start[1] + radius * turn.sin(),
+        ];
+        player.obey(Control::Point(camera.pixel(aim)));
+        let [x, y] = player.mechanism().place(held).expect("it is there");
+        worst = worst.max((x - aim[0]).hypot(y - aim[1]));
+    }
+    (player, worst)
+}
+
+#[test]
+fn what_follow_leads_is_dragged_exactly() {
+    let plotter = include_str!("../../../tests/tests/subjects/inverse/plotter.mech");
+    let tip = Spot {
+        link: 3,
+        at: [2.5, 0.0],
+    };
+    let (mut player, worst) = dragged(plotter, tip, 0.6);
+    assert!(worst < 1e-12, "{worst:e}");
+    assert!(player.limit().is_none());
+    // Beyond its arms it comes as near as it can, and back again.
+    let start = player.pixel(tip).expect("it is there");
+    player.obey(Control::Point([start[0] + 3000.0, start[1]]));
+    let place = player.mechanism().place(tip).expect("it is there");
+    assert!(
+        place.iter().all(|part| part.is_finite()) && place[0] > 1.0,
+        "{place:?}"
+    );
+    player.obey(Control::Point(start));
+    let [x, y] = player.pixel(tip).expect("it is there");
+    assert!((x - start[0]).hypot(y - start[1]) < 1e-9, "{x}, {y}");
+    // Of a pose any place of the link is led, and the link keeps its angle.
+    let platform = include_str!("../../../tests/tests/subjects/inverse/platform.mech");
+    let corner = Spot {
+        link: 1,
+        at: [3.8, 1.2],
+    };
+    let (player, worst) = dragged(platform, corner, 0.2);
+    assert!(worst < 1e-12, "{worst:e}");
+    let held = player.held_spot().expect("it is held");
+    let pose = player.mechanism().poses()[held.link].expect("it is shown");
+    assert!(pose.sin.abs() < 1e-12, "{pose:?}");
 }

@@ -107,7 +107,7 @@ fn start(model: &Model, inverse: &Inverse, inverted: &Model, program: &Program) 
 }
 
 /// What is given, where it is at the start: the place of the point, and the angle of its link.
-fn place(model: &Model, inverse: &Inverse, frames: &LinkFrames<'_>) -> [f64; 3] {
+pub(super) fn place(model: &Model, inverse: &Inverse, frames: &LinkFrames<'_>) -> [f64; 3] {
     let at = inverse.point.map_or([0.0; 2], |point| model.axis(point).at);
     let [x, y] = frames.place_of(inverse.link, at);
     [x, y, frames.turn(LinkId::GROUND, inverse.link)]

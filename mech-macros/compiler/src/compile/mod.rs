@@ -9,6 +9,7 @@
 mod change_point_start;
 mod closure;
 mod inverse;
+mod lead;
 mod overconstrained;
 mod overflow;
 mod surplus;
@@ -27,6 +28,7 @@ use crate::plan::{self, Plan};
 use crate::program::{self, BlockId, Choice, Forces, Newton, Op, Output, Program};
 use crate::report;
 use crate::structure::{self, Diagnosis, Structure};
+pub use lead::{Unreachable, lead, led_place};
 use overconstrained::Overconstrained;
 
 /// Analyses a mechanism and builds its programs.

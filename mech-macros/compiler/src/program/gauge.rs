@@ -11,7 +11,7 @@ use crate::model::{
     AxisId, AxisKind, Boundary, InputId, JointId, JointKind, LinkId, Measured, Model, Quantity,
     Requirement, Spot,
 };
-use crate::plan::{Algebra, Arithmetic, Dyad, Plan, Source, Step, float_of};
+use crate::plan::{Algebra, Arithmetic, Dyad, Plan, Rational, Source, Step, float_of};
 
 /// A program to positions, with the operations of a requirement after its own.
 #[derive(Clone, Debug)]
@@ -210,11 +210,17 @@ impl Measures<'_> {
         let along = self.direction(from);
         if let JointKind::Revolute(..) = kind {
             let to = self.direction(to);
-            return self.angle_from(along, to);
+            let back = self.ssa.conjugate(along);
+            let turn = self.ssa.rotate(back, to);
+            let [cos, sin] = turn.map(|part| self.ssa.at_start(part));
+            let meshed = self.meshed(axes, sin.atan2(cos));
+            return meshed.unwrap_or_else(|| self.angle(turn));
         }
         let (from, to) = (self.point(from), self.point(to));
         let between = self.ssa.minus(to, from);
-        self.ssa.dot(between, along)
+        let slide = self.ssa.dot(between, along);
+        let start = self.ssa.at_start(slide);
+        self.meshed(axes, start).unwrap_or(slide)
     }
 
     fn angle_from(&mut self, from: [Value; 2], to: [Value; 2]) -> Value {
@@ -293,21 +299,27 @@ impl Measures<'_> {
         let (Some(found), Some(start)) = (found, start) else {
             bug!("a cam has no step in the plan");
         };
-        let parts = found.parts.iter().map(|(number, part)| {
+        if let Some(sum) = self.sum_of_motors(start.shaft, &found.parts) {
+            return sum;
+        }
+        let angle = self.coordinate(shaft);
+        if let Some(own) = self.angles.last_mut() {
+            own.is_measured = false;
+        }
+        angle
+    }
+
+    /// What is moved by parts of what sources have moved, from its value at the start; nothing if some of them are no motors.
+    fn sum_of_motors(&mut self, start: f64, parts: &[(usize, Rational)]) -> Option<Value> {
+        let parts = parts.iter().map(|(number, part)| {
             let Source::Motor(motor) = self.plan.sources[*number] else {
                 return None;
             };
             Some((motor, float_of(part), self.plan.start.sources[*number]))
         });
-        let Some(parts) = parts.collect::<Option<Vec<_>>>() else {
-            let angle = self.coordinate(shaft);
-            if let Some(own) = self.angles.last_mut() {
-                own.is_measured = false;
-            }
-            return angle;
-        };
+        let parts = parts.collect::<Option<Vec<_>>>()?;
         let offset = parts.iter().map(|(_, part, at_start)| part * at_start);
-        let mut sum = self.ssa.constant(start.shaft - offset.sum::<f64>());
+        let mut sum = self.ssa.constant(start - offset.sum::<f64>());
         for (motor, part, _) in parts {
             let (input, part) = (
                 self.ssa.make(Op::Input(InputId::of_motor(motor))),
@@ -316,7 +328,21 @@ impl Measures<'_> {
             let share = self.ssa.mul(part, input);
             sum = self.ssa.add(sum, share);
         }
-        sum
+        Some(sum)
+    }
+
+    /// The coordinate of a joint that gears, belts and racks move by motors alone, from its value at the start: a sum of motors, exactly.
+    fn meshed(&mut self, axes: [AxisId; 2], start: f64) -> Option<Value> {
+        let plan = self.plan;
+        let (parts, is_forward) = plan.steps.iter().find_map(|step| match step {
+            Step::Mesh(mesh) => Some((&mesh.parts, mesh.connection.turns_between(axes)?)),
+            _ => None,
+        })?;
+        if is_forward {
+            return self.sum_of_motors(start, parts);
+        }
+        let back = self.sum_of_motors(-start, parts)?;
+        Some(self.ssa.neg(back))
     }
 
     /// The contact of a cam and its roller.

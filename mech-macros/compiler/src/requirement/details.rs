@@ -25,30 +25,14 @@ pub(super) fn prove(
         requirement,
         detail: Detail::Whole,
     };
-    let mut quantities = requirement
-        .measured
-        .iter()
-        .filter_map(|measured| match measured {
-            Measured::Quantity(quantity) => Some(*quantity),
-            _ => None,
-        });
-    let clear = quantities.clone().find_map(|quantity| match quantity {
-        Quantity::Clearance(links) => Some(links),
-        _ => None,
-    });
-    if let Some(links) = clear {
-        return prove_clear(case, links, bounds);
+    let details = details(model, compiled, requirement);
+    if let Some(links) = clear_links(requirement) {
+        return prove_clear(case, (links, details), bounds);
     }
-    let mut details = vec![Detail::Whole];
-    if quantities.any(|quantity| quantity == Quantity::Transmission(None)) {
-        details = (0..compiled.plan.loops().count())
-            .map(Detail::Dyad)
-            .collect();
-        if details.is_empty() {
-            return Err(RequirementTrouble::NoDyad {
-                unknowns: Vec::new(),
-            });
-        }
+    if details.is_empty() {
+        return Err(RequirementTrouble::NoDyad {
+            unknowns: Vec::new(),
+        });
     }
     let mut effort = 0;
     for detail in details {
@@ -57,20 +41,48 @@ pub(super) fn prove(
     Ok(Proof { effort })
 }
 
+/// The two bodies that a requirement wants to keep clear, if it is about any.
+fn clear_links(requirement: &Requirement) -> Option<[LinkId; 2]> {
+    requirement
+        .measured
+        .iter()
+        .find_map(|measured| match measured {
+            Measured::Quantity(Quantity::Clearance(links)) => Some(*links),
+            _ => None,
+        })
+}
+
+/// Each detail that a requirement is about.
+pub(super) fn details(
+    model: &Model,
+    compiled: &Compiled,
+    requirement: &Requirement,
+) -> Vec<Detail> {
+    if let Some(links) = clear_links(requirement) {
+        let Some(boundaries) = Boundary::of_both(model, links) else {
+            bug!("bodies without shapes are to keep clear");
+        };
+        let corners = 0..corners(&boundaries).len();
+        return corners.map(Detail::Corner).collect();
+    }
+    let every = Measured::Quantity(Quantity::Transmission(None));
+    if requirement.measured.contains(&every) {
+        let dyads = 0..compiled.plan.loops().count();
+        return dyads.map(Detail::Dyad).collect();
+    }
+    vec![Detail::Whole]
+}
+
 /// Proves that two bodies keep clear: of whatever is nearest, the nearest place is told.
 fn prove_clear(
     case: Case<'_>,
-    links: [LinkId; 2],
+    (links, details): ([LinkId; 2], Vec<Detail>),
     bounds: (FormulaId, &[RequiredBound]),
 ) -> Result<Proof, RequirementTrouble> {
-    let Some(boundaries) = Boundary::of_both(case.model, links) else {
-        bug!("bodies without shapes are to keep clear");
-    };
     refuse_overlap(case, links)?;
     let mut effort = 0;
     let (mut worst, mut open): (Option<Witness>, _) = (None, None);
-    for number in 0..corners(&boundaries).len() {
-        let detail = Detail::Corner(number);
+    for detail in details {
         match (Case { detail, ..case }).prove(bounds) {
             Ok(own) => effort += own,
             Err(RequirementTrouble::Fails(own)) => {

@@ -11,6 +11,7 @@ mod domain;
 mod proof;
 mod search;
 mod sides;
+mod spread;
 mod turn;
 mod waiting;
 
@@ -18,6 +19,7 @@ use crate::compile::compile;
 use crate::compiled::Compiled;
 use crate::model::{Actions, Condition, Effects, Method, Model, Precision, Requirement};
 use crate::structure::{Diagnosis, RequirementTrouble};
+pub use spread::failing;
 
 /// The proof of a requirement.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,19 +41,29 @@ pub fn judge(model: &Model, compiled: &Compiled) -> Vec<Result<Proof, Diagnosis>
     if model.requirements.is_empty() {
         return Vec::new();
     }
+    with_plain(model, compiled, |plain, compiled| {
+        let requirements = model.requirements.iter().enumerate();
+        let judged = requirements.map(|(requirement, one)| {
+            let proof = prove_one(plain, compiled, one);
+            proof.map_err(|trouble| Diagnosis::Unmet {
+                requirement,
+                trouble,
+            })
+        });
+        judged.collect()
+    })
+}
+
+/// Does something with a mechanism of which all links are found in closed form, if they can be.
+fn with_plain<T>(
+    model: &Model,
+    compiled: &Compiled,
+    act: impl FnOnce(&Model, &Compiled) -> T,
+) -> T {
     let plain = plain(model);
     // In closed form it may be refused where it is not otherwise, as for a range that only that could prove.
     let plainly = (!is_plain(model)).then(|| compile(&plain).ok()).flatten();
-    let compiled = plainly.as_ref().unwrap_or(compiled);
-    let requirements = model.requirements.iter().enumerate();
-    let judged = requirements.map(|(requirement, one)| {
-        let proof = prove_one(&plain, compiled, one);
-        proof.map_err(|trouble| Diagnosis::Unmet {
-            requirement,
-            trouble,
-        })
-    });
-    judged.collect()
+    act(&plain, plainly.as_ref().unwrap_or(compiled))
 }
 
 fn prove_one(

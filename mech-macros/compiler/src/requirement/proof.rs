@@ -58,14 +58,7 @@ impl Case<'_> {
             requirement,
             ..
         } = *self;
-        let gauge = Gauge::new(
-            model,
-            (&compiled.plan, &compiled.program),
-            requirement,
-            self.detail,
-            |joint| self.dyad_of(joint),
-        );
-        let Some(mut gauge) = gauge else {
+        let Some(mut gauge) = self.gauge() else {
             let unknowns = self.unknowns();
             return Err(RequirementTrouble::NoDyad { unknowns });
         };
@@ -116,6 +109,17 @@ impl Case<'_> {
         };
         self.prove_on_all(&field, &mut searches, (subject, bounds))?;
         Ok(searches.iter().map(Search::spent).sum())
+    }
+
+    /// The program that measures it; nothing if it asks for a dyad that there is not.
+    pub(super) fn gauge(&self) -> Option<Gauge> {
+        Gauge::new(
+            self.model,
+            (&self.compiled.plan, &self.compiled.program),
+            self.requirement,
+            self.detail,
+            |joint| self.dyad_of(joint),
+        )
     }
 
     /// Finds the way of the only motor that has a part, if loops change their side on it. A motor that goes round gets as many turns as it

@@ -15,6 +15,11 @@ pub(in crate::editor) fn help(ui: &mut egui::Ui) {
                 ui.label(*line);
             }
             ui.separator();
+            ui.heading("What it is for");
+            for line in PURPOSE {
+                ui.label(*line);
+            }
+            ui.separator();
             let tools = Tool::all().map(|tool| (tool.name(), Some(key_of_tool(tool)), tool.help()));
             rows("Tools", tools, ui);
             let actions = ACTIONS.iter().map(|one| (one.name, one.key, one.help));
@@ -34,6 +39,13 @@ const BEGINNING: &[&str] = &[
     "3. Choose Motor and click the first pin.",
     "4. Press Space: it moves.",
     "If it does not, Diagnoses says why. Each repair there is a button.",
+];
+
+const PURPOSE: &[&str] = &[
+    "Write in Text what is expected: `expect transmission > 40 deg;` is proved for every value of the motors.",
+    "Where it fails, Diagnoses says so, and the arc of the motor is red. A click on either moves the motor there.",
+    "With `follow pen.tip by a, b;` the motors follow a point. Hold Ctrl and drag it.",
+    "View shows what a lecture constructs: instant centres, polygons, free bodies, and centrodes of selected links.",
 ];
 
 /// Shows a table of tools or actions, with their keys.

@@ -334,6 +334,14 @@ pub(super) const ACTIONS: &[Action] = &[
     },
     Action {
         menu: Menu::View,
+        name: "Centrodes",
+        help: "shows both centrodes of the selected links: the moving one rolls on the fixed one",
+        key: None,
+        is_possible: MOVES,
+        perform: |editor| editor.settings.toggle(Visible::Centrodes),
+    },
+    Action {
+        menu: Menu::View,
         name: "Day or night",
         help: "dark on light, or light on dark",
         key: Some(alone(Key::Num6)),

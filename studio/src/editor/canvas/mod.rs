@@ -336,6 +336,11 @@ fn take_hold(editor: &mut Editor, spot: Spot<'_>, origin: Pos2) -> Holds {
             let hit = drawing.hit(place, reach / shown.scale());
             Some((drawing.item_of(&hit), hit))
         };
+        if modifiers.command && editor.player().is_some() && near(reach(ui)).is_some() {
+            // It is played, and not drawn elsewhere.
+            editor.sight.hold(within(shown.rect, origin));
+            return Holds::Link;
+        }
         let thing = thing.or_else(|| match near(reach(ui))? {
             (item, Hit::Joint(_) | Hit::Axis(_)) => item,
             _ => None,

@@ -16,7 +16,7 @@ pub(crate) struct Example {
 }
 
 /// All examples, the simplest first.
-pub(super) const EXAMPLES: [Example; 11] = [
+pub(super) const EXAMPLES: [Example; 12] = [
     Example {
         name: "Four-bar linkage",
         help: "a crank lets a rocker swing",
@@ -37,7 +37,7 @@ pub(super) const EXAMPLES: [Example; 11] = [
     },
     Example {
         name: "Quick return",
-        help: "a ram goes slowly, and comes back fast",
+        help: "a ram goes slowly, and comes back fast, as is expected of it",
         file: "quick_return.mech",
         source: include_str!("quick_return.mech"),
     },
@@ -76,6 +76,12 @@ pub(super) const EXAMPLES: [Example; 11] = [
         help: "three cylinders, each of its own motor",
         file: "excavator.mech",
         source: include_str!("../../../../examples/gallery/src/mechanisms/excavator.rs"),
+    },
+    Example {
+        name: "Plotter",
+        help: "two motors follow a pen: drag it with Ctrl",
+        file: "plotter.mech",
+        source: include_str!("../../../../examples/plotter.rs"),
     },
     Example {
         name: "Scissor lift",

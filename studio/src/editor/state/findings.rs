@@ -89,7 +89,10 @@ impl Editor {
         let needs = needs(&self.sight, &self.settings);
         let pending = &mut self.analysis.pending;
         let tasks = self.sight.playing.ask_for(&needs, || pending.number());
-        for task in tasks {
+        let (playing, settings) = (&self.sight.playing, &self.settings);
+        let seen = (&self.analysis.snapshot, settings, &self.selection);
+        let roll = self.plotted.roll(playing, seen, || pending.number());
+        for task in tasks.into_iter().chain(roll) {
             self.give(task);
         }
     }
@@ -194,6 +197,7 @@ impl Editor {
             Finding::Derived(number, what, found) => {
                 self.sight.playing.take(number, what, found);
             }
+            Finding::Rolled(number, found) => self.plotted.take_centrodes(number, found),
             Finding::Exported(done) => self.talk.tell_done(done),
             Finding::Answered(line, said, done) => self.talk.answer(&line, said, done),
             Finding::Measured(curves) => self.plotted.take(*curves),

@@ -139,6 +139,10 @@ impl Agenda {
                 let (model, compiled) = snapshot.moving()?;
                 Finding::Derived(number, what, what.compile(model, compiled))
             }
+            Task::Of(snapshot, Use::Roll(number, rolling)) => {
+                let (model, compiled) = snapshot.moving()?;
+                Finding::Rolled(number, rolling.centrodes(model, compiled))
+            }
             Task::Of(snapshot, Use::Move) => {
                 let made = snapshot.played()?;
                 Finding::Moves(snapshot, Box::new(made))

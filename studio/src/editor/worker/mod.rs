@@ -25,6 +25,7 @@ use super::Gesture;
 use super::curves::Curves;
 use super::order::{Made, Order};
 use super::snapshot::{Played, Snapshot};
+use crate::construction::{Centrodes, Rolling};
 use crate::document::Document;
 use crate::edit::{Applied, Refusal, Workspace};
 use crate::failure::Failure;
@@ -86,6 +87,8 @@ pub(super) enum Use {
     Measure(Box<Measure>),
     /// It is compiled once more, to compute something besides positions. The task has a number.
     Derive(u64, Derived),
+    /// The centrodes of links are found. The task has a number.
+    Roll(u64, Box<Rolling>),
     /// Its mechanism is made, to be played.
     Move,
     /// Its repairs are looked for.
@@ -105,6 +108,8 @@ pub(super) enum Finding {
     Previewed(Box<Previewed>),
     /// A mechanism that was compiled once more, by the number of the task; none if that is not possible.
     Derived(u64, Derived, Option<Box<Compiled>>),
+    /// The centrodes of links, by the number of the task.
+    Rolled(u64, Vec<Centrodes>),
     /// What is to be written to a path, or why it could not be made.
     Made(String, Result<Made, Failure>),
     /// A line of the dialogue, what is said to it, and how it ended.
@@ -160,9 +165,10 @@ impl Task {
             Self::Preview(number, ..) => Undone::Preview(*number),
             Self::Read(_) | Self::Of(_, Use::Move | Use::Mend | Use::Report) => Undone::Follow,
             Self::Of(_, Use::Measure(_)) => Undone::Measure,
-            Self::Ghost(..) | Self::Export(_) | Self::Ask(..) | Self::Of(_, Use::Derive(..)) => {
-                Undone::Else
-            }
+            Self::Ghost(..)
+            | Self::Export(_)
+            | Self::Ask(..)
+            | Self::Of(_, Use::Derive(..) | Use::Roll(..)) => Undone::Else,
         }
     }
 }

@@ -29,7 +29,7 @@ impl Work {
             Task::Preview(..) | Task::Hold(..) | Task::Lead(..) => Self::Dragging,
             Task::Export(order) => Self::Writing(order.path.clone()),
             Task::Ask(_, line) => Self::Answering(line.clone()),
-            Task::Of(_, Use::Measure(_) | Use::Report) => Self::Measuring,
+            Task::Of(_, Use::Measure(_) | Use::Report | Use::Roll(..)) => Self::Measuring,
             Task::Of(_, Use::Derive(..)) => Self::Deriving,
             Task::Of(_, Use::Move) => Self::Preparing,
             Task::Of(_, Use::Mend) => Self::Mending,

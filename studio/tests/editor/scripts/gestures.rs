@@ -4,7 +4,7 @@ use super::judges::offers;
 use super::words::Words;
 use super::{Scene, Texts};
 use crate::user::User;
-use eframe::egui::Key;
+use eframe::egui::{Key, Modifiers};
 use mech_studio::editor::{Editor, Item, Tool};
 use mech_studio::{Command, Workspace};
 use std::time::Duration;
@@ -103,7 +103,8 @@ fn by_pointer(user: &mut User, verb: &str, words: &mut Words<'_>) -> Result<bool
         "shift-at" => user.click_with_shift(words.place()?),
         "near" => user.click_near(words.place()?),
         "drag" => user.drag(words.place()?, words.place()?),
-        "alt-drag" => user.drag_with_alt(words.place()?, words.place()?),
+        "alt-drag" => user.drag_with(Modifiers::ALT, words.place()?, words.place()?),
+        "ctrl-drag" => user.drag_with(Modifiers::COMMAND, words.place()?, words.place()?),
         "move" => user.move_handle(words.place()?, words.place()?),
         "rush" => user.rush(words.place()?, words.place()?),
         "hold" => user.hold(words.place()?, words.place()?),

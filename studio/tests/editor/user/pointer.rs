@@ -126,10 +126,10 @@ impl User {
         self.gestures += 1;
     }
 
-    /// Presses and releases with Alt held: nothing snaps.
-    pub(crate) fn drag_with_alt(&mut self, from: [f64; 2], to: [f64; 2]) {
-        self.harness.event(Event::ModifiersChanged(Modifiers::ALT));
-        self.modifiers = Modifiers::ALT;
+    /// Presses and releases with these keys held: with Alt nothing snaps.
+    pub(crate) fn drag_with(&mut self, held: Modifiers, from: [f64; 2], to: [f64; 2]) {
+        self.harness.event(Event::ModifiersChanged(held));
+        self.modifiers = held;
         self.press_and_release(from, to);
     }
 

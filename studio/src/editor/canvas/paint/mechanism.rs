@@ -3,7 +3,7 @@
 use super::Paint;
 use super::handle::PIN;
 use crate::editor::Item;
-use crate::editor::canvas::witness::on_arc;
+use crate::editor::canvas::witness::arc;
 use crate::editor::colors::distinct;
 use crate::editor::drawing::Drawing;
 use crate::motion::Basis;
@@ -134,11 +134,6 @@ impl Paint<'_> {
                 continue;
             };
             let center = self.shown.pixel(center);
-            let [low, high] = range.ends;
-            let point = |part: u32| {
-                let angle = low + (high - low) * f64::from(part) / 64.0;
-                on_arc(center, angle)
-            };
             let green = Color32::from_rgb(30, 150, 60);
             let width = if range.basis == Basis::Declared {
                 3.5
@@ -146,7 +141,7 @@ impl Paint<'_> {
                 2.0
             };
             painter.add(egui::Shape::line(
-                (0..=64).map(point).collect(),
+                arc(center, range.ends),
                 Stroke::new(width, green),
             ));
         }
