@@ -31,8 +31,13 @@ impl Goal {
         machine: &mut Mover<'_>,
     ) -> Result<(), Failure> {
         let (Some(inverse), Some(inverted)) = (&model.inverse, &compiled.inverse) else {
+            let why = if model.inverse.is_some() {
+                "more motors than needed follow its point: only generated code leads that"
+            } else {
+                "it has no statement as `follow pen.tip by a, b;`"
+            };
             return Err(Failure::usage(format!(
-                "`{}` leads no point: it has no statement as `follow pen.tip by a, b;`",
+                "`{}` leads no point: {why}",
                 model.name
             )));
         };

@@ -1,6 +1,6 @@
 //! Inverse kinematics: the mechanism in which a point is given and motors follow.
 
-use super::{compile, surplus, trajectory};
+use super::{compile, surplus};
 use crate::compiled::InverseMechanism;
 use crate::digits::significant;
 use crate::evaluate::Machine;
@@ -37,7 +37,6 @@ pub(super) fn invert(
         found
     })?;
     compiled.timing = program::build_trajectory(&inverted, inverse, model.effects);
-    trajectory::check(model, inverse, &inverted, &compiled)?;
     Ok(Some(Box::new(InverseMechanism {
         model: inverted,
         compiled,

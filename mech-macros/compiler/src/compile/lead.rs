@@ -62,7 +62,7 @@ pub fn led_place(model: &Model, program: &Program, poses: &[[f64; 4]]) -> Option
     let inverse = model.inverse.as_ref()?;
     let frames = LinkFrames::of_some(model, &program.stored, poses);
     let given = place(model, inverse, &frames).into_iter();
-    Some(given.take(inverse.motors.len()).collect())
+    Some(given.take(inverse.given().len()).collect())
 }
 
 /// A way on which a point is led.

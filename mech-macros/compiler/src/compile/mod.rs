@@ -72,6 +72,7 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         saved,
         report: String::new(),
     };
+    trajectory::check(model, &compiled).map_err(|diagnosis| vec![diagnosis])?;
     if let Some(overflow) = overflow::overflow(model, &compiled) {
         return Err(vec![overflow]);
     }

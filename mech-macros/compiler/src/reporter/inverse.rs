@@ -158,11 +158,11 @@ impl Words<'_> {
                 self.the_joints(joints, ["cannot", "cannot"])
             ),
             TrajectoryStop::Region(given) => format!("{} leaves its range", Inverse::GIVEN[*given]),
-            TrajectoryStop::Range(motor, value) => format!(
-                "motor `{}` would be at {}, outside of its range",
-                self.name_of_motor(*motor),
-                self.motor_value(*motor, *value)
+            TrajectoryStop::Range(motor) => format!(
+                "motor `{}` would leave its range",
+                self.name_of_motor(*motor)
             ),
+            TrajectoryStop::Apart => "the motors cannot follow it".to_owned(),
             TrajectoryStop::Law => "one of these is no number".to_owned(),
             TrajectoryStop::TooLarge => "that is too far away".to_owned(),
         };

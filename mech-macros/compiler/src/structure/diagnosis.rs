@@ -335,8 +335,10 @@ pub enum TrajectoryStop {
     Loop(Vec<JointId>),
     /// What is given leaves its region: x, y, the angle.
     Region(usize),
-    /// A motor that follows would leave its range, to this value.
-    Range(MotorId, f64),
+    /// A motor that follows would leave its range.
+    Range(MotorId),
+    /// The mechanism would have to be assembled otherwise.
+    Apart,
     /// A law has no value.
     Law,
     /// A coordinate leaves the range of the numbers.

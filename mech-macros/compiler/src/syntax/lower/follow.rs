@@ -121,15 +121,6 @@ fn wrong_trajectory(
         let text = format!("by these laws `{what}` never moves; write them with `t`, the time");
         return Some((all, text));
     }
-    let mut starts = path.laws.iter().zip(laws);
-    if let Some((law, _)) =
-        starts.find(|(_, law)| !model.at_start(model.law(**law), 0.0).is_finite())
-    {
-        let text = format!(
-            "the path begins at time 0, but `{law}` has no value there; change it so that it has one"
-        );
-        return Some((law.place, text));
-    }
     if inverse.is_least {
         let text = format!(
             "there is no path for motors that go as little as they can: they need not come back; leave out `least`, or lead `{what}` by `reach`"
@@ -282,6 +273,19 @@ fn wrong_least(draft: &Draft, follow: &Follow) -> Option<(Place, String)> {
     let text =
         "what each motor has to do is told by rates; write `effects { velocity; }` for `least`";
     (!draft.model.effects.velocity).then(|| (place, text.to_owned()))
+}
+
+/// Complains about a path that has no place where it begins, once all params are known.
+pub(super) fn check(draft: &Draft, report: &mut Report) {
+    let trajectory = draft.model.inverse.iter().flat_map(|one| &one.trajectory);
+    let mut laws = trajectory.map(|law| draft.model.law(*law));
+    if let Some(law) = laws.find(|law| !draft.model.at_start(law, 0.0).is_finite()) {
+        let text = format!(
+            "the path begins at time 0, but `{}` has no value there; change it so that it has one",
+            law.written
+        );
+        report.error(draft.places.get(law.origin), text);
+    }
 }
 
 /// Claims the name of the method that leads the point.

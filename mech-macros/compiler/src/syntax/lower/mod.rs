@@ -103,6 +103,7 @@ pub(super) fn lower(text: &mut Text, tokens: &TokenStream) -> Lowered {
     }
     draft.model.params = params;
     start::start_by_laws(&mut draft, &mut report);
+    follow::check(&draft, &mut report);
     motor::check_unlisted(&draft, &mut report);
     effect::check(&draft, &mut report);
     figure::check_gears(&draft, &mut report);
