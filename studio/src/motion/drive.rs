@@ -1,8 +1,10 @@
 //! A motion of all motors: one of them alone, or all by their laws.
 
+use super::lead::stopped_on_path;
 use super::obstacle::{motor_name, obstacle};
 use super::reach::{Reach, limits};
 use super::setting::{motor_of, posed, show_value, turns};
+use super::trajectory::Trajectory;
 use super::{Goal, Mover, Setting, Span, shown};
 use crate::failure::{Failure, FailureKind};
 use mech_compiler::Compiled;
@@ -61,7 +63,7 @@ impl Drive {
         settings: &[Setting],
     ) -> Result<Self, Failure> {
         let base = set(model, compiled, settings)?;
-        if motor.is_none() && model.lawful_motors().next().is_some() {
+        if motor.is_none() && model.has_laws() {
             return Ok(Self::by_laws(model, compiled, &base, span));
         }
         let motor = moving_motor(model, motor, settings)?;
@@ -319,7 +321,12 @@ impl Drive {
                     rates[1][motor] = found[2];
                 }
             }
-            (Kind::Laws(_), None) => {}
+            (Kind::Laws(_), None) => {
+                if let Some(trajectory) = Trajectory::of(model, compiled) {
+                    let following = trajectory.at(&self.base, by);
+                    (values, rates) = (following.values, following.rates);
+                }
+            }
         }
         Moment {
             by,
@@ -338,6 +345,12 @@ impl Drive {
         part: f64,
     ) -> Result<(), Failure> {
         let Moment { by, values, .. } = self.moment(model, compiled, part, 0.0);
+        let trajectory = Trajectory::of(model, compiled);
+        if let (Kind::Laws(_), Some(trajectory)) = (self.kind, trajectory)
+            && let Some(why) = trajectory.at(&self.base, by).stop
+        {
+            return Err(stopped_on_path(model, compiled, by, why));
+        }
         machine.move_to(&values).map_err(|stop| {
             let why = obstacle(model, compiled, stop);
             Failure::mechanism(match self.kind {

@@ -65,6 +65,20 @@ impl Goal {
     }
 }
 
+/// The failure of a motion along a path that is stopped at a time.
+pub(super) fn stopped_on_path(
+    model: &Model,
+    compiled: &Compiled,
+    time: f64,
+    why: Unreachable,
+) -> Failure {
+    let what = model.inverse.as_ref().map(|inverse| inverse.name(model));
+    let (what, why) = (what.unwrap_or_default(), unreachable(model, compiled, why));
+    Failure::mechanism(format!(
+        "`{what}` cannot follow its path until t = {time}: {why}"
+    ))
+}
+
 /// Describes why a point does not come to a place.
 fn unreachable(model: &Model, compiled: &Compiled, why: Unreachable) -> String {
     match (why, &compiled.inverse) {

@@ -9,6 +9,7 @@ mod paths;
 mod reach;
 mod rest;
 mod setting;
+mod trajectory;
 
 pub(crate) use centre::PlaneMotion;
 pub(crate) use drive::{Drive, Moment};

@@ -52,7 +52,7 @@ enum Way {
 impl Motion {
     /// The motion of a mechanism. A motor goes through its declared range, or once round, or as far as the mechanism lets it.
     pub(super) fn new(model: &Model, compiled: &Compiled) -> Result<Self, Failure> {
-        if model.lawful_motors().next().is_some() {
+        if model.has_laws() {
             // A part of it is a time.
             let span = Span {
                 from: Some(0.0.into()),

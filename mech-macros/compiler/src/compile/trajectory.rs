@@ -24,7 +24,7 @@ pub(super) fn check(model: &Model, compiled: &Compiled) -> Result<(), Diagnosis>
     let params: Vec<f64> = model.params.values().collect();
     let mut mechanism = Machine::<f64>::new(&compiled.program);
     let mut inverse = Machine::<f64>::new(&inverted.compiled.program);
-    let period = model.period_of_trajectory(led);
+    let period = model.period();
     for place in 0..=if period.is_some() { PLACES } else { 0 } {
         let time = period.unwrap_or(0.0) * f64::from(place) / f64::from(PLACES);
         let given: Vec<f64> = laws.iter().map(|law| law.at(time, &params)).collect();

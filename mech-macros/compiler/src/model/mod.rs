@@ -341,6 +341,13 @@ impl Model {
         &self.laws[id.index()]
     }
 
+    /// Whether anything moves by laws of the time: motors, or a point on its path.
+    #[must_use]
+    pub fn has_laws(&self) -> bool {
+        let mut paths = self.inverse.iter().map(|inverse| &inverse.trajectory);
+        self.lawful_motors().next().is_some() || paths.any(|path| !path.is_empty())
+    }
+
     /// The motors that follow laws, in the order of their declaration.
     pub fn lawful_motors(&self) -> impl Iterator<Item = (MotorId, &Law)> {
         self.motor_ids()

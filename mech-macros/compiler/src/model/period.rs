@@ -9,8 +9,8 @@ use mech_core::Staircase;
 use std::f64::consts::TAU;
 
 impl Model {
-    /// After what time all motors that follow laws are where they were, with the params as they are at the start; none if nobody knows one.
-    /// Motors that turn may have made whole turns.
+    /// After what time everything that follows laws is where it was, motors or a point on its path, with the params as they are at the start;
+    /// none if nobody knows one. What turns may have made whole turns.
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         let turns = |motor| {
@@ -19,16 +19,12 @@ impl Model {
                 JointKind::Revolute(..)
             )
         };
-        let laws = self.lawful_motors();
-        self.common_period(laws.map(|(motor, law)| (law, turns(motor))))
-    }
-
-    /// After what time a led point is on its path where it was; none if nobody knows one, or there is no path. Its link may have made whole
-    /// turns.
-    #[must_use]
-    pub fn period_of_trajectory(&self, inverse: &Inverse) -> Option<f64> {
-        let laws = inverse.trajectory.iter().enumerate();
-        self.common_period(laws.map(|(given, law)| (self.law(*law), given == Inverse::ANGLE)))
+        let motors = self.lawful_motors();
+        let motors = motors.map(|(motor, law)| (law, turns(motor)));
+        let trajectory = self.inverse.iter().flat_map(|inverse| &inverse.trajectory);
+        let given = trajectory.enumerate();
+        let given = given.map(|(given, law)| (self.law(*law), given == Inverse::ANGLE));
+        self.common_period(motors.chain(given))
     }
 
     fn common_period<'m>(&self, laws: impl Iterator<Item = (&'m Law, bool)>) -> Option<f64> {
