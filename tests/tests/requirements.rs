@@ -398,6 +398,21 @@ fn a_motor_that_is_stopped_does_not_turn() {
     }
 }
 
+/// A derivative does not go through an iteration: without a proof for that, it would be zero.
+#[test]
+fn influences_through_an_iteration_have_no_proof() {
+    let zoo = folder("../tests/subjects/zoo").into_iter();
+    let mut machines = zoo.filter(|case| case.name.starts_with("double_butterfly"));
+    let machine = machines.next().expect("a double butterfly");
+    let body: TokenStream = machine.text.parse().expect("tokens");
+    for subject in ["j", "d(j, a)", "d(d(j, a), a)", "d(left.p.x, a)"] {
+        let ask = format!("expect {subject} < 1e-9 for a in -10 deg ..= 10 deg;");
+        let found = troubles(&judged(&body, &ask));
+        let is_refused = matches!(found[..], [RequirementTrouble::Iterated { .. }]);
+        assert!(is_refused, "{subject}: {found:?}");
+    }
+}
+
 /// Texts beside which it stands what is proved of them: cases, and machines of others with what is known of these.
 #[test]
 fn texts_are_judged_as_it_stands_beside_them() {

@@ -23,6 +23,8 @@ pub(crate) struct Gauge {
     pub(crate) angles: Vec<GaugedAngle>,
     /// For each variable that sums up the motion the state in which its value is put.
     pub(crate) summaries: Vec<Option<usize>>,
+    /// The values whose derivatives are taken. No derivative goes through an iteration.
+    pub(crate) differentiated: Vec<Value>,
 }
 
 /// The detail of a mechanism that a requirement is about, where it is about each of several.
@@ -64,7 +66,7 @@ impl Gauge {
             ssa: SsaBuilder::resume(program),
             angles: Vec::new(),
         };
-        let mut summaries = Vec::new();
+        let (mut summaries, mut differentiated) = (Vec::new(), Vec::new());
         for measured in &requirement.measured {
             let (value, state) = match *measured {
                 Measured::Quantity(Quantity::Transmission(joint)) => {
@@ -84,6 +86,7 @@ impl Gauge {
                 Measured::Quantity(quantity) => (measures.quantity(quantity), None),
                 Measured::Influence(of, motor) => {
                     let value = requirement.formulas.evaluate_one(of, &mut measures.ssa);
+                    differentiated.push(value);
                     let seed = Seed::Alone(motor.index());
                     let mut tangents = Tangents::new(seed, model.motors.len());
                     (tangents.of_all_up_to(&mut measures.ssa, value), None)
@@ -116,6 +119,7 @@ impl Gauge {
             formulas,
             angles,
             summaries,
+            differentiated,
         })
     }
 }

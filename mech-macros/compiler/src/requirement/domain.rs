@@ -105,13 +105,9 @@ pub(super) fn ranges(
     found: &[Value],
 ) -> Result<Ranges, RequirementTrouble> {
     let program = &compiled.program;
-    let Sources {
-        inputs,
-        tested,
-        iterated,
-        ..
-    } = Sources::of(&gauge.program, found);
-    if let Some(block) = iterated {
+    let Sources { inputs, tested, .. } = Sources::of(&gauge.program, found);
+    let made_from = [found, &gauge.differentiated].concat();
+    if let Some(block) = Sources::of(&gauge.program, &made_from).iterated {
         let unknowns = unknowns(&compiled.plan, program, block);
         return Err(RequirementTrouble::Iterated { unknowns });
     }
