@@ -10,6 +10,7 @@ mod circles;
 mod clearances;
 mod contacts;
 mod courses;
+mod efforts;
 mod embedded_page;
 mod expand;
 mod expected;

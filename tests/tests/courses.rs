@@ -9,16 +9,22 @@ const MARGIN: f64 = 1e-3;
 const PLACES: u32 = 4096;
 
 /// A slider-crank whose rail passes its shaft at a distance.
-struct Slider {
-    crank: f64,
-    rod: f64,
-    offset: f64,
-    text: String,
+#[derive(Clone)]
+pub(super) struct Slider {
+    pub(super) crank: f64,
+    pub(super) rod: f64,
+    pub(super) offset: f64,
+    /// The direction of its rail, and whether it is mirrored: 1 or −1.
+    pub(super) turn: f64,
+    pub(super) mirror: f64,
+    /// The angle of its crank at the start.
+    pub(super) start: f64,
+    pub(super) text: String,
 }
 
 impl Slider {
     /// One in any direction, mirrored or not, with its statements in any order.
-    fn new(dice: &mut Dice) -> Self {
+    pub(super) fn new(dice: &mut Dice) -> Self {
         let crank = dice.between(0.3, 3.0);
         let rod = crank * dice.between(1.8, 4.0);
         let offset = crank * dice.between(-0.6, 0.6);
@@ -55,12 +61,15 @@ impl Slider {
             crank,
             rod,
             offset,
+            turn,
+            mirror,
+            start: turn + mirror * start,
             text,
         }
     }
 
     /// The place of the piston, and how it changes with the crank's angle from the rail.
-    fn at(&self, angle: f64) -> (f64, f64) {
+    pub(super) fn at(&self, angle: f64) -> (f64, f64) {
         let across = self.offset - self.crank * angle.sin();
         let along = (self.rod * self.rod - across * across).sqrt();
         let slope = across * self.crank * angle.cos() / along - self.crank * angle.sin();
@@ -98,7 +107,7 @@ impl Slider {
     }
 
     /// Whether a requirement is met.
-    fn meets(&self, expect: &str) -> bool {
+    pub(super) fn meets(&self, expect: &str) -> bool {
         let text = format!("{} expect {expect};", self.text);
         match analyse(text.parse().expect("tokens")).prove().result {
             Ok(_) => true,

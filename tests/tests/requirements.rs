@@ -21,13 +21,13 @@ const PLACES: u32 = 2000;
 
 /// Something that can be measured from poses.
 #[derive(Clone, Copy)]
-enum Subject {
+pub(super) enum Subject {
     Place(AxisId, usize),
     Coordinate(JointId),
 }
 
 impl Subject {
-    fn all(model: &Model) -> Vec<(String, Self)> {
+    pub(super) fn all(model: &Model) -> Vec<(String, Self)> {
         let axes = (0..model.axes.len()).map(AxisId::new);
         let points = axes.filter_map(|id| {
             let axis = model.axis(id);
@@ -53,7 +53,7 @@ impl Subject {
     }
 
     /// Its value, near to what it was before if it is an angle.
-    fn of(self, model: &Model, declared: &[[f64; 4]], before: Option<f64>) -> f64 {
+    pub(super) fn of(self, model: &Model, declared: &[[f64; 4]], before: Option<f64>) -> f64 {
         let poses = with_ground(model, declared);
         match self {
             Self::Place(axis, part) => {
@@ -71,7 +71,7 @@ impl Subject {
 }
 
 /// The values of a motor between which it certainly goes, all others at their start.
-fn reach(model: &Model, program: &Program, motor: usize) -> [f64; 2] {
+pub(super) fn reach(model: &Model, program: &Program, motor: usize) -> [f64; 2] {
     let start = program.start.motors[motor];
     if let Some(range) = model.motors[motor].range {
         return [range.low, range.high];
@@ -115,14 +115,14 @@ fn extremes(
     found
 }
 
-fn judged(body: &TokenStream, requirement: &str) -> Analysis {
+pub(super) fn judged(body: &TokenStream, requirement: &str) -> Analysis {
     let mut all = body.clone();
     all.extend(requirement.parse::<TokenStream>().expect("tokens"));
     analyse(all).prove()
 }
 
 /// The troubles with the requirements of a mechanism.
-fn troubles(analysis: &Analysis) -> Vec<RequirementTrouble> {
+pub(super) fn troubles(analysis: &Analysis) -> Vec<RequirementTrouble> {
     let Err(faults) = &analysis.result else {
         return Vec::new();
     };

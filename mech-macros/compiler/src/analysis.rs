@@ -6,7 +6,7 @@ use crate::model::Model;
 use crate::repair::{self, Offers, Repair};
 use crate::reporter;
 use crate::requirement;
-use crate::structure::Diagnosis;
+use crate::structure::{Diagnosis, RequirementTrouble};
 use crate::syntax::{self, Message, Parsed, Place};
 use proc_macro2::{Span, TokenStream};
 
@@ -56,6 +56,7 @@ impl Analysis {
         let is_only = unmet.len() == 1;
         let offers = unmet.iter().map(|diagnosis| {
             let limit = nearest_limit(&self.parsed, compiled, diagnosis);
+            let limit = limit.or_else(|| missing_effects(&self.parsed, diagnosis));
             let limit = limit.into_iter().collect();
             let mut offers = Offers::default();
             if is_only {
@@ -111,4 +112,17 @@ fn nearest_limit(parsed: &Parsed, compiled: &Compiled, diagnosis: &Diagnosis) ->
         };
         requirement::unmet(&alone, compiled).is_empty()
     })
+}
+
+/// The effects that are not declared, and by which the mechanism computes what a requirement measures.
+fn missing_effects(parsed: &Parsed, diagnosis: &Diagnosis) -> Option<Repair> {
+    let Diagnosis::Unmet {
+        trouble: RequirementTrouble::NoEffect { effects },
+        ..
+    } = diagnosis
+    else {
+        return None;
+    };
+    let compiles = |changed: &Model| compile(changed).is_ok();
+    repair::add_effects(&parsed.model, &parsed.source, effects, compiles)
 }

@@ -64,6 +64,10 @@ Quantities:
   torque:a                  what motor a exerts so that the mechanism moves so: a torque, or a force
   power:a                   its torque times its rate, which `--rate` gives; laws have their own
   reaction:b                the force that the first link of joint b exerts on the second; also .norm, .torque
+  reaction:ground           the force that the ground gets in all; .torque is its moment about the origin
+  shaking:force             the part of it by which the inertia of all links shakes the ground, also .norm
+  shaking:moment            the moment of that about the origin
+  advantage(push, a)        the mechanical advantage of motor a over a load, in the direction that `--load` gives
   transmission              the transmission angles of all dyads
   d(b, a)                   the influence coefficient: the rate of b if motor a alone moves, at a rate of 1
   centre(crank, rod)        the instant centre of two links, or of a link and the ground; empty at infinity

@@ -25,10 +25,15 @@ impl Quantity {
         matches!(self.subject, Subject::Transmission(_))
     }
 
+    /// Whether it takes what accelerates all masses.
+    pub(super) fn is_of_ground(&self) -> bool {
+        matches!(self.subject, Subject::Ground(_) | Subject::Shaking(_))
+    }
+
     /// The motor whose influence it is, if it is one.
     pub(super) fn motor(&self) -> Option<MotorId> {
         match self.subject {
-            Subject::Influence(_, motor) => Some(motor),
+            Subject::Influence(_, motor) | Subject::Advantage(_, motor) => Some(motor),
             _ => None,
         }
     }
@@ -75,6 +80,12 @@ pub(crate) enum Subject {
     Torque(MotorId),
     /// The force, or the torque about the joint, that the first link of a joint exerts on the second.
     Reaction(JointId, Reaction),
+    /// What the ground gets in all: a force, and its moment about the origin.
+    Ground(Reaction),
+    /// The part of that by which the inertia of all links shakes the ground.
+    Shaking(Reaction),
+    /// The mechanical advantage of a motor over a load, which is given by its number.
+    Advantage(usize, MotorId),
     /// The transmission angle of a dyad, by its number.
     Transmission(usize),
     /// The pressure angle of a cam.
@@ -167,7 +178,10 @@ impl Needs {
                     needs.velocity |= order >= Order::Velocity;
                     needs.acceleration |= order >= Order::Acceleration;
                 }
-                Subject::Centre(..) | Subject::Influence(..) => needs.velocity = true,
+                Subject::Centre(..) | Subject::Influence(..) | Subject::Advantage(..) => {
+                    needs.velocity = true;
+                }
+                Subject::Ground(_) | Subject::Shaking(_) => needs.acceleration = true,
                 Subject::Torque(_)
                 | Subject::Power(_)
                 | Subject::Reaction(..)

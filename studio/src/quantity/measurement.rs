@@ -87,11 +87,15 @@ impl<'a> Prepared<'a> {
         of: &'a Measurement<'a>,
         quantities: &'a [Quantity],
     ) -> Result<Self, Failure> {
-        let is_power = |one: &Quantity| matches!(one.subject, Subject::Power(_));
-        if of.rate.is_none() && of.drive.motor().is_some() && quantities.iter().any(is_power) {
-            return Err(Failure::usage(
-                "a power needs the rate at which the motor moves: `--rate 1`",
-            ));
+        let needs_rate = quantities.iter().find_map(|one| match one.subject {
+            Subject::Power(_) => Some("a power needs"),
+            Subject::Shaking(_) => Some("what shakes the ground needs"),
+            _ => None,
+        });
+        if let (None, Some(_), Some(needs)) = (of.rate, of.drive.motor(), needs_rate) {
+            return Err(Failure::usage(format!(
+                "{needs} the rate at which the motor moves: `--rate 1`"
+            )));
         }
         let model = with_needs(of.model, quantities);
         Ok(Self {
@@ -166,10 +170,18 @@ pub(super) fn columns(of: &Measurement<'_>, quantities: &[Quantity]) -> Vec<(Str
 /// The rate of the motor for which a force holds, as words after its name.
 fn assumed(of: &Measurement<'_>, subject: Subject) -> String {
     match (subject, of.drive.motor(), of.rate.unwrap_or(0.0)) {
-        (Subject::Torque(_) | Subject::Reaction(..), Some(_), 0.0) => " at rest".to_owned(),
-        (Subject::Torque(_) | Subject::Power(_) | Subject::Reaction(..), Some(_), rate) => {
-            format!(" at rate {rate}")
+        (Subject::Torque(_) | Subject::Reaction(..) | Subject::Ground(_), Some(_), 0.0) => {
+            " at rest".to_owned()
         }
+        (
+            Subject::Torque(_)
+            | Subject::Power(_)
+            | Subject::Reaction(..)
+            | Subject::Ground(_)
+            | Subject::Shaking(_),
+            Some(_),
+            rate,
+        ) => format!(" at rate {rate}"),
         _ => String::new(),
     }
 }

@@ -7,7 +7,9 @@ use crate::failure::Failure;
 use crate::motion::{Moment, Mover, obstacle, place_of};
 use mech_compiler::Compiled;
 use mech_compiler::evaluate::Stop;
-use mech_compiler::model::{AxisId, JointId, JointKind, LinkId, Model};
+use mech_compiler::model::{
+    AxisId, JointId, JointKind, LinkId, Load as ModelLoad, LoadKind, Model, MotorId,
+};
 use mech_compiler::program::{self, CamContact, CamNumbers, Forces, Program, clearance};
 use mech_runtime::{Acceleration, Velocity};
 use std::collections::BTreeMap;
@@ -48,6 +50,17 @@ impl<'a> Meter<'a> {
             return Err(Failure::mechanism(
                 "reactions are not determined: joints of the mechanism are redundant; torques of motors are",
             ));
+        }
+        let direction = |one: &Quantity| match one.subject {
+            Subject::Advantage(load, _) => Some((load, load_parts(model, &loads).nth(load)?.1)),
+            _ => None,
+        };
+        let mut directions = quantities.iter().filter_map(direction);
+        if let Some((load, _)) = directions.find(|(_, numbers)| *numbers == [0.0, 0.0]) {
+            let name = &model.actions.loads[load].name;
+            return Err(Failure::usage(format!(
+                "an advantage is that over a load in its direction: `--load {name}=1,0`"
+            )));
         }
         let is_angle = |one: &Quantity| matches!(one.subject, Subject::Transmission(_));
         if quantities.iter().any(is_angle)
@@ -113,6 +126,12 @@ impl<'a> Meter<'a> {
             machine.put_back(at);
             machine.motion(rates(moment)).ok()
         });
+        if quantities.iter().any(Quantity::is_of_ground) {
+            position.pushed = self.moving.as_mut().and_then(|machine| {
+                machine.put_back(at);
+                machine.motion(rates(pushed)).ok()
+            });
+        }
         for motor in quantities.iter().filter_map(Quantity::motor) {
             let rest = vec![0.0; self.model.motors.len()];
             let mut alone = rest.clone();
@@ -192,12 +211,12 @@ impl<'a> Meter<'a> {
             Subject::Torque(motor) => at.torques.as_ref()?.get(motor.index()).copied(),
             Subject::Reaction(joint, part) => {
                 let number = self.model.declared_joints().position(|one| one == joint)?;
-                let [x, y, torque] = *at.forces.as_ref()?.reactions.get(number)?;
-                Some(match part {
-                    Reaction::Force(part) => part_of([x, y], part),
-                    Reaction::Torque => torque,
-                })
+                let reaction = *at.forces.as_ref()?.reactions.get(number)?;
+                Some(part_of_reaction(reaction, part))
             }
+            Subject::Ground(part) => Some(part_of_reaction(self.on_ground(at, true)?, part)),
+            Subject::Shaking(part) => Some(part_of_reaction(self.on_ground(at, false)?, part)),
+            Subject::Advantage(load, motor) => self.advantage(at, load, motor),
             Subject::Transmission(dyad) => at.forces.as_ref()?.transmission.get(dyad).copied(),
             Subject::Pressure(cam) => Some(self.contact(at, moment, cam)?.pressure),
             Subject::Curvature(cam) => Some(self.contact(at, moment, cam)?.curvature),
@@ -209,6 +228,57 @@ impl<'a> Meter<'a> {
     fn centre(&self, at: &Position, links: [LinkId; 2]) -> Option<[f64; 2]> {
         let [first, second] = links.map(|link| at.motion(self.compiled, link));
         first?.centre(second?)
+    }
+
+    /// What the ground gets: what accelerates the masses is set against that, and, unless only that is asked for, weights and loads.
+    fn on_ground(&self, at: &Position, is_whole: bool) -> Option<[f64; 3]> {
+        let rates = at.with_rates(at.pushed.clone()?);
+        let mut sum = [0.0; 3];
+        let mut add = |[x, y]: [f64; 2], place: [f64; 2], torque: f64| {
+            let moment = cross(place, [x, y]) + torque;
+            for (sum, part) in sum.iter_mut().zip([x, y, moment]) {
+                *sum += part;
+            }
+        };
+        let actions = &self.model.actions;
+        let gravity = actions.gravity.filter(|_| is_whole).unwrap_or_default();
+        for link in self.model.declared_links() {
+            let Some(mass) = self.model.link(link).mass else {
+                continue;
+            };
+            let pose = rates.pose(self.compiled, link)?;
+            let place = place_of(self.model.precision, pose.into(), mass.center);
+            let order = Order::Acceleration;
+            let [x, y] = rates.vector(self.compiled, link, place, order)?;
+            let [turning, ..] = rates.rate(self.compiled, link, order)?;
+            let force = [gravity[0] - x, gravity[1] - y].map(|part| part * mass.mass);
+            add(force, place, -mass.inertia * turning);
+        }
+        for (load, numbers) in load_parts(self.model, &self.loads).filter(|_| is_whole) {
+            match (load.kind, numbers) {
+                (LoadKind::Force(point), &[x, y]) => {
+                    add([x, y], self.point(at, point, Order::Place)?, 0.0);
+                }
+                (LoadKind::Torque(_), &[torque]) => add([0.0; 2], [0.0; 2], torque),
+                _ => return None,
+            }
+        }
+        Some(sum)
+    }
+
+    /// What a load gets for what a motor gives: one divided by the velocity ratio in the direction of the load.
+    fn advantage(&self, at: &Position, load: usize, motor: MotorId) -> Option<f64> {
+        let alone = at.with_rates(at.influences.get(&motor)?.clone());
+        let (load, numbers) = load_parts(self.model, &self.loads).nth(load)?;
+        let ratio = match (load.kind, numbers) {
+            (LoadKind::Force(point), &[x, y]) => {
+                let velocity = self.point(&alone, point, Order::Velocity)?;
+                dot(velocity, [x, y]) / x.hypot(y)
+            }
+            (LoadKind::Torque(link), _) => alone.rate(self.compiled, link, Order::Velocity)?[0],
+            _ => return None,
+        };
+        Some(ratio.recip())
     }
 
     /// The contact of a cam and its roller.
@@ -304,12 +374,28 @@ impl<'a> Meter<'a> {
     }
 }
 
+/// All loads, with their numbers.
+fn load_parts<'m>(
+    model: &'m Model,
+    numbers: &'m [f64],
+) -> impl Iterator<Item = (&'m ModelLoad, &'m [f64])> {
+    let loads = model.actions.numbered_loads();
+    loads.map(|(first, load)| (load, &numbers[first..first + load.kind.numbers()]))
+}
+
 /// Counts the transmission angles that are computed.
 fn transmissions(compiled: &Compiled) -> usize {
     let program = compiled.forced.inverse_dynamics.as_ref();
     match program.and_then(Program::forces) {
         Some(Forces::InverseDynamics(found)) => found.transmission.len(),
         _ => 0,
+    }
+}
+
+fn part_of_reaction([x, y, torque]: [f64; 3], part: Reaction) -> f64 {
+    match part {
+        Reaction::Force(part) => part_of([x, y], part),
+        Reaction::Torque => torque,
     }
 }
 

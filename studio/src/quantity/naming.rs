@@ -9,7 +9,14 @@ use mech_compiler::plan::Plan;
 use mech_compiler::program::clearance;
 
 /// The words before a colon.
-const KINDS: [&str; 5] = ["velocity", "acceleration", "torque", "power", "reaction"];
+const KINDS: [&str; 6] = [
+    "velocity",
+    "acceleration",
+    "torque",
+    "power",
+    "reaction",
+    "shaking",
+];
 const TRANSMISSION: &str = "transmission";
 /// The words before the brackets about a cam.
 pub(super) const PRESSURE: &str = "pressure";
@@ -41,6 +48,10 @@ pub(crate) fn quantities(
         };
         return one(Subject::Influence(influenced(of.subject)?, motor));
     }
+    if let Some(("advantage", [load, motor])) = two_ends(name) {
+        let load = load_of(model, load)?;
+        return one(Subject::Advantage(load, motor_of(model, motor)?));
+    }
     if let Some((kind, ends)) = two_ends(name) {
         return one(match kind {
             "distance" => Subject::Distance([spot(model, ends[0])?, spot(model, ends[1])?]),
@@ -66,6 +77,7 @@ pub(crate) fn quantities(
         Some(("torque", of)) => one(Subject::Torque(motor_of(model, of)?)),
         Some(("power", of)) => one(Subject::Power(motor_of(model, of)?)),
         Some(("reaction", of)) => reaction(model, name, of),
+        Some(("shaking", of)) => shaking(name, of),
         Some((other, _)) => Err(Failure::usage(format!(
             "`{other}` cannot be measured; before a colon stands one of `{}`",
             KINDS.join("`, `")
@@ -87,7 +99,8 @@ fn two_ends(name: &str) -> Option<(&str, [&str; 2])> {
         *letter == ',' && depth == 0
     });
     let (first, second) = inside.split_at(comma?.0);
-    let is_known = ["distance", "clear", "angle", "centre", "d"].contains(&kind.trim());
+    let is_known =
+        ["distance", "clear", "angle", "centre", "d", "advantage"].contains(&kind.trim());
     is_known.then(|| (kind.trim(), [first.trim(), second[1..].trim()]))
 }
 
@@ -275,28 +288,67 @@ fn moving(model: &Model, name: &str, of: &str, order: Order) -> Result<Vec<Quant
 }
 
 fn reaction(model: &Model, name: &str, of: &str) -> Result<Vec<Quantity>, Failure> {
-    let (stem, part) = split_part(of);
-    let found = |joint, word: &str, reaction| Quantity {
-        name: if word.is_empty() {
-            name.to_owned()
-        } else {
-            format!("{name}.{word}")
-        },
-        subject: Subject::Reaction(joint, reaction),
+    let (stem, part) = match (joint_of(model, of), of.strip_suffix(".torque")) {
+        (None, Some(stem)) => (stem, Some(Reaction::Torque)),
+        (None, None) => {
+            let (stem, part) = split_part(of);
+            (stem, part.map(Reaction::Force))
+        }
+        (Some(_), _) => (of, None),
     };
-    if let Some(joint) = joint_of(model, of) {
-        return Ok(vec![
-            found(joint, "x", Reaction::Force(Part::X)),
-            found(joint, "y", Reaction::Force(Part::Y)),
-        ]);
+    let joint = match joint_of(model, stem) {
+        None if stem == "ground" => None,
+        joint => Some(joint.ok_or_else(|| unknown_joint(model, stem))?),
+    };
+    Ok(of_reaction(name, part, |part| match joint {
+        Some(joint) => Subject::Reaction(joint, part),
+        None => Subject::Ground(part),
+    }))
+}
+
+/// What shakes the ground: `force`, with a part or without, or `moment`.
+fn shaking(name: &str, of: &str) -> Result<Vec<Quantity>, Failure> {
+    let part = match split_part(of) {
+        ("force", part) => part.map(Reaction::Force),
+        ("moment", None) => Some(Reaction::Torque),
+        _ => {
+            let text = format!("`{of}` shakes nothing; write `shaking:force` or `shaking:moment`");
+            return Err(Failure::usage(text));
+        }
+    };
+    Ok(of_reaction(name, part, Subject::Shaking))
+}
+
+/// A part of what somebody gets; without one, both parts of the force.
+fn of_reaction(
+    name: &str,
+    part: Option<Reaction>,
+    subject: impl Fn(Reaction) -> Subject,
+) -> Vec<Quantity> {
+    let quantity = |ending: &str, part| Quantity {
+        name: format!("{name}{ending}"),
+        subject: subject(part),
+    };
+    match part {
+        Some(part) => vec![quantity("", part)],
+        None => vec![
+            quantity(".x", Reaction::Force(Part::X)),
+            quantity(".y", Reaction::Force(Part::Y)),
+        ],
     }
-    let (stem, reaction) = match (part, of.strip_suffix(".torque")) {
-        (Some(part), _) => (stem, Reaction::Force(part)),
-        (None, Some(stem)) => (stem, Reaction::Torque),
-        (None, None) => return Err(unknown_joint(model, of)),
-    };
-    let joint = joint_of(model, stem).ok_or_else(|| unknown_joint(model, stem))?;
-    Ok(vec![found(joint, "", reaction)])
+}
+
+/// The number of a load.
+fn load_of(model: &Model, name: &str) -> Result<usize, Failure> {
+    let mut loads = model.actions.loads.iter();
+    let found = loads.position(|load| load.name == name);
+    found.ok_or_else(|| {
+        Failure::usage(format!(
+            "`{}` has no load `{name}`; it has {}",
+            model.name,
+            quoted(model.actions.loads.iter().map(|load| &load.name))
+        ))
+    })
 }
 
 /// A name without its part: `tip.x` is `tip` and x.

@@ -66,6 +66,14 @@ pub(crate) fn offers(model: &Model, dyads: &[String]) -> Vec<Offer> {
             names: names.into(),
         });
     }
+    let has_mass = model.links.iter().any(|link| link.mass.is_some());
+    if has_mass || !model.actions.loads.is_empty() {
+        let names = ["x", "y", "norm", "torque"].map(|part| format!("reaction:ground.{part}"));
+        offers.push(Offer {
+            of: "the ground".to_owned(),
+            names: names.into(),
+        });
+    }
     if !dyads.is_empty() {
         offers.push(Offer {
             of: "loops".to_owned(),

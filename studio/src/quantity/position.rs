@@ -18,6 +18,8 @@ pub(crate) struct Position {
     poses: Vec<[f64; 4]>,
     state: Vec<f64>,
     pub(crate) rates: Option<LinkRates<f64>>,
+    /// The rates for which forces are measured, if masses are asked for.
+    pub(super) pushed: Option<LinkRates<f64>>,
     /// The rates if one motor alone moves, at a rate of 1: of the motors that are asked for.
     pub(super) influences: BTreeMap<MotorId, LinkRates<f64>>,
     /// The torques or forces of the motors.

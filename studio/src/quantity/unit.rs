@@ -2,7 +2,7 @@
 
 use super::kind::{Influenced, Order, Reaction, Subject};
 use crate::motion::turns;
-use mech_compiler::model::Model;
+use mech_compiler::model::{LoadKind, Model};
 
 /// The names of a scene unit and of a unit of force.
 #[derive(Clone, Debug)]
@@ -52,8 +52,21 @@ impl Units {
                 rate(length, length, order)
             }
             Subject::Torque(motor) if turns(model, model.motor(motor).joint) => torque(),
-            Subject::Torque(_) | Subject::Reaction(_, Reaction::Force(_)) => force.clone(),
-            Subject::Reaction(_, Reaction::Torque) => torque(),
+            Subject::Torque(_)
+            | Subject::Reaction(_, Reaction::Force(_))
+            | Subject::Ground(Reaction::Force(_))
+            | Subject::Shaking(Reaction::Force(_)) => force.clone(),
+            Subject::Reaction(_, Reaction::Torque)
+            | Subject::Ground(Reaction::Torque)
+            | Subject::Shaking(Reaction::Torque) => torque(),
+            Subject::Advantage(load, motor) => {
+                let is_force = matches!(model.actions.loads[load].kind, LoadKind::Force(_));
+                match (is_force, turns(model, model.motor(motor).joint)) {
+                    (true, true) => format!("1/{length}"),
+                    (false, false) => length.clone(),
+                    _ => "1".to_owned(),
+                }
+            }
             Subject::Between(_) | Subject::Transmission(_) | Subject::Pressure(_) => {
                 "deg".to_owned()
             }

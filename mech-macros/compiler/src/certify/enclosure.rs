@@ -103,6 +103,8 @@ pub(crate) struct Sources {
     pub(crate) tested: Vec<usize>,
     /// The block that is iterated, if one is.
     pub(crate) iterated: Option<BlockId>,
+    /// Whether they need more than three linear equations to be solved together.
+    pub(crate) is_dense: bool,
     made_from: BTreeSet<Value>,
 }
 
@@ -115,12 +117,15 @@ impl Sources {
             Op::Unknown(block, _) | Op::Solved(block, _) | Op::Dense(block, _) => Some(block),
             _ => None,
         });
+        let mut ops = made_from.iter().map(|value| program.node(*value).op);
+        let is_dense = ops.any(|op| matches!(op, Op::Linear(..)));
         let tested = tests_of(program, found);
         let tested = tested.iter().flat_map(|(_, test)| test.values());
         Self {
             inputs: motors(program, found.to_vec(), &HeldValues::new()),
             tested: motors(program, tested.collect(), &HeldValues::new()),
             iterated,
+            is_dense,
             made_from,
         }
     }

@@ -55,7 +55,8 @@ pub use measure::{Measure, Place};
 pub use number::Number;
 pub use param::{Param, Params};
 pub use requirement::{
-    Case, Condition, Dimension, Measured, Quantity, RequiredBound, Requirement, Spot, Summary,
+    Case, Condition, Dimension, Measured, Quantity, Rate, ReactionPart, RequiredBound, Requirement,
+    Spot, Summary,
 };
 pub use roller::Roller;
 pub use scale::ScaleTrouble;

@@ -18,6 +18,8 @@ pub struct Requirement {
     pub condition: Condition,
     /// The values of motors for which it has to hold; for others all that they can have.
     pub cases: Vec<Case>,
+    /// The numbers of all loads, in their order: those that nobody gives are zero.
+    pub loads: Vec<f64>,
     /// The reason that the user gives.
     pub why: Option<String>,
 }
@@ -75,6 +77,29 @@ pub enum Measured {
     Summary(Summary, FormulaId),
     /// The derivative of something by a motor, while all others stand: an influence coefficient.
     Influence(FormulaId, MotorId),
+    /// The derivative of something by the time, while the motors move.
+    Rate(Rate, FormulaId),
+}
+
+/// A derivative by the time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Rate {
+    /// The first.
+    Velocity,
+    /// The second.
+    Acceleration,
+}
+
+impl Rate {
+    /// Its word.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Velocity => "velocity",
+            Self::Acceleration => "acceleration",
+        }
+    }
 }
 
 /// A number that the position of a mechanism gives, in radians or scene units.
@@ -101,6 +126,22 @@ pub enum Quantity {
     Pressure(JointId),
     /// The curvature of the curve on which the middle of a cam's roller runs: in parts of a scene unit, positive where it is convex.
     Curvature(JointId),
+    /// The torque of a motor, or its force if it slides.
+    Torque(MotorId),
+    /// What the first link of a joint does to the second.
+    Reaction(JointId, ReactionPart),
+}
+
+/// A part of a reaction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum ReactionPart {
+    /// The force along the scene's x axis.
+    X,
+    /// The force along the scene's y axis.
+    Y,
+    /// The torque about the joint.
+    Torque,
 }
 
 /// What a quantity is.
@@ -110,8 +151,8 @@ pub enum Dimension {
     Angle,
     /// A length, in scene units.
     Length,
-    /// One divided by a length.
-    Curvature,
+    /// Something else.
+    Other,
 }
 
 impl Quantity {
@@ -127,8 +168,71 @@ impl Quantity {
                 Dimension::Angle
             }
             Self::X(_) | Self::Y(_) | Self::Distance(_) | Self::Clearance(_) => Dimension::Length,
-            Self::Curvature(_) => Dimension::Curvature,
+            Self::Curvature(_) | Self::Torque(_) | Self::Reaction(..) => Dimension::Other,
         }
+    }
+
+    /// Whether it is a force or a torque.
+    #[must_use]
+    pub fn is_force(self) -> bool {
+        matches!(self, Self::Torque(_) | Self::Reaction(..))
+    }
+}
+
+impl Requirement {
+    /// The quantities that it measures.
+    pub fn quantities(&self) -> impl Iterator<Item = Quantity> + Clone + '_ {
+        let all = self.measured.iter();
+        all.filter_map(|measured| match measured {
+            Measured::Quantity(quantity) => Some(*quantity),
+            _ => None,
+        })
+    }
+
+    /// Whether it measures a force or a torque.
+    #[must_use]
+    pub fn is_about_forces(&self) -> bool {
+        self.quantities().any(Quantity::is_force)
+    }
+
+    /// Whether it measures a velocity or an acceleration.
+    #[must_use]
+    pub fn is_about_rates(&self) -> bool {
+        let mut all = self.measured.iter();
+        all.any(|measured| matches!(measured, Measured::Rate(..)))
+    }
+
+    /// The motor that moves where rates are measured and no motor has a law: the only one that does not stand at one value. If there is not
+    /// one such motor, all of them.
+    ///
+    /// # Errors
+    /// The motors that may be meant.
+    pub fn moving_motor(&self, model: &Model) -> Result<MotorId, Vec<MotorId>> {
+        let stands = |motor: MotorId| {
+            let mut cases = self.cases.iter();
+            cases.any(|case| case.motor == motor && case.ends[0] == case.ends[1])
+        };
+        let all: Vec<MotorId> = model.motor_ids().collect();
+        let free: Vec<MotorId> = all.iter().copied().filter(|one| !stands(*one)).collect();
+        match (&all[..], &free[..]) {
+            ([only], _) | (_, [only]) => Ok(*only),
+            (_, []) => Err(all),
+            _ => Err(free),
+        }
+    }
+
+    /// The words of the effects that compute what it measures.
+    #[must_use]
+    pub fn effects(&self) -> Vec<&'static str> {
+        let is_measured = |rate: Rate| {
+            let mut all = self.measured.iter();
+            all.any(|measured| matches!(measured, Measured::Rate(one, _) if *one == rate))
+        };
+        // Accelerations are made from velocities.
+        let rates = [Rate::Acceleration, Rate::Velocity];
+        let rate = rates.into_iter().find(|rate| is_measured(*rate));
+        let force = self.is_about_forces().then_some("force");
+        rate.map(Rate::word).into_iter().chain(force).collect()
     }
 }
 

@@ -194,6 +194,11 @@ impl SsaBuilder {
         value
     }
 
+    /// Says what an operation that comes from outside gives from now on.
+    pub(super) fn give(&mut self, op: Op, value: Value) {
+        self.known.insert(op, value);
+    }
+
     /// Gives a value a name, unless it has one or is a constant.
     pub(super) fn name(&mut self, value: Value, name: impl Into<String>) -> Value {
         let node = &mut self.ssa.nodes[value.index()];

@@ -5,11 +5,12 @@ use super::build::{Seed, Tangents};
 use super::builder::SsaBuilder;
 use super::clearance::{corners, gap};
 use super::contact::{Contact, Guide, Pressed};
+use super::forced::Circumstances;
 use super::node::{Op, Slot, Value};
 use crate::bug::bug;
 use crate::model::{
     AxisId, AxisKind, Boundary, InputId, JointId, JointKind, LinkId, Measured, Model, Quantity,
-    Requirement, Spot,
+    Rate, Requirement, Spot,
 };
 use crate::plan::{Algebra, Arithmetic, Dyad, Plan, Rational, Source, Step, float_of};
 
@@ -23,6 +24,8 @@ pub(crate) struct Gauge {
     pub(crate) angles: Vec<GaugedAngle>,
     /// For each variable that sums up the motion the state in which its value is put.
     pub(crate) summaries: Vec<Option<usize>>,
+    /// The values whose derivatives are taken. No derivative goes through an iteration.
+    pub(crate) differentiated: Vec<Value>,
 }
 
 /// The detail of a mechanism that a requirement is about, where it is about each of several.
@@ -53,6 +56,7 @@ impl Gauge {
     pub(crate) fn new(
         model: &Model,
         (plan, program): (&Plan, &Program),
+        circumstances: &Circumstances<'_>,
         requirement: &Requirement,
         detail: Detail,
         dyad_of: impl Fn(JointId) -> Option<usize>,
@@ -61,10 +65,12 @@ impl Gauge {
             model,
             plan,
             program,
-            ssa: SsaBuilder::resume(program),
+            ssa: SsaBuilder::resume_in(program, circumstances),
             angles: Vec::new(),
+            directions: Vec::new(),
         };
-        let mut summaries = Vec::new();
+        let forces = measures.ssa.add_forces(program, circumstances);
+        let (mut summaries, mut differentiated) = (Vec::new(), Vec::new());
         for measured in &requirement.measured {
             let (value, state) = match *measured {
                 Measured::Quantity(Quantity::Transmission(joint)) => {
@@ -81,12 +87,28 @@ impl Gauge {
                     };
                     (measures.clearance(links, corner)?, None)
                 }
+                Measured::Quantity(quantity) if quantity.is_force() => {
+                    let value = measures.ssa.force(model, forces.as_ref()?, quantity)?;
+                    (value, None)
+                }
                 Measured::Quantity(quantity) => (measures.quantity(quantity), None),
                 Measured::Influence(of, motor) => {
                     let value = requirement.formulas.evaluate_one(of, &mut measures.ssa);
-                    let seed = Seed::Alone(motor.index());
-                    let mut tangents = Tangents::new(seed, model.motors.len());
+                    differentiated.push(value);
+                    let mut tangents = measures.tangents(Seed::Alone(motor.index()));
                     (tangents.of_all_up_to(&mut measures.ssa, value), None)
+                }
+                Measured::Rate(rate, of) => {
+                    let value = requirement.formulas.evaluate_one(of, &mut measures.ssa);
+                    differentiated.push(value);
+                    let mut tangents = measures.tangents(Seed::Coasting);
+                    let ssa = &mut measures.ssa;
+                    let velocity = tangents.of_all_up_to(ssa, value);
+                    let value = match rate {
+                        Rate::Velocity => velocity,
+                        Rate::Acceleration => tangents.of_all_up_to(ssa, velocity),
+                    };
+                    (value, None)
                 }
                 Measured::Summary(..) => {
                     let carried = measures.ssa.carry(0.0);
@@ -116,6 +138,7 @@ impl Gauge {
             formulas,
             angles,
             summaries,
+            differentiated,
         })
     }
 }
@@ -141,9 +164,24 @@ struct Measures<'a> {
     program: &'a Program,
     ssa: SsaBuilder,
     angles: Vec<GaugedAngle>,
+    /// The angles over whole turns that were measured, each with its direction.
+    directions: Vec<(Value, [Value; 2])>,
 }
 
 impl Measures<'_> {
+    /// The rates of what is measured. That of an angle is its direction's: whole turns have no part in it.
+    fn tangents(&mut self, seed: Seed) -> Tangents {
+        let mut tangents = Tangents::new(seed, self.model.motors.len());
+        for &(angle, direction) in &self.directions {
+            for part in direction {
+                tangents.of_all_up_to(&mut self.ssa, part);
+            }
+            let rate = tangents.angular_velocity(&mut self.ssa, direction);
+            tangents.set(&mut self.ssa, angle, rate);
+        }
+        tangents
+    }
+
     fn quantity(&mut self, quantity: Quantity) -> Value {
         match quantity {
             Quantity::Coordinate(joint) => self.coordinate(joint),
@@ -161,8 +199,11 @@ impl Measures<'_> {
             Quantity::X(axis) => self.point(axis)[0],
             Quantity::Y(axis) => self.point(axis)[1],
             Quantity::Distance(spots) => self.distance(spots),
-            Quantity::Transmission(_) | Quantity::Clearance(_) => {
-                bug!("this is measured of a dyad, or of a corner")
+            Quantity::Transmission(_)
+            | Quantity::Clearance(_)
+            | Quantity::Torque(_)
+            | Quantity::Reaction(..) => {
+                bug!("this is measured of a dyad, of a corner, or of forces")
             }
             Quantity::Pressure(cam) => {
                 let pressed = self.pressed(cam);
@@ -245,7 +286,9 @@ impl Measures<'_> {
             beyond,
             is_measured: true,
         });
-        self.ssa.add(reference.last, beyond)
+        let angle = self.ssa.add(reference.last, beyond);
+        self.directions.push((angle, direction));
+        angle
     }
 
     fn distance(&mut self, [from, to]: [Spot; 2]) -> Value {

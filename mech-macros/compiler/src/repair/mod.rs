@@ -3,6 +3,7 @@
 mod candidates;
 mod completions;
 mod declaration;
+mod effects;
 mod guess;
 mod guides;
 mod joined;
@@ -23,6 +24,7 @@ mod wheels;
 mod writing;
 
 pub use declaration::{Declaration, Ends, NewJoint, NewKind, Purpose};
+pub(crate) use effects::add_effects;
 pub(crate) use limit::nearest_limit;
 pub use motor::NewMotor;
 pub use offers::{Offers, Search, offers};
@@ -63,6 +65,8 @@ pub enum Repair {
     AllowRedundant,
     /// Solve loops that wait for each other together.
     AllowCoupled,
+    /// Ask for these effects.
+    AddEffects(Vec<String>),
     /// Start this motor elsewhere: the assembly is not drawn, but found from there.
     StartAt {
         /// The motor.

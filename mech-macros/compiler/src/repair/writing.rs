@@ -50,6 +50,7 @@ impl<'m> Writing<'m> {
             Repair::AllowRedundant => rewriter.add("allow redundant;", &["allow", "motor"]),
             Repair::AllowCoupled if model.allow.coupled => None,
             Repair::AllowCoupled => rewriter.add("allow coupled;", &["allow", "motor"]),
+            Repair::AddEffects(words) => rewriter.ask_for(&words.join("; ")),
             Repair::StartAt { motor, value } => self.start_at(*motor, *value),
             Repair::Follow(motors) => self.follow(motors),
             Repair::Carry { joint, on } => self.carry(*joint, *on),

@@ -5,6 +5,7 @@ mod cam;
 mod carrier;
 mod declaration;
 mod drawing;
+mod effort;
 mod exactness;
 mod held;
 mod instances;
@@ -145,7 +146,7 @@ impl Words<'_> {
             Diagnosis::Unmet {
                 requirement,
                 trouble,
-            } => self.unmet(*requirement, trouble),
+            } => self.unmet(*requirement, trouble, offers),
             Diagnosis::Inverse { trouble } => self.cannot_follow(trouble, offers),
             Diagnosis::TooLarge => (self.model.origin, self.too_large()),
             Diagnosis::TooSmall => (self.model.origin, self.too_small()),

@@ -117,6 +117,9 @@ impl Words<'_> {
             let phrase = match repair {
                 Repair::Declare(declaration) => self.declaration(declaration),
                 Repair::AllowRedundant => "add `allow redundant;`".to_owned(),
+                Repair::AddEffects(words) => {
+                    format!("add `effects {{ {}; }}`", words.join("; "))
+                }
                 Repair::AllowCoupled => {
                     "add `allow coupled;` to solve these loops together".to_owned()
                 }

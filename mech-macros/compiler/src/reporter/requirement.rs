@@ -3,13 +3,19 @@
 use super::Words;
 use crate::digits::{round_to, significant};
 use crate::model::{Condition, JointKind, MotorId, Origin};
+use crate::repair::Offers;
 use crate::structure::{RequirementTrouble, Witness};
 
 /// A value is told with so many digits, or more if it would seem to keep its limit.
 const DIGITS: i32 = 4;
 
 impl Words<'_> {
-    pub(super) fn unmet(&self, number: usize, trouble: &RequirementTrouble) -> (Origin, String) {
+    pub(super) fn unmet(
+        &self,
+        number: usize,
+        trouble: &RequirementTrouble,
+        offers: &Offers,
+    ) -> (Origin, String) {
         let requirement = &self.model.requirements[number];
         let written = &requirement.written;
         let why = requirement.why.iter();
@@ -36,11 +42,12 @@ impl Words<'_> {
                 )
             }
             RequirementTrouble::Undecided { value, at, open } => format!(
-                "{not_proved}, nor that it does not hold{why}\nnote: what came nearest is {} {}; elsewhere it may be beyond that by {}\nhelp: \
+                "{not_proved}, nor that it does not hold{why}\nnote: what came nearest is {} {}; elsewhere it may be beyond that by {}{}\nhelp: \
                  give the limit more room, or say for which values of the motors it holds, as `for {} in LOW ..= HIGH`",
                 self.measured(number, *value, None),
                 self.at_values(at),
                 self.measured(number, *open, None),
+                self.circumstances(number),
                 self.first_motor(at)
             ),
             RequirementTrouble::TooHard => format!(
@@ -50,6 +57,11 @@ impl Words<'_> {
                 "{not_proved}: the loop of {} is solved by iteration, for which there is no proof",
                 self.joints(unknowns)
             ),
+            RequirementTrouble::NoEffect { .. }
+            | RequirementTrouble::NoForces
+            | RequirementTrouble::Together
+            | RequirementTrouble::UnevenLaw { .. }
+            | RequirementTrouble::NoRate { .. } => self.no_effort(written, trouble, offers),
             RequirementTrouble::NoDyad { unknowns } if unknowns.is_empty() => format!(
                 "`{written}` is about a transmission angle, and there is no loop that has one"
             ),
@@ -140,8 +152,9 @@ impl Words<'_> {
             format!("\nhelp: it is {sign} {proved}, wherever the motors are")
         });
         format!(
-            "`{written}` does not hold{why}: it is {}{places}{of}{}",
+            "`{written}` does not hold{why}: it is {}{places}{of}{}{}",
             self.measured(number, witness.value, None),
+            self.circumstances(number),
             limit.unwrap_or_default()
         )
     }

@@ -105,15 +105,15 @@ pub(super) fn ranges(
     found: &[Value],
 ) -> Result<Ranges, RequirementTrouble> {
     let program = &compiled.program;
-    let Sources {
-        inputs,
-        tested,
-        iterated,
-        ..
-    } = Sources::of(&gauge.program, found);
-    if let Some(block) = iterated {
+    let Sources { inputs, tested, .. } = Sources::of(&gauge.program, found);
+    let made_from = [found, &gauge.differentiated].concat();
+    let made_from = Sources::of(&gauge.program, &made_from);
+    if let Some(block) = made_from.iterated {
         let unknowns = unknowns(&compiled.plan, program, block);
         return Err(RequirementTrouble::Iterated { unknowns });
+    }
+    if made_from.is_dense {
+        return Err(RequirementTrouble::Together);
     }
     if let Some(param) = inputs.iter().find_map(|&input| {
         let number = input.checked_sub(model.motors.len())?;

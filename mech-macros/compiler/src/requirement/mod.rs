@@ -5,6 +5,7 @@
 //! time, from the start.
 
 mod bound;
+mod circumstances;
 mod course;
 mod details;
 mod domain;
@@ -44,7 +45,10 @@ pub fn judge(model: &Model, compiled: &Compiled) -> Vec<Result<Proof, Diagnosis>
     with_plain(model, compiled, |plain, compiled| {
         let requirements = model.requirements.iter().enumerate();
         let judged = requirements.map(|(requirement, one)| {
-            let proof = prove_one(plain, compiled, one);
+            let proof = match missing_effects(model.effects, one) {
+                effects if effects.is_empty() => prove_one(plain, compiled, one),
+                effects => Err(RequirementTrouble::NoEffect { effects }),
+            };
             proof.map_err(|trouble| Diagnosis::Unmet {
                 requirement,
                 trouble,
@@ -64,6 +68,17 @@ fn with_plain<T>(
     // In closed form it may be refused where it is not otherwise, as for a range that only that could prove.
     let plainly = (!is_plain(model)).then(|| compile(&plain).ok()).flatten();
     act(&plain, plainly.as_ref().unwrap_or(compiled))
+}
+
+/// The words of the effects that a requirement measures, and that are not declared.
+fn missing_effects(effects: Effects, requirement: &Requirement) -> Vec<String> {
+    let is_missing = |word: &&str| match *word {
+        "velocity" => !effects.velocity,
+        "acceleration" => !effects.acceleration,
+        _ => !effects.force,
+    };
+    let words = requirement.effects().into_iter();
+    words.filter(is_missing).map(str::to_owned).collect()
 }
 
 fn prove_one(
@@ -87,15 +102,25 @@ fn is_plain(model: &Model) -> bool {
         && model.precision == Precision::F64
 }
 
-/// The same mechanism, of which all links are found in closed form, and nothing else is computed.
+/// The same mechanism, of which all links are found in closed form, and nothing else is computed but forces that are measured.
 fn plain(model: &Model) -> Model {
+    let mut requirements = model.requirements.iter();
+    let force = model.effects.force && requirements.any(Requirement::is_about_forces);
+    let actions = if force {
+        model.actions.clone()
+    } else {
+        Actions::default()
+    };
     Model {
         show: None,
         method: None,
         accuracy: None,
         precision: Precision::F64,
-        effects: Effects::default(),
-        actions: Actions::default(),
+        effects: Effects {
+            force,
+            ..Effects::default()
+        },
+        actions,
         traces: Vec::new(),
         requirements: Vec::new(),
         ..model.clone()

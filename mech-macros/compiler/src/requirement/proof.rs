@@ -1,6 +1,7 @@
 //! The proof of a condition, or a place where it does not hold.
 
 use super::bound::{Bound, Limit};
+use super::circumstances::Rates;
 use super::course::Course;
 use super::domain::{Ranges, ranges, round_of};
 use super::search::{BUDGET, Goal, Search};
@@ -58,10 +59,7 @@ impl Case<'_> {
             requirement,
             ..
         } = *self;
-        let Some(mut gauge) = self.gauge() else {
-            let unknowns = self.unknowns();
-            return Err(RequirementTrouble::NoDyad { unknowns });
-        };
+        let mut gauge = self.gauge()?;
         let mut found = subjects(requirement, &gauge, (subject, bounds));
         let sources = Sources::of(&gauge.program, &found);
         let state = &gauge.program.state;
@@ -111,15 +109,31 @@ impl Case<'_> {
         Ok(searches.iter().map(Search::spent).sum())
     }
 
-    /// The program that measures it; nothing if it asks for a dyad that there is not.
-    pub(super) fn gauge(&self) -> Option<Gauge> {
-        Gauge::new(
-            self.model,
-            (&self.compiled.plan, &self.compiled.program),
-            self.requirement,
+    /// The program that measures it.
+    pub(super) fn gauge(&self) -> Result<Gauge, RequirementTrouble> {
+        let Self {
+            model,
+            compiled,
+            requirement,
+            ..
+        } = *self;
+        let rates = Rates::of(model, requirement)?;
+        let forces = rates.forces(model, compiled, requirement)?;
+        let gauge = Gauge::new(
+            model,
+            (&compiled.plan, &compiled.program),
+            &rates.circumstances(requirement, forces.as_deref()),
+            requirement,
             self.detail,
             |joint| self.dyad_of(joint),
-        )
+        );
+        gauge.ok_or_else(|| {
+            if requirement.is_about_forces() {
+                return RequirementTrouble::NoForces;
+            }
+            let unknowns = self.unknowns();
+            RequirementTrouble::NoDyad { unknowns }
+        })
     }
 
     /// Finds the way of the only motor that has a part, if loops change their side on it. A motor that goes round gets as many turns as it
@@ -201,13 +215,23 @@ impl Case<'_> {
         bound: &RequiredBound,
     ) -> Limit {
         let other = gauge.formulas[bound.limit.index()];
-        let sizes = [other, subject].map(|value| {
-            let at_start = search.value_at(&gauge.program.start.motors, value);
-            at_start.map_or(0.0, |value| value.middle().abs())
-        });
+        let places = match self.unit() {
+            Some(_) => vec![gauge.program.start.motors.clone()],
+            // Nobody knows how large forces and rates are.
+            None => search.corners(),
+        };
+        let mut size = self.unit().unwrap_or(0.0);
+        for (place, value) in places
+            .iter()
+            .flat_map(|place| [(place, other), (place, subject)])
+        {
+            let value = search.value_at(place, value);
+            let value = value.filter(|value| value.is_bounded());
+            size = value.map_or(size, |value| size.max(value.middle().abs()));
+        }
         Limit {
             is_strict: bound.is_strict,
-            slack: ROUNDING * sizes[0].max(sizes[1]).max(self.unit()),
+            slack: ROUNDING * size,
         }
     }
 
@@ -385,14 +409,17 @@ impl Case<'_> {
             .collect()
     }
 
-    /// What is compared is at least of this size, but for rounding: a radian, or the size of the mechanism.
-    fn unit(&self) -> f64 {
-        match self.requirement.condition {
+    /// What is compared is at least of this size, but for rounding: a radian, or the size of the mechanism. Forces and rates have none.
+    fn unit(&self) -> Option<f64> {
+        if self.requirement.is_about_forces() || self.requirement.is_about_rates() {
+            return None;
+        }
+        Some(match self.requirement.condition {
             Condition::Bounds {
                 is_angle: false, ..
             } => self.model.size(),
             _ => 1.0,
-        }
+        })
     }
 
     /// The position at a place to which the mechanism comes from its start; nothing if it does not, or is not there as it was proved to
@@ -427,7 +454,7 @@ fn subjects(
     let summed = requirement.measured.iter();
     let summed = summed.filter_map(|measured| match measured {
         Measured::Summary(_, of) => Some(*of),
-        Measured::Quantity(_) | Measured::Influence(..) => None,
+        Measured::Quantity(_) | Measured::Influence(..) | Measured::Rate(..) => None,
     });
     let bounds = bounds.iter().flat_map(|bound| [bound.margin, bound.limit]);
     let formulas = [subject].into_iter().chain(bounds).chain(summed);

@@ -484,7 +484,7 @@ impl<'a> Search<'a> {
 
     /// The places that are looked at first: the start and the corners of all values, or the ends of the parts where the loops have these
     /// sides.
-    fn corners(&self) -> Vec<Vec<f64>> {
+    pub(super) fn corners(&self) -> Vec<Vec<f64>> {
         match (self.way, self.ranges.only_motor()) {
             (Some(way), Some(motor)) => way.places(&self.turned, self.ranges.all[motor]),
             _ => self.ranges.corners(self.ranges.nearest(&self.start.at)),

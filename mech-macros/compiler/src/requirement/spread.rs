@@ -42,7 +42,7 @@ pub fn failing(
                 requirement,
                 detail,
             };
-            case.gauge()
+            case.gauge().ok()
         });
         let program = &compiled.program;
         let wanted = gauges.map(|gauge| Wanted::new(&gauge, program.state.len(), bounds));

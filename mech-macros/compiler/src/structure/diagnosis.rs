@@ -381,6 +381,25 @@ pub enum RequirementTrouble {
         /// The joints of the loop.
         unknowns: Vec<JointId>,
     },
+    /// What is measured takes effects that are not declared.
+    NoEffect {
+        /// Their words.
+        effects: Vec<String>,
+    },
+    /// Forces are measured that are not determined: joints are redundant.
+    NoForces,
+    /// What is measured takes more than three linear equations to be solved together, for which there is no proof.
+    Together,
+    /// Rates or forces are measured, and the rate of this motor changes by its law.
+    UnevenLaw {
+        /// The motor.
+        motor: MotorId,
+    },
+    /// Rates are measured, and it is not known which of these motors moves.
+    NoRate {
+        /// The motors.
+        motors: Vec<MotorId>,
+    },
     /// There is no loop that has a transmission angle, or this one has none.
     NoDyad {
         /// The joints of the loop, if there is one.

@@ -9,8 +9,8 @@ use crate::model::{AtChangePoints, Precision};
 use proc_macro2::{Ident, Span};
 
 pub(super) use super::expr::{
-    End, Expr, ExprKind, Index, MeasuredExpr, MotionExpr, Name, Pair, Read, Segment, SegmentExpr,
-    SpotExpr, Way,
+    End, Expr, ExprKind, Index, MeasuredExpr, MotionExpr, MovingExpr, Name, Pair, ReactionExpr,
+    Read, Segment, SegmentExpr, SpotExpr, VectorPart, Way,
 };
 pub(super) use super::shape::{Color, Outline, Shade, Shape};
 
@@ -414,6 +414,8 @@ pub(super) struct Expect {
     pub condition: ConditionExpr,
     /// The motors after `for` and `at`, with their values.
     pub cases: Vec<CaseExpr>,
+    /// The loads after `for`, with what they are.
+    pub loads: Vec<LoadCase>,
     /// The words in quotes.
     pub why: Option<String>,
 }
@@ -438,6 +440,16 @@ pub(super) struct CaseExpr {
     pub motor: Name,
     /// Its values: both ends, or only one.
     pub values: Vec<Expr>,
+}
+
+/// `push = (-100, 0)` or `brake = 5` after `for`.
+pub(super) struct LoadCase {
+    /// The name of the load.
+    pub name: Name,
+    /// The parts of a force, or a torque.
+    pub numbers: Vec<Expr>,
+    /// From the first number to the last.
+    pub place: Place,
 }
 
 /// `part Leg(size = 1) { ... }`

@@ -1,7 +1,7 @@
 //! Numbers, places and names, as they were written.
 
 use super::{Message, Place};
-use crate::model::{BinaryFunction, Function, Summary};
+use crate::model::{BinaryFunction, Function, Rate, Summary};
 use mech_core::MotionLaw;
 use proc_macro2::{Ident, Span};
 use std::fmt;
@@ -135,6 +135,59 @@ pub(super) enum MeasuredExpr {
     Dwell([Expr; 2]),
     /// `d(coupler.tip.y, a)`
     Influence(Expr, Name),
+    /// `velocity:coupler.tip.x`
+    Rate(Rate, MovingExpr),
+    /// `torque:a`
+    Torque(Name),
+    /// `power:a`
+    Power(Name),
+    /// `reaction:b.x`
+    Reaction(ReactionExpr),
+}
+
+/// What moves: `b`, `coupler` or `coupler.tip.x`.
+pub(super) struct MovingExpr {
+    /// A joint or a link, unless a part is named.
+    pub named: Option<Name>,
+    /// A point, where several words stand.
+    pub point: Option<End>,
+    /// The part after it.
+    pub part: Option<(VectorPart, Ident)>,
+}
+
+/// A joint, perhaps with a part of its reaction after it.
+pub(super) struct ReactionExpr {
+    /// All words.
+    pub whole: Name,
+    /// All but the last, where that is the word for a part.
+    pub part: Option<(Name, VectorPart)>,
+}
+
+/// A part of a vector, or of a reaction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum VectorPart {
+    /// `x`
+    X,
+    /// `y`
+    Y,
+    /// `norm`: its length.
+    Norm,
+    /// `torque`: that of a reaction about its joint.
+    Torque,
+}
+
+impl VectorPart {
+    /// The part that a word names.
+    pub(super) fn of(word: &Ident) -> Option<Self> {
+        let all = [
+            ("x", Self::X),
+            ("y", Self::Y),
+            ("norm", Self::Norm),
+            ("torque", Self::Torque),
+        ];
+        let mut all = all.into_iter();
+        all.find(|(name, _)| word == name).map(|(_, part)| part)
+    }
 }
 
 /// A place from which a distance is measured.
@@ -201,6 +254,19 @@ impl End {
             Some(axis) => link.to(Place::at(axis.span())),
             None => link,
         }
+    }
+}
+
+impl fmt::Display for MovingExpr {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        match (&self.named, &self.point) {
+            (Some(name), _) => write!(formatter, "{name}")?,
+            (None, Some(point)) => write!(formatter, "{point}")?,
+            (None, None) => {}
+        }
+        let part = self.part.iter();
+        part.map(|(_, word)| word)
+            .try_for_each(|part| write!(formatter, ".{part}"))
     }
 }
 

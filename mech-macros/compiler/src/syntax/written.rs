@@ -92,6 +92,10 @@ impl Display for MeasuredExpr {
             Self::Summary(_, word, of) => write!(formatter, "{word}({of})"),
             Self::Dwell([of, width]) => write!(formatter, "dwell({of}, {width})"),
             Self::Influence(of, motor) => write!(formatter, "d({of}, {motor})"),
+            Self::Rate(rate, of) => write!(formatter, "{}:{of}", rate.word()),
+            Self::Torque(motor) => write!(formatter, "torque:{motor}"),
+            Self::Power(motor) => write!(formatter, "power:{motor}"),
+            Self::Reaction(reaction) => write!(formatter, "reaction:{}", reaction.whole),
         }
     }
 }

@@ -243,7 +243,7 @@ impl Tangents {
     }
 
     /// The angular velocity of a direction.
-    pub(super) fn angular_velocity(
+    pub(in crate::program) fn angular_velocity(
         &mut self,
         ssa: &mut SsaBuilder,
         direction: [Value; 2],

@@ -1,18 +1,18 @@
 //! What a mechanism is for: `expect transmission > 40 deg for a in 0 deg ..= 90 deg, "why";`
 
-use super::expression::{expression, measured};
+use super::expression::{expression, measured, pair};
 use super::path::{end, path};
 use super::recover::read_setting;
 use super::tokens::{
     any_word, comes, comes_word, expected_message, in_parens, symbol, take, take_word, word,
 };
-use crate::model::{Summary, function_names};
+use crate::model::{Rate, Summary, function_names};
 use crate::syntax::ast::{
-    CaseExpr, ConditionExpr, End, Expect, Expr, ExprKind, MeasuredExpr, Pair, Read, SpotExpr,
-    Statement,
+    CaseExpr, ConditionExpr, End, Expect, Expr, ExprKind, LoadCase, MeasuredExpr, MovingExpr, Name,
+    Pair, ReactionExpr, Read, SpotExpr, Statement, VectorPart,
 };
 use crate::syntax::{Message, Place, spelling};
-use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Ident, Spacing, Span, TokenStream, TokenTree};
 use syn::LitStr;
 use syn::parse::ParseStream;
 use syn::token::Paren;
@@ -28,6 +28,9 @@ const MEASURES: [&str; 8] = [
     "dwell",
     "d",
 ];
+
+/// The words before a colon.
+const KINDS: [&str; 5] = ["velocity", "acceleration", "torque", "power", "reaction"];
 
 /// The words before brackets that sum up a motion.
 const SUMMARIES: [(&str, Summary); 6] = [
@@ -54,11 +57,11 @@ const RELATIONS: [(&str, bool, bool); 4] = [
 pub(super) fn expect(input: ParseStream, keyword: Span) -> Statement {
     read_setting(input, |input| {
         let condition = condition(input)?;
-        let mut cases = Vec::new();
+        let (mut cases, mut loads) = (Vec::new(), Vec::new());
         if take_word(input, "for").is_some() {
-            cases.push(range(input)?);
+            range_or_load(input, &mut cases, &mut loads)?;
             while another_comes(input) {
-                cases.push(range(input)?);
+                range_or_load(input, &mut cases, &mut loads)?;
             }
         }
         if take_word(input, "at").is_some() {
@@ -72,6 +75,7 @@ pub(super) fn expect(input: ParseStream, keyword: Span) -> Statement {
             keyword,
             condition,
             cases,
+            loads,
             why,
         })))
     })
@@ -142,14 +146,39 @@ fn another_comes(input: ParseStream) -> bool {
     !is_reason && take(input, ",").is_some()
 }
 
-/// Reads `motor in low ..= high`.
-fn range(input: ParseStream) -> Read<CaseExpr> {
-    let motor = path(input, "the name of a motor")?;
+/// Reads `motor in low ..= high`, `load = (x, y)` or `load = torque`.
+fn range_or_load(
+    input: ParseStream,
+    cases: &mut Vec<CaseExpr>,
+    loads: &mut Vec<LoadCase>,
+) -> Read<()> {
+    let name = path(input, "the name of a motor")?;
+    if take(input, "=").is_some() {
+        let place = Place::at(input.span());
+        let (numbers, place) = if input.peek(Paren) {
+            let Pair { x, y, place } = pair(input)?;
+            (vec![x, y], place)
+        } else {
+            let number = expression(input)?;
+            let place = place.to(number.place);
+            (vec![number], place)
+        };
+        loads.push(LoadCase {
+            name,
+            numbers,
+            place,
+        });
+        return Ok(());
+    }
     word(input, "in")?;
     let low = expression(input)?;
     symbol(input, "..=")?;
     let values = vec![low, expression(input)?];
-    Ok(CaseExpr { motor, values })
+    cases.push(CaseExpr {
+        motor: name,
+        values,
+    });
+    Ok(())
 }
 
 /// Reads `motor = value`.
@@ -184,7 +213,12 @@ fn measure(input: ParseStream, number: &dyn Fn(ParseStream) -> Read<Expr>) -> Re
         return Ok(Some(from(first.span(), brackets, kind)));
     }
     let Some((inside, ..)) = rest.group(Delimiter::Parenthesis) else {
-        let is_of_rust = rest.punct().is_some_and(|(mark, _)| mark.as_char() == ':');
+        let mark = rest.punct().map(|(mark, _)| mark);
+        let colon = mark.filter(|mark| mark.as_char() == ':');
+        let is_of_rust = match colon.map(|mark| mark.spacing()) {
+            Some(Spacing::Alone) => return kind_and_subject(input, &first).map(Some),
+            colon => colon.is_some(),
+        };
         if name == "PI" || is_of_rust {
             return Ok(None);
         }
@@ -237,6 +271,96 @@ fn measure(input: ParseStream, number: &dyn Fn(ParseStream) -> Read<Expr>) -> Re
     Ok(Some(from(first.span(), brackets, kind)))
 }
 
+/// Reads `velocity:coupler.tip.x`, `torque:a` or `reaction:b`.
+fn kind_and_subject(input: ParseStream, kind: &Ident) -> Read<Expr> {
+    let text = kind.to_string();
+    if !KINDS.contains(&text.as_str()) {
+        let remedy = spelling::remedy(&text, &KINDS);
+        let text = format!("`{text}` is nothing that is measured of something{remedy}");
+        return Err(Message::new(Place::at(kind.span()), text));
+    }
+    any_word(input);
+    symbol(input, ":")?;
+    let start = kind.span();
+    let motor = |input| path(input, "the name of a motor");
+    let (place, measured) = match text.as_str() {
+        "torque" => motor(input).map(|motor| (motor.place(), MeasuredExpr::Torque(motor)))?,
+        "power" => motor(input).map(|motor| (motor.place(), MeasuredExpr::Power(motor)))?,
+        "reaction" => {
+            let again = path(&input.fork(), "the name of a joint")?;
+            let part = cut_part(again, 1, |_| true);
+            let whole = path(input, "the name of a joint")?;
+            let part = part.ok().map(|(joint, part, _)| (joint, part));
+            let reaction = ReactionExpr { whole, part };
+            (reaction.whole.place(), MeasuredExpr::Reaction(reaction))
+        }
+        _ => {
+            let rate = if text == "velocity" {
+                Rate::Velocity
+            } else {
+                Rate::Acceleration
+            };
+            let what = "a joint, a link or a point";
+            let again = path(&input.fork(), what)?;
+            let named = path(input, what)?;
+            let place = named.place();
+            let moving = match cut_part(again, 2, |_| true) {
+                Ok((point, part, word)) if part != VectorPart::Torque => MovingExpr {
+                    named: None,
+                    point: Some(end_of(point)),
+                    part: Some((part, word)),
+                },
+                Ok(_) => return Err(Message::new(place, "a velocity has no torque")),
+                Err(again) => MovingExpr {
+                    point: (!named.uses.is_empty()).then(|| end_of(again)),
+                    named: Some(named),
+                    part: None,
+                },
+            };
+            (place, MeasuredExpr::Rate(rate, moving))
+        }
+    };
+    Ok(Expr {
+        kind: ExprKind::Measured(Box::new(measured)),
+        place: Place { start, ..place },
+    })
+}
+
+/// Takes the last word of a name off, if it is the word for such a part and so many others stand before it; else gives the name back.
+fn cut_part(
+    mut name: Name,
+    least: usize,
+    is_part: fn(VectorPart) -> bool,
+) -> Result<(Name, VectorPart, Ident), Name> {
+    let is_plain = name.uses.last().is_some_and(|last| last.index.is_none());
+    let part = VectorPart::of(&name.name).filter(|part| is_part(*part));
+    let part = part.filter(|_| is_plain && name.uses.len() >= least);
+    match (part, name.uses.pop_if(|_| part.is_some())) {
+        (Some(part), Some(last)) => {
+            let word = std::mem::replace(&mut name.name, last.name);
+            Ok((name, part, word))
+        }
+        _ => Err(name),
+    }
+}
+
+/// The name of a point, as that of a link and one of its axes.
+fn end_of(mut name: Name) -> End {
+    match name.uses.pop_if(|segment| segment.index.is_none()) {
+        Some(link) => {
+            let axis = std::mem::replace(&mut name.name, link.name);
+            End {
+                link: name,
+                axis: Some(axis),
+            }
+        }
+        None => End {
+            link: name,
+            axis: None,
+        },
+    }
+}
+
 /// What is measured, from its first word to the end of its brackets.
 fn from(start: Span, brackets: Place, kind: MeasuredExpr) -> Expr {
     Expr {
@@ -271,18 +395,12 @@ fn has_comma(tokens: TokenStream) -> bool {
 
 /// Reads a joint, a link or a constant, or the abscissa or ordinate of a point.
 fn place_or_name(input: ParseStream) -> Read<Expr> {
-    let mut name = path(input, "a joint, a link or a point")?;
+    let name = path(input, "a joint, a link or a point")?;
     let place = name.place();
-    let part = name.name.to_string();
-    let is_plain = name.uses.last().is_some_and(|last| last.index.is_none());
-    let kind = if matches!(part.as_str(), "x" | "y") && name.uses.len() > 1 && is_plain {
-        let axis = name.uses.pop().map(|segment| segment.name);
-        if let Some(link) = name.uses.pop_if(|segment| segment.index.is_none()) {
-            name.name = link.name;
-        }
-        MeasuredExpr::Place(End { link: name, axis }, part == "y")
-    } else {
-        MeasuredExpr::Named(name)
+    let is_coordinate = |part| matches!(part, VectorPart::X | VectorPart::Y);
+    let kind = match cut_part(name, 2, is_coordinate) {
+        Ok((point, part, _)) => MeasuredExpr::Place(end_of(point), part == VectorPart::Y),
+        Err(name) => MeasuredExpr::Named(name),
     };
     Ok(Expr {
         kind: ExprKind::Measured(Box::new(kind)),

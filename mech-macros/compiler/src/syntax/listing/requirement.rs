@@ -2,7 +2,7 @@
 
 use super::{Noun, Reader, in_words};
 use crate::syntax::Place;
-use crate::syntax::ast::{ConditionExpr, Expect, MeasuredExpr, SpotExpr};
+use crate::syntax::ast::{ConditionExpr, Expect, MeasuredExpr, MovingExpr, ReactionExpr, SpotExpr};
 
 impl Reader {
     pub(super) fn expect(&mut self, expect: &Expect) {
@@ -26,6 +26,13 @@ impl Reader {
             let roles = ["low", "high"].into_iter();
             for (value, role) in case.values.iter().zip(roles) {
                 self.number(&in_words(&case.motor), role, value);
+            }
+        }
+        for load in &expect.loads {
+            self.name(&load.name, Noun::Action);
+            let roles = ["x", "y"].into_iter();
+            for (value, role) in load.numbers.iter().zip(roles) {
+                self.number(&in_words(&load.name), role, value);
             }
         }
     }
@@ -73,6 +80,32 @@ impl Reader {
             MeasuredExpr::Influence(of, motor) => {
                 self.leaves(of, literals);
                 self.name(motor, Noun::Joint);
+            }
+            MeasuredExpr::Rate(_, MovingExpr { named, point, .. }) => match (named, point) {
+                (named, Some(point)) => {
+                    self.end(point, Noun::Body);
+                    if let Some(named) = named {
+                        // Or it is a joint or a link of an instance.
+                        let noun = Noun::BodyOrJoint;
+                        self.mention(noun, in_words(named), false, named.span());
+                    }
+                }
+                (Some(named), None) => self.name(named, Noun::BodyOrJoint),
+                (None, None) => {}
+            },
+            MeasuredExpr::Torque(motor) | MeasuredExpr::Power(motor) => {
+                self.name(motor, Noun::Joint);
+            }
+            MeasuredExpr::Reaction(ReactionExpr { whole, part: None }) => {
+                self.name(whole, Noun::Joint);
+            }
+            MeasuredExpr::Reaction(ReactionExpr {
+                whole,
+                part: Some((joint, _)),
+            }) => {
+                self.name(joint, Noun::Joint);
+                // Or it is a joint of an instance that is called so.
+                self.mention(Noun::Joint, in_words(whole), false, whole.span());
             }
         }
     }

@@ -88,10 +88,10 @@ pub(super) fn kinds(model: &Model, formulas: &Formulas, measured: &[Measured]) -
             Measured::Quantity(quantity) => match quantity.dimension(model) {
                 Dimension::Angle => Kind::Angle,
                 Dimension::Length => Kind::Length,
-                Dimension::Curvature => Kind::Plain,
+                Dimension::Other => Kind::Plain,
             },
             // Its formula is made from variables before it.
-            Measured::Summary(Summary::TimeRatio, _) => Kind::Plain,
+            Measured::Summary(Summary::TimeRatio, _) | Measured::Rate(..) => Kind::Plain,
             Measured::Summary(Summary::Dwell(_), _) => Kind::of_motors(model),
             Measured::Summary(summary, of) => {
                 let of = match (summary, formulas.all()[of.index()]) {

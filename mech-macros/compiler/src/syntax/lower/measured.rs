@@ -7,12 +7,16 @@ use super::name::Referent;
 use super::quantity::Quantity;
 use super::reader::{Measuring, Reader};
 use super::value::format_number;
-use super::{coordinate, find};
+use super::{coordinate, find, path};
+use crate::bug::bug;
 use crate::model::{
-    self, AxisKind, Formula, JointId, JointKind, LinkId, Measured, ShapeKind, Summary,
+    self, AxisKind, BinaryFunction, Formula, JointId, JointKind, LinkId, Measured, Rate,
+    ReactionPart, ShapeKind, Summary,
 };
 use crate::syntax::Place;
-use crate::syntax::ast::{End, Expr, MeasuredExpr, Name, Pair, SpotExpr};
+use crate::syntax::ast::{
+    End, Expr, MeasuredExpr, MovingExpr, Name, Pair, ReactionExpr, SpotExpr, VectorPart,
+};
 use crate::syntax::spelling;
 
 /// The name of the transmission angles of all dyads.
@@ -82,8 +86,106 @@ impl Reader<'_> {
                 };
                 return self.variable_for(Measured::Influence(of, motor));
             }
+            MeasuredExpr::Rate(rate, moving) => return self.rate(draft, *rate, moving),
+            MeasuredExpr::Torque(motor) => {
+                model::Quantity::Torque(find::motor(self, draft, motor)?)
+            }
+            MeasuredExpr::Power(motor) => return self.power(draft, motor),
+            MeasuredExpr::Reaction(reaction) => return self.reaction(draft, reaction),
         };
         self.variable_for(Measured::Quantity(quantity))
+    }
+
+    /// The velocity or acceleration of something that moves: of a point without a part the length of that.
+    fn rate(&mut self, draft: &Draft, rate: Rate, moving: &MovingExpr) -> Option<Quantity> {
+        let named = moving.named.as_ref();
+        let named = named.filter(|name| path::is_path(self, name));
+        let of = match (named, &moving.point) {
+            (Some(name), _) => self.named(draft, name)?,
+            (None, Some(point)) => {
+                if !path::is_path(self, &point.link) {
+                    let text = format!(
+                        "`{point}` is no part of a {}; write `.x`, `.y` or `.norm` after a point",
+                        rate.word()
+                    );
+                    return self.report.refuse(point.place(), text);
+                }
+                let axis = self.axis(draft, point, Some(AxisKind::Point))?;
+                if draft.model.axis(axis).link == LinkId::GROUND {
+                    let text = format!("`{point}` does not move: there is nothing to measure");
+                    return self.report.refuse(point.place(), text);
+                }
+                let part = moving.part.as_ref().map(|(part, _)| *part);
+                return self.part_of_vector(part, |reader, quantity| {
+                    reader.rate_of(
+                        rate,
+                        [model::Quantity::X, model::Quantity::Y][quantity](axis),
+                    )
+                });
+            }
+            (None, None) => bug!("something that moves has no name"),
+        };
+        self.rate_of(rate, of)
+    }
+
+    fn rate_of(&mut self, rate: Rate, of: model::Quantity) -> Option<Quantity> {
+        let of = self.variable_for(Measured::Quantity(of))?;
+        let of = of.as_formula(self.formulas());
+        self.variable_for(Measured::Rate(rate, of))
+    }
+
+    /// One part of a vector, by the number of its direction; without a part its length.
+    fn part_of_vector(
+        &mut self,
+        part: Option<VectorPart>,
+        mut along: impl FnMut(&mut Self, usize) -> Option<Quantity>,
+    ) -> Option<Quantity> {
+        match part {
+            Some(VectorPart::X) => along(self, 0),
+            Some(VectorPart::Y) => along(self, 1),
+            _ => {
+                let parts = [along(self, 0)?, along(self, 1)?];
+                let [x, y] = parts.map(|part| part.as_formula(self.formulas()));
+                let length = Formula::OfBoth(BinaryFunction::Hypot, x, y);
+                Some(Quantity {
+                    value: None,
+                    formula: Some(self.formulas().add(length)),
+                })
+            }
+        }
+    }
+
+    /// The torque of a motor times its rate.
+    fn power(&mut self, draft: &Draft, name: &Name) -> Option<Quantity> {
+        let motor = find::motor(self, draft, name)?;
+        if draft.model.motor(motor).law.is_none() {
+            let text = format!(
+                "a power needs the rate at which a motor moves; give it a law, as `motor {name} = 60 rpm * t;`"
+            );
+            return self.report.refuse(name.place(), text);
+        }
+        let torque = self.variable_for(Measured::Quantity(model::Quantity::Torque(motor)))?;
+        let joint = draft.model.motor(motor).joint;
+        let rate = self.rate_of(Rate::Velocity, model::Quantity::Coordinate(joint))?;
+        Some(torque.times(rate, self.formulas()))
+    }
+
+    /// What the first link of a joint does to the second: without a part the size of the force.
+    fn reaction(&mut self, draft: &Draft, reaction: &ReactionExpr) -> Option<Quantity> {
+        let (name, part) = match &reaction.part {
+            Some((joint, part)) if !path::is_path(self, &reaction.whole) => (joint, Some(*part)),
+            _ => (&reaction.whole, None),
+        };
+        let joint = find::joint(self, draft, name)?;
+        let along = |reader: &mut Self, part| {
+            reader.variable_for(Measured::Quantity(model::Quantity::Reaction(joint, part)))
+        };
+        match part {
+            Some(VectorPart::Torque) => along(self, ReactionPart::Torque),
+            part => self.part_of_vector(part, |reader, number| {
+                along(reader, [ReactionPart::X, ReactionPart::Y][number])
+            }),
+        }
     }
 
     /// A new variable of the requirement.

@@ -150,6 +150,17 @@ pub(super) fn key(reader: &mut Reader, name: &Name) -> Option<String> {
     Some(reader.names.scope(scope).key_of(&name.name))
 }
 
+/// Whether all words before the last are uses of parts; also where there is no such word.
+pub(super) fn is_path(reader: &Reader, name: &Name) -> bool {
+    let mut scope = reader.scope;
+    name.uses.iter().all(|segment| {
+        let used = reader.names.scope(scope).used(&segment.name);
+        let first = used.and_then(|used| used.instances.first());
+        scope = first.copied().unwrap_or(scope);
+        used.is_some()
+    })
+}
+
 /// The use that is named in a path.
 fn used<'r>(reader: &mut Reader<'r>, scope: usize, segment: &Segment) -> Option<&'r UsedPart> {
     let name = &segment.name;

@@ -2,18 +2,18 @@
 
 use super::angle::{is_angle, is_degrees_perhaps, is_half_in_degrees, is_in_degrees};
 use super::draft::Draft;
-use super::find;
 use super::kind::{Kind, kinds};
 use super::measured::OfDraft;
 use super::quantity::Quantity;
 use super::reader::{LawReading, Reader};
+use super::{find, path};
 use crate::bug::bug;
 use crate::model::{
-    self, Case, Condition, Formula, FormulaId, Formulas, JointKind, Measured, MotorId,
+    self, Case, Condition, Formula, FormulaId, Formulas, JointKind, LoadKind, Measured, MotorId,
     RequiredBound, Requirement,
 };
-use crate::syntax::Place;
-use crate::syntax::ast::{CaseExpr, ConditionExpr, Expect, Expr, Name};
+use crate::syntax::ast::{CaseExpr, ConditionExpr, Expect, Expr, LoadCase, Name};
+use crate::syntax::{Place, spelling};
 
 /// Why numbers of a requirement may not depend on params.
 const WHY_FIXED: &str = "what is expected is proved at compile time";
@@ -36,7 +36,8 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, expect: &Expect) {
         .map(|case| lower_case(reader, draft, case))
         .collect();
     let cases: Option<Vec<Case>> = cases.into_iter().collect();
-    let (Some(read), Some(cases)) = (read, cases) else {
+    let loads = lower_loads(reader, draft, &expect.loads);
+    let (Some(read), Some(cases), Some(loads)) = (read, cases, loads) else {
         return;
     };
     for (number, case) in cases.iter().enumerate() {
@@ -46,6 +47,17 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, expect: &Expect) {
             return reader.report.error(motor.place(), text);
         }
     }
+    let is_force =
+        |one: &Measured| matches!(one, Measured::Quantity(quantity) if quantity.is_force());
+    if let Some(load) = expect.loads.first()
+        && !read.measured.iter().any(is_force)
+    {
+        let text = format!(
+            "load `{}` has no part in what is measured; leave it out",
+            load.name
+        );
+        return reader.report.error(load.name.place(), text);
+    }
     let origin = draft.places.note(read.place);
     draft.model.requirements.push(Requirement {
         origin,
@@ -54,6 +66,7 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, expect: &Expect) {
         measured: read.measured,
         condition: read.condition,
         cases,
+        loads,
         why: expect.why.clone(),
     });
 }
@@ -323,6 +336,53 @@ fn check_kinds(reader: &mut Reader, sides: [&Expr; 2], kinds: [Kind; 2]) -> Opti
         return reader.report.refuse(place, text);
     }
     Some(())
+}
+
+/// The numbers of all loads, in their order: those that nobody gives are zero.
+fn lower_loads(reader: &mut Reader, draft: &Draft, given: &[LoadCase]) -> Option<Vec<f64>> {
+    let actions = &draft.model.actions;
+    let mut numbers = vec![0.0; actions.load_names().len()];
+    let mut known: Vec<usize> = Vec::new();
+    for case in given {
+        let LoadCase { name, place, .. } = case;
+        let key = path::key(reader, name)?;
+        let mut loads = actions.numbered_loads();
+        let Some((first, load)) = loads.find(|(_, load)| load.name == key) else {
+            let names: Vec<&str> = actions
+                .loads
+                .iter()
+                .map(|load| load.name.as_str())
+                .collect();
+            let text = if names.is_empty() {
+                format!(
+                    "there is no load `{name}`; a motor's values are written `{name} in LOW ..= HIGH`"
+                )
+            } else {
+                format!("unknown load `{name}`{}", spelling::remedy(&key, &names))
+            };
+            return reader.report.refuse(name.place(), text);
+        };
+        if known.contains(&first) {
+            let text = format!("load `{name}` is given twice; remove one of the two");
+            return reader.report.refuse(name.place(), text);
+        }
+        known.push(first);
+        let how = match (load.kind, case.numbers.len()) {
+            (LoadKind::Force(_), 1) => format!("a force; write `{name} = (x, y)`"),
+            (LoadKind::Torque(_), 2) => format!("a torque; write `{name} = VALUE`"),
+            _ => {
+                let mut fixed = reader.fixed(WHY_FIXED);
+                let values = case.numbers.iter().map(|number| fixed.value(number));
+                let values: Option<Vec<f64>> = values.collect();
+                numbers[first..first + load.kind.numbers()].copy_from_slice(&values?);
+                continue;
+            }
+        };
+        return reader
+            .report
+            .refuse(*place, format!("load `{name}` is {how}"));
+    }
+    Some(numbers)
 }
 
 /// The values of a motor for which a condition has to hold.

@@ -121,13 +121,20 @@ impl<'s> Rewriter<'s> {
     /// Asks for forces, where nothing does: a load is only declared there.
     pub fn ask_for_forces(&mut self) -> Option<()> {
         let asks = |one: &StatementText<'_>| one.is("force") || one.is("dynamics");
-        let Some(effects) = self.all("effects").next() else {
-            return self.add("effects { force; }", &["start", "motor"]);
-        };
-        if effects.clauses().iter().any(asks) {
+        let is_asked = |effects: &StatementText<'_>| effects.clauses().iter().any(asks);
+        if self.all("effects").any(is_asked) {
             return Some(());
         }
-        self.add_clause("effects", "force;")
+        self.ask_for("force")
+    }
+
+    /// Asks for effects.
+    pub fn ask_for(&mut self, words: &str) -> Option<()> {
+        if self.all("effects").next().is_some() {
+            return self.add_clause("effects", &format!("{words};"));
+        }
+        let statement = format!("effects {{ {words}; }}");
+        self.add(&statement, &["start", "motor"])
     }
 
     /// Removes the statement that declares something of this kind and name.
