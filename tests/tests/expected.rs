@@ -43,7 +43,8 @@ impl Sampled<'_> {
                     | Quantity::Clearance(_)
                     | Quantity::Pressure(_)
                     | Quantity::Curvature(_),
-                ) => false,
+                )
+                | Measured::Rate(..) => false,
                 Measured::Quantity(_) | Measured::Influence(..) => true,
                 Measured::Summary(summary, _) => !matches!(summary, Summary::Mean | Summary::Rms),
             })
@@ -83,7 +84,7 @@ impl Sampled<'_> {
             .iter()
             .map(|measured| match measured {
                 Measured::Quantity(_) => 1e-9,
-                Measured::Influence(..) => 1e-6,
+                Measured::Influence(..) | Measured::Rate(..) => 1e-6,
                 Measured::Summary(Summary::Dwell(_) | Summary::TimeRatio, _) => 0.02,
                 Measured::Summary(..) => 1e-4,
             });
@@ -233,6 +234,7 @@ impl Sampled<'_> {
                         .expect("it is a dyad of pins or slides"),
                     other => panic!("{other:?} is not measured here"),
                 },
+                Measured::Rate(..) => panic!("rates are not measured here"),
                 Measured::Influence(of, motor) => {
                     let ends = [STEP, -STEP].map(|step| {
                         let mut other = machine.clone();

@@ -616,3 +616,57 @@ fn a_bucket_is_led_past_where_its_cylinder_is_longest() {
         "{row:?}"
     );
 }
+
+#[test]
+fn a_point_and_its_motors_move_along_its_path() {
+    let text =
+        format!("{PLOTTER}\npath pen.tip = (0.3 + cos(60 rpm * t), 3 + 0.5 * sin(120 rpm * t));");
+    let folder = Folder::new().with("a.mech", text);
+    let words = "table a.mech pen.tip velocity:pen.tip acceleration:pen.tip lm velocity:lm \
+                 acceleration:lm --steps 2000";
+    let rows = numbers(&folder.mech(words).done());
+    // Once round, after a second.
+    assert!(
+        rows.len() == 2001 && close(rows[2000][0], 1.0),
+        "{:?}",
+        rows[2000]
+    );
+    let turn = std::f64::consts::TAU;
+    for three in rows.windows(3).step_by(17) {
+        let [before, row, after] = three else {
+            panic!("there are three");
+        };
+        let (one, two) = (turn * row[0], 2.0 * turn * row[0]);
+        let place = [0.3 + one.cos(), 3.0 + 0.5 * two.sin()];
+        let velocity = [-turn * one.sin(), turn * two.cos()];
+        let acceleration = [-turn * turn * one.cos(), -2.0 * turn * turn * two.sin()];
+        let given = [place, velocity, acceleration].concat();
+        let off = row[1..7].iter().zip(given);
+        assert!(
+            off.clone()
+                .all(|(found, given)| (found - given).abs() < 1e-8),
+            "{row:?}"
+        );
+        // The motor's rates are those of its differences, which are in degrees.
+        let step = row[0] - before[0];
+        let rate = ((after[7] - before[7]) / (2.0 * step)).to_radians();
+        let second = ((after[7] - 2.0 * row[7] + before[7]) / (step * step)).to_radians();
+        assert!(
+            (rate - row[8]).abs() < 1e-4 * rate.abs().max(10.0),
+            "{row:?} {rate}"
+        );
+        assert!(
+            (second - row[9]).abs() < 1e-3 * second.abs().max(10.0),
+            "{row:?} {second}"
+        );
+    }
+    // A path that nobody knows the end of may leave the reach.
+    let text = format!("{PLOTTER}\npath pen.tip = (0.3, 3 + t);");
+    let folder = Folder::new().with("a.mech", text);
+    folder.mech("table a.mech pen.tip --to 1").done();
+    let said = folder.mech("table a.mech pen.tip --to 3").refused(1);
+    assert!(
+        said.contains("`pen.tip` cannot follow its path until t = "),
+        "{said}"
+    );
+}
