@@ -472,6 +472,10 @@ fn a_point_is_where_its_path_has_it() {
             );
         }
     }
+    assert_eq!(compass.set_size(0.5), Ok(()));
+    assert_eq!(compass.at_time(0.7), Ok(()));
+    let (tip, [x, y]) = (compass.pen_tip(), path(0.7));
+    assert!((tip.x - 0.5 * x).hypot(tip.y - y) < 1e-13);
     let before = compass;
     let wrong = compass.at_time(f64::NAN).expect_err("it is no time");
     assert_eq!((wrong.cause, compass), (Cause::NotFinite, before));

@@ -37,6 +37,7 @@ pub fn reach_least<
     const L: usize,
     const K: usize,
     const W: usize,
+    const RATES: usize,
 >(
     mechanism: Mover<
         '_,
@@ -50,7 +51,7 @@ pub fn reach_least<
     surplus: Surplus<T, N, G>,
     place: [T; G],
     given: impl Fn(&Position<T, M, L, K>) -> [T; G],
-    influence: impl Fn(&Position<T, M, L, K>, [T; M]) -> Result<[T; G], Stop>,
+    influence: impl Fn(&Position<T, M, L, K>, [T; RATES]) -> Result<[T; G], Stop>,
 ) -> Result<(), Blocked<[T; G]>> {
     let Mover {
         position,
@@ -157,13 +158,13 @@ impl<T: Scalar, const N: usize, const G: usize> Surplus<T, N, G> {
 
     /// Goes a piece of the way at once, by Newton's method on the conditions for the least motion from where it begins; then on the place
     /// alone.
-    fn piece<const M: usize, const L: usize, const K: usize>(
+    fn piece<const M: usize, const L: usize, const K: usize, const RATES: usize>(
         &self,
         from: &Position<T, M, L, K>,
         target: [T; G],
         range: Option<&[[T; 2]; M]>,
         given: &impl Fn(&Position<T, M, L, K>) -> [T; G],
-        influence: &impl Fn(&Position<T, M, L, K>, [T; M]) -> Result<[T; G], Stop>,
+        influence: &impl Fn(&Position<T, M, L, K>, [T; RATES]) -> Result<[T; G], Stop>,
         go: impl Fn(&Position<T, M, L, K>, super::Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
     ) -> Result<Position<T, M, L, K>, Stop> {
         let chosen = |all: [T; M]| {

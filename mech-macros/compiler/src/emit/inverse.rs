@@ -118,7 +118,7 @@ fn at_time(emitter: &Emitter<'_>, inverse: &Inverse) -> TokenStream {
         /// it was.
         #visibility fn at_time(&mut self, t: f64) -> Result<(), Blocked<[#scalar; #count]>> {
             let found = generated::finite([t], &[inverse::GIVEN[0]])
-                .and_then(|()| inverse::at_time(self.inverse.motors, t));
+                .and_then(|()| inverse::at_time(self.position.motors, t));
             match found {
                 Result::Ok([#(#given),*]) => self.#lead(#(#given),*),
                 Result::Err(stop) => {

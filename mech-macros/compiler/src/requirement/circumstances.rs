@@ -105,13 +105,12 @@ fn by_laws(model: &Model) -> Result<Vec<f64>, RequirementTrouble> {
         ..model.clone()
     });
     let mut rates = vec![0.0; model.motors.len()];
-    for law in timing.iter().flat_map(|timing| {
-        let motors = timing.motors.iter();
-        motors.map(|law| (law, &timing.program))
-    }) {
-        let (law, program) = law;
+    let Some(timing) = timing else {
+        return Ok(rates);
+    };
+    for law in &timing.motors {
         let motor = law.motor;
-        let rate = law.rate.map(|rate| program.node(rate).op);
+        let rate = law.rate.map(|rate| timing.program.node(rate).op);
         let Some(Op::Constant(rate)) = rate else {
             return Err(RequirementTrouble::UnevenLaw { motor });
         };

@@ -225,6 +225,10 @@ fn bounds(
     let kind = kinds[subject_formula.index()];
     for (number, ((limit, _), bound)) in limits.iter().zip(&bounds).enumerate() {
         check_kinds(reader, [subject, limit], [kind, kinds[bound.limit.index()]])?;
+        if is_force(&measured) && is_in_degrees(limit) {
+            let text = format!("`{subject}` is a force or a torque, and `{limit}` is an angle");
+            return reader.report.refuse(limit.place, text);
+        }
         if kind.is_angle()
             && let Some(value) = fixed_limits[number]
             && is_degrees_perhaps(reader.report, limit, value)
@@ -312,6 +316,16 @@ fn check_formulas(
     Some(())
 }
 
+/// Whether only forces and torques are measured.
+fn is_force(measured: &[Measured]) -> bool {
+    let mut quantities = measured.iter().filter_map(|measured| match measured {
+        Measured::Quantity(quantity) => Some(quantity),
+        _ => None,
+    });
+    let is_any = quantities.clone().next().is_some();
+    is_any && quantities.all(|quantity| quantity.is_force())
+}
+
 /// Complains about two sides of different kinds.
 fn check_kinds(reader: &mut Reader, sides: [&Expr; 2], kinds: [Kind; 2]) -> Option<()> {
     let place = sides[0].place.to(sides[1].place);
@@ -353,7 +367,12 @@ fn lower_loads(reader: &mut Reader, draft: &Draft, given: &[LoadCase]) -> Option
                 .iter()
                 .map(|load| load.name.as_str())
                 .collect();
-            let text = if names.is_empty() {
+            let mut motors = draft.model.motors.iter();
+            let text = if motors.any(|motor| draft.model.joint(motor.joint).name == key) {
+                format!(
+                    "`{name}` is a motor; write `at {name} = VALUE`, or `for {name} in LOW ..= HIGH`"
+                )
+            } else if names.is_empty() {
                 format!(
                     "there is no load `{name}`; a motor's values are written `{name} in LOW ..= HIGH`"
                 )
