@@ -11,7 +11,7 @@ pub(crate) fn is_keyword(word: &str) -> bool {
 }
 
 /// The words that stand before round brackets.
-pub(crate) const CALLED: [&str; 26] = [
+pub(crate) const CALLED: [&str; 40] = [
     "revolute",
     "prismatic",
     "gear",
@@ -38,4 +38,18 @@ pub(crate) const CALLED: [&str; 26] = [
     "ln",
     "min",
     "max",
+    "atan2",
+    "hypot",
+    "turns",
+    "swing",
+    "stroke",
+    "mean",
+    "rms",
+    "dwell",
+    "ratio",
+    "distance",
+    "angle",
+    "clear",
+    "transmission",
+    "pressure",
 ];

@@ -1,7 +1,7 @@
 //! Brackets without their partners.
 
 use super::{Body, Unlexed};
-use crate::text::keyword::CALLED;
+use crate::text::keyword::{CALLED, is_keyword};
 use crate::text::{Kind, Replacement, closing, is_of_word};
 use mech_compiler::syntax::STATEMENTS;
 use std::ops::Range;
@@ -287,10 +287,11 @@ fn edits(body: &Body<'_>, lines: &Lines, clash: &Clash) -> Vec<Edit> {
 fn split(body: &Body<'_>, index: usize, close: char) -> Option<usize> {
     let word = body.word(index);
     let length = match close {
-        ')' => CALLED
-            .iter()
-            .find(|called| word.starts_with(**called))?
-            .len(),
+        ')' if is_keyword(word) => return None,
+        ')' => {
+            let called = CALLED.iter().filter(|called| word.starts_with(**called));
+            called.map(|called| called.len()).max()?
+        }
         _ => word
             .trim_end_matches(|letter: char| letter.is_ascii_digit())
             .len(),
