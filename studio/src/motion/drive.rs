@@ -291,6 +291,29 @@ impl Drive {
         self
     }
 
+    /// The value that drives the motion, after a part of it.
+    fn by(&self, part: f64) -> f64 {
+        let [from, to] = self.ends;
+        from + (to - from) * part
+    }
+
+    /// The moments after a part of the motion where the motor moves at each of these rates; by laws they are the same.
+    pub(crate) fn moments(
+        &self,
+        model: &Model,
+        compiled: &Compiled,
+        part: f64,
+        rates: [f64; 2],
+    ) -> [Moment; 2] {
+        let [first, second] = rates;
+        let moment = self.moment(model, compiled, part, first);
+        let other = match self.kind {
+            Kind::Motor(_) => self.moment(model, compiled, part, second),
+            Kind::Laws(_) => moment.clone(),
+        };
+        [moment, other]
+    }
+
     /// Computes the moment after a part of the motion, 0 to 1, where the motor moves at this rate; by laws at theirs.
     pub(crate) fn moment(
         &self,
@@ -299,8 +322,8 @@ impl Drive {
         part: f64,
         rate: f64,
     ) -> Moment {
-        let [from, to] = self.ends;
-        let by = from + (to - from) * part;
+        let by = self.by(part);
+        let [from, _] = self.ends;
         let time = match self.kind {
             Kind::Motor(_) => (by - from) / rate,
             Kind::Laws(_) => by,
@@ -323,8 +346,8 @@ impl Drive {
             }
             (Kind::Laws(_), None) => {
                 if let Some(trajectory) = Trajectory::of(model, compiled) {
-                    let following = trajectory.at(&self.base, by);
-                    (values, rates) = (following.values, following.rates);
+                    let there = trajectory.follow(&self.base, by);
+                    (values, rates) = (trajectory.values(&there), trajectory.rates(&there));
                 }
             }
         }
@@ -344,13 +367,17 @@ impl Drive {
         machine: &mut Mover<'_>,
         part: f64,
     ) -> Result<(), Failure> {
-        let Moment { by, values, .. } = self.moment(model, compiled, part, 0.0);
+        let by = self.by(part);
         let trajectory = Trajectory::of(model, compiled);
-        if let (Kind::Laws(_), Some(trajectory)) = (self.kind, trajectory)
-            && let Some(why) = trajectory.at(&self.base, by).stop
-        {
-            return Err(stopped_on_path(model, compiled, by, why));
-        }
+        let values = if let (Kind::Laws(_), Some(trajectory)) = (self.kind, trajectory) {
+            let there = trajectory.follow(&self.base, by);
+            if let Some(why) = there.stop {
+                return Err(stopped_on_path(model, compiled, by, why));
+            }
+            trajectory.values(&there)
+        } else {
+            self.moment(model, compiled, part, 0.0).values
+        };
         machine.move_to(&values).map_err(|stop| {
             let why = obstacle(model, compiled, stop);
             Failure::mechanism(match self.kind {

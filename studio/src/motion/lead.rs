@@ -2,7 +2,7 @@
 
 use super::{Mover, motor_name, obstacle, range_of, read_value, show_value};
 use crate::failure::Failure;
-use mech_compiler::model::Model;
+use mech_compiler::model::{Inverse, Model};
 use mech_compiler::{Compiled, Unreachable};
 
 /// The place to which a point is led, as it is typed: `1.5,2`, or with the angle of its link in degrees, `1.5,2,30`.
@@ -43,7 +43,7 @@ impl Goal {
         };
         let name = inverse.name(model);
         let Self(mut place) = self.clone();
-        if place.len() != inverse.motors.len() {
+        if place.len() != inverse.given().len() {
             let given = if inverse.gives_angle() {
                 "x, y and the angle of its link, as `--reach 1.5,2,30`"
             } else {
@@ -51,7 +51,7 @@ impl Goal {
             };
             return Err(Failure::usage(format!("`{name}` is led by {given}")));
         }
-        if let Some(angle) = place.get_mut(2) {
+        if let Some(angle) = place.get_mut(Inverse::ANGLE) {
             *angle = angle.to_radians();
         }
         let mut other = Mover::new(&inverted.model, &inverted.compiled);

@@ -4,6 +4,8 @@ use super::Mover;
 use mech_compiler::model::{Inverse, Model};
 use mech_compiler::program::{LinkRates, Position, Timing};
 use mech_compiler::{Compiled, InverseMechanism, Unreachable};
+use mech_core::Pose;
+use mech_runtime::{Acceleration, Velocity};
 use std::f64::consts::TAU;
 
 /// A point that is led along a path.
@@ -16,13 +18,12 @@ pub(super) struct Trajectory<'m> {
     timing: &'m Timing,
 }
 
-/// Where motors are at a time, and how they move.
-pub(super) struct Following {
-    /// Their values, over whole turns.
-    pub(super) values: Vec<f64>,
-    /// Their rates and second rates, if those of links are computed.
-    pub(super) rates: [Vec<f64>; 2],
-    /// What stopped the point on its way, if it did not come there.
+/// Where a point on its path has brought a mechanism.
+pub(super) struct Followed {
+    position: Position<f64>,
+    /// What is given there, with its rates and second rates.
+    given: Vec<[f64; 3]>,
+    /// The obstacle, if the point did not come there.
     pub(super) stop: Option<Unreachable>,
 }
 
@@ -40,17 +41,15 @@ impl<'m> Trajectory<'m> {
     }
 
     /// Leads the point from where the motors have these values to where the path begins, and along it until a time.
-    pub(super) fn at(self, base: &[f64], time: f64) -> Following {
+    pub(super) fn follow(self, base: &[f64], time: f64) -> Followed {
         /// In so many steps it goes along.
         const STEPS: u32 = 16;
         let Self {
             model, compiled, ..
         } = self;
         let params: Vec<f64> = model.params.values().collect();
-        let end = self
-            .model
-            .period()
-            .map_or(time, |period| time.rem_euclid(period));
+        let period = model.period();
+        let end = period.map_or(time, |period| time.rem_euclid(period));
         let mut machine = Mover::new(model, compiled);
         let mut inverse = Mover::new(&self.inverted.model, &self.inverted.compiled);
         // Motors that were not set as they can be have no way from there.
@@ -61,19 +60,26 @@ impl<'m> Trajectory<'m> {
             let place: Vec<f64> = given.map(|[value, ..]| value).collect();
             stop = stop.or_else(|| machine.lead(model, compiled, &mut inverse, &place).err());
         }
-        let position = machine.position();
-        let given: Vec<[f64; 3]> = self.timing.at(end, &params);
-        let whole = position.motors.iter().zip(&position.turns);
-        let values = whole.map(|(value, turns)| value + TAU * f64::from(*turns));
-        Following {
-            values: values.take(model.motors.len()).collect(),
-            rates: self.rates(&position, &given),
+        Followed {
+            position: machine.position(),
+            given: self.timing.at(end, &params),
             stop,
         }
     }
 
-    /// The rates and second rates of the motors at which what is given has its own.
-    fn rates(self, position: &Position<f64>, given: &[[f64; 3]]) -> [Vec<f64>; 2] {
+    /// The values of the motors there, over whole turns.
+    pub(super) fn values(self, there: &Followed) -> Vec<f64> {
+        let at = &there.position;
+        let whole = at.motors.iter().zip(&at.turns);
+        let values = whole.map(|(value, turns)| value + TAU * f64::from(*turns));
+        values.take(self.model.motors.len()).collect()
+    }
+
+    /// The rates and second rates of the motors there, at which what is given has its own, if those of links are computed.
+    pub(super) fn rates(self, there: &Followed) -> [Vec<f64>; 2] {
+        let Followed {
+            position, given, ..
+        } = there;
         let rest = vec![0.0; self.model.motors.len()];
         let Some(moving) = &self.compiled.moving else {
             return [rest.clone(), rest];
@@ -83,7 +89,7 @@ impl<'m> Trajectory<'m> {
         let link = moving.stored.iter().position(|link| *link == self.led.link);
         let rates_of = |rates: [&[f64]; 2]| -> Option<[Vec<f64>; 2]> {
             let found = machine.motion(rates).ok()?;
-            Some(self.rates_of_given(&found, link?, position.poses[link?]))
+            Some(self.rates_of_given(&found, link?, Pose::from(position.poses[link?])))
         };
         let columns = self.led.motors.iter().map(|motor| {
             let mut unit = rest.clone();
@@ -115,28 +121,19 @@ impl<'m> Trajectory<'m> {
     }
 
     /// The rates and second rates of what is given, from those of its link: without accelerations, the latter are zero.
-    fn rates_of_given(
-        self,
-        rates: &LinkRates<f64>,
-        link: usize,
-        [cos, sin, ..]: [f64; 4],
-    ) -> [Vec<f64>; 2] {
-        let at = self
-            .led
-            .point
-            .map_or([0.0; 2], |point| self.model.axis(point).at);
-        let [x, y] = [cos * at[0] - sin * at[1], sin * at[0] + cos * at[1]];
-        let [turn, vx, vy] = rates.velocities[link];
-        let first = [vx - turn * y, vy + turn * x, turn];
+    fn rates_of_given(self, rates: &LinkRates<f64>, link: usize, pose: Pose<f64>) -> [Vec<f64>; 2] {
+        let point = self.led.point;
+        let at = point.map_or([0.0; 2], |point| self.model.axis(point).at);
+        let [angular, x, y] = rates.velocities[link];
+        let velocity = Velocity { angular, x, y };
+        let [vx, vy] = velocity.of_point(pose, at);
         let second = rates.accelerations.as_ref().map_or([0.0; 3], |all| {
-            let [second, ax, ay] = all[link];
-            let centripetal = turn * turn;
-            [
-                ax - second * y - centripetal * x,
-                ay + second * x - centripetal * y,
-                second,
-            ]
+            let [angular, x, y] = all[link];
+            let acceleration = Acceleration { angular, x, y };
+            let [ax, ay] = acceleration.of_point(pose, velocity.angular, at);
+            [ax, ay, angular]
         });
+        let first = [vx, vy, angular];
         let count = self.led.given().len();
         [first, second].map(|rates| rates[..count].to_vec())
     }

@@ -122,9 +122,11 @@ impl<'a> Prepared<'a> {
         let mut meter = Meter::new(model, compiled, quantities, loads)?;
         let mut rows = vec![Vec::new(); parts.len()];
         drive.visit(model, compiled, parts, |number, at| {
-            let moment = drive.moment(model, compiled, parts[number], of.rate.unwrap_or(1.0));
-            let pushed = drive.moment(model, compiled, parts[number], of.rate.unwrap_or(0.0));
-            let values = meter.read(at, [&moment, &pushed], quantities)?;
+            // Forces are those at rest, if nobody says a rate.
+            let rates = [1.0, 0.0].map(|usual| of.rate.unwrap_or(usual));
+            let moments = drive.moments(model, compiled, parts[number], rates);
+            let [moment, _] = &moments;
+            let values = meter.read(at, moments.each_ref(), quantities)?;
             let shown = quantities.iter().zip(values).map(|(quantity, value)| {
                 value.map(|value| of.units.shown(model, quantity.subject, value))
             });

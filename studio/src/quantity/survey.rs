@@ -69,8 +69,7 @@ impl Survey {
         let positions = drive.attempt(|drive| {
             let mut positions: Vec<Position> = parts.iter().map(|_| Position::default()).collect();
             drive.visit(&model, &compiled, parts, |number, at| {
-                let moments =
-                    [1.0, 0.0].map(|rate| drive.moment(&model, &compiled, parts[number], rate));
+                let moments = drive.moments(&model, &compiled, parts[number], [1.0, 0.0]);
                 positions[number] = meter.position(at, moments.each_ref(), &quantities)?;
                 Ok(())
             })?;
