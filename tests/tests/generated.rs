@@ -21,6 +21,7 @@ mod recorder;
 mod reference;
 mod shapes;
 mod statics;
+mod surplus;
 mod trace;
 mod turns;
 mod velocity;

@@ -23,6 +23,7 @@ mod motion_law;
 pub mod motors;
 mod outline;
 mod phase;
+pub mod pieces;
 mod pose;
 mod power;
 mod real;

@@ -6,9 +6,7 @@ use crate::blocked::Input;
 use crate::{Blocked, Cause, Pose, Real, Scalar};
 use mech_core::journey::{Journey, Standing};
 use mech_core::motors;
-
-/// The way is halved no more often than this.
-const MOST_HALVINGS: i32 = 12;
+use mech_core::pieces::in_pieces;
 
 /// The way cannot be followed at once.
 pub(super) const TOO_FAR: Stop = Stop::new("", Cause::TooFar);
@@ -194,19 +192,18 @@ where
     }
 
     fn try_pieces(&mut self, place: [T; N]) -> Result<(), Blocked<[T; N]>> {
-        let stop = TOO_FAR;
         let (at, from) = (&*self.mechanism.position, &*self.inverse.position);
         if !self.led.agree(at, from) {
             let here = self.led.nearest(self.led.here, &from.motors);
             let here = self.led.inputs(&at.motors, here);
             let poses = self.led.shared(&at.poses);
             let found = self.inverse.position_beside(here, poses, self.led.size);
-            *self.inverse.position = found.ok_or(self.led.blocked(stop, self.led.here))?;
+            *self.inverse.position = found.ok_or(self.led.blocked(TOO_FAR, self.led.here))?;
         }
         let start = self.led.values(&self.inverse.position.motors);
         let end = self.led.nearest(place, &self.inverse.position.motors);
         let way = |part| between(start, end, part);
-        in_pieces(stop, |part| self.go_at_once(way(part)))?
+        in_pieces(TOO_FAR, |part| self.go_at_once(way(part)))?
             .map_err(|(stop, done)| self.led.blocked(stop, way(done)))
     }
 }
@@ -221,31 +218,6 @@ pub(super) fn between<T: Scalar, const N: usize>(start: [T; N], end: [T; N], par
         *value = start + (*value - start) * part;
     }
     place
-}
-
-/// Goes a way in as many pieces as it takes: `go` goes on to a part of it, or gives the reason why it stays. If it does not arrive, it gives
-/// the last reason and how far it came.
-///
-/// # Errors
-/// That of `go`.
-pub(super) fn in_pieces<T: Scalar, E>(
-    mut stop: Stop,
-    mut go: impl FnMut(T) -> Result<Option<Stop>, E>,
-) -> Result<Result<(), (Stop, T)>, E> {
-    // From zero to one: how much of the way is done, and how much is tried next.
-    let (mut done, mut part) = (T::ZERO, T::ONE);
-    while part * T::from_i32(1 << MOST_HALVINGS) >= T::ONE {
-        if let Some(trouble) = go(done + part)? {
-            stop = trouble;
-            part *= T::HALF;
-            continue;
-        }
-        done += part;
-        if done >= T::ONE {
-            return Ok(Ok(()));
-        }
-    }
-    Ok(Err((stop, done)))
 }
 
 /// The rates of all motors at which what is given moves at these rates: motors that do not follow rest. `rates` computes the rates of links

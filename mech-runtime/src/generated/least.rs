@@ -1,9 +1,10 @@
 //! Inverse kinematics with more motors than needed: a point is led, and motors move as little as they can.
 
-use super::inverse::{Mover, TOO_FAR, between, in_pieces};
+use super::inverse::{Mover, TOO_FAR, between};
 use super::{Position, Stop, advance, less};
 use crate::blocked::Input;
 use crate::{Blocked, Cause, Real, Scalar};
+use mech_core::pieces::in_pieces;
 
 /// So many rounds are made on a piece of the way.
 const MOST_ROUNDS: usize = 40;
@@ -74,7 +75,7 @@ pub fn reach_least<
     let way = |part| between(here, end, part);
     let mut at = start;
     let moved = in_pieces(TOO_FAR, |part| {
-        let piece = surplus.piece(
+        let piece = surplus.reach_at_once(
             &at,
             way(part),
             limits.range.as_ref(),
@@ -158,7 +159,7 @@ impl<T: Scalar, const N: usize, const G: usize> Surplus<T, N, G> {
 
     /// Goes a piece of the way at once, by Newton's method on the conditions for the least motion from where it begins; then on the place
     /// alone.
-    fn piece<const M: usize, const L: usize, const K: usize, const RATES: usize>(
+    fn reach_at_once<const M: usize, const L: usize, const K: usize, const RATES: usize>(
         &self,
         from: &Position<T, M, L, K>,
         target: [T; G],

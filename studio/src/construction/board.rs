@@ -8,7 +8,7 @@ use super::path::{Centrodes, inflection};
 use super::polygon::polygon;
 use super::{Construction, Place};
 use crate::failure::Failure;
-use crate::motion::{Drive, motor_name, turns};
+use crate::motion::{Drive, motor_name};
 #[cfg(feature = "editor")]
 use crate::motion::{Setting, Span};
 use crate::quantity::{Load, Order, Position, Survey, Surveyed, body_of};
@@ -275,7 +275,7 @@ fn moving_link(model: &Model, name: &str) -> Result<LinkId, Failure> {
 /// How fast a motor moves, as words of a title.
 fn pace(model: &Model, motor: Option<MotorId>) -> String {
     motor.map_or_else(String::new, |motor| {
-        let is_angle = turns(model, model.motor(motor).joint);
+        let is_angle = model.turns(model.motor(motor).joint);
         let unit = if is_angle { "rad" } else { "unit" };
         format!(", {} at 1 {unit}/s", motor_name(model, motor))
     })

@@ -1,7 +1,7 @@
 //! The ranges of motors, and the whole paths of points over the first of them.
 
 use crate::failure::Failure;
-use crate::motion::{Basis, Mover, Reach, place_of, turns};
+use crate::motion::{Basis, Mover, Reach, place_of};
 use mech_compiler::Compiled;
 use mech_compiler::model::{AxisId, Model};
 
@@ -53,7 +53,7 @@ pub(crate) fn ranges(model: &Model, compiled: &Compiled) -> Result<Vec<MotorRang
             name: model.joint(joint).name.clone(),
             ends,
             basis,
-            turns: turns(model, joint),
+            turns: model.turns(joint),
         })
     });
     motors.collect()

@@ -3,7 +3,7 @@
 use super::lead::stopped_on_path;
 use super::obstacle::{motor_name, obstacle};
 use super::reach::{Reach, limits};
-use super::setting::{motor_of, posed, show_value, turns};
+use super::setting::{motor_of, posed, show_value};
 use super::trajectory::Trajectory;
 use super::{Goal, Mover, Setting, Span, shown};
 use crate::failure::{Failure, FailureKind};
@@ -238,7 +238,7 @@ impl Drive {
             return true;
         };
         let whole = (self.ends[1] - self.ends[0]) / TAU;
-        turns(model, model.motor(motor).joint)
+        model.turns(model.motor(motor).joint)
             && whole != 0.0
             && (whole - whole.round()).abs() < 1e-9
     }

@@ -20,5 +20,5 @@ pub(crate) use paths::Paths;
 pub(crate) use reach::{Basis, Reach};
 pub(crate) use rest::find_rest;
 pub(crate) use setting::{
-    Setting, Span, Typed, motor_of, posed, range_of, read_value, show_value, shown, turns,
+    Setting, Span, Typed, motor_of, posed, range_of, read_value, show_value, shown,
 };

@@ -2,7 +2,7 @@
 
 use super::Mover;
 use super::obstacle::obstacle;
-use super::setting::{from_shown, range_of, shown, turns, unit_of};
+use super::setting::{from_shown, range_of, shown, unit_of};
 use crate::failure::Failure;
 use mech_compiler::Compiled;
 use mech_compiler::evaluate::{Machine, Stop};
@@ -56,7 +56,7 @@ impl Reach {
             });
         }
         let start = base[motor.index()];
-        if turns(model, model.motor(motor).joint) {
+        if model.turns(model.motor(motor).joint) {
             let mut found = walked(model, compiled, motor, base, TAU)?;
             if found.stops[1].is_none() {
                 found = Self {

@@ -3,7 +3,7 @@
 //! The torques that hold a position are the slope of its potential energy. They are followed downhill by a quasi-Newton method: J. Nocedal and
 //! S. J. Wright, *Numerical Optimization* (2006), chapters 3 and 6. Each step ends where the slope along it has become small.
 
-use super::{Mover, obstacle, range_of, turns};
+use super::{Mover, obstacle, range_of};
 use crate::failure::Failure;
 use mech_compiler::Compiled;
 use mech_compiler::evaluate::Stop;
@@ -64,7 +64,7 @@ pub(crate) fn find_rest(
         return Err(Failure::internal("forces have no program that holds"));
     };
     let size = |motor: &MotorId| {
-        if turns(model, model.motor(*motor).joint) {
+        if model.turns(model.motor(*motor).joint) {
             1.0
         } else {
             model.size()

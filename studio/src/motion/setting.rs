@@ -4,7 +4,7 @@ use super::{Mover, motor_name, obstacle};
 use crate::failure::Failure;
 use crate::text::quoted;
 use mech_compiler::Compiled;
-use mech_compiler::model::{JointId, JointKind, Model, MotorId};
+use mech_compiler::model::{JointId, Model, MotorId};
 
 /// The value of a motor, as it is typed: `a=30`.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,7 +60,7 @@ impl Typed {
     /// The value of a motor, in radians or scene units, which is in its declared range.
     pub(super) fn of(self, model: &Model, motor: MotorId) -> Result<f64, Failure> {
         let joint = model.motor(motor).joint;
-        if self.is_angle && !turns(model, joint) {
+        if self.is_angle && !model.turns(joint) {
             let name = motor_name(model, motor);
             return Err(Failure::usage(format!(
                 "motor `{name}` slides: its values are in scene units, not in degrees"
@@ -163,14 +163,9 @@ pub(crate) fn motor_of(model: &Model, name: &str) -> Result<MotorId, Failure> {
     })
 }
 
-/// Whether the coordinate of a joint is an angle.
-pub(crate) fn turns(model: &Model, joint: JointId) -> bool {
-    matches!(model.joint(joint).kind, JointKind::Revolute(..))
-}
-
 /// A coordinate as it is shown, in radians or scene units.
 pub(super) fn from_shown(model: &Model, joint: JointId, value: f64) -> f64 {
-    if turns(model, joint) {
+    if model.turns(joint) {
         value.to_radians()
     } else {
         value
@@ -179,12 +174,12 @@ pub(super) fn from_shown(model: &Model, joint: JointId, value: f64) -> f64 {
 
 /// The unit in which a coordinate is shown.
 pub(crate) fn unit_of(model: &Model, joint: JointId) -> &'static str {
-    if turns(model, joint) { " deg" } else { "" }
+    if model.turns(joint) { " deg" } else { "" }
 }
 
 /// A coordinate in its unit.
 pub(crate) fn shown(model: &Model, joint: JointId, value: f64) -> f64 {
-    if turns(model, joint) {
+    if model.turns(joint) {
         value.to_degrees()
     } else {
         value

@@ -6,7 +6,7 @@ use super::prepared::Prepared;
 use super::{Derived, Layer, Layers, Rates, Style};
 use crate::failure::Failure;
 use crate::motion::{
-    Mover, Paths, Ready, in_precision, joints_in_the_way, motor_name, obstacle, range_of, turns,
+    Mover, Paths, Ready, in_precision, joints_in_the_way, motor_name, obstacle, range_of,
 };
 use crate::painting::{Painting, number_of, poses_of};
 use mech_compiler::evaluate::Stop;
@@ -194,7 +194,7 @@ impl Mechanism {
     #[must_use]
     pub fn slides(&self, motor: usize) -> bool {
         self.joint_of_motor(motor)
-            .is_some_and(|joint| !turns(&self.model, joint))
+            .is_some_and(|joint| !self.model.turns(joint))
     }
 
     /// A value of a motor as text: an angle in degrees, or a length.

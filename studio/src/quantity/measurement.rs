@@ -6,7 +6,7 @@ use super::load::{self, Load};
 use super::meter::Meter;
 use super::turning::Chain;
 use crate::failure::Failure;
-use crate::motion::{Drive, turns};
+use crate::motion::Drive;
 use mech_compiler::model::{Model, Precision};
 use mech_compiler::{Compiled, compile};
 use std::ops::Range;
@@ -202,7 +202,7 @@ pub(super) fn with_needs(model: &Model, quantities: &[Quantity]) -> Model {
             whole.continuous.extend(Chain::to(model, link).joints());
         }
     }
-    whole.continuous.retain(|&joint| turns(model, joint));
+    whole.continuous.retain(|&joint| model.turns(joint));
     whole.continuous.sort_unstable();
     whole.continuous.dedup();
     whole

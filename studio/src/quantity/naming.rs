@@ -2,7 +2,7 @@
 
 use super::kind::{Influenced, Order, Part, Quantity, Reaction, Spot, Subject};
 use crate::failure::Failure;
-use crate::motion::{motor_of, read_value, turns};
+use crate::motion::{motor_of, read_value};
 use crate::text::quoted;
 use mech_compiler::model::{AxisId, AxisKind, JointId, JointKind, LinkId, Model};
 use mech_compiler::plan::Plan;
@@ -145,7 +145,7 @@ fn of_cam(name: &str) -> Option<(&str, &str)> {
 fn cam_of(model: &Model, name: &str) -> Result<JointId, Failure> {
     let joint = joint_of(model, name).ok_or_else(|| unknown(model, name))?;
     match model.joint(joint).kind {
-        JointKind::Cam { shaft, .. } if !turns(model, shaft) => Err(Failure::usage(format!(
+        JointKind::Cam { shaft, .. } if !model.turns(shaft) => Err(Failure::usage(format!(
             "the shaft of cam `{name}` slides; this is measured of a cam that turns"
         ))),
         JointKind::Cam { .. } if model.roller_of(joint).is_some() => Ok(joint),

@@ -1,7 +1,6 @@
 //! The units in which quantities are shown.
 
 use super::kind::{Influenced, Order, Reaction, Subject};
-use crate::motion::turns;
 use mech_compiler::model::{LoadKind, Model};
 
 /// The names of a scene unit and of a unit of force.
@@ -31,10 +30,10 @@ impl Units {
             Subject::Influence(of, motor) => {
                 let above = match of {
                     Influenced::Angle(_) => "rad",
-                    Influenced::Coordinate(joint) if turns(model, joint) => "rad",
+                    Influenced::Coordinate(joint) if model.turns(joint) => "rad",
                     Influenced::Point(..) | Influenced::Coordinate(_) => length,
                 };
-                let below = if turns(model, model.motor(motor).joint) {
+                let below = if model.turns(model.motor(motor).joint) {
                     "rad"
                 } else {
                     length
@@ -47,11 +46,11 @@ impl Units {
             }
             Subject::Power(_) => format!("{}/s", torque()),
             Subject::Angle(_, order) => rate("deg", "rad", order),
-            Subject::Coordinate(joint, order) if turns(model, joint) => rate("deg", "rad", order),
+            Subject::Coordinate(joint, order) if model.turns(joint) => rate("deg", "rad", order),
             Subject::Point(_, order, _) | Subject::Coordinate(_, order) => {
                 rate(length, length, order)
             }
-            Subject::Torque(motor) if turns(model, model.motor(motor).joint) => torque(),
+            Subject::Torque(motor) if model.turns(model.motor(motor).joint) => torque(),
             Subject::Torque(_)
             | Subject::Reaction(_, Reaction::Force(_))
             | Subject::Ground(Reaction::Force(_))
@@ -61,7 +60,7 @@ impl Units {
             | Subject::Shaking(Reaction::Torque) => torque(),
             Subject::Advantage(load, motor) => {
                 let is_force = matches!(model.actions.loads[load].kind, LoadKind::Force(_));
-                match (is_force, turns(model, model.motor(motor).joint)) {
+                match (is_force, model.turns(model.motor(motor).joint)) {
                     (true, true) => format!("1/{length}"),
                     (false, false) => length.clone(),
                     _ => "1".to_owned(),

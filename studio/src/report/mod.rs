@@ -1,5 +1,7 @@
 //! What a mechanism does, in an engineer's words, before how it is solved.
 
+#[cfg(feature = "editor")]
+mod failing;
 mod four_bar;
 mod motion;
 mod requirements;
@@ -20,11 +22,22 @@ pub(crate) fn report(model: &Model, compiled: &Compiled) -> Result<String, Failu
     let (name, solution) = text.split_once('\n').unwrap_or((text, ""));
     Ok(format!(
         "{name}\n{}{solution}\n  legend    + additions, × multiplications, ÷ divisions, √ square roots, ≷ comparisons\n",
-        Behaviour::of(model, compiled)?.lines
+        told(model, compiled)?.0
+    ))
+}
+
+/// What a mechanism does and is for, as the lines of a report, and what is expected of it.
+fn told(model: &Model, compiled: &Compiled) -> Result<(String, Vec<Judged>), Failure> {
+    let motion = motion(model, compiled)?;
+    let requirements = requirements::judged(model, compiled)?;
+    Ok((
+        motion + &lines(requirements::lines(&requirements)),
+        requirements,
     ))
 }
 
 /// What a mechanism does, and whether it does what it is for.
+#[cfg(feature = "editor")]
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Behaviour {
@@ -34,12 +47,13 @@ pub(crate) struct Behaviour {
     pub(crate) requirements: Vec<Judged>,
 }
 
+#[cfg(feature = "editor")]
 impl Behaviour {
     pub(crate) fn of(model: &Model, compiled: &Compiled) -> Result<Self, Failure> {
-        let motion = motion(model, compiled)?;
-        let requirements = requirements::judged(model, compiled)?;
+        let (lines, mut requirements) = told(model, compiled)?;
+        failing::sample(&mut requirements, model, compiled)?;
         Ok(Self {
-            lines: motion + &lines(requirements::lines(&requirements)),
+            lines,
             requirements,
         })
     }

@@ -2,7 +2,7 @@
 
 use super::words::{Driver, with_unit};
 use crate::failure::{Failure, FailureKind};
-use crate::motion::{Basis, Drive, Reach, Span, motor_name, obstacle, turns};
+use crate::motion::{Basis, Drive, Reach, Span, motor_name, obstacle};
 use crate::quantity::{self, FLAT, Measurement, Summary, Units, summarize};
 use crate::text::quoted;
 use mech_compiler::Compiled;
@@ -54,7 +54,7 @@ pub(super) fn lines(model: &Model, compiled: &Compiled) -> Result<Vec<(String, S
         if let Some((motor, range)) = motor {
             lines.push(("motor".to_owned(), range));
             motor_name(model, motor).clone_into(&mut driver.name);
-            let is_angle = turns(model, model.motor(motor).joint);
+            let is_angle = model.turns(model.motor(motor).joint);
             driver.unit = if is_angle { "deg" } else { "" };
         }
         let driven = driven_lines(model, compiled, &drive, &driver)?;
@@ -91,7 +91,7 @@ fn start<'c>(model: &Model, compiled: &'c Compiled) -> &'c [f64] {
 
 /// A motor with its range in words.
 fn range(model: &Model, compiled: &Compiled, motor: MotorId, reach: &Reach) -> String {
-    let is_angle = turns(model, model.motor(motor).joint);
+    let is_angle = model.turns(model.motor(motor).joint);
     let shown = |value: f64| {
         if is_angle {
             with_unit(value.to_degrees(), "deg", DIGITS)

@@ -1,12 +1,10 @@
 //! What is expected of a mechanism, and whether it was proved.
 
 use crate::failure::Failure;
-use crate::motion::{Basis, Reach};
-use mech_compiler::model::{Model, MotorId, Requirement};
-use mech_compiler::requirement::{Proof, failing, judge};
+use mech_compiler::model::Model;
+use mech_compiler::requirement::{Proof, judge};
 use mech_compiler::structure::Diagnosis;
 use mech_compiler::{Compiled, catch, reporter};
-use std::f64::consts::PI;
 
 /// A requirement, and what was found out about it.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,23 +37,18 @@ impl Judged {
 pub(super) fn judged(model: &Model, compiled: &Compiled) -> Result<Vec<Judged>, Failure> {
     let judged = catch(|| judge(model, compiled)).map_err(Failure::internal)?;
     let requirements = model.requirements.iter().zip(judged);
-    let judged = requirements.map(|(requirement, judged)| {
-        let places = judged.as_ref().err().and_then(Diagnosis::witness);
-        let places = places.map_or(&[][..], |(_, witness)| &witness.places);
-        let intervals = catch(|| intervals(model, compiled, requirement, places));
-        Ok(Judged {
-            written: requirement.written.clone(),
-            is_met: judged.is_ok(),
-            text: match &judged {
-                Ok(Proof { effort: 0 }) => "proved".to_owned(),
-                Ok(Proof { effort }) => format!("proved, by {effort} intervals"),
-                Err(unmet) => reporter::text(unmet, model),
-            },
-            places: places.iter().map(|place| numbered(place)).collect(),
-            intervals: intervals.map_err(Failure::internal)?,
-        })
+    let judged = requirements.map(|(requirement, judged)| Judged {
+        written: requirement.written.clone(),
+        is_met: judged.is_ok(),
+        text: match &judged {
+            Ok(Proof { effort: 0 }) => "proved".to_owned(),
+            Ok(Proof { effort }) => format!("proved, by {effort} intervals"),
+            Err(unmet) => reporter::text(unmet, model),
+        },
+        places: judged.err().as_ref().map_or(Vec::new(), places),
+        intervals: Vec::new(),
     });
-    judged.collect()
+    Ok(judged.collect())
 }
 
 /// Each requirement, as a line of a report: a label and a text.
@@ -72,41 +65,14 @@ pub(super) fn lines(judged: &[Judged]) -> Vec<(String, String)> {
     lines.collect()
 }
 
-/// The values of each motor of these places, with others there, for which a requirement does not hold.
-fn intervals(
-    model: &Model,
-    compiled: &Compiled,
-    requirement: &Requirement,
-    places: &[Vec<(MotorId, f64)>],
-) -> Vec<(usize, [f64; 2])> {
-    let mut all = Vec::new();
-    for place in places {
-        let mut base = compiled.program.start.motors[..model.motors.len()].to_vec();
-        for (motor, value) in place {
-            base[motor.index()] = *value;
-        }
-        for (motor, value) in place {
-            let mut cases = requirement.cases.iter();
-            let case = cases.find(|case| case.motor == *motor);
-            let ends = case.map(|case| case.ends).or_else(|| {
-                let reach = Reach::of(model, compiled, *motor, &base);
-                reach.ok().map(|reach| match reach.basis {
-                    Basis::Round => [value - PI, value + PI],
-                    _ => reach.ends,
-                })
-            });
-            let found = ends.map_or(Vec::new(), |ends| {
-                failing(model, compiled, requirement, (*motor, ends), place)
-            });
-            all.extend(found.into_iter().map(|ends| (motor.index(), ends)));
-        }
-    }
-    all
-}
-
-fn numbered(place: &[(MotorId, f64)]) -> Vec<(usize, f64)> {
-    let motors = place.iter();
-    motors
-        .map(|(motor, value)| (motor.index(), *value))
-        .collect()
+fn places(unmet: &Diagnosis) -> Vec<Vec<(usize, f64)>> {
+    let places = unmet.witness().into_iter();
+    let places = places.flat_map(|(_, witness)| &witness.places);
+    let numbered = places.map(|place| {
+        let motors = place.iter();
+        motors
+            .map(|(motor, value)| (motor.index(), *value))
+            .collect()
+    });
+    numbered.collect()
 }

@@ -7,6 +7,7 @@ mod constructions;
 mod dialogue;
 mod edit;
 mod import;
+mod led;
 mod listing;
 mod mend;
 mod numbers;

@@ -1,6 +1,6 @@
 //! The conditions under which an item of the API exists.
 
-use crate::model::{JointKind, LoadKind, Model};
+use crate::model::{LoadKind, Model};
 use std::fmt::{self, Display, Formatter};
 
 /// The statements of a text from which methods are made, right or wrong.
@@ -50,7 +50,7 @@ impl Condition {
         let effects = model.effects;
         let slides = || {
             let mut motors = model.motors.iter();
-            motors.any(|motor| !matches!(model.joint(motor.joint).kind, JointKind::Revolute(..)))
+            motors.any(|motor| !model.turns(motor.joint))
         };
         let has_forces = || {
             let mut loads = model.actions.loads.iter();

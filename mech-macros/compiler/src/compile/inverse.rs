@@ -5,7 +5,7 @@ use crate::compiled::InverseMechanism;
 use crate::digits::significant;
 use crate::evaluate::Machine;
 use crate::kinematics::LinkFrames;
-use crate::model::{Inverse, JointId, JointKind, LinkId, Model, MotorId, Near, Start, StartValue};
+use crate::model::{Inverse, JointId, LinkId, Model, MotorId, Near, Start, StartValue};
 use crate::program::{self, Program};
 use crate::structure::{Diagnosis, InverseTrouble};
 
@@ -242,10 +242,6 @@ fn is_idle(model: &Model, inverse: &Inverse, program: &Program, motor: MotorId) 
     /// What moves less, in parts of the size, does not move.
     const ROUNDING: f64 = 1e-10;
     let size = model.size().max(f64::MIN_POSITIVE);
-    let unit = match model.joint(model.motor(motor).joint).kind {
-        JointKind::Revolute(..) => 1.0,
-        _ => size,
-    };
     let place_of = |machine: &Machine<'_, f64>| {
         let poses = &machine.position().poses;
         place(
@@ -258,7 +254,7 @@ fn is_idle(model: &Model, inverse: &Inverse, program: &Program, motor: MotorId) 
         let mut machine = Machine::<f64>::new(program);
         let before = place_of(&machine);
         let mut motors = machine.position().motors.clone();
-        motors[motor.index()] += step * unit;
+        motors[motor.index()] += step * model.unit_of(motor);
         machine.move_to(&motors).ok()?;
         let after = place_of(&machine);
         let parts = [0, 1, 2].map(|part| (after[part] - before[part]).abs());

@@ -5,12 +5,10 @@ use crate::bug::bug;
 use crate::compiled::{Compiled, InverseMechanism};
 use crate::evaluate::{Machine, Stop};
 use crate::kinematics::LinkFrames;
-use crate::model::{Inverse, JointKind, Model, MotorId};
+use crate::model::{Inverse, Model, MotorId};
 use crate::program::{Position, Program, Real};
 use mech_core::journey::Standing;
-
-/// The way is halved no more often than this.
-const MOST_HALVINGS: i32 = 12;
+use mech_core::pieces::in_pieces;
 
 /// So many whole turns of an angle that gears follow are tried.
 const MOST_TURNS: i32 = 32;
@@ -30,7 +28,7 @@ pub enum Unreachable {
 /// the link where three motors follow. `inverse` is a machine of the program of [`Compiled::inverse`], wherever it is.
 ///
 /// # Errors
-/// What keeps the point from coming there; the mechanism then stays where it was.
+/// The obstacle to the point; the mechanism then stays where it was.
 pub fn lead<T: Real>(
     model: &Model,
     compiled: &Compiled,
@@ -49,7 +47,7 @@ pub fn lead<T: Real>(
         mechanism,
         inverse,
     };
-    let done = way.go(place);
+    let done = way.lead_to(place);
     if done.is_err() {
         mechanism.put_back(start);
     }
@@ -77,40 +75,28 @@ struct Way<'w, 'm, 'i, T: Real> {
 }
 
 impl<'w, T: Real> Way<'w, '_, '_, T> {
-    fn go(&mut self, place: &[f64]) -> Result<(), Unreachable> {
+    /// Goes to a place in as many pieces as it takes.
+    fn lead_to(&mut self, place: &[f64]) -> Result<(), Unreachable> {
         let poses: Vec<[f64; 4]> = in_double(&self.mechanism.position().poses);
         let Some(start) = led_place(self.model, self.programs[0], &poses) else {
             bug!("a point that is led has no place");
         };
         let mut end = place.to_vec();
-        if let (Some(end), Some(start)) = (end.get_mut(2), start.get(2)) {
+        if let (Some(end), Some(start)) = (end.get_mut(Inverse::ANGLE), start.get(Inverse::ANGLE)) {
             // The shorter way.
             let turn = T::TURN.to_f64();
             *end -= turn * ((*end - *start) / turn).round();
         }
         self.stand(&start).ok_or(Unreachable::Apart)?;
-        // From zero to one: how much of the way is done, and how much is tried next.
-        let (mut done, mut part, mut trouble) = (0.0, 1.0, Unreachable::Apart);
-        while part >= 0.5_f64.powi(MOST_HALVINGS) {
-            let to = done + part;
-            let between = start.iter().zip(&end);
-            let between: Vec<f64> = if to >= 1.0 {
-                end.clone()
-            } else {
-                between
-                    .map(|(from, end)| from + (end - from) * to)
-                    .collect()
-            };
-            match self.go_at_once(&between)? {
-                Some(stop) => {
-                    trouble = stop;
-                    part *= 0.5;
-                }
-                None if to >= 1.0 => return Ok(()),
-                None => done = to,
+        let between = |part: f64| {
+            if part >= 1.0 {
+                return end.clone();
             }
-        }
-        Err(trouble)
+            let both = start.iter().zip(&end);
+            both.map(|(from, end)| from + (end - from) * part).collect()
+        };
+        let done = in_pieces(Unreachable::Apart, |part| self.go_at_once(&between(part)))?;
+        done.map_err(|(trouble, _)| trouble)
     }
 
     /// Puts the inverse where the mechanism is, with the point at this place. Nothing if it cannot be.
@@ -168,7 +154,7 @@ impl<'w, T: Real> Way<'w, '_, '_, T> {
         for ((motor, before), after) in self.led.motors.iter().zip(before).zip(after) {
             let number = motor.index();
             let joint = self.model.motor(*motor).joint;
-            let turned = if let JointKind::Revolute(..) = self.model.joint(joint).kind {
+            let turned = if self.model.turns(joint) {
                 // Both count whole turns from a beginning of their own.
                 let turn = T::TURN.to_f64();
                 turn * ((motors[number].to_f64() - before) / turn).round()

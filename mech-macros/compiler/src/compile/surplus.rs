@@ -1,7 +1,7 @@
 //! More motors than needed, which follow a point: whether they move it every way.
 
 use crate::evaluate::Machine;
-use crate::model::{Inverse, JointKind, Model, MotorId};
+use crate::model::{Inverse, Model};
 use crate::program::Program;
 use crate::structure::{Diagnosis, InverseTrouble};
 use nalgebra::DMatrix;
@@ -38,12 +38,8 @@ fn moves_every_way(model: &Model, inverse: &Inverse, moving: &Program, step: f64
     let size = model.size().max(f64::MIN_POSITIVE);
     let mut machine = Machine::<f64>::new(moving);
     let mut motors = machine.position().motors[..model.motors.len()].to_vec();
-    let unit = |motor: &MotorId| match model.joint(model.motor(*motor).joint).kind {
-        JointKind::Revolute(..) => 1.0,
-        _ => size,
-    };
     for (number, motor) in (1_i32..).zip(&inverse.motors) {
-        motors[motor.index()] += step * unit(motor) / f64::from(number);
+        motors[motor.index()] += step * model.unit_of(*motor) / f64::from(number);
     }
     if step != 0.0 && machine.move_to(&motors).is_err() {
         return false;
@@ -57,7 +53,7 @@ fn moves_every_way(model: &Model, inverse: &Inverse, moving: &Program, step: f64
     let rest = vec![0.0; motors.len()];
     let columns = inverse.motors.iter().map(|motor| {
         let mut rates = rest.clone();
-        rates[motor.index()] = unit(motor);
+        rates[motor.index()] = model.unit_of(*motor);
         let found = machine.motion(&rates, &rest).ok()?;
         let [angular, x, y] = found.velocities[stored];
         Some([x - angular * arm[1], y + angular * arm[0], size * angular])

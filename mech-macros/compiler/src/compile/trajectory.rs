@@ -24,9 +24,13 @@ pub(super) fn check(model: &Model, compiled: &Compiled) -> Result<(), Diagnosis>
     let params: Vec<f64> = model.params.values().collect();
     let mut mechanism = Machine::<f64>::new(&compiled.program);
     let mut inverse = Machine::<f64>::new(&inverted.compiled.program);
-    let period = model.period();
-    for place in 0..=if period.is_some() { PLACES } else { 0 } {
-        let time = period.unwrap_or(0.0) * f64::from(place) / f64::from(PLACES);
+    let times = model.period().map_or(vec![0.0], |period| {
+        let places = (0..=PLACES).map(f64::from);
+        places
+            .map(|place| period * place / f64::from(PLACES))
+            .collect()
+    });
+    for time in times {
         let given: Vec<f64> = laws.iter().map(|law| law.at(time, &params)).collect();
         let stop = outside(led, &given).or_else(|| {
             let both = (&mut mechanism, &mut inverse);

@@ -3,7 +3,7 @@
 use super::tokens::{integer, number, scalar, user_ident};
 use crate::compiled::{Compiled, InverseMechanism};
 use crate::looks::{Looks, looks};
-use crate::model::{AxisId, FormulaId, JointKind, LinkId, Model, MotorId, Origin};
+use crate::model::{AxisId, FormulaId, LinkId, Model, MotorId, Origin};
 use crate::program::Program;
 use crate::syntax::{Header, Parsed, Places};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -144,8 +144,7 @@ impl<'a> Emitter<'a> {
 
     /// Whether a motor turns; others slide.
     pub(super) fn turns(&self, motor: MotorId) -> bool {
-        let joint = self.model.joint(self.model.motor(motor).joint);
-        matches!(joint.kind, JointKind::Revolute(..))
+        self.model.turns(self.model.motor(motor).joint)
     }
 
     /// Whether the pose of a link is known; the ground's always is.

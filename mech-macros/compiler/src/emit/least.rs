@@ -51,7 +51,7 @@ pub(super) fn module(emitter: &Emitter<'_>, inverse: &Inverse) -> TokenStream {
     let motors = inverse.motors.iter().map(|motor| integer(motor.index()));
     let size = emitter.model.size();
     let weights = inverse.motors.iter().map(|motor| {
-        let far = if emitter.turns(*motor) { 1.0 } else { size };
+        let far = emitter.model.unit_of(*motor);
         emitter.number(far * far)
     });
     let (number, size) = (integer(inverse.motors.len()), emitter.number(size));

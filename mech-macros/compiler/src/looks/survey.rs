@@ -1,7 +1,7 @@
 //! Where the links of a mechanism come to when its motors move.
 
 use super::slide::Slide;
-use crate::model::{AxisId, JointKind, LinkId, Model};
+use crate::model::{AxisId, LinkId, Model};
 use crate::motion::sweep::{MostTurns, Sweep, interpolate, sweep_each, sweep_together};
 use crate::motion::walk::{Arrival, Walker};
 use crate::plan::Plan;
@@ -184,7 +184,7 @@ impl<'a> Surveyor<'a> {
         };
         let mut from = Rc::clone(&self.positions[0]);
         let joint = self.model.motors[motor].joint;
-        let turns = matches!(self.model.joint(joint).kind, JointKind::Revolute(..));
+        let turns = self.model.turns(joint);
         let is_endless = turns && self.model.motors[motor].range.is_none();
         // Past change points it takes several turns until everything is where it was.
         let passes = is_endless && self.program.passes_change_points();

@@ -342,6 +342,22 @@ impl Model {
         &self.laws[id.index()]
     }
 
+    /// Whether the coordinate of a joint is an angle.
+    #[must_use]
+    pub fn turns(&self, joint: JointId) -> bool {
+        matches!(self.joint(joint).kind, JointKind::Revolute(..))
+    }
+
+    /// A displacement of a motor that compares with those of others: a radian, or the size of the mechanism if it slides.
+    #[must_use]
+    pub(crate) fn unit_of(&self, motor: MotorId) -> f64 {
+        if self.turns(self.motor(motor).joint) {
+            1.0
+        } else {
+            self.size().max(f64::MIN_POSITIVE)
+        }
+    }
+
     /// Whether anything moves by laws of the time: motors, or a point on its path.
     #[must_use]
     pub fn has_laws(&self) -> bool {

@@ -2,8 +2,7 @@
 
 use super::formula::Now;
 use super::{
-    Arithmetic, BinaryFunction, FormulaArithmetic, Function, Inverse, JointKind, Law, Model,
-    Number, ParamId,
+    Arithmetic, BinaryFunction, FormulaArithmetic, Function, Inverse, Law, Model, Number, ParamId,
 };
 use mech_core::Staircase;
 use std::f64::consts::TAU;
@@ -13,12 +12,7 @@ impl Model {
     /// none if nobody knows one. What turns may have made whole turns.
     #[must_use]
     pub fn period(&self) -> Option<f64> {
-        let turns = |motor| {
-            matches!(
-                self.joint(self.motor(motor).joint).kind,
-                JointKind::Revolute(..)
-            )
-        };
+        let turns = |motor| self.turns(self.motor(motor).joint);
         let motors = self.lawful_motors();
         let motors = motors.map(|(motor, law)| (law, turns(motor)));
         let trajectory = self.inverse.iter().flat_map(|inverse| &inverse.trajectory);

@@ -81,6 +81,17 @@ pub enum Measured {
     Rate(Rate, FormulaId),
 }
 
+impl Measured {
+    /// The quantity, if it is one.
+    #[must_use]
+    pub fn quantity(&self) -> Option<Quantity> {
+        match self {
+            Self::Quantity(quantity) => Some(*quantity),
+            _ => None,
+        }
+    }
+}
+
 /// A derivative by the time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -182,11 +193,7 @@ impl Quantity {
 impl Requirement {
     /// The quantities that it measures.
     pub fn quantities(&self) -> impl Iterator<Item = Quantity> + Clone + '_ {
-        let all = self.measured.iter();
-        all.filter_map(|measured| match measured {
-            Measured::Quantity(quantity) => Some(*quantity),
-            _ => None,
-        })
+        self.measured.iter().filter_map(Measured::quantity)
     }
 
     /// Whether it measures a force or a torque.

@@ -1,6 +1,6 @@
 //! Notes about laws that jump, or whose rates do.
 
-use crate::model::{JointId, JointKind, Jump, Model};
+use crate::model::{JointId, Jump, Model};
 
 /// Times up to which laws of motors are looked at: of mechanisms that are quick, and of slow ones.
 const TIMES: [f64; 6] = [0.01, 0.1, 1.0, 10.0, 100.0, 1000.0];
@@ -15,7 +15,7 @@ pub(super) fn notes(model: &Model) -> impl Iterator<Item = String> {
         let params = params.clone();
         move |(motor, law)| {
             let joint = model.motor(motor).joint;
-            let is_angle = is_turning(model, joint);
+            let is_angle = model.turns(joint);
             let mut found = TIMES.into_iter();
             let jump = found.find_map(|time| law.first_jump([0.0, time], &params, is_angle))?;
             let place = format!("at t = {}", tidy(jump.at));
@@ -24,10 +24,10 @@ pub(super) fn notes(model: &Model) -> impl Iterator<Item = String> {
     });
     let cams = model.cams().filter_map(move |(cam, shaft, follower, law)| {
         // A slide has no turn to look at.
-        if !is_turning(model, shaft) {
+        if !model.turns(shaft) {
             return None;
         }
-        let jump = law.first_jump_in_turn(&params, is_turning(model, follower))?;
+        let jump = law.first_jump_in_turn(&params, model.turns(follower))?;
         let by = format!("cam `{}`", model.joint(cam).name);
         let degrees = jump.at.to_degrees();
         let degrees = if degrees.abs() < 1e-9 {
@@ -40,10 +40,6 @@ pub(super) fn notes(model: &Model) -> impl Iterator<Item = String> {
         Some(note(model, &jump, follower, [&by, &place, &per]))
     });
     motors.chain(cams)
-}
-
-fn is_turning(model: &Model, joint: JointId) -> bool {
-    matches!(model.joint(joint).kind, JointKind::Revolute(..))
 }
 
 /// ``by its law the rate of `a` jumps at t = 1, from 0 to 2: nothing that has mass can follow``.

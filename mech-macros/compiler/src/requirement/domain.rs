@@ -4,7 +4,7 @@ use crate::certify::cone::Cuts;
 use crate::certify::{Enclosure, Interval, Sources, Verdict, certify, is_same};
 use crate::compiled::Compiled;
 use crate::evaluate::Machine;
-use crate::model::{JointKind, Model, MotorId, Requirement};
+use crate::model::{Model, MotorId, Requirement};
 use crate::motion::proof::unknowns;
 use crate::motion::watching::Domain;
 use crate::program::{BlockId, Gauge, Program, Value};
@@ -264,8 +264,7 @@ pub(super) fn round_of(
 
 /// Tests whether a motor turns, and may go right round.
 fn is_turning(model: &Model, motor: MotorId) -> bool {
-    let joint = model.motor(motor).joint;
-    matches!(model.joint(joint).kind, JointKind::Revolute(..))
+    model.turns(model.motor(motor).joint)
 }
 
 /// Moves a motor to a value while all others stand, and tells whether it comes there.

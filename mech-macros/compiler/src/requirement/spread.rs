@@ -68,12 +68,13 @@ pub fn failing(
             let mut to = from.clone();
             to[number] = end;
             // Angles over whole turns are followed from the start.
-            if from != *start && !way(start, &from, places).all(|motors| breaks(&motors).is_some())
+            if from != *start
+                && !places_between(start, &from, places).all(|motors| breaks(&motors).is_some())
             {
                 continue;
             }
             let half = 0.5 * (end - from[number]).abs() * part_of(1, places);
-            for motors in way(&from, &to, places) {
+            for motors in places_between(&from, &to, places) {
                 match breaks(&motors) {
                     Some(true) => samples.push((motors[number], half)),
                     Some(false) => {}
@@ -92,7 +93,7 @@ fn part_of(place: usize, places: usize) -> f64 {
 }
 
 /// So many places on the straight way from one to another.
-fn way(from: &[f64], to: &[f64], places: usize) -> impl Iterator<Item = Vec<f64>> {
+fn places_between(from: &[f64], to: &[f64], places: usize) -> impl Iterator<Item = Vec<f64>> {
     let parts = (0..=places).map(move |place| part_of(place, places));
     parts.map(move |part| {
         let motors = from.iter().zip(to);

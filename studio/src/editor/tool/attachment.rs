@@ -7,7 +7,7 @@ use crate::editor::drawing::{Drawing, Hit, distance};
 use crate::editor::names::Names;
 use crate::editor::placement::Pose;
 use crate::text::shortest;
-use mech_compiler::model::{AxisId, JointKind, LinkId};
+use mech_compiler::model::{AxisId, LinkId};
 
 /// The name of a mechanism that is begun by drawing.
 const NAME: &str = "Mechanism";
@@ -292,7 +292,7 @@ impl<'d> Builder<'d> {
     pub(super) fn wheel_at(&self, pick: &Pick) -> Result<(LinkId, [f64; 2]), String> {
         let drawing = self.drawing()?;
         let link = self.moving_link_at(pick)?;
-        let is_pivot = matches!(pick.hit, Hit::Joint(joint) if matches!(drawing.model.joint(joint).kind, JointKind::Revolute(..)));
+        let is_pivot = matches!(pick.hit, Hit::Joint(joint) if drawing.model.turns(joint));
         let center = if is_pivot {
             Some(pick.place)
         } else {

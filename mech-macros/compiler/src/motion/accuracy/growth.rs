@@ -1,7 +1,7 @@
 //! Whether rounding errors grow with the turns of a motor: then no accuracy holds wherever it is.
 
 use crate::evaluate::Machine;
-use crate::model::{JointKind, Model, MotorId};
+use crate::model::{Model, MotorId};
 use crate::program::{Op, Program, Value};
 use std::f64::consts::TAU;
 
@@ -23,7 +23,7 @@ struct Growth {
 pub(super) fn growing(model: &Model, program: &Program) -> Option<MotorId> {
     let endless = |motor: &MotorId| {
         let motor = model.motor(*motor);
-        let turns = matches!(model.joint(motor.joint).kind, JointKind::Revolute(..));
+        let turns = model.turns(motor.joint);
         turns && motor.range.is_none()
     };
     let endless: Vec<MotorId> = model.motor_ids().filter(endless).collect();

@@ -3,7 +3,7 @@
 use super::known::LoopProof;
 use crate::certify::Interval;
 use crate::certify::cone::{Cuts, Cutter, Variable};
-use crate::model::{JointKind, Model, MotorId};
+use crate::model::{Model, MotorId};
 use crate::plan::Solution;
 use crate::program::{Op, Program, Value};
 use std::collections::{BTreeMap, BTreeSet};
@@ -76,7 +76,7 @@ impl<'a> Domain<'a> {
     pub(super) fn turns(&self, input: usize) -> bool {
         input < self.model.motors.len() && {
             let motor = self.model.motor(MotorId::new(input));
-            matches!(self.model.joint(motor.joint).kind, JointKind::Revolute(..))
+            self.model.turns(motor.joint)
         }
     }
 

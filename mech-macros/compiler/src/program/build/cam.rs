@@ -32,7 +32,7 @@ impl PositionPass<'_> {
         let (law, name) = (model.law(law), &model.joint(cam.by).name);
         let title = format!("Moved by cam `{name}`.");
         self.lowering.ssa.block(format!("follow_{name}"), title);
-        let turns = matches!(model.joint(shaft).kind, JointKind::Revolute(..));
+        let turns = model.turns(shaft);
         let winding = law.winding().filter(|_| turns);
         // Of a coordinate that grows by whole turns with its shaft, an angle needs only what it is in one turn, and what returns anything.
         let in_one_turn = match cam.connection.kind {

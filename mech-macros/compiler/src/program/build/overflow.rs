@@ -13,7 +13,7 @@ pub(super) fn reduced_inputs(model: &Model, plan: &Plan) -> Vec<bool> {
         .iter()
         .any(|step| matches!(step, Step::Mesh(_) | Step::Cam(_)) || ties_sources(step));
     let turning = model.motors.iter().map(|motor| {
-        let turns = matches!(model.joint(motor.joint).kind, JointKind::Revolute(..));
+        let turns = model.turns(motor.joint);
         asked && meshes && turns
     });
     let fixed = model.params.ids().map(|_| false);

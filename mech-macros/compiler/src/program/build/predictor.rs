@@ -6,7 +6,7 @@
 //! the differences are forgotten.
 
 use super::last::LastUnknown;
-use crate::model::{InputId, JointKind, Model};
+use crate::model::{InputId, Model};
 use crate::plan::{Algebra, Arithmetic, Solution};
 use crate::program::builder::SsaBuilder;
 use crate::program::node::{Op, Value};
@@ -41,10 +41,7 @@ struct Steady {
 
 impl Predictor {
     pub(super) fn new(model: &Model) -> Self {
-        let turns = model
-            .motors
-            .iter()
-            .map(|motor| matches!(model.joint(motor.joint).kind, JointKind::Revolute(..)));
+        let turns = model.motors.iter().map(|motor| model.turns(motor.joint));
         Self {
             inputs: turns.chain(model.params.ids().map(|_| false)).collect(),
             steady: None,

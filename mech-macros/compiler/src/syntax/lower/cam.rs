@@ -100,7 +100,7 @@ fn roller(
     let radius = reader
         .fixed("the disc of a cam is made for one roller")
         .length(&expr.radius, "the radius of a roller");
-    let turns = matches!(draft.model.joint(follower).kind, JointKind::Revolute(..));
+    let turns = draft.model.turns(follower);
     let found = draft.model.axis(axis);
     let text = if found.kind == AxisKind::Line {
         format!("`{end}` is a line; a roller is at a point of `{name}`, the follower")

@@ -47,10 +47,9 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, expect: &Expect) {
             return reader.report.error(motor.place(), text);
         }
     }
-    let is_force =
-        |one: &Measured| matches!(one, Measured::Quantity(quantity) if quantity.is_force());
+    let mut quantities = read.measured.iter().filter_map(Measured::quantity);
     if let Some(load) = expect.loads.first()
-        && !read.measured.iter().any(is_force)
+        && !quantities.any(model::Quantity::is_force)
     {
         let text = format!(
             "load `{}` has no part in what is measured; leave it out",
@@ -318,12 +317,8 @@ fn check_formulas(
 
 /// Whether only forces and torques are measured.
 fn is_force(measured: &[Measured]) -> bool {
-    let mut quantities = measured.iter().filter_map(|measured| match measured {
-        Measured::Quantity(quantity) => Some(quantity),
-        _ => None,
-    });
-    let is_any = quantities.clone().next().is_some();
-    is_any && quantities.all(|quantity| quantity.is_force())
+    let mut quantities = measured.iter().filter_map(Measured::quantity).peekable();
+    quantities.peek().is_some() && quantities.all(model::Quantity::is_force)
 }
 
 /// Complains about two sides of different kinds.
@@ -409,7 +404,7 @@ fn lower_case(reader: &mut Reader, draft: &mut Draft, case: &CaseExpr) -> Option
     let motor = find::motor(reader, draft, &case.motor)?;
     let joint = draft.model.motor(motor).joint;
     let numbers: Vec<&Expr> = case.values.iter().collect();
-    let is_turning = matches!(draft.model.joint(joint).kind, JointKind::Revolute(..));
+    let is_turning = draft.model.turns(joint);
     let is_told = if is_turning {
         is_half_in_degrees(reader.report, &numbers)
     } else {

@@ -131,7 +131,7 @@ fn value(reader: &mut Reader, draft: &mut Draft, clause: &StartClause, joint: Jo
         reader.report.error(place, text);
         return;
     }
-    let turns = matches!(draft.model.joint(joint).kind, JointKind::Revolute(..));
+    let turns = draft.model.turns(joint);
     if turns && is_degrees_perhaps(reader.report, &clause.value, value) {
         return;
     }
