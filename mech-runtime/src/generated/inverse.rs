@@ -4,12 +4,15 @@ use super::journey::Move;
 use super::{Motors, MoveLimits, Position, Stop, advance};
 use crate::blocked::Input;
 use crate::{Blocked, Cause, Pose, Real, Scalar};
-use mech_core::journey::{Journey, Standing};
+use mech_core::journey::Journey;
 use mech_core::motors;
 use mech_core::pieces::in_pieces;
 
 /// The way cannot be followed at once.
 pub(super) const TOO_FAR: Stop = Stop::new("", Cause::TooFar);
+
+/// Where the sine of a loop is less than this, a position is solved for by itself.
+const LEAST_SINE: f64 = 0.25;
 
 /// So many whole turns of an angle that gears follow are tried.
 const MOST_TURNS: i32 = 32;
@@ -39,6 +42,9 @@ pub struct Led<T, const N: usize> {
     pub given: &'static [Input; N],
     /// Its present value: the place of a point, or that and the angle of its link.
     pub here: [T; N],
+    /// Whether the poses of links are all of a position, but for sines of loops that change no faster than links turn. Then whole turns are
+    /// counted for motors alone.
+    pub direct: bool,
 }
 
 /// Leads the point to `place` on the straight way, by the inverse of a mechanism, and lets motors and everything else follow. The first
@@ -151,32 +157,32 @@ where
             coordinates,
         } = self;
         let start = *inverse.position;
-        let target = led.inputs(&start.motors, place);
-        let before = coordinates(&start);
-        advance(
-            inverse.position,
-            target,
-            inverse.limits,
-            &inverse.step,
-            &inverse.step,
-        )
-        .map_err(|blocked| led.chosen(blocked))?;
-        let there = &mut *inverse.position;
-        let following = led.following(&mechanism.position.motors, before, coordinates(there));
-        let stop = match following {
-            None => Some(TOO_FAR),
-            Some(motors) => mechanism.carry(motors, led.shared(&there.poses), led.size),
-        };
+        let (target, limits) = (led.inputs(&start.motors, place), inverse.limits);
+        let at = &mut *inverse.position;
+        advance(at, target, limits, &inverse.step, &inverse.step)
+            .map_err(|blocked| led.chosen(blocked))?;
+        let coordinates = [&start, &*at].map(&*coordinates);
+        let following = led.following(&mechanism.position.motors, coordinates);
+        let stop = following.map_or(Some(TOO_FAR), |motors| {
+            let poses = led.shared(&at.poses);
+            // Near a dead point rounding tears what a loop joins.
+            let is_closed = led.direct && limits.are_far(at, T::from_f64(LEAST_SINE));
+            if is_closed && mechanism.put(motors, poses) {
+                limits.count_from_zero(at);
+                return None;
+            }
+            let stop = mechanism.carry(motors, poses, led.size);
+            // To the bit, so that it is known next time that both agree.
+            let known = led.shared(&mechanism.position.poses);
+            for (pose, known) in at.poses.iter_mut().zip(known) {
+                *pose = *known;
+            }
+            stop
+        });
         if stop.is_some() {
-            *there = start;
-            return Ok(stop);
+            *at = start;
         }
-        // To the bit, so that it is known next time that both agree.
-        let known = led.shared(&mechanism.position.poses);
-        for (pose, known) in there.poses.iter_mut().zip(known) {
-            *pose = *known;
-        }
-        Ok(None)
+        Ok(stop)
     }
 
     /// Goes to `place` in as many pieces as it takes, from where the inverse may not know that it is. It stays where it is if that fails.
@@ -296,6 +302,10 @@ impl<T: Scalar, const N: usize> Led<T, N> {
 
     /// The same place, with its angle less than half a turn from the present one.
     fn nearest<const M: usize>(&self, place: [T; N], present: &Motors<T, M>) -> [T; N] {
+        // Places alone have no angle.
+        if N < 3 {
+            return place;
+        }
         let mut near = place;
         let values = near.iter_mut().zip(self.values(present)).zip(self.given);
         for ((value, present), input) in values {
@@ -341,8 +351,7 @@ impl<T: Scalar, const N: usize> Led<T, N> {
     fn following<const M: usize>(
         &self,
         present: &Motors<T, M>,
-        before: [T; N],
-        after: [T; N],
+        [before, after]: [[T; N]; 2],
     ) -> Option<Motors<T, M>> {
         let mut motors = *present;
         let pairs = before.into_iter().zip(after).zip(self.turning);
@@ -372,6 +381,40 @@ where
     T: Scalar,
     S: Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
 {
+    /// Puts everything where the motors have these values and the links these poses, if links have turned so little that every watched loop
+    /// certainly stays on its side. Gives whether it did.
+    #[inline]
+    fn put(&mut self, motors: Motors<T, M>, poses: &[Pose<T>]) -> bool {
+        if poses.len() != L || !self.limits.contains(&motors) {
+            return false;
+        }
+        let pairs = poses.iter().zip(&self.position.poses);
+        let turned = pairs.fold(T::ZERO, |turned, (to, from)| {
+            turned.max((to.cos - from.cos).abs() + (to.sin - from.sin).abs())
+        });
+        // Two links turn, and an arc is a little longer than its chord.
+        let lost = turned * T::from_f64(2.1);
+        if !self
+            .limits
+            .are_far(self.position, T::from_f64(LEAST_SINE) + lost)
+        {
+            return false;
+        }
+        let position = &mut *self.position;
+        let displacements = position.motors.displacement_to(&motors);
+        position.motors = motors;
+        position.poses.copy_from_slice(poses);
+        for watched in &self.limits.watched {
+            if let Some(sine) = position.state.get_mut(watched.sine) {
+                let toward_zero = if *sine < T::ZERO { lost } else { -lost };
+                *sine += toward_zero;
+            }
+        }
+        self.limits.stand_away(position);
+        self.limits.note_motion_signs(position, &displacements);
+        true
+    }
+
     /// Goes to where the motors have these values and the first links these poses, to rounding. Gives the reason if it stays: a motor would
     /// leave its range, or the way is too long for angles to be certain.
     #[inline]
@@ -387,7 +430,7 @@ where
         let Some(mut found) = found else {
             return Some(TOO_FAR);
         };
-        self.stand_away(&mut found);
+        self.limits.stand_away(&mut found);
         going.note_motion_signs(&mut found);
         if !self.turned_little(&found) {
             return Some(TOO_FAR);
@@ -410,7 +453,7 @@ where
         for (pose, known) in from.poses.iter_mut().zip(poses) {
             *pose = *known;
         }
-        self.stand_away(&mut from);
+        self.limits.stand_away(&mut from);
         let going = Move::new(self.limits, self.position, motors, &self.step);
         let goal = (motors, poses, size);
         let mut nearest = Nearest {
@@ -418,33 +461,25 @@ where
             found: None,
             apart: usize::MAX,
         };
-        nearest.consider(&going, goal, |_| {});
+        nearest.consider(&going, goal, from.state);
         for watched in &self.limits.watched {
-            nearest.consider(&going, goal, |state| {
-                if let Some(sine) = state.get_mut(watched.sine) {
-                    *sine = -*sine;
-                }
-            });
+            let mut state = nearest.from.state;
+            if let Some(sine) = state.get_mut(watched.sine) {
+                *sine = -*sine;
+            }
+            nearest.consider(&going, goal, state);
         }
         for followed in self.limits.follows {
             let mut turns = (1..=MOST_TURNS).flat_map(|turns| [turns, -turns]);
             turns.find(|turns| {
-                nearest.consider(&going, goal, |state| {
-                    if let Some(angle) = state.get_mut(followed.angle) {
-                        *angle += T::TURN * T::from_i32(*turns);
-                    }
-                })
+                let mut state = nearest.from.state;
+                if let Some(angle) = state.get_mut(followed.angle) {
+                    *angle += T::TURN * T::from_i32(*turns);
+                }
+                nearest.consider(&going, goal, state)
             });
         }
         nearest.found.filter(|_| nearest.apart == 0)
-    }
-
-    /// Notes that a position is beside no change point to which it came.
-    fn stand_away(&self, position: &mut Position<T, M, L, K>) {
-        if let Some(signs) = self.limits.motion_signs {
-            let standings = position.state.iter_mut().skip(signs + M);
-            standings.for_each(|standing| *standing = Standing::Away.number());
-        }
     }
 
     /// Whether the angles that gears follow have turned so little that their whole turns are certain.
@@ -471,11 +506,12 @@ struct Nearest<T, const M: usize, const L: usize, const K: usize> {
 
 impl<T: Scalar, const M: usize, const L: usize, const K: usize> Nearest<T, M, L, K> {
     /// Looks whether another state is nearer: whether all links are in place, or more than before.
+    #[inline(never)]
     fn consider<const W: usize, S>(
         &mut self,
         going: &Move<'_, T, M, L, K, W, S>,
         (motors, poses, size): (Motors<T, M>, &[Pose<T>], T),
-        change: impl FnOnce(&mut [T]),
+        state: [T; K],
     ) -> bool
     where
         S: Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
@@ -483,8 +519,7 @@ impl<T: Scalar, const M: usize, const L: usize, const K: usize> Nearest<T, M, L,
         if self.apart == 0 {
             return true;
         }
-        let mut from = self.from;
-        change(&mut from.state);
+        let from = Position { state, ..self.from };
         let Ok(found) = going.to(&from, motors) else {
             return false;
         };

@@ -237,13 +237,7 @@ where
 
     #[inline]
     fn note_motion_signs(&self, position: &mut Self::Position) {
-        if let Some(motion_signs) = self
-            .limits
-            .motion_signs
-            .and_then(|first| position.state.get_mut(first..))
-        {
-            motors::note_motion_signs(motion_signs, &self.displacements);
-        }
+        self.limits.note_motion_signs(position, &self.displacements);
     }
 
     fn is_open(&self, stop: &Stop, index: usize) -> bool {

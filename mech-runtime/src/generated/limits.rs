@@ -3,8 +3,8 @@
 use super::{Motors, Position, Stop};
 use crate::blocked::Input;
 use crate::{Cause, Scalar};
-use mech_core::journey::{AtZero, Growth};
-use mech_core::limit;
+use mech_core::journey::{AtZero, Growth, Standing};
+use mech_core::{limit, motors};
 
 /// A loop that has dead points or change points.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,6 +101,61 @@ impl<T: Scalar, const MOTORS: usize, const WATCHED: usize> MoveLimits<T, MOTORS,
             .passing()
             .filter_map(|watched| position.state.get(watched.sine));
         sines.any(|sine| limit::is_near(*sine))
+    }
+
+    /// Whether no watched loop has a sine less than this.
+    #[inline]
+    pub(super) fn are_far<const L: usize, const K: usize>(
+        &self,
+        position: &Position<T, MOTORS, L, K>,
+        least: T,
+    ) -> bool {
+        let mut watched = self.watched.iter();
+        watched.all(|watched| {
+            let sine = position.state.get(watched.sine);
+            sine.is_some_and(|sine| sine.abs() >= least)
+        })
+    }
+
+    /// Notes the sense in which the motors went to a position.
+    #[inline]
+    pub(super) fn note_motion_signs<const L: usize, const K: usize>(
+        &self,
+        position: &mut Position<T, MOTORS, L, K>,
+        displacements: &[T],
+    ) {
+        let first = self.motion_signs;
+        if let Some(signs) = first.and_then(|first| position.state.get_mut(first..)) {
+            motors::note_motion_signs(signs, displacements);
+        }
+    }
+
+    /// Notes that a position is beside no change point to which it came.
+    #[inline]
+    pub(super) fn stand_away<const L: usize, const K: usize>(
+        &self,
+        position: &mut Position<T, MOTORS, L, K>,
+    ) {
+        if let Some(signs) = self.motion_signs {
+            let standings = position.state.iter_mut().skip(signs + MOTORS);
+            standings.for_each(|standing| *standing = Standing::Away.number());
+        }
+    }
+
+    /// Takes whole turns from angles that have turned more than once: digits are lost in large numbers.
+    #[inline]
+    pub(super) fn count_from_zero<const L: usize, const K: usize>(
+        &self,
+        position: &mut Position<T, MOTORS, L, K>,
+    ) {
+        for followed in self.follows {
+            if let Some(angle) = position.state.get_mut(followed.angle)
+                && angle.abs() > T::TURN
+                && let Some((_, rest)) = angle.whole_turns()
+            {
+                *angle = rest;
+            }
+        }
     }
 
     /// Whether these values are within the declared ranges.

@@ -13,6 +13,7 @@ use super::tokens::{integer, position};
 use crate::bug::bug;
 use crate::compiled::InverseMechanism;
 use crate::model::{Effects, Inverse, MotorId};
+use crate::plan::Step;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
@@ -190,7 +191,13 @@ fn inverse_module(
     let trajectory = trajectory(emitter, inverse, other);
     let program = emitter.program;
     let size = emitter.number(inverted.model.size());
-    let links = integer(emitter.model.declared_links().count());
+    let links = emitter.model.declared_links().count();
+    // Whoever rolls counts whole turns, of which the inverse has its own count.
+    let is_rigid = |step: &Step| matches!(step, Step::Weld(_) | Step::Drive(_) | Step::Close(_));
+    let direct = program.poses.len() == links
+        && program.turns_with_links()
+        && emitter.compiled.plan.steps.iter().all(is_rigid);
+    let links = integer(links);
     let (inputs, watched) = (program.inputs(), program.watches.len());
     let sizes = [inputs, program.poses.len(), program.state.len(), watched].map(integer);
     let inputs = integer(inputs);
@@ -229,6 +236,7 @@ fn inverse_module(
                         size: #size,
                         given: &GIVEN,
                         here,
+                        direct: #direct,
                     },
                     place,
                     |at| [#(#coordinates),*],

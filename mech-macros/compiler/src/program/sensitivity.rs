@@ -57,11 +57,17 @@ impl Program {
     /// For each value whether it depends on a param, through whatever is between.
     #[must_use]
     pub fn depends_on_params(&self) -> Vec<bool> {
+        let motors = self.motors.len();
+        self.depends_on(|op| matches!(op, Op::Input(input) if input.motor(motors).is_none()))
+    }
+
+    /// For each value whether it depends on one that such an operation makes, through whatever is between.
+    pub(super) fn depends_on(&self, source: impl Fn(Op) -> bool) -> Vec<bool> {
         let mut dependent: Vec<bool> = Vec::with_capacity(self.ssa.nodes.len());
         for node in &self.ssa.nodes {
             let depends = |value: Value| dependent[value.index()];
             let is = match node.op {
-                Op::Input(input) => input.motor(self.motors.len()).is_none(),
+                op if source(op) => true,
                 Op::Solved(block, _) => iteration(&self.ssa.blocks, block).into_iter().any(depends),
                 op => op.operands().any(depends),
             };
