@@ -106,7 +106,7 @@ fn main() {
 fn subjects() -> Vec<(String, TokenStream, Vec<String>)> {
     let folders = ["expected", "required", "../tests/subjects/machines"];
     let texts = folders.into_iter().flat_map(folder).map(|case: Case| {
-        let marks = ["holds", "fails", "open"].into_iter().flat_map(|mark| case.marks(mark));
+        let marks = ["holds", "fails", "open", "unproved"].into_iter().flat_map(|mark| case.marks(mark));
         let asked = marks.map(|mark| mark.trim_start_matches("expect ").trim_end_matches(';').to_owned()).collect();
         (case.name.clone(), case.text.parse().expect("tokens"), asked)
     });

@@ -413,6 +413,10 @@ fn texts_are_judged_as_it_stands_beside_them() {
             let is_open = matches!(found[..], [RequirementTrouble::NoRange { .. }]);
             assert!(is_open, "{}: {line}: {found:?}", case.name);
         }
+        for line in case.marks("unproved") {
+            let found = troubles(&judged(&body, &format!("expect {line};")));
+            assert!(!found.is_empty(), "{}: {line}", case.name);
+        }
         for line in case.marks("fails") {
             let found = troubles(&judged(&body, &format!("expect {line};")));
             let is_refused = matches!(

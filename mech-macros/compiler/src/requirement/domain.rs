@@ -27,7 +27,7 @@ pub(super) struct Ranges {
     pub(super) motors: Vec<usize>,
     /// The motors that go right round: at both ends of their values everything is as it was, but for whole turns.
     pub(super) round: Vec<usize>,
-    /// The loops that may come to a dead point or change point there, if that is known.
+    /// The loops that may come to a dead point or change point there, or on the way there from the start, if that is known.
     pub(super) touching: Option<Vec<BlockId>>,
 }
 
@@ -169,7 +169,10 @@ pub(super) fn ranges(
             let motor = MotorId::new(motor);
             return Err(RequirementTrouble::NoRange { motor });
         }
-        if let Verdict::Proved { touching } = certify(program, &ranges.all) {
+        // On the way there from the start loops may go over to their other side, too.
+        let way = ranges.all.iter().zip(&program.start.motors);
+        let way = way.map(|(range, start)| range.hull(Interval::point(*start)));
+        if let Verdict::Proved { touching } = certify(program, &way.collect::<Vec<_>>()) {
             ranges.touching = Some(touching);
         }
         return Ok(ranges);
