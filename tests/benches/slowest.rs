@@ -4,12 +4,10 @@
 use mech_compiler::model::Model;
 use mech_compiler::{analyse, expand, looks};
 use mech_test_support::{
-    Dice, add_cam, cases, chain, grow, grow_coupled, painted_outside, seeds, text,
+    Dice, add_cam, cases, chain, grow, grow_coupled, painted_outside, seeds, text, worked,
 };
 use proc_macro2::TokenStream;
 use quote::quote;
-use std::fs;
-use std::time::Instant;
 
 /// What the slowest expansion may take, and the box of any, in milliseconds.
 const MOST: f64 = 2_000.0;
@@ -123,17 +121,17 @@ fn random_text(seed: u64) -> String {
 /// How long everything takes; none of what does not move.
 fn taken(text: String) -> Option<Taken> {
     let body: TokenStream = text.parse().expect("tokens");
-    let start = now();
+    let start = worked();
     let analysis = analyse(body.clone());
     let compiled = analysis.result.ok()?;
-    let analysed = now();
+    let analysed = worked();
     let model = &analysis.parsed.model;
     let looks = looks(model, &compiled);
-    let looked = now();
+    let looked = worked();
     let _ = looks.extent(model, &compiled);
-    let boxed = now();
+    let boxed = worked();
     let expanded = expand(quote!(::mech_runtime; #body));
-    let end = now();
+    let end = worked();
     assert!(!expanded.to_string().contains("compile_error"), "{text}");
     let mut dice = Dice::new(text.len() as u64);
     Some(Taken {
@@ -145,15 +143,4 @@ fn taken(text: String) -> Option<Taken> {
         motors: model.motors.len(),
         text,
     })
-}
-
-/// Milliseconds that this thread was at work, where the system tells: others may work on the same processor.
-fn now() -> f64 {
-    static START: std::sync::LazyLock<Instant> = std::sync::LazyLock::new(Instant::now);
-    let told = fs::read_to_string("/proc/thread-self/schedstat").ok();
-    let told = told.and_then(|told| told.split(' ').next()?.parse::<f64>().ok());
-    told.map_or_else(
-        || START.elapsed().as_secs_f64() * 1e3,
-        |nanoseconds| nanoseconds * 1e-6,
-    )
 }

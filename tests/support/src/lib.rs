@@ -42,6 +42,8 @@ pub use source::{bodies, mechanism_of, mechanisms, model, models, parsed};
 pub use text::{part_of, text};
 pub use varied::{place, scale, vary, with_params};
 
+use std::fs;
+use std::sync::LazyLock;
 use std::time::Instant;
 
 /// Medians of two things timed side by side.
@@ -97,4 +99,17 @@ pub fn median(values: impl Iterator<Item = f64>) -> f64 {
     let mut values: Vec<f64> = values.collect();
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
+/// Milliseconds that this thread was at work, where the system tells: others may work on the same processor. It tells them every few
+/// milliseconds.
+#[must_use]
+pub fn worked() -> f64 {
+    static START: LazyLock<Instant> = LazyLock::new(Instant::now);
+    let told = fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let told = told.and_then(|told| told.split(' ').next()?.parse::<f64>().ok());
+    told.map_or_else(
+        || START.elapsed().as_secs_f64() * 1e3,
+        |nanoseconds| nanoseconds * 1e-6,
+    )
 }

@@ -155,6 +155,15 @@ impl Interval {
         }
     }
 
+    /// The less of two numbers.
+    #[must_use]
+    pub fn min(self, other: Self) -> Self {
+        Self {
+            low: self.low.min(other.low),
+            high: self.high.min(other.high),
+        }
+    }
+
     /// The sizes of these numbers with the sign of the other interval; with both signs if that contains zero.
     #[must_use]
     pub fn copysign(self, sign: Self) -> Self {

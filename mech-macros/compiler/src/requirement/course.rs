@@ -8,7 +8,7 @@ use std::collections::VecDeque;
 use std::rc::Rc;
 
 /// The way is cut into so many stretches at first.
-const FIRST: u32 = 64;
+const FIRST: u32 = 16;
 
 /// A dwell is known well enough if no more than this part of it is open.
 const WELL_KNOWN: f64 = 1e-7;
@@ -196,8 +196,9 @@ impl<'s, 'a> Course<'s, 'a> {
         }
     }
 
-    /// The longest way on which the value stays within a width, with both ends of one that is certain.
-    pub(super) fn dwell(&mut self, width: f64) -> (Interval, Vec<f64>) {
+    /// The longest way on which the value stays within a width, with both ends of one that is certain. So many times what is usual may be
+    /// open.
+    pub(super) fn dwell(&mut self, width: f64, open: f64) -> (Interval, Vec<f64>) {
         loop {
             let count = self.stretches.len();
             let all = if self.is_round { 2 * count } else { count };
@@ -224,8 +225,8 @@ impl<'s, 'a> Course<'s, 'a> {
                     .map(|end| self.within(self.begin(end)))
                     .to_vec()
             });
-            let open = self.deciding(sure, possible);
-            if found.width() <= WELL_KNOWN * high || !self.cut(open) {
+            let deciding = self.deciding(sure, possible);
+            if found.width() <= open * WELL_KNOWN * high || !self.cut(deciding) {
                 return (found, ends);
             }
         }
@@ -263,7 +264,7 @@ impl<'s, 'a> Course<'s, 'a> {
 
     /// The time of the slower way between least and greatest, divided by that of the quicker one, and where these are. Nothing if the way is
     /// no round, or if one of the two is not in one place.
-    pub(super) fn time_ratio(&mut self) -> Option<(Interval, Vec<f64>)> {
+    pub(super) fn time_ratio(&mut self, open: f64) -> Option<(Interval, Vec<f64>)> {
         if !self.is_round {
             return None;
         }
@@ -271,7 +272,7 @@ impl<'s, 'a> Course<'s, 'a> {
             let candidates = [1.0, -1.0].map(|sign| self.candidates(sign));
             let [least, greatest] = candidates.each_ref().map(|all| self.around(all));
             let ratio = self.ratio(least, greatest);
-            let is_known = ratio.width() <= PLACED * ratio.low();
+            let is_known = ratio.width() <= open * PLACED * ratio.low();
             let is_over = candidates.iter().any(|all| all.len() > MOST_CANDIDATES);
             if is_known || is_over || !self.cut(candidates.concat()) {
                 let most = ONE_PLACE * self.whole.width();
@@ -328,7 +329,7 @@ impl<'s, 'a> Course<'s, 'a> {
     }
 
     /// The mean on the whole way.
-    pub(super) fn mean(&mut self) -> Interval {
+    pub(super) fn mean(&mut self, open: f64) -> Interval {
         let whole = Interval::point(self.whole.width());
         loop {
             let parts = self.stretches.iter().map(|one| {
@@ -338,7 +339,7 @@ impl<'s, 'a> Course<'s, 'a> {
             let parts: Vec<Interval> = parts.collect();
             let sum = parts.iter().fold(Interval::ZERO, |sum, part| sum + *part);
             let mean = sum / whole;
-            if mean.width() <= SUMMED * self.greatest() {
+            if mean.width() <= open * SUMMED * self.greatest() {
                 return mean;
             }
             // Those of which most is open.

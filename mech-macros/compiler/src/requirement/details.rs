@@ -1,6 +1,7 @@
 //! What a requirement is about: the whole mechanism, or each of its details.
 
 use super::Proof;
+use super::domain::Verdicts;
 use super::proof::{Case, visit};
 use crate::bug::bug;
 use crate::compiled::Compiled;
@@ -15,6 +16,7 @@ use crate::structure::{RequirementTrouble, Witness};
 pub(super) fn prove(
     model: &Model,
     compiled: &Compiled,
+    verdicts: &Verdicts<'_>,
     requirement: &Requirement,
     bounds: (FormulaId, &[RequiredBound]),
 ) -> Result<Proof, RequirementTrouble> {
@@ -22,6 +24,7 @@ pub(super) fn prove(
     let case = Case {
         model,
         compiled,
+        verdicts,
         requirement,
         detail: Detail::Whole,
     };

@@ -9,6 +9,7 @@ use crate::motion::proof::unknowns;
 use crate::motion::watching::Domain;
 use crate::program::{BlockId, Gauge, Program, Value};
 use crate::structure::RequirementTrouble;
+use std::cell::RefCell;
 
 /// A motor that has to make more turns than this until everything has turned as a whole needs a range.
 const MOST_TURNS: f64 = 64.0 * std::f64::consts::TAU;
@@ -27,7 +28,7 @@ pub(super) struct Ranges {
     pub(super) motors: Vec<usize>,
     /// The motors that go right round: at both ends of their values everything is as it was, but for whole turns.
     pub(super) round: Vec<usize>,
-    /// The loops that may come to a dead point or change point there, if that is known.
+    /// The loops that may come to a dead point or change point there, or on the way there from the start, if that is known.
     pub(super) touching: Option<Vec<BlockId>>,
 }
 
@@ -91,6 +92,31 @@ impl Ranges {
     }
 }
 
+/// Whether a mechanism moves through values of its motors: what was found for one requirement, or one of its details, is known for others.
+pub(super) struct Verdicts<'a> {
+    program: &'a Program,
+    known: RefCell<Vec<(Vec<Interval>, Verdict)>>,
+}
+
+impl<'a> Verdicts<'a> {
+    pub(super) fn new(program: &'a Program) -> Self {
+        Self {
+            program,
+            known: RefCell::default(),
+        }
+    }
+
+    pub(super) fn on(&self, values: &[Interval]) -> Verdict {
+        let mut known = self.known.borrow_mut();
+        if let Some((_, verdict)) = known.iter().find(|(on, _)| on == values) {
+            return verdict.clone();
+        }
+        let verdict = certify(self.program, values);
+        known.push((values.to_vec(), verdict.clone()));
+        verdict
+    }
+}
+
 /// A place as a box.
 pub(super) fn points(place: &[f64]) -> Vec<Interval> {
     place.iter().copied().map(Interval::point).collect()
@@ -100,6 +126,7 @@ pub(super) fn points(place: &[f64]) -> Vec<Interval> {
 pub(super) fn ranges(
     model: &Model,
     compiled: &Compiled,
+    verdicts: &Verdicts<'_>,
     requirement: &Requirement,
     gauge: &Gauge,
     found: &[Value],
@@ -169,12 +196,15 @@ pub(super) fn ranges(
             let motor = MotorId::new(motor);
             return Err(RequirementTrouble::NoRange { motor });
         }
-        if let Verdict::Proved { touching } = certify(program, &ranges.all) {
+        // On the way there from the start loops may go over to their other side, too.
+        let way = ranges.all.iter().zip(&program.start.motors);
+        let way = way.map(|(range, start)| range.hull(Interval::point(*start)));
+        if let Verdict::Proved { touching } = verdicts.on(&way.collect::<Vec<_>>()) {
             ranges.touching = Some(touching);
         }
         return Ok(ranges);
     };
-    take_reach(&mut ranges, requirement, program, motor, !open.is_empty())?;
+    take_reach(&mut ranges, requirement, verdicts, motor, !open.is_empty())?;
     Ok(ranges)
 }
 
@@ -279,10 +309,11 @@ fn arrives(program: &Program, motor: usize, end: f64) -> bool {
 fn take_reach(
     ranges: &mut Ranges,
     requirement: &Requirement,
-    program: &Program,
+    verdicts: &Verdicts<'_>,
     motor: usize,
     must_stop: bool,
 ) -> Result<(), RequirementTrouble> {
+    let program = verdicts.program;
     let start = program.start.motors[motor];
     let wanted = ranges.all[motor];
     let mut ends = [wanted.low(), wanted.high()];
@@ -290,7 +321,7 @@ fn take_reach(
     for end in &mut ends {
         let mut way = ranges.all.clone();
         way[motor] = Interval::new(start, *end);
-        match certify(program, &way) {
+        match verdicts.on(&way) {
             Verdict::Proved { touching: own } if !must_stop => {
                 if let Some(all) = &mut touching {
                     all.extend(&own);
@@ -301,10 +332,8 @@ fn take_reach(
             Verdict::Blocked(blocked)
                 if blocked.motors == [motor] && !arrives(program, motor, *end) =>
             {
-                let case = requirement
-                    .cases
-                    .iter()
-                    .find(|case| case.motor.index() == motor);
+                let mut cases = requirement.cases.iter();
+                let case = cases.find(|case| case.motor.index() == motor);
                 if let Some(case) = case {
                     return Err(RequirementTrouble::Unreachable {
                         motor: case.motor,

@@ -20,6 +20,7 @@ use crate::compile::compile;
 use crate::compiled::Compiled;
 use crate::model::{Actions, Condition, Effects, Method, Model, Precision, Requirement};
 use crate::structure::{Diagnosis, RequirementTrouble};
+use domain::Verdicts;
 pub use spread::failing;
 
 /// The proof of a requirement.
@@ -43,10 +44,11 @@ pub fn judge(model: &Model, compiled: &Compiled) -> Vec<Result<Proof, Diagnosis>
         return Vec::new();
     }
     with_plain(model, compiled, |plain, compiled| {
+        let verdicts = Verdicts::new(&compiled.program);
         let requirements = model.requirements.iter().enumerate();
         let judged = requirements.map(|(requirement, one)| {
             let proof = match missing_effects(model.effects, one) {
-                effects if effects.is_empty() => prove_one(plain, compiled, one),
+                effects if effects.is_empty() => prove_one(plain, compiled, &verdicts, one),
                 effects => Err(RequirementTrouble::NoEffect { effects }),
             };
             proof.map_err(|trouble| Diagnosis::Unmet {
@@ -84,13 +86,14 @@ fn missing_effects(effects: Effects, requirement: &Requirement) -> Vec<String> {
 fn prove_one(
     model: &Model,
     compiled: &Compiled,
+    verdicts: &Verdicts<'_>,
     requirement: &Requirement,
 ) -> Result<Proof, RequirementTrouble> {
     match &requirement.condition {
-        Condition::Turns(motor) => turn::prove(model, compiled, *motor),
+        Condition::Turns(motor) => turn::prove(model, compiled, verdicts, *motor),
         Condition::Bounds {
             subject, bounds, ..
-        } => details::prove(model, compiled, requirement, (*subject, bounds)),
+        } => details::prove(model, compiled, verdicts, requirement, (*subject, bounds)),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::bound::{Bound, Limit};
 use super::circumstances::Rates;
 use super::course::Course;
-use super::domain::{Ranges, ranges, round_of};
+use super::domain::{Ranges, Verdicts, ranges, round_of};
 use super::search::{BUDGET, Goal, Search};
 use super::sides::{Way, subsets, turns_until_back};
 use crate::certify::{Interval, Sources, side_changes};
@@ -16,14 +16,20 @@ use crate::plan::Loop;
 use crate::program::{BlockId, Detail, Gauge, Position, Program, Value};
 use crate::structure::{RequirementTrouble, Witness};
 
-/// A number that sums up the motion is known well enough if this part of it is open.
+/// A number that sums up the motion is known well enough if this part of it is open, or this part of its size.
 const WELL_KNOWN: f64 = 1e-10;
+const NOTHING: f64 = 1e-12;
+
+/// It is known roughly if so many times that is open. For that a quarter of all intervals may be spent.
+const ROUGH: f64 = 1e4;
 
 /// Numbers that differ by this part of them are equal but for rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// A place where a condition does not hold is the worst if nothing is worse by more than this part.
+/// A place where a condition does not hold is the worst if nothing is worse by more than this part, or than so many times what rounding
+/// makes.
 const WORST: f64 = 1e-6;
+const ENOUGH: f64 = 100.0;
 
 /// More loops than this that may change their side are not tried with every side of each.
 const MOST_SIDES: usize = 4;
@@ -36,6 +42,7 @@ const ELSEWHERE: f64 = 1e-6;
 pub(super) struct Case<'a> {
     pub(super) model: &'a Model,
     pub(super) compiled: &'a Compiled,
+    pub(super) verdicts: &'a Verdicts<'a>,
     pub(super) requirement: &'a Requirement,
     pub(super) detail: Detail,
 }
@@ -56,6 +63,7 @@ impl Case<'_> {
         let Self {
             model,
             compiled,
+            verdicts,
             requirement,
             ..
         } = *self;
@@ -69,7 +77,7 @@ impl Case<'_> {
         found.extend(gauge.angles.iter().map(|angle| angle.beyond));
         found.sort_unstable();
         found.dedup();
-        let mut ranges = ranges(model, compiled, requirement, &gauge, &found)?;
+        let mut ranges = ranges(model, compiled, verdicts, requirement, &gauge, &found)?;
         let mut crossing = side_changes(&gauge.program, &found, ranges.touching.as_deref());
         crossing.sort_unstable();
         if crossing.len() > MOST_SIDES {
@@ -185,23 +193,51 @@ impl Case<'_> {
         for search in &mut *searches {
             search.come_round().ok_or(RequirementTrouble::TooHard)??;
         }
+        let subject = (subject, bounds);
+        // Numbers that sum up the motion are mostly needed only roughly.
+        if gauge.summaries.iter().any(Option::is_some) {
+            let left: Vec<usize> = searches.iter().map(Search::left).collect();
+            for (search, left) in searches.iter_mut().zip(&left) {
+                search.allow(left / 4);
+            }
+            if self.prove_with(field, searches, subject, ROUGH).is_ok() {
+                return Ok(());
+            }
+            for (search, left) in searches.iter_mut().zip(left) {
+                search.allow(left);
+            }
+        }
+        self.prove_with(field, searches, subject, 1.0)
+    }
+
+    /// Proves it with numbers that sum up the motion, of which so many times what is usual may be open.
+    fn prove_with(
+        &self,
+        field: &Field<'_>,
+        searches: &mut [Search<'_>],
+        (subject, bounds): (Value, &[RequiredBound]),
+        open: f64,
+    ) -> Result<(), RequirementTrouble> {
+        let gauge = field.gauge;
         let mut places = None;
         let measured = self.requirement.measured.iter().zip(&gauge.summaries);
         for (measured, state) in measured {
             if let (Measured::Summary(summary, of), Some(state)) = (measured, state) {
                 let value = gauge.formulas[of.index()];
-                let summed = self.sum_up(field, searches, *summary, value)?;
+                let summed = self.sum_up(field, searches, (*summary, value), open)?;
                 for search in &mut *searches {
                     search.put(*state, summed.value);
                 }
                 places.get_or_insert_with(Vec::new).extend(summed.places);
             }
         }
-        for bound in bounds {
+        let limited = bounds.iter().map(|bound| {
             let limit = self.limit(gauge, &mut searches[0], subject, bound);
-            for search in &mut *searches {
-                self.prove_bound(field, search, subject, bound, limit, places.as_deref())?;
-            }
+            (bound, limit)
+        });
+        let limited: Vec<(&RequiredBound, Limit)> = limited.collect();
+        for search in searches {
+            self.prove_bounds(field, search, subject, &limited, places.as_deref())?;
         }
         Ok(())
     }
@@ -215,24 +251,26 @@ impl Case<'_> {
         bound: &RequiredBound,
     ) -> Limit {
         let other = gauge.formulas[bound.limit.index()];
+        Limit {
+            is_strict: bound.is_strict,
+            slack: ROUNDING * self.size(gauge, search, &[other, subject]),
+        }
+    }
+
+    /// The size beside which rounding of some values is nothing.
+    fn size(&self, gauge: &Gauge, search: &mut Search<'_>, values: &[Value]) -> f64 {
         let places = match self.unit() {
             Some(_) => vec![gauge.program.start.motors.clone()],
             // Nobody knows how large forces and rates are.
             None => search.corners(),
         };
-        let mut size = self.unit().unwrap_or(0.0);
-        for (place, value) in places
+        let all = places
             .iter()
-            .flat_map(|place| [(place, other), (place, subject)])
-        {
-            let value = search.value_at(place, value);
-            let value = value.filter(|value| value.is_bounded());
-            size = value.map_or(size, |value| size.max(value.middle().abs()));
-        }
-        Limit {
-            is_strict: bound.is_strict,
-            slack: ROUNDING * size,
-        }
+            .flat_map(|place| values.iter().map(move |value| (place, *value)));
+        let known = all.filter_map(|(place, value)| search.value_at(place, value));
+        let sizes = known.filter(|value| value.is_bounded());
+        let sizes = sizes.map(|value| value.middle().abs());
+        sizes.fold(self.unit().unwrap_or(0.0), f64::max)
     }
 
     /// Bounds a number that sums up the motion.
@@ -240,10 +278,10 @@ impl Case<'_> {
         &self,
         field: &Field<'_>,
         searches: &mut [Search<'_>],
-        summary: Summary,
-        value: Value,
+        (summary, value): (Summary, Value),
+        open: f64,
     ) -> Result<Summed, RequirementTrouble> {
-        let mut end = |sign: f64| self.end(field, searches, Goal { value, sign });
+        let mut end = |sign: f64| self.end(field, searches, (value, sign), open);
         let one = |(value, place)| Summed {
             value,
             places: vec![place],
@@ -259,7 +297,7 @@ impl Case<'_> {
                 })
             }
             Summary::Mean | Summary::Rms | Summary::TimeRatio | Summary::Dwell(_) => {
-                self.sum_up_course(field, searches, summary, value)
+                self.sum_up_course(field, searches, (summary, value), open)
             }
         }
     }
@@ -269,8 +307,8 @@ impl Case<'_> {
         &self,
         field: &Field<'_>,
         searches: &mut [Search<'_>],
-        summary: Summary,
-        value: Value,
+        (summary, value): (Summary, Value),
+        open: f64,
     ) -> Result<Summed, RequirementTrouble> {
         let all = &field.ranges.all;
         let motors = field.ranges.motors.iter().copied();
@@ -293,15 +331,15 @@ impl Case<'_> {
         let course = Course::new(search, value, (motor, all[motor]), near.clone(), period);
         let mut course = course.ok_or(RequirementTrouble::TooHard)?;
         let (value, ends) = match summary {
-            Summary::Dwell(width) => course.dwell(width),
+            Summary::Dwell(width) => course.dwell(width, open),
             Summary::TimeRatio => {
                 let motor = MotorId::new(motor);
-                let found = course.time_ratio();
+                let found = course.time_ratio(open);
                 found.ok_or(RequirementTrouble::NotToAndFro { motor })?
             }
             // The value is the square.
-            Summary::Rms => (course.mean().max(Interval::ZERO).sqrt(), Vec::new()),
-            _ => (course.mean(), Vec::new()),
+            Summary::Rms => (course.mean(open).max(Interval::ZERO).sqrt(), Vec::new()),
+            _ => (course.mean(open), Vec::new()),
         };
         let place = |end: f64| {
             let mut place = near.clone();
@@ -320,14 +358,20 @@ impl Case<'_> {
         &self,
         field: &Field<'_>,
         searches: &mut [Search<'_>],
-        goal: Goal,
+        (value, sign): (Value, f64),
+        open: f64,
     ) -> Result<(Interval, Vec<f64>), RequirementTrouble> {
+        let goal = Goal {
+            values: &[(value, 0.0)],
+            sign,
+        };
+        let nothing = NOTHING * self.size(field.gauge, &mut searches[0], &[value]);
         let mut proved = f64::INFINITY;
         let mut least: Option<(Bound, usize)> = None;
         for (number, search) in searches.iter_mut().enumerate() {
             let spend = search.left() / 3;
             let found = search.least(goal, spend, |found| {
-                found.gap() <= WELL_KNOWN * found.seen.abs()
+                found.gap() <= open * nothing.max(WELL_KNOWN * found.seen.abs())
             });
             proved = proved.min(found.proved);
             if least
@@ -343,47 +387,76 @@ impl Case<'_> {
         if place.is_empty() || self.reach(field, &mut searches[number], &place).is_none() {
             return Err(RequirementTrouble::TooHard);
         }
-        Ok((Interval::new(goal.sign * proved, goal.sign * seen), place))
+        Ok((Interval::new(sign * proved, sign * seen), place))
     }
 
-    /// Proves that a bound is kept. `places` are those of what sums up the motion, if anything does: a mean has none.
+    /// Proves that bounds are kept: both of a range at once. `places` are those of what sums up the motion, if anything does: a mean has
+    /// none.
+    fn prove_bounds(
+        &self,
+        field: &Field<'_>,
+        search: &mut Search<'_>,
+        subject: Value,
+        bounds: &[(&RequiredBound, Limit)],
+        places: Option<&[Vec<f64>]>,
+    ) -> Result<(), RequirementTrouble> {
+        let is_strict = bounds.iter().any(|(_, limit)| limit.is_strict);
+        if bounds.len() > 1 && !is_strict {
+            let values = bounds
+                .iter()
+                .map(|(bound, limit)| (field.gauge.formulas[bound.margin.index()], limit.slack));
+            let goal = Goal {
+                values: &values.collect::<Vec<_>>(),
+                sign: 1.0,
+            };
+            let limit = Limit {
+                is_strict,
+                slack: 0.0,
+            };
+            let all = search.left();
+            let least = search.least(goal, all, |found| {
+                limit.is_kept(found) || limit.is_broken(found)
+            });
+            if limit.is_kept(&least) {
+                return Ok(());
+            }
+            if !limit.is_broken(&least) {
+                return Err(self.undecided(field, search, subject, &least));
+            }
+        }
+        for (bound, limit) in bounds {
+            self.prove_bound(field, search, subject, (bound, *limit), places)?;
+        }
+        Ok(())
+    }
+
     fn prove_bound(
         &self,
         field: &Field<'_>,
         search: &mut Search<'_>,
         subject: Value,
-        bound: &RequiredBound,
-        limit: Limit,
+        (bound, limit): (&RequiredBound, Limit),
         places: Option<&[Vec<f64>]>,
     ) -> Result<(), RequirementTrouble> {
         let goal = Goal {
-            value: field.gauge.formulas[bound.margin.index()],
+            values: &[(field.gauge.formulas[bound.margin.index()], 0.0)],
             sign: 1.0,
         };
         let all = search.left();
         let least = search.least(goal, all, |found| {
-            limit.is_kept(found)
-                || limit.is_broken(found) && found.gap() <= WORST * found.seen.abs()
+            let is_worst = || found.gap() <= (WORST * found.seen.abs()).max(ENOUGH * limit.slack);
+            limit.is_kept(found) || limit.is_broken(found) && is_worst()
         });
         if limit.is_kept(&least) {
             return Ok(());
         }
-        if least.place.is_empty() {
-            return Err(RequirementTrouble::TooHard);
-        }
-        let at = |place: &[f64]| self.at(field.ranges, place);
-        let reached = self.reach(field, search, &least.place);
-        let measured = reached.and_then(|position| search.measure(&position, subject));
+        let reached = (!least.place.is_empty()).then(|| self.reach(field, search, &least.place));
+        let measured = reached.flatten();
+        let measured = measured.and_then(|position| search.measure(&position, subject));
         let (true, Some(value)) = (limit.is_broken(&least), measured) else {
-            let value = search.value_at(&least.place, subject);
-            return Err(value.map_or(RequirementTrouble::TooHard, |value| {
-                RequirementTrouble::Undecided {
-                    value: value.middle(),
-                    at: at(&least.place),
-                    open: least.gap(),
-                }
-            }));
+            return Err(self.undecided(field, search, subject, &least));
         };
+        let at = |place: &[f64]| self.at(field.ranges, place);
         let places = match places {
             None => vec![at(&least.place)],
             Some(places) => places.iter().map(|place| at(place)).collect(),
@@ -397,6 +470,26 @@ impl Case<'_> {
             places,
             unknowns: self.unknowns(),
         }))
+    }
+
+    /// Where a bound was neither proved nor broken.
+    fn undecided(
+        &self,
+        field: &Field<'_>,
+        search: &mut Search<'_>,
+        subject: Value,
+        least: &Bound,
+    ) -> RequirementTrouble {
+        let place = &least.place;
+        let value = (!place.is_empty()).then(|| search.value_at(place, subject));
+        let undecided = |value: Interval| RequirementTrouble::Undecided {
+            value: value.middle(),
+            at: self.at(field.ranges, place),
+            open: least.gap(),
+        };
+        value
+            .flatten()
+            .map_or(RequirementTrouble::TooHard, undecided)
     }
 
     /// The values of motors at a place: of those that have a part, and of those that stand elsewhere than at the start.

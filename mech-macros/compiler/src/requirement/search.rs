@@ -4,7 +4,7 @@ use super::bound::Bound;
 use super::domain::{Ranges, points};
 use super::sides::{Stretch, Way, spread};
 use super::waiting::{Frame, Part, Waiting};
-use crate::certify::{Enclosure, Interval, Sight};
+use crate::certify::{Enclosure, Interval, Sight, Sources};
 use crate::evaluate::Machine;
 use crate::model::MotorId;
 use crate::program::{BlockId, Gauge, Position, Value, computing};
@@ -66,10 +66,10 @@ struct Framed<'a> {
     enclosure: Enclosure<'a>,
 }
 
-/// What is asked for: the least of a value times its sign.
+/// What is asked for: the least of some values, each times the sign and with what is added to it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Goal {
-    pub(super) value: Value,
+pub(super) struct Goal<'v> {
+    pub(super) values: &'v [(Value, f64)],
     pub(super) sign: f64,
 }
 
@@ -116,6 +116,12 @@ impl<'a> Search<'a> {
         self.budget - self.left
     }
 
+    /// Allows so many intervals from now on.
+    pub(super) fn allow(&mut self, count: usize) {
+        self.budget = self.spent() + count;
+        self.left = count;
+    }
+
     /// Counts what was computed besides intervals.
     pub(super) fn spend(&mut self, count: usize) {
         self.left = self.left.saturating_sub(count);
@@ -123,6 +129,7 @@ impl<'a> Search<'a> {
 
     /// Puts in a number that sums up the motion.
     pub(super) fn put(&mut self, state: usize, value: Interval) {
+        self.summaries.retain(|(known, _)| *known != state);
         self.summaries.push((state, value));
         self.enclosures.clear();
     }
@@ -192,20 +199,24 @@ impl<'a> Search<'a> {
     }
 
     /// Looks at a box; nothing if that cannot be paid.
-    fn look(&mut self, place: &[Interval], frame: &Frame, goal: Goal) -> Option<Seen> {
+    fn look(&mut self, place: &[Interval], frame: &Frame, goal: Goal<'_>) -> Option<Seen> {
         let turned = self.turned.clone();
         let (sight, is_cut, enclosure) = self.run(place, frame, &turned)?;
         let sign = Interval::point(goal.sign);
         let closes = sight != Sight::Blocked && enclosure.closes_at_centre() && !is_cut;
+        let least = |of: fn(&Enclosure<'a>, Value) -> Interval| {
+            let all = goal.values.iter();
+            let all =
+                all.map(|(value, more)| sign * of(enclosure, *value) + Interval::point(*more));
+            all.reduce(Interval::min)
+        };
         Some(Seen {
             sight,
             is_cut,
-            value: if is_cut {
-                Interval::ENTIRE
-            } else {
-                sign * enclosure.on_box(goal.value)
-            },
-            centre: closes.then(|| sign * enclosure.at_centre(goal.value)),
+            value: least(Enclosure::on_box)
+                .filter(|_| !is_cut)
+                .unwrap_or(Interval::ENTIRE),
+            centre: least(Enclosure::at_centre).filter(|_| closes),
         })
     }
 
@@ -334,7 +345,10 @@ impl<'a> Search<'a> {
     }
 
     fn find_at(&mut self, place: &[f64], value: Value) -> Option<Interval> {
-        let goal = Goal { value, sign: 1.0 };
+        let goal = Goal {
+            values: &[(value, 0.0)],
+            sign: 1.0,
+        };
         let frame = self.frame_at(&Rc::clone(&self.start), place)?;
         let seen = self.look(&points(place), &frame, goal)?;
         Some(seen.value)
@@ -349,7 +363,11 @@ impl<'a> Search<'a> {
         value: Value,
     ) -> Option<(Rc<Frame>, Interval)> {
         let frame = self.frame_in(place, near, true)?;
-        let seen = self.look(place, &frame, Goal { value, sign: 1.0 })?;
+        let goal = Goal {
+            values: &[(value, 0.0)],
+            sign: 1.0,
+        };
+        let seen = self.look(place, &frame, goal)?;
         Some((frame, seen.value))
     }
 
@@ -363,7 +381,7 @@ impl<'a> Search<'a> {
     /// Bounds the least value, until `is_enough`, or so many intervals are spent.
     pub(super) fn least(
         &mut self,
-        goal: Goal,
+        goal: Goal<'_>,
         spend: usize,
         is_enough: impl Fn(&Bound) -> bool,
     ) -> Bound {
@@ -391,6 +409,9 @@ impl<'a> Search<'a> {
                 part,
             });
         }
+        let values: Vec<Value> = goal.values.iter().map(|(value, _)| *value).collect();
+        let mut inputs = Sources::of(&self.gauge.program, &values).inputs.into_iter();
+        let is_moving = inputs.any(|motor| self.ranges.motors.contains(&motor));
         let mut stuck = f64::INFINITY;
         while let Some(Waiting { least, part, frame }) = waiting.pop() {
             bound.proved = least.min(stuck).min(bound.seen);
@@ -420,7 +441,9 @@ impl<'a> Search<'a> {
             if least >= bound.seen {
                 continue;
             }
-            let Some(halves) = self.ranges.halves(&part.place) else {
+            // What nothing moves is the same on all parts.
+            let halves = self.ranges.halves(&part.place);
+            let Some(halves) = halves.filter(|_| is_moving || seen.is_cut) else {
                 stuck = stuck.min(least);
                 continue;
             };

@@ -82,6 +82,8 @@ pub(super) struct Way<'p> {
     crossing: Vec<BlockId>,
     motor: usize,
     stretches: Vec<Stretch>,
+    /// Positions on the way.
+    visited: Vec<Position<f64>>,
     /// The start and the ends, with the loops that are turned there.
     ends: Vec<(f64, Vec<BlockId>)>,
 }
@@ -100,6 +102,7 @@ impl<'p> Way<'p> {
             crossing: crossing.to_vec(),
             motor,
             stretches: Vec::new(),
+            visited: Vec::new(),
             ends: vec![(start, Vec::new())],
         };
         let mut sides = way.enclosures()?;
@@ -181,6 +184,7 @@ impl<'p> Way<'p> {
                 sides: within,
                 is_sure,
             });
+            self.visited.push(before);
         }
         Some(())
     }
@@ -255,6 +259,17 @@ impl<'p> Way<'p> {
             return stretch.sides.first().cloned();
         }
         let mut machine = Machine::<f64>::new(self.program);
+        let start = machine.position().motors[self.motor];
+        let far = |position: &&Position<f64>| position.motors[self.motor] - start;
+        let is_before = |position: &&Position<f64>| {
+            let rest = value - start - far(position);
+            rest * far(position) >= 0.0
+        };
+        let before = self.visited.iter().filter(is_before);
+        // The last one before it.
+        if let Some(last) = before.max_by(|a, b| far(a).abs().total_cmp(&far(b).abs())) {
+            machine.put_back(last.clone());
+        }
         machine.move_to(place).ok()?;
         Some(self.turned_in(machine.position()))
     }

@@ -1,6 +1,7 @@
 //! The values of a motor for which a requirement does not hold, as far as samples show: for pictures, not for proofs.
 
 use super::details::details;
+use super::domain::Verdicts;
 use super::proof::Case;
 use super::with_plain;
 use crate::compiled::Compiled;
@@ -33,12 +34,14 @@ pub fn failing(
         return Vec::new();
     }
     with_plain(model, compiled, |model, compiled| {
+        let verdicts = Verdicts::new(&compiled.program);
         let details = details(model, compiled, requirement);
         let places = PLACES * MANY / details.len().max(MANY);
         let gauges = details.into_iter().filter_map(|detail| {
             let case = Case {
                 model,
                 compiled,
+                verdicts: &verdicts,
                 requirement,
                 detail,
             };

@@ -1,8 +1,8 @@
 //! Whether a motor turns right round.
 
 use super::Proof;
-use super::domain::{points, round_of};
-use crate::certify::{Interval, Verdict, certify};
+use super::domain::{Verdicts, points, round_of};
+use crate::certify::{Interval, Verdict};
 use crate::compiled::Compiled;
 use crate::model::{Model, MotorId};
 use crate::motion::proof::unknowns;
@@ -13,6 +13,7 @@ use crate::structure::RequirementTrouble;
 pub(super) fn prove(
     model: &Model,
     compiled: &Compiled,
+    verdicts: &Verdicts<'_>,
     motor: MotorId,
 ) -> Result<Proof, RequirementTrouble> {
     let program = &compiled.program;
@@ -34,7 +35,7 @@ pub(super) fn prove(
     for way in [0.5 * period, -0.5 * period] {
         let mut ranges = points(&program.start.motors);
         ranges[number] = Interval::new(start, start + way);
-        match certify(program, &ranges) {
+        match verdicts.on(&ranges) {
             Verdict::Proved { .. } => {}
             Verdict::Blocked(blocked) => {
                 return Err(RequirementTrouble::Stops {
