@@ -33,20 +33,11 @@ pub trait Falling<T>: Clone {
     fn move_to(&mut self, motors: &Self::Numbers) -> Result<Self::Numbers, Self::Stop>;
 }
 
-/// The end of a fall.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Rest<N, S> {
-    /// The torques that hold motors at an end of their range; zero for motors that rest by themselves.
-    pub torques: N,
-    /// The reason why it cannot fall any farther, if it leans against a dead point.
-    pub stop: Option<S>,
-}
-
 /// The reason why a mechanism does not come to rest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unrest<S> {
-    /// Torques are not determined where it is.
-    Undetermined(S),
+    /// It comes to a place where it cannot go on, or is at one where torques are not determined.
+    Stopped(S),
     /// Nothing pulls at a motor.
     Unloaded,
     /// Nothing stops what pulls at it.
@@ -56,6 +47,8 @@ pub enum Unrest<S> {
 /// Lets a mechanism fall from where it is. `units` are displacements of the motors that compare with each other. `ends` are the ends of their
 /// ranges, which may be infinite; those of a motor that is held are the same. `rows` has a row for each motor, whatever is in it.
 ///
+/// Gives the torques that hold motors at an end of their range; zero for motors that rest by themselves.
+///
 /// # Errors
 /// If it does not come to rest; it is then anywhere on its way.
 pub fn fall<T: Real, F: Falling<T>>(
@@ -63,9 +56,9 @@ pub fn fall<T: Real, F: Falling<T>>(
     units: &[T],
     ends: &[[T; 2]],
     rows: &mut [F::Numbers],
-) -> Result<Rest<F::Numbers, F::Stop>, Unrest<F::Stop>> {
+) -> Result<F::Numbers, Unrest<F::Stop>> {
     let here = falling.motors();
-    let mut torques = falling.move_to(&here).map_err(Unrest::Undetermined)?;
+    let mut torques = falling.move_to(&here).map_err(Unrest::Stopped)?;
     let root = T::from_f64(T::EPSILON).sqrt();
     let mut descent = Descent {
         falling,
@@ -87,7 +80,7 @@ pub fn fall<T: Real, F: Falling<T>>(
             match descent.leave() {
                 Some(beside) => torques = beside,
                 None if descent.steepest == T::ZERO => return Err(Unrest::Unloaded),
-                None => return Ok(descent.rest(torques, None)),
+                None => return Ok(descent.rest(torques)),
             }
             descent.inverse.forget();
             continue;
@@ -100,13 +93,16 @@ pub fn fall<T: Real, F: Falling<T>>(
             *part = *part / *unit;
         }
         let far = size(&moved);
+        if far <= descent.level
+            && let Some(stop) = stop
+        {
+            return Err(Unrest::Stopped(stop));
+        }
+        // A step that changes no number is one of rounding.
         let Some(found) = found.filter(|_| far > T::ZERO) else {
-            return Ok(descent.rest(torques, stop));
+            return Ok(descent.rest(torques));
         };
         torques = found;
-        if stop.is_some() && far <= descent.level {
-            return Ok(descent.rest(torques, stop));
-        }
         let mut change = plus(&slope, -T::ONE, &descent.slope(&torques));
         for (part, slope) in change.as_mut().iter_mut().zip(slope.as_ref()) {
             if *slope == T::ZERO {
@@ -165,8 +161,8 @@ impl<T: Real, F: Falling<T>> Descent<'_, T, F> {
         free
     }
 
-    /// The end of the fall, where these torques hold the mechanism.
-    fn rest(&mut self, torques: F::Numbers, stop: Option<F::Stop>) -> Rest<F::Numbers, F::Stop> {
+    /// Those of the torques that hold the mechanism without which it would not rest.
+    fn rest(&mut self, torques: F::Numbers) -> F::Numbers {
         let (slope, mut torques) = (self.slope(&torques), torques);
         let free = self.free(&slope);
         let parts = slope.as_ref().iter().zip(free.as_ref());
@@ -175,7 +171,7 @@ impl<T: Real, F: Falling<T>> Descent<'_, T, F> {
                 *torque = T::ZERO;
             }
         }
-        Rest { torques, stop }
+        torques
     }
 
     /// Goes to a part of a way, within the ranges of the motors.

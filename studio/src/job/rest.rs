@@ -62,9 +62,6 @@ impl Rest {
             };
             let _ = writeln!(text, "  motor `{name}` at {at}{how}");
         }
-        if let Some(stop) = &found.stop {
-            let _ = writeln!(text, "note: it leans against what stops it: {stop}");
-        }
         Ok(text)
     }
 }

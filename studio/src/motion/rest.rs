@@ -15,8 +15,6 @@ pub(crate) struct Rest {
     pub(crate) motors: Vec<f64>,
     /// The torques or forces that hold motors, or those that lean against an end of their range; zero for those that rest by themselves.
     pub(crate) torques: Vec<f64>,
-    /// What stops it, if it leans against a dead point.
-    pub(crate) stop: Option<String>,
 }
 
 /// A mechanism that falls.
@@ -86,15 +84,16 @@ pub(crate) fn find_rest(
         still: &vec![0.0; count],
     };
     let mut rows = vec![vec![0.0; count]; count];
-    let why = |stop| obstacle(model, compiled, stop);
     match rest::fall(&mut falling, &units, &ends, &mut rows) {
-        Ok(found) => Ok(Rest {
+        Ok(torques) => Ok(Rest {
             motors: rest::Falling::motors(&falling),
-            torques: found.torques,
-            stop: found.stop.map(why),
+            torques,
         }),
         Err(unrest) => Err(Failure::mechanism(match unrest {
-            Unrest::Undetermined(stop) => format!("forces are not determined there: {}", why(stop)),
+            Unrest::Stopped(stop) => {
+                let why = obstacle(model, compiled, stop);
+                format!("forces are not determined there: {why}")
+            }
             Unrest::Unloaded => "nothing pulls at its motors: no weights, springs or loads do; declare `gravity` and masses, or a spring, or \
                 give `--load`".to_owned(),
             Unrest::Endless => "it does not come to rest: nothing stops what pulls at its motors; hold one by `--at`, or give it a range or \
