@@ -84,6 +84,10 @@ pub enum Cause {
     Massless,
     /// The step of time is so long that its iteration does not converge.
     StepTooLong,
+    /// Nothing pulls at the motors that are let go.
+    Unloaded,
+    /// Nothing stops what pulls at this motor, so it does not come to rest.
+    Restless,
 }
 
 /// The end of a move that goes as far as it can.
@@ -117,7 +121,7 @@ impl<M> Blocked<M> {
             (Some(input), _) => Place::Motor(input.name()),
             (None, _) if self.place.is_empty() => Place::Everywhere,
             (None, Cause::NotFinite) => Place::Given(self.place),
-            (None, Cause::OutOfRange | Cause::Massless | Cause::Overflow) => {
+            (None, Cause::OutOfRange | Cause::Massless | Cause::Overflow | Cause::Restless) => {
                 Place::Motor(self.place)
             }
             (None, _) => Place::Loop(self.place),
@@ -259,6 +263,14 @@ impl<M: Values> fmt::Display for Blocked<M> {
             Cause::Overflow => write!(f, "a coordinate would be beyond the range of the numbers"),
             Cause::Massless => write!(f, "no mass resists motor `{place}` at {reached}"),
             Cause::StepTooLong => write!(f, "the step of time is too long to be followed"),
+            Cause::Unloaded => write!(
+                f,
+                "nothing pulls at the motors that are let go at {reached}"
+            ),
+            Cause::Restless => write!(
+                f,
+                "motor `{place}` does not come to rest: nothing stops what pulls at it"
+            ),
             Cause::Singular => write!(
                 f,
                 "the rates of the loop {place} are not determined at {reached}: it is at a dead point or a change point"

@@ -70,6 +70,7 @@ fn main() {
     let mut loaded = beside::Loaded::new();
     assert!(loaded.set_simulated(3.0).is_ok());
     assert!(loaded.simulate(0.01, [1.0]).is_ok() && loaded.hold_at([0.5]).is_ok());
+    assert!(loaded.come_to_rest([true]).is_ok());
     assert!(loaded.pull() > 0.0 && loaded.push_advantage([1.0, 0.0]).is_ok());
     let mut timed = beside::Timed::new();
     assert!(timed.set_laws(0.5).is_ok() && timed.at_time(1.0).is_ok());

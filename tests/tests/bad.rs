@@ -56,7 +56,7 @@ fn are_numbers(value: &impl Debug) {
 /// Asks a mechanism, and tells whether it was moved.
 fn ask_forced(m: &mut Forced, which: u8, [x, y, z, w]: [f64; 4]) -> bool {
     let before = *m;
-    let refused = match which % 14 {
+    let refused = match which % 15 {
         0 => m.move_to([x]).is_err(),
         1 => m.move_toward([x]).is_err(),
         2 => m.move_with([x], [y], [z]).is_err(),
@@ -100,6 +100,7 @@ fn ask_forced(m: &mut Forced, which: u8, [x, y, z, w]: [f64; 4]) -> bool {
             assert_eq!(*m, before);
             false
         }
+        13 => m.come_to_rest([x > 0.0]).is_err(),
         _ => {
             let mut all = [*m; 3];
             let _ = Forced::move_many(&mut all, &[[x], [y], [z], [w]]);
@@ -118,7 +119,7 @@ fn ask_forced(m: &mut Forced, which: u8, [x, y, z, w]: [f64; 4]) -> bool {
         m.coupler_tip_acceleration(),
     ));
     are_numbers(&(m.jd(), m.jd_rate(), m.jd_acceleration(), m.coil()));
-    !refused && [0, 1, 2, 3, 7, 8, 11].contains(&(which % 14))
+    !refused && [0, 1, 2, 3, 7, 8, 11, 13].contains(&(which % 15))
 }
 
 fn ask_changing(m: &mut Changing, which: u8, numbers: [f64; 4]) {

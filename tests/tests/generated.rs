@@ -19,6 +19,7 @@ mod parts_library;
 mod pictures;
 mod recorder;
 mod reference;
+mod rest;
 mod shapes;
 mod statics;
 mod surplus;

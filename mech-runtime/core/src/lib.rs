@@ -28,6 +28,7 @@ mod pose;
 mod power;
 mod real;
 mod reduction;
+pub mod rest;
 pub mod root;
 mod symbol;
 pub mod trig;

@@ -18,6 +18,7 @@ pub mod parameters;
 mod params;
 mod position;
 mod rates;
+mod rest;
 mod shapes;
 mod wheel;
 
@@ -54,6 +55,7 @@ pub use params::{
 };
 pub use position::{Motors, Position, finite};
 pub use rates::{advance_with, rates_at};
+pub use rest::come_to_rest;
 pub use shapes::shapes;
 pub use wheel::{ring, rounded_f32, rounded_f64, wheel};
 
@@ -66,7 +68,7 @@ pub use core::iter::Iterator;
 pub use core::marker::{Copy, Sized};
 pub use core::ops::Fn;
 pub use core::option::Option::{self, None, Some};
-pub use core::primitive::{f32, f64, str, usize};
+pub use core::primitive::{bool, f32, f64, str, usize};
 pub use core::result::Result::{self, Err, Ok};
 
 use crate::{Cause, Scalar};

@@ -27,6 +27,7 @@ functions! {
     first
     forces
     found
+    free
     given
     held
     here

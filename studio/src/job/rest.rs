@@ -41,7 +41,7 @@ impl Rest {
         let machine = posed(Mover::new(&model, &compiled), &model, &compiled, &self.at)?;
         let loads = load_numbers(&model, &self.loads)?;
         let before = machine.position().motors;
-        let found = find_rest(&model, &compiled, machine, free.clone(), &loads)?;
+        let found = find_rest(&model, &compiled, machine, &free, &loads)?;
         let mut text = format!("{} comes to rest:\n", model.name);
         for motor in model.motor_ids() {
             let number = motor.index();
@@ -49,21 +49,18 @@ impl Rest {
             let value = |value| show_value(&model, joint, value);
             let name = motor_name(&model, motor);
             let at = value(found.motors[number]);
-            let how = match (free.contains(&motor), found.leaning[number]) {
-                (false, _) if is_driven(&motor) => ", where its law holds it".to_owned(),
-                (false, _) => ", where it is held".to_owned(),
-                (true, None) => format!(", from {}", value(before[number])),
-                (true, Some(leans)) => {
-                    format!(
-                        ", its end, against which it leans with {}",
-                        four_digits(leans.abs())
-                    )
-                }
+            let torque = found.torques[number].abs();
+            let how = if is_driven(&motor) {
+                ", where its law holds it".to_owned()
+            } else if is_held(&motor) {
+                ", where it is held".to_owned()
+            } else if torque > 0.0 {
+                let torque = four_digits(torque);
+                format!(", its end, against which it leans with {torque}")
+            } else {
+                format!(", from {}", value(before[number]))
             };
             let _ = writeln!(text, "  motor `{name}` at {at}{how}");
-        }
-        if let Some(stop) = &found.stop {
-            let _ = writeln!(text, "note: it leans against what stops it: {stop}");
         }
         Ok(text)
     }

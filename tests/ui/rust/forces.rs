@@ -20,4 +20,5 @@ fn main() {
     let _ = massless.forces([0.0, 1.0], [0.0, 0.0]);
     let _ = massless.simulate(0.1, [0.0, 0.0]);
     let _: Result<[f64; 2], _> = massless.energy();
+    let _: Result<[f64; 2], _> = massless.come_to_rest([true, false]);
 }

@@ -57,6 +57,7 @@ pub(crate) const TABLE: &[Item] = &[
     item(Of::Spring, When::Actions, "pub fn name(&self) -> scalar { loop {} }"),
     item(Of::Mechanism, When::Force, "pub fn hold_at(&mut self, motors: [scalar; motor_count]) -> Result<[scalar; motor_count], Blocked<[scalar; motor_count]>> { loop {} }"),
     item(Of::Mechanism, When::Force, "pub fn torques(&self) -> Result<[scalar; motor_count], Blocked<[scalar; motor_count]>> { loop {} }"),
+    item(Of::Mechanism, When::Force, "pub fn come_to_rest(&mut self, free: [bool; motor_count]) -> Result<[scalar; motor_count], Blocked<[scalar; motor_count]>> { loop {} }"),
     item(Of::Mechanism, When::Force, "pub fn forces(&self, rates: [scalar; motor_count], accelerations: [scalar; motor_count]) -> Result<Forces<scalar, motor_count, joint_count, load_count, joint_count>, Blocked<[scalar; motor_count]>> { loop {} }"),
     item(Of::Mechanism, When::Force, "pub const TORQUES_COST: Cost = Cost::NOTHING;"),
     item(Of::Mechanism, When::Force, "pub const FORCES_COST: Cost = Cost::NOTHING;"),

@@ -13,7 +13,7 @@ use quote::{ToTokens, quote};
 use syn::{ImplItem, ItemImpl};
 
 /// The names in the table that stand for items of `generated` in the runtime crate, and for items at its root.
-const GENERATED: [&str; 5] = ["Option", "Result", "f64", "str", "usize"];
+const GENERATED: [&str; 6] = ["Option", "Result", "bool", "f64", "str", "usize"];
 const RUNTIME: [&str; 21] = [
     "Acceleration",
     "Blocked",

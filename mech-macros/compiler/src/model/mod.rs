@@ -348,13 +348,14 @@ impl Model {
         matches!(self.joint(joint).kind, JointKind::Revolute(..))
     }
 
-    /// A displacement of a motor that compares with those of others: a radian, or the size of the mechanism if it slides.
+    /// A displacement of a motor that compares with those of others: a radian, or the size of the mechanism if it slides and has a size.
     #[must_use]
-    pub(crate) fn unit_of(&self, motor: MotorId) -> f64 {
-        if self.turns(self.motor(motor).joint) {
+    pub fn unit_of(&self, motor: MotorId) -> f64 {
+        let size = self.size();
+        if self.turns(self.motor(motor).joint) || size == 0.0 {
             1.0
         } else {
-            self.size().max(f64::MIN_POSITIVE)
+            size
         }
     }
 

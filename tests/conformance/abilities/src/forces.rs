@@ -67,6 +67,7 @@ in_both_precisions! {
 
     fn press(recorder: &mut Recorder<impl Listener>) {
         let mut m = Press::new();
+        recorder.record("press", &(m.come_to_rest([true]), m.poses()));
         for value in [0.5, 1.0, -2.0, 30.0].into_iter().chain(BAD) {
             let value = Real::from_f64(black_box(value));
             recorder.record("press", &(m.set_work([value, -value]), m.set_twist(value)));
@@ -80,6 +81,7 @@ in_both_precisions! {
 
     fn bench(recorder: &mut Recorder<impl Listener>) {
         let mut m = Bench::new();
+        recorder.record("bench", &(m.come_to_rest([true, false]), m.poses()));
         for value in [0.1, -0.2, 0.3].into_iter().chain(BAD) {
             let value = Real::from_f64(black_box(value));
             recorder.record("bench", &m.set_push([value, value]));

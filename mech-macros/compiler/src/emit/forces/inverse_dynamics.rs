@@ -12,12 +12,14 @@ use crate::model::{Load, LoadKind};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// `hold_at` and `torques`.
+/// `hold_at`, `torques` and `come_to_rest`.
 pub(super) fn holding(emitter: &Emitter<'_>) -> Parts {
     let Emitter {
         visibility,
         values,
+        motors,
         blocked,
+        model,
         ..
     } = emitter;
     let Some(holding) = &emitter.compiled.forced.holding else {
@@ -30,6 +32,17 @@ pub(super) fn holding(emitter: &Emitter<'_>) -> Parts {
     let advance = advance_with(holding, &quote!(&mut #position), &value);
     let advance = strip_params(emitter, advance);
     let found = forces_here(holding);
+    let units = model.motor_ids();
+    let units = units.map(|motor| emitter.number(model.unit_of(motor)));
+    let fall = advance_with(holding, &quote!(position), &quote!(motors));
+    let fall = strip_params(
+        emitter,
+        quote! {
+            generated::come_to_rest(&mut #position, &known::MOVE_LIMITS, free, [#(#units),*], |position, motors| {
+                #fall
+            })
+        },
+    );
     let methods = quote! {
         /// Moves there as `move_to` does, and gives the torques of the motors (the forces of those that slide), in the order of
         /// their declaration. They hold it there at rest, against gravity, springs and loads.
@@ -55,6 +68,22 @@ pub(super) fn holding(emitter: &Emitter<'_>) -> Parts {
             #found
                 .map(|held| held.torques)
                 .map_err(|stop| #refusal)
+        }
+
+        /// Lets go of the motors that are `free`, and goes downhill from where it is until springs, gravity and loads hold it at
+        /// rest. Other motors stay where they are.
+        ///
+        /// Gives the torques of the motors that do not rest by themselves (the forces of those that slide), as `torques` does.
+        /// These motors are held, or lean against an end of their range. All others have zero.
+        ///
+        /// # Errors
+        /// If nothing pulls at a motor that is free, or nothing stops what pulls at one. Also if torques are not determined where it
+        /// is, or a loop comes to a dead point on the way. The mechanism then stays where it was.
+        #visibility fn come_to_rest(&mut self, free: [bool; #motors]) -> Result<#values, #blocked> {
+            #loads
+            let torques = #fall?;
+            #end
+            Result::Ok(torques)
         }
     };
     Parts::methods(methods)
