@@ -139,10 +139,15 @@ fn lead<M: Follower>(
                     .hypot(there[1] - goal[1])
                     .max(turned.abs());
                 let sine = sine(&mechanism).abs();
-                worst = worst.max(sine * away.max(misfit(&mechanism)));
-                // To the bit, it is where these values of its motors have it.
+                // It is where these values of its motors have it.
                 let mut again = mechanism;
                 assert!(again.set(mechanism.motors().as_ref()), "{}", M::NAME);
+                let pairs = again.poses().iter().zip(mechanism.poses());
+                let moved = pairs.fold(0.0, |moved: f64, (to, from)| {
+                    let turned = (to.cos - from.cos).hypot(to.sin - from.sin);
+                    moved.max(turned).max((to.x - from.x).hypot(to.y - from.y))
+                });
+                worst = worst.max(sine * away.max(misfit(&mechanism)).max(moved));
             }
             Err(blocked) => {
                 refused += 1;
@@ -199,6 +204,8 @@ fn a_plotter_comes_wherever_both_of_its_arms_do() {
         pen.cos * rod.sin - pen.sin * rod.cos
     };
     lead::<Plotter>([2.0, 1.5, 0.0], 0.3, is_free, sine);
+    // So little that links take the poses that were found for the place.
+    lead::<Plotter>([0.1, 0.1, 0.0], 0.03, is_free, sine);
 }
 
 #[test]
