@@ -1,7 +1,7 @@
 //! Positions of rest, against closed forms, and against energies that are computed from what was declared.
 
 use mech_runtime::{Cause, Phase, Place, Real, mechanism};
-use mech_test_support::{Dice, cases, seeds};
+use mech_test_support::{Dice, cases, seeds, valley};
 
 type Vector = [f64; 2];
 
@@ -278,17 +278,8 @@ macro_rules! at_rest {
                     four_bar.set_params([real(length)]).expect("it closes");
                     four_bar.move_to([real(start)]).expect("it turns");
                     assert_eq!(four_bar.come_to_rest([true]).expect("it rests"), [0.0]);
-                    // In steps, as long as they lead down.
                     let energy = |at| four_bar_energy(length, at);
-                    let step = if energy(start + 1e-6) < energy(start) {
-                        1e-4
-                    } else {
-                        -1e-4
-                    };
-                    let mut here = start;
-                    while energy(here + step) < energy(here) {
-                        here += step;
-                    }
+                    let here = valley(energy, start);
                     let found = four_bar.motors()[0].to_f64();
                     let slope = (energy(found + 1e-5) - energy(found - 1e-5)) / 2e-5;
                     assert!((found - here).abs() < 2e-4, "seed {seed}: {found}, {here}");

@@ -80,7 +80,7 @@ pub fn fall<T: Real, F: Falling<T>>(
             match descent.leave() {
                 Some(beside) => torques = beside,
                 None if descent.steepest == T::ZERO => return Err(Unrest::Unloaded),
-                None => return Ok(descent.rest(torques)),
+                None => return Ok(descent.holding(torques)),
             }
             descent.inverse.forget();
             continue;
@@ -100,7 +100,7 @@ pub fn fall<T: Real, F: Falling<T>>(
         }
         // A step that changes no number is one of rounding.
         let Some(found) = found.filter(|_| far > T::ZERO) else {
-            return Ok(descent.rest(torques));
+            return Ok(descent.holding(torques));
         };
         torques = found;
         let mut change = plus(&slope, -T::ONE, &descent.slope(&torques));
@@ -162,7 +162,7 @@ impl<T: Real, F: Falling<T>> Descent<'_, T, F> {
     }
 
     /// Those of the torques that hold the mechanism without which it would not rest.
-    fn rest(&mut self, torques: F::Numbers) -> F::Numbers {
+    fn holding(&mut self, torques: F::Numbers) -> F::Numbers {
         let (slope, mut torques) = (self.slope(&torques), torques);
         let free = self.free(&slope);
         let parts = slope.as_ref().iter().zip(free.as_ref());
@@ -175,7 +175,12 @@ impl<T: Real, F: Falling<T>> Descent<'_, T, F> {
     }
 
     /// Goes to a part of a way, within the ranges of the motors.
-    fn go(&mut self, from: &F::Numbers, part: T, way: &F::Numbers) -> Result<F::Numbers, F::Stop> {
+    fn move_along(
+        &mut self,
+        from: &F::Numbers,
+        part: T,
+        way: &F::Numbers,
+    ) -> Result<F::Numbers, F::Stop> {
         let mut to = from.clone();
         let ways = way.as_ref().iter().zip(self.units);
         for ((value, (way, unit)), [low, high]) in to.as_mut().iter_mut().zip(ways).zip(self.ends) {
@@ -203,7 +208,7 @@ impl<T: Real, F: Falling<T>> Descent<'_, T, F> {
         // Between what is too short and what is too long.
         let (mut part, mut short, mut long) = (T::ONE, T::ZERO, None);
         for _ in 0..HALVINGS {
-            match self.go(from, part, way) {
+            match self.move_along(from, part, way) {
                 Err(blocked) => {
                     stop = Some(blocked);
                     long = Some(part);
@@ -235,7 +240,7 @@ impl<T: Real, F: Falling<T>> Descent<'_, T, F> {
                 for (other, part) in way.as_mut().iter_mut().enumerate() {
                     *part = if other == number { sign } else { T::ZERO };
                 }
-                if let Ok(torques) = self.go(&here, root.sqrt(), &way) {
+                if let Ok(torques) = self.move_along(&here, root.sqrt(), &way) {
                     let moved = plus(&self.falling.motors(), -T::ONE, &here);
                     let slope = dot(&way, &self.slope(&torques));
                     if dot(&way, &moved) > T::ZERO && slope > root * self.steepest {
@@ -249,7 +254,7 @@ impl<T: Real, F: Falling<T>> Descent<'_, T, F> {
     }
 }
 
-/// What is known of the inverse of the second derivatives.
+/// An estimate of the inverse of the second derivatives.
 struct Inverse<'a, N> {
     rows: &'a mut [N],
     is_known: bool,

@@ -22,12 +22,15 @@ pub(crate) fn report(model: &Model, compiled: &Compiled) -> Result<String, Failu
     let (name, solution) = text.split_once('\n').unwrap_or((text, ""));
     Ok(format!(
         "{name}\n{}{solution}\n  legend    + additions, × multiplications, ÷ divisions, √ square roots, ≷ comparisons\n",
-        told(model, compiled)?.0
+        motion_and_requirements(model, compiled)?.0
     ))
 }
 
 /// What a mechanism does and is for, as the lines of a report, and what is expected of it.
-fn told(model: &Model, compiled: &Compiled) -> Result<(String, Vec<Judged>), Failure> {
+fn motion_and_requirements(
+    model: &Model,
+    compiled: &Compiled,
+) -> Result<(String, Vec<Judged>), Failure> {
     let motion = motion(model, compiled)?;
     let requirements = requirements::judged(model, compiled)?;
     Ok((
@@ -50,7 +53,7 @@ pub(crate) struct Behaviour {
 #[cfg(feature = "editor")]
 impl Behaviour {
     pub(crate) fn of(model: &Model, compiled: &Compiled) -> Result<Self, Failure> {
-        let (lines, mut requirements) = told(model, compiled)?;
+        let (lines, mut requirements) = motion_and_requirements(model, compiled)?;
         failing::sample(&mut requirements, model, compiled)?;
         Ok(Self {
             lines,

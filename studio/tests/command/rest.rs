@@ -1,7 +1,7 @@
 //! `mech rest`, against energies that are computed from what was declared.
 
 use crate::run::Folder;
-use mech_test_support::{Dice, cases, seeds};
+use mech_test_support::{Dice, cases, seeds, valley};
 
 type Vector = [f64; 2];
 
@@ -138,16 +138,7 @@ fn a_pendulum_on_a_slider_crank_rests_in_the_nearest_valley() {
             let place = crank * angle.cos() + (rod * rod - across * across).sqrt();
             mass * GRAVITY * across + 0.5 * stiffness * (place - rest).powi(2)
         };
-        // In steps, as long as they lead down.
-        let step = if energy(start + 1e-6) < energy(start) {
-            1e-4
-        } else {
-            -1e-4
-        };
-        let mut here = start;
-        while energy(here + step) < energy(here) {
-            here += step;
-        }
+        let here = valley(energy, start);
         let folder = Folder::new().with("a.mech", &text);
         let found = values_told(&folder.mech("rest a.mech").done())[0].to_radians();
         assert!((found - here).abs() < 3e-4, "seed {seed}: {found}, {here}");

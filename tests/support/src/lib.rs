@@ -31,7 +31,7 @@ pub use fixtures::{GALLERY, four_bar_text, known, known_texts, with_own_params};
 pub use folder::{Case, folder, repository};
 pub use grow::{Grown, grow, grow_coupled, grow_coupled_from, grow_from, grow_wild, in_own_frames};
 pub use house::{House, rustc};
-pub use measure::{apart, cross, differences, dot, in_f64, lengths, reach};
+pub use measure::{apart, cross, differences, dot, in_f64, lengths, reach, valley};
 pub use painted::painted_outside;
 pub use sample::{Sample, coupled_samples, dice, for_all, samples};
 pub use shuffled::{

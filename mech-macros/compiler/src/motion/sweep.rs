@@ -87,8 +87,7 @@ fn sweep_alone(
 ) {
     let index = motor.index();
     let start = plan.start.motors[index];
-    let joint = &model.joint(model.motor(motor).joint).kind;
-    let is_revolute = matches!(joint, JointKind::Revolute(..));
+    let is_revolute = model.turns(model.motor(motor).joint);
     let parts = parts_of(plan, motor);
     let mut run_to = |displacement: f64| {
         let mut displacements = vec![0.0; model.inputs()];

@@ -43,8 +43,8 @@ pub struct Follow {
 }
 
 impl Program {
-    /// Whether the poses of links are all of a position, but for sines of loops that change no faster than links turn: every loop has a closed
-    /// form whose arms and lines have fixed directions in their links.
+    /// Whether poses of links determine the rest of a position, but for sines of loops that change no faster than links turn: every loop
+    /// has a closed form whose arms and lines have fixed directions in their links.
     #[must_use]
     pub(crate) fn turns_with_links(&self) -> bool {
         let motors = self.motors.len();

@@ -269,10 +269,7 @@ fn on_part(model: &Model, links: &[LinkId], joints: &[JointId]) -> Vec<Repair> {
     let shown = |joint: &JointId| !model.joint(*joint).hidden;
     let links = links.iter().copied().filter(declared);
     let joints: Vec<JointId> = joints.iter().copied().filter(shown).collect();
-    let turns = |joint: &JointId| {
-        let kind = model.joint(*joint).kind;
-        matches!(kind, JointKind::Revolute(..)) && model.motor_of(*joint).is_none()
-    };
+    let turns = |joint: &JointId| model.turns(*joint) && model.motor_of(*joint).is_none();
     let welded = |joint: &JointId| matches!(model.joint(*joint).kind, JointKind::Weld(..));
     let slots = joints.iter().copied().filter(turns).flat_map(|joint| {
         [[1.0, 0.0], [0.0, 1.0]].map(|along| Repair::Replace {

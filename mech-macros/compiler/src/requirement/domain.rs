@@ -92,7 +92,7 @@ impl Ranges {
     }
 }
 
-/// Whether a mechanism moves through values of its motors: what was found for one requirement, or one of its details, is known for others.
+/// Verdicts on whether a mechanism moves through values of its motors: each is found once for all requirements and their details.
 pub(super) struct Verdicts<'a> {
     program: &'a Program,
     known: RefCell<Vec<(Vec<Interval>, Verdict)>>,
@@ -177,7 +177,7 @@ pub(super) fn ranges(
         let Some(period) = period else {
             // It may be stopped on both sides.
             let [turns, sizes] = MOST_REACH;
-            let far = if is_turning(model, motor) {
+            let far = if model.turns(model.motor(motor).joint) {
                 turns
             } else {
                 sizes * model.size()
@@ -277,7 +277,7 @@ pub(super) fn round_of(
     (loops, motor): (usize, usize),
     found: &[Value],
 ) -> Option<f64> {
-    if !is_turning(model, MotorId::new(motor)) {
+    if !model.turns(model.motor(MotorId::new(motor)).joint) {
         return None;
     }
     let domain = Domain::new(model, program, loops);
@@ -290,11 +290,6 @@ pub(super) fn round_of(
     let read = domain.read(found, &whole);
     let period = domain.period(motor, &read);
     period.filter(|period| *period < MOST_TURNS)
-}
-
-/// Tests whether a motor turns, and may go right round.
-fn is_turning(model: &Model, motor: MotorId) -> bool {
-    model.turns(model.motor(motor).joint)
 }
 
 /// Moves a motor to a value while all others stand, and tells whether it comes there.

@@ -472,7 +472,7 @@ impl Case<'_> {
         }))
     }
 
-    /// Where a bound was neither proved nor broken.
+    /// The trouble with a bound that was neither proved nor broken.
     fn undecided(
         &self,
         field: &Field<'_>,

@@ -66,7 +66,7 @@ struct Framed<'a> {
     enclosure: Enclosure<'a>,
 }
 
-/// What is asked for: the least of some values, each times the sign and with what is added to it.
+/// A goal: to bound the least of some values, each times the sign and with what is added to it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Goal<'v> {
     pub(super) values: &'v [(Value, f64)],

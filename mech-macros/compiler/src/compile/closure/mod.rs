@@ -213,28 +213,24 @@ impl<'m> Judge<'m> {
 
     /// A cam follower that is not where its law has it. Laws that differ from turn to turn are not tested.
     fn off_cam(&self, now: &LinkFrames<'_>, extent: f64, part: f64) -> Option<Torn> {
-        let is_angle = |joint: JointId| {
-            let kind = self.model.joint(joint).kind;
-            matches!(kind, JointKind::Revolute(..))
-        };
         self.model.cams().find_map(|(joint, shaft, follower, law)| {
             let winding = law.winding();
-            let repeats = if is_angle(follower) {
+            let repeats = if self.model.turns(follower) {
                 winding.is_some_and(|turns| turns.fract() == 0.0)
             } else {
                 winding == Some(0.0)
             };
-            if is_angle(shaft) && !repeats {
+            if self.model.turns(shaft) && !repeats {
                 return None;
             }
             let at = now.coordinate(shaft)?;
-            let unit = if is_angle(shaft) { 1.0 } else { extent };
+            let unit = if self.model.turns(shaft) { 1.0 } else { extent };
             // A steep law makes more of the shaft's rounding, and so does one that jumps.
             let [low, here, high] =
                 [-1.0, 0.0, 1.0].map(|side| self.model.at_start(law, at + side * part * unit));
             let slack = (high - here).abs().max((low - here).abs());
             let off = now.coordinate(follower)? - here;
-            let off = if is_angle(follower) {
+            let off = if self.model.turns(follower) {
                 whole_turns_off(off, TAU) - slack
             } else {
                 (off.abs() - slack) / extent

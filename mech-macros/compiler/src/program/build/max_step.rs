@@ -1,7 +1,7 @@
 //! The greatest displacement of motors in one piece where no bound is known: loops that are solved together could leap over a place where
 //! they do not close.
 
-use crate::model::{JointKind, Model};
+use crate::model::Model;
 use crate::plan::{ConnectionKind, Plan, Rational, Source, Step, Unknown, float_of};
 
 /// The largest turn in one piece, in radians.
@@ -17,8 +17,7 @@ pub(super) fn max_steps(model: &Model, plan: &Plan, is_coupled: bool) -> Vec<f64
     let steps = if is_coupled { &plan.steps[..] } else { &[] };
     let rolling: Vec<Rolling<'_>> = steps.iter().flat_map(rolling).collect();
     let motors = model.motor_ids().map(|motor| {
-        let kind = model.joint(model.motor(motor).joint).kind;
-        let own = most(matches!(kind, JointKind::Revolute(..)));
+        let own = most(model.turns(model.motor(motor).joint));
         let of_motor = |one: &&Rolling<'_>| plan.sources[one.source] == Source::Motor(motor);
         let of_motor = rolling.iter().filter(of_motor);
         of_motor.fold(own, |least, one| {

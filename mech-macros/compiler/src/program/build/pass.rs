@@ -6,7 +6,7 @@ use super::predictor::Predictor;
 use super::site::SolvedLoop;
 use super::sources::Sources;
 use super::watching::Watches;
-use crate::model::{InputId, JointId, JointKind, Model};
+use crate::model::{InputId, JointId, Model};
 use crate::plan::{Arithmetic, Plan, Rational, Source, float_of};
 use crate::program::node::{Op, Value};
 use num_traits::ToPrimitive;
@@ -59,11 +59,11 @@ impl<'m> PositionPass<'m> {
         let Source::Motor(motor) = plan.sources[number] else {
             return share;
         };
-        let joint = model.joint(model.motor(motor).joint);
-        if !matches!(joint.kind, JointKind::Revolute(..)) {
+        let joint = model.motor(motor).joint;
+        if !model.turns(joint) {
             return share;
         }
-        let name = format!("{}_turns", joint.name);
+        let name = format!("{}_turns", model.joint(joint).name);
         let turns = match (is_angle, part.numer().to_i64(), part.denom().to_i64()) {
             (true, Some(_), Some(1)) => return share,
             (true, Some(numerator), Some(denominator)) => {
