@@ -11,7 +11,7 @@ use mech_test_support::{
     Dice, cases, differences, dot, for_all, known_texts, samples, seeds, text,
 };
 use proc_macro2::TokenStream;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// Limits are this part of the greatest value away from an extreme.
 const MARGIN: f64 = 1e-3;
@@ -107,25 +107,46 @@ impl Masses {
     /// The mechanism's inertia as the motor feels it, and its potential energy.
     fn energies(&self, slider: &Slider, angle: f64) -> [f64; 2] {
         let [crank, rod] = [self.crank, self.rod];
-        let center = |number: usize| {
-            move |angle: f64| {
-                let Places { pin, end, .. } = places(slider, angle);
-                let crank_center = pin.map(|part| part * crank[1] / slider.crank);
-                let along = [end[0] - pin[0], end[1] - pin[1]];
-                let rod_center = [0, 1].map(|axis| pin[axis] + along[axis] * rod[1] / slider.rod);
-                [crank_center, rod_center, end][number]
-            }
-        };
-        let masses = [crank[0], rod[0], self.piston];
         let lean = slopes(|angle| places(slider, angle).lean, angle)[0];
         let mut inertia = crank[2] + rod[2] * lean * lean;
         let mut potential = 0.0;
-        for (number, mass) in masses.into_iter().enumerate() {
-            let velocity = [0, 1].map(|axis| slopes(|angle| center(number)(angle)[axis], angle)[0]);
+        for (number, mass) in self.all().into_iter().enumerate() {
+            let center = |angle| self.centers(slider, angle)[number];
+            let velocity = [0, 1].map(|axis| slopes(|angle| center(angle)[axis], angle)[0]);
             inertia += mass * dot(velocity, velocity);
-            potential -= mass * dot(self.gravity, center(number)(angle));
+            potential -= mass * dot(self.gravity, center(angle));
         }
         [inertia, potential]
+    }
+
+    fn all(&self) -> [f64; 3] {
+        [self.crank[0], self.rod[0], self.piston]
+    }
+
+    /// The centres of the masses in the scene.
+    fn centers(&self, slider: &Slider, angle: f64) -> [[f64; 2]; 3] {
+        let Places { pin, end, .. } = places(slider, angle);
+        let along = [end[0] - pin[0], end[1] - pin[1]];
+        let (crank, rod) = (self.crank[1] / slider.crank, self.rod[1] / slider.rod);
+        let center = [0, 1].map(|axis| pin[axis] + along[axis] * rod);
+        [pin.map(|part| part * crank), center, end]
+    }
+
+    /// The force on the ground and its moment about the origin, where the crank turns at a rate: weights less what accelerates masses.
+    fn on_ground(&self, slider: &Slider, angle: f64, rate: f64, gravity: [f64; 2]) -> [f64; 3] {
+        let faster = slopes(|angle| places(slider, angle).lean, angle)[1];
+        let mut sum = [0.0, 0.0, -self.rod[2] * rate * rate * faster];
+        for (number, mass) in self.all().into_iter().enumerate() {
+            let center = |angle| self.centers(slider, angle)[number];
+            let force = [0, 1].map(|axis| {
+                let faster = slopes(|angle| center(angle)[axis], angle)[1];
+                mass * (gravity[axis] - rate * rate * faster)
+            });
+            let [x, y] = center(angle);
+            let parts = [force[0], force[1], x * force[1] - y * force[0]];
+            sum = [0, 1, 2].map(|part| sum[part] + parts[part]);
+        }
+        sum
     }
 }
 
@@ -192,6 +213,75 @@ fn rates_torques_and_reactions_are_those_of_closed_forms() {
             if pushed != 0.0 {
                 is_decided(&slider, "power:a", &when, |angle| torque(angle) * pushed);
             }
+            let words = ["x", "y", "torque"].into_iter().enumerate();
+            for (part, word) in words {
+                is_decided(
+                    &slider,
+                    &format!("reaction:ground.{word}"),
+                    &when,
+                    |angle| {
+                        let own = masses.on_ground(&slider, angle, pushed, masses.gravity);
+                        let [x, y] = places(&slider, angle).end;
+                        let loads = [push[0], push[1], x * push[1] - y * push[0] + twist];
+                        own[part] + loads[part]
+                    },
+                );
+                if pushed != 0.0 {
+                    let word = ["force.x", "force.y", "moment"][part];
+                    is_decided(&slider, &format!("shaking:{word}"), "", |angle| {
+                        masses.on_ground(&slider, angle, pushed, [0.0; 2])[part]
+                    });
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn advantages_and_instant_centres_are_those_of_closed_forms() {
+    for seed in seeds(cases(4)) {
+        let mut dice = Dice::new(seed);
+        let mut slider = Slider::new(&mut dice);
+        slider.text +=
+            "load push = force(piston.q); load twist = torque(rod); effects { velocity; force; }";
+        let push = [0; 2].map(|_| dice.between(-50.0, 50.0));
+        let when = format!("for push = ({}, {})", push[0], push[1]);
+        let ways = |angle: f64| {
+            let [x, y] =
+                [0, 1].map(|axis| slopes(|angle| places(&slider, angle).end[axis], angle)[0]);
+            let lean = slopes(|angle| places(&slider, angle).lean, angle)[0];
+            ([x, y], lean)
+        };
+        // At a dead point there is no limit to an advantage.
+        is_decided(&slider, "1 / advantage(push, a)", &when, |angle| {
+            slider.mirror * dot(ways(angle).0, push) / push[0].hypot(push[1])
+        });
+        is_decided(&slider, "1 / advantage(twist, a)", "", |angle| {
+            slider.mirror * ways(angle).1
+        });
+        // The rod turns about where the line through the crank meets what is at right angles to the rail. Both links' pin is their own centre.
+        for (part, word) in ["x", "y"].into_iter().enumerate() {
+            is_decided(
+                &slider,
+                &format!("centre(crank, rod).{word}"),
+                "",
+                |angle| places(&slider, angle).pin[part],
+            );
+        }
+        let middle = dice.between(-0.6, 0.6) + if dice.once_in(2) { 0.0 } else { PI };
+        let ends = [middle - 0.3, middle + 0.3].map(|end| slider.turn + slider.mirror * end);
+        let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+        let distances = (-300..=300).map(|place| {
+            let angle = middle + 0.001 * f64::from(place);
+            (slider.at(angle).0 / angle.cos()).abs()
+        });
+        let greatest = distances.fold(0.0, f64::max);
+        for (limit, holds) in [(1.001, true), (0.999, false)] {
+            let expect = format!(
+                "centre(rod, ground).norm < {} for a in {low} ..= {high}",
+                greatest * limit
+            );
+            assert_eq!(slider.meets(&expect), holds, "{expect}: {}", slider.text);
         }
     }
 }

@@ -364,7 +364,7 @@ impl Sampled<'_> {
     fn value(&self, id: FormulaId, variables: &[f64]) -> f64 {
         let of = |id: FormulaId| self.value(id, variables);
         let mut now = Now {
-            variable: f64::NAN,
+            variables: &[],
             params: &[],
         };
         match self.requirement.formulas.all()[id.index()] {

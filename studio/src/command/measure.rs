@@ -56,7 +56,7 @@ Quantities:
   b                         the coordinate of joint b
   coupler                   the angle of link coupler in the scene
   coupler.tip               both coordinates of a point; coupler.tip.x is one of them
-  distance(p.a, q.b)        the distance of two points, also of a place, as (1, 2)
+  distance(p.a, q.b)        the distance of two points, of a point and a line, or of a place, as (1, 2)
   clear(bucket, boom)       the least distance of what is painted of two links; zero where they overlap
   angle(crank, coupler)     the angle from one link to another
   velocity:coupler.tip      its velocity; also of a joint or a link; .x, .y and .norm are parts of it
@@ -75,6 +75,7 @@ Quantities:
   curvature(c)              the curvature of the curve on which its middle runs; positive where it is convex
   t                         the time since the motion began
 
+They are those of `expect`, and may be in expressions, as `b - 2 * a`, `velocity:p.a.norm / velocity:q.b.norm`.
 Angles are in degrees, their rates in radians. Velocities are those at a rate of 1, torques and reactions
 those at rest, unless `--rate` says another. Loads are zero unless `--load` gives them. A cell is empty
 where a value is not determined, as a velocity at a dead point.";

@@ -11,10 +11,10 @@ use crate::failure::Failure;
 use crate::motion::{Drive, motor_name};
 #[cfg(feature = "editor")]
 use crate::motion::{Setting, Span};
-use crate::quantity::{Load, Order, Position, Survey, Surveyed, body_of};
+use crate::quantity::{Load, Position, Survey, Surveyed, body_of};
 #[cfg(feature = "editor")]
 use mech_compiler::Compiled;
-use mech_compiler::model::{LinkId, Model, MotorId};
+use mech_compiler::model::{LinkId, Model, MotorId, Rate};
 use mech_runtime::Canvas;
 
 /// The number of places of a centrode.
@@ -90,12 +90,12 @@ impl Board {
         of: &Filmed<'_>,
         extent: [Place; 2],
     ) -> Result<Self, Failure> {
-        let Some(order) = constructions.iter().map(Construction::order).max() else {
+        let Some(rate) = constructions.iter().map(Construction::rate).max() else {
             return Ok(Self::empty(extent));
         };
         let forces = constructions.contains(&Construction::Forces);
         let forces = forces.then_some(of.loads);
-        let survey = Survey::new(of.model, of.drive, of.parts, order, forces)?;
+        let survey = Survey::new(of.model, of.drive, of.parts, rate, forces)?;
         let subject = survey.subject();
         let mut board = Self::empty(extent);
         for construction in constructions {
@@ -140,8 +140,8 @@ impl Board {
         subject: Surveyed<'_>,
         (positions, motor): (&[Position], Option<MotorId>),
     ) -> Result<(), Failure> {
-        let polygons = |title: &str, unit, order| {
-            let drawings = drawn(positions, NO_VELOCITIES, &|at| polygon(subject, at, order));
+        let polygons = |title: &str, unit, rate| {
+            let drawings = drawn(positions, NO_VELOCITIES, &|at| polygon(subject, at, rate));
             let title = format!("{title}{}", pace(subject.model, motor));
             drawings.map(|drawings| Inset::filling(title, unit, &drawings))
         };
@@ -150,11 +150,11 @@ impl Board {
                 self.add(drawn(positions, NO_VELOCITIES, &|at| centres(subject, at))?);
             }
             Construction::Velocities => {
-                let inset = polygons("velocities", "unit/s", Order::Velocity)?;
+                let inset = polygons("velocities", "unit/s", Rate::Velocity)?;
                 self.insets.push(inset);
             }
             Construction::Accelerations => {
-                let inset = polygons("accelerations", "unit/s²", Order::Acceleration)?;
+                let inset = polygons("accelerations", "unit/s²", Rate::Acceleration)?;
                 self.insets.push(inset);
             }
             Construction::Forces => {
@@ -228,10 +228,10 @@ impl Board {
 
 impl Construction {
     /// Up to where rates are needed for it.
-    fn order(&self) -> Order {
+    fn rate(&self) -> Rate {
         match self {
-            Self::Accelerations | Self::Inflection(_) => Order::Acceleration,
-            Self::Centres | Self::Velocities | Self::Forces | Self::Centrodes(_) => Order::Velocity,
+            Self::Accelerations | Self::Inflection(_) => Rate::Acceleration,
+            Self::Centres | Self::Velocities | Self::Forces | Self::Centrodes(_) => Rate::Velocity,
         }
     }
 }
@@ -241,7 +241,7 @@ fn centrodes(of: &Filmed<'_>, name: &str, extent: [Place; 2]) -> Result<Centrode
     let link = moving_link(of.model, name)?;
     let parts = (0..=PLACES).map(|number| f64::from(number) / f64::from(PLACES));
     let parts: Vec<f64> = parts.collect();
-    let whole = Survey::new(of.model, of.whole, &parts, Order::Velocity, None)?;
+    let whole = Survey::new(of.model, of.whole, &parts, Rate::Velocity, None)?;
     Centrodes::new(&whole, link, extent).ok_or_else(|| {
         Failure::mechanism(format!(
             "link `{name}` never turns, so its instant centre is always at infinity"

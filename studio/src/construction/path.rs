@@ -4,8 +4,8 @@ use super::Place;
 use super::mark::Mark;
 use super::spot::is_near;
 use crate::motion::PlaneMotion;
-use crate::quantity::{Order, Position, Survey, Surveyed};
-use mech_compiler::model::LinkId;
+use crate::quantity::{Position, Survey, Surveyed};
+use mech_compiler::model::{LinkId, Rate};
 use mech_runtime::{Palette, Pose};
 
 /// What is farther from the box of the picture than so many times its size is not shown of a centrode.
@@ -97,9 +97,9 @@ impl Centrodes {
 /// The inflection circle of a link, with the instant centre and the inflection pole, which is opposite. None where the link does not turn.
 pub(super) fn inflection(survey: Surveyed<'_>, at: &Position, link: LinkId) -> Option<Vec<Mark>> {
     let centre = centre(survey, at, link)?;
-    let [turning, ..] = at.rate(survey.compiled, link, Order::Velocity)?;
+    let [turning, ..] = at.rate(survey.compiled, link, Rate::Velocity)?;
     // The acceleration of the point of the link that is in the instant centre points to the inflection pole.
-    let acceleration = at.vector(survey.compiled, link, centre, Order::Acceleration)?;
+    let acceleration = at.vector(survey.compiled, link, centre, Rate::Acceleration)?;
     let diameter = acceleration.map(|part| part / turning.powi(2));
     let pole = [0, 1].map(|part| centre[part] + diameter[part]);
     let is_finite = pole.iter().all(|part| part.is_finite());

@@ -3,8 +3,8 @@
 use super::Place;
 use super::mark::Mark;
 use super::spot::{Pair, Spot, is_same};
-use crate::quantity::{Order, Position, Surveyed};
-use mech_compiler::model::LinkId;
+use crate::quantity::{Position, Surveyed};
+use mech_compiler::model::{LinkId, Rate};
 use mech_core::colors::INK;
 use mech_runtime::Palette;
 
@@ -15,7 +15,7 @@ const POLE: &str = "pole";
 /// where the rates are not determined.
 ///
 /// Of accelerations, each image begins with what its link's turning makes of it: first along the line between two spots, then across it.
-pub(super) fn polygon(survey: Surveyed<'_>, at: &Position, order: Order) -> Option<Vec<Mark>> {
+pub(super) fn polygon(survey: Surveyed<'_>, at: &Position, rate: Rate) -> Option<Vec<Mark>> {
     let Surveyed {
         model, compiled, ..
     } = survey;
@@ -26,7 +26,7 @@ pub(super) fn polygon(survey: Surveyed<'_>, at: &Position, order: Order) -> Opti
         let spots = Spot::of(survey, at, link);
         let mut image = Vec::new();
         for spot in spots {
-            let vector = at.vector(compiled, link, spot.at, order)?;
+            let vector = at.vector(compiled, link, spot.at, rate)?;
             image.push((spot.at, vector));
             match ends.iter_mut().find(|(end, _)| is_same(*end, vector)) {
                 Some((_, names)) => {
@@ -46,8 +46,8 @@ pub(super) fn polygon(survey: Surveyed<'_>, at: &Position, order: Order) -> Opti
         {
             line([last.1, first.1], INK);
         }
-        if let ([(from, begin), others @ ..], Order::Acceleration) = (&image[..], order) {
-            let [turning, ..] = at.rate(compiled, link, Order::Velocity)?;
+        if let ([(from, begin), others @ ..], Rate::Acceleration) = (&image[..], rate) {
+            let [turning, ..] = at.rate(compiled, link, Rate::Velocity)?;
             for (to, end) in others {
                 let corner =
                     [0, 1].map(|part| begin[part] - turning * turning * (to[part] - from[part]));
@@ -63,15 +63,15 @@ pub(super) fn polygon(survey: Surveyed<'_>, at: &Position, order: Order) -> Opti
         }) = Pair::of(survey, at, joint)
             && !links.contains(&LinkId::GROUND)
         {
-            let [begin, end] = links.map(|link| at.vector(compiled, link, place, order));
+            let [begin, end] = links.map(|link| at.vector(compiled, link, place, rate));
             marks.push(Mark::Line {
                 ends: [begin?, end?],
                 color: INK,
             });
         }
     }
-    let color = match order {
-        Order::Acceleration => Palette::RED,
+    let color = match rate {
+        Rate::Acceleration => Palette::RED,
         _ => Palette::BLUE,
     };
     for (end, names) in ends {

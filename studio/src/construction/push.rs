@@ -2,8 +2,8 @@
 
 use super::Place;
 use super::spot::Pair;
-use crate::quantity::{Order, Position, Surveyed};
-use mech_compiler::model::{AxisId, Between, JointId, JointKind, LinkId, LoadKind};
+use crate::quantity::{Position, Surveyed};
+use mech_compiler::model::{AxisId, Between, JointId, JointKind, LinkId, LoadKind, Rate};
 use mech_compiler::structure::Factor;
 
 /// A force and a torque on a link.
@@ -67,7 +67,7 @@ pub(super) fn pushes(survey: Surveyed<'_>, at: &Position, rests: bool) -> Option
                 let [from, to] = [a, b].map(|end| spot(survey, at, end));
                 let (from, to) = (from?, to?);
                 let rate = |end: AxisId, place| {
-                    at.vector(compiled, model.axis(end).link, place, Order::Velocity)
+                    at.vector(compiled, model.axis(end).link, place, Rate::Velocity)
                 };
                 let (slow, fast) = (rate(a, from)?, rate(b, to)?);
                 let [x, y] = [0, 1].map(|part| to[part] - from[part]);
@@ -78,7 +78,7 @@ pub(super) fn pushes(survey: Surveyed<'_>, at: &Position, rests: bool) -> Option
             Between::Joint(joint) => {
                 let (first, second) = model.ends(joint);
                 let [slow, fast] =
-                    [first, second].map(|link| at.rate(compiled, link, Order::Velocity));
+                    [first, second].map(|link| at.rate(compiled, link, Rate::Velocity));
                 let back = ([0.0; 2], -damper.damping * (fast?[0] - slow?[0]));
                 reaction(survey, at, joint, back, &damper.name)?
             }

@@ -3,9 +3,9 @@
 use super::Analysed;
 use crate::failure::Failure;
 use crate::motion::{Drive, Goal, Setting, Span};
-use crate::quantity::{self, Load, Measurement, Quantity, Summary, Table, Units};
+use crate::quantity::{self, Load, Measurement, Summary, Table, Units};
 use mech_compiler::Compiled;
-use mech_compiler::model::Model;
+use mech_compiler::model::{Measurand, Model};
 
 /// The quantities to measure, and the motion.
 #[derive(Clone, Debug)]
@@ -67,7 +67,7 @@ impl Measure {
         model: &Model,
         compiled: &Compiled,
         mut missing: Option<&mut Vec<Failure>>,
-        measured: impl FnOnce(&Measurement<'_>, &[Quantity]) -> Result<R, Failure>,
+        measured: impl FnOnce(&Measurement<'_>, &[Measurand]) -> Result<R, Failure>,
     ) -> Result<R, Failure> {
         let mut miss = |failure| match &mut missing {
             Some(missing) => {
@@ -76,17 +76,16 @@ impl Measure {
             }
             None => Err(failure),
         };
-        let dyads = quantity::dyads(model, &compiled.plan);
         let mut wanted = Vec::new();
         for name in &self.quantities {
-            match quantity::quantities(model, &dyads, name) {
+            match quantity::measurands(model, &compiled.plan, name) {
                 Ok(found) => wanted.extend(found),
                 Err(failure) => miss(failure)?,
             }
         }
         let mut over = None;
         if let Some(name) = &self.over {
-            match quantity::only_quantity(model, &dyads, name) {
+            match quantity::only_measurand(model, &compiled.plan, name) {
                 Ok(found) => over = Some(found),
                 Err(failure) => miss(failure)?,
             }

@@ -19,6 +19,4 @@ pub(crate) use obstacle::{joints_in_the_way, motor_name, obstacle};
 pub(crate) use paths::Paths;
 pub(crate) use reach::{Basis, Reach};
 pub(crate) use rest::find_rest;
-pub(crate) use setting::{
-    Setting, Span, Typed, motor_of, posed, range_of, read_value, show_value, shown,
-};
+pub(crate) use setting::{Setting, Span, Typed, posed, range_of, read_value, show_value, shown};

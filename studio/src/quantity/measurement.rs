@@ -1,13 +1,13 @@
 //! What is measured through a motion, and the table of it.
 
 use super::Units;
-use super::kind::{Needs, Order, Quantity, Subject};
 use super::load::{self, Load};
 use super::meter::Meter;
-use super::turning::Chain;
+use super::needs::Needs;
+use super::unit::Unit;
 use crate::failure::Failure;
 use crate::motion::Drive;
-use mech_compiler::model::{Model, Precision};
+use mech_compiler::model::{Measurand, Measured, Model, Precision, Quantity};
 use mech_compiler::{Compiled, compile};
 use std::ops::Range;
 
@@ -42,7 +42,7 @@ pub(crate) struct Measurement<'a> {
     pub(crate) model: &'a Model,
     pub(crate) drive: &'a Drive,
     /// Over what the others are shown, if not over what the mechanism is driven by.
-    pub(crate) over: Option<Quantity>,
+    pub(crate) over: Option<Measurand>,
     /// The speed of its motor, in radians or scene units per second: without it, velocities are those at 1, and forces those at rest.
     pub(crate) rate: Option<f64>,
     /// The number of steps: there is a row more.
@@ -52,14 +52,14 @@ pub(crate) struct Measurement<'a> {
     pub(crate) units: &'a Units,
 }
 
-/// Measures quantities through a motion, in the precision of the mechanism.
-pub(crate) fn measure(of: &Measurement<'_>, quantities: &[Quantity]) -> Result<Table, Failure> {
-    let quantities: Vec<Quantity> = of.over.iter().chain(quantities).cloned().collect();
-    let prepared = Prepared::new(of, &quantities)?;
+/// Measures through a motion, in the precision of the mechanism.
+pub(crate) fn measure(of: &Measurement<'_>, measurands: &[Measurand]) -> Result<Table, Failure> {
+    let measurands: Vec<Measurand> = of.over.iter().chain(measurands).cloned().collect();
+    let prepared = Prepared::new(of, &measurands)?;
     let parts = of.parts();
     let rows = of.drive.attempt(|drive| prepared.rows(drive, &parts))?;
     Ok(Table {
-        columns: columns(of, &quantities),
+        columns: columns(of, &measurands),
         rows,
         across: usize::from(of.over.is_some()),
         precision: of.model.precision,
@@ -77,7 +77,7 @@ impl Measurement<'_> {
 /// A mechanism that is compiled for what is measured.
 pub(super) struct Prepared<'a> {
     of: &'a Measurement<'a>,
-    quantities: &'a [Quantity],
+    measurands: &'a [Measurand],
     model: Model,
     compiled: Compiled,
 }
@@ -85,11 +85,12 @@ pub(super) struct Prepared<'a> {
 impl<'a> Prepared<'a> {
     pub(super) fn new(
         of: &'a Measurement<'a>,
-        quantities: &'a [Quantity],
+        measurands: &'a [Measurand],
     ) -> Result<Self, Failure> {
-        let needs_rate = quantities.iter().find_map(|one| match one.subject {
-            Subject::Power(_) => Some("a power needs"),
-            Subject::Shaking(_) => Some("what shakes the ground needs"),
+        let mut measured = measurands.iter().flat_map(Measurand::own);
+        let needs_rate = measured.find_map(|one| match one.quantity()? {
+            Quantity::Power(_) => Some("a power needs"),
+            Quantity::Shaking(_) => Some("what shakes the ground needs"),
             _ => None,
         });
         if let (None, Some(_), Some(needs)) = (of.rate, of.drive.motor(), needs_rate) {
@@ -97,16 +98,16 @@ impl<'a> Prepared<'a> {
                 "{needs} the rate at which the motor moves: `--rate 1`"
             )));
         }
-        let model = with_needs(of.model, quantities);
+        let model = Needs::of(measurands).added_to(of.model);
         Ok(Self {
             compiled: compiled_for(&model)?,
             of,
-            quantities,
+            measurands,
             model,
         })
     }
 
-    /// What drives it and all quantities in these parts of a motion, a row for each.
+    /// What drives it and all measurands in these parts of a motion, a row for each.
     pub(super) fn rows(
         &self,
         drive: &Drive,
@@ -114,23 +115,25 @@ impl<'a> Prepared<'a> {
     ) -> Result<Vec<Vec<Option<f64>>>, Failure> {
         let Self {
             of,
-            quantities,
+            measurands,
             model,
             compiled,
         } = self;
         let loads = load::numbers(model, of.loads)?;
-        let mut meter = Meter::new(model, compiled, quantities, loads)?;
+        let mut meter = Meter::new(model, compiled, measurands, loads)?;
         let mut rows = vec![Vec::new(); parts.len()];
+        let units = measurands.iter().map(|one| Unit::of(model, one));
+        let units: Vec<Unit> = units.collect();
+        let driver = driver(of);
         drive.visit(model, compiled, parts, |number, at| {
             // Forces are those at rest, if nobody says a rate.
             let rates = [1.0, 0.0].map(|usual| of.rate.unwrap_or(usual));
             let moments = drive.moments(model, compiled, parts[number], rates);
             let [moment, _] = &moments;
-            let values = meter.read(at, moments.each_ref(), quantities)?;
-            let shown = quantities.iter().zip(values).map(|(quantity, value)| {
-                value.map(|value| of.units.shown(model, quantity.subject, value))
-            });
-            rows[number] = std::iter::once(Some(driver(of, moment.by)))
+            let values = meter.read(at, moments.each_ref(), measurands)?;
+            let shown = units.iter().zip(values);
+            let shown = shown.map(|(unit, value)| value.map(|value| unit.shown(value)));
+            rows[number] = std::iter::once(Some(driver.shown(moment.by)))
                 .chain(shown)
                 .collect();
             Ok(())
@@ -139,73 +142,42 @@ impl<'a> Prepared<'a> {
     }
 }
 
-/// Converts the value that drives the mechanism to the unit in which it is shown.
-fn driver(of: &Measurement<'_>, value: f64) -> f64 {
+/// The unit of what drives the mechanism.
+fn driver(of: &Measurement<'_>) -> Unit {
     match of.drive.motor() {
-        Some(motor) => {
-            let joint = of.model.motor(motor).joint;
-            let subject = Subject::Coordinate(joint, Order::Place);
-            of.units.shown(of.model, subject, value)
-        }
-        None => value,
+        Some(motor) => Unit::of_coordinate(of.model, of.model.motor(motor).joint),
+        None => Unit::TIME,
     }
 }
 
-pub(super) fn columns(of: &Measurement<'_>, quantities: &[Quantity]) -> Vec<(String, String)> {
-    let unit = |subject| of.units.of(of.model, subject);
-    let first = match of.drive.motor() {
+pub(super) fn columns(of: &Measurement<'_>, measurands: &[Measurand]) -> Vec<(String, String)> {
+    let name = match of.drive.motor() {
         Some(motor) => {
             let joint = of.model.motor(motor).joint;
-            let name = format!("motor {}", of.model.joint(joint).name);
-            (name, unit(Subject::Coordinate(joint, Order::Place)))
+            format!("motor {}", of.model.joint(joint).name)
         }
-        None => ("t".to_owned(), "s".to_owned()),
+        None => "t".to_owned(),
     };
-    let others = quantities.iter();
-    let others = others.map(|quantity| {
-        let name = format!("{}{}", quantity.name, assumed(of, quantity.subject));
-        (name, unit(quantity.subject))
+    let others = measurands.iter().map(|measurand| {
+        let name = format!("{}{}", measurand.name, assumed(of, measurand));
+        (name, of.units.name(Unit::of(of.model, measurand)))
     });
-    std::iter::once(first).chain(others).collect()
+    std::iter::once((name, of.units.name(driver(of))))
+        .chain(others)
+        .collect()
 }
 
 /// The rate of the motor for which a force holds, as words after its name.
-fn assumed(of: &Measurement<'_>, subject: Subject) -> String {
-    match (subject, of.drive.motor(), of.rate.unwrap_or(0.0)) {
-        (Subject::Torque(_) | Subject::Reaction(..) | Subject::Ground(_), Some(_), 0.0) => {
-            " at rest".to_owned()
-        }
-        (
-            Subject::Torque(_)
-            | Subject::Power(_)
-            | Subject::Reaction(..)
-            | Subject::Ground(_)
-            | Subject::Shaking(_),
-            Some(_),
-            rate,
-        ) => format!(" at rate {rate}"),
-        _ => String::new(),
+fn assumed(of: &Measurement<'_>, measurand: &Measurand) -> String {
+    let mut quantities = measurand.own().filter_map(Measured::quantity);
+    let rate = of.rate.unwrap_or(0.0);
+    if of.drive.motor().is_none() || !quantities.any(Quantity::is_force) {
+        String::new()
+    } else if rate == 0.0 {
+        " at rest".to_owned()
+    } else {
+        format!(" at rate {rate}")
     }
-}
-
-/// A mechanism with everything shown that declares what is needed, whatever effects it has: angles go on over whole turns however long a
-/// step is.
-pub(super) fn with_needs(model: &Model, quantities: &[Quantity]) -> Model {
-    let mut whole = Model {
-        show: None,
-        ..model.clone()
-    };
-    Needs::of(quantities).add_to(&mut whole.effects);
-    for quantity in quantities {
-        whole.continuous.extend(quantity.joint());
-        for link in quantity.turning_links() {
-            whole.continuous.extend(Chain::to(model, link).joints());
-        }
-    }
-    whole.continuous.retain(|&joint| model.turns(joint));
-    whole.continuous.sort_unstable();
-    whole.continuous.dedup();
-    whole
 }
 
 /// A mechanism with the effects that it declares, compiled; what is wrong with it is told.

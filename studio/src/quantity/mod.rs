@@ -1,10 +1,10 @@
 //! Quantities that can be measured while a mechanism moves: places, angles, coordinates, their rates, and forces.
 
-mod kind;
 mod load;
 mod measurement;
 mod meter;
 mod naming;
+mod needs;
 #[cfg(feature = "editor")]
 mod offer;
 mod position;
@@ -14,11 +14,10 @@ mod survey;
 mod turning;
 mod unit;
 
-pub(crate) use kind::{Order, Quantity};
 pub(crate) use load::Load;
 pub(crate) use load::numbers as load_numbers;
 pub(crate) use measurement::{Measurement, Table, compiled, measure};
-pub(crate) use naming::{body_of, dyads, only_quantity, quantities, usual};
+pub(crate) use naming::{body_of, measurands, only_measurand, transmissions, usual};
 #[cfg(feature = "editor")]
 pub(crate) use offer::{Offer, offers};
 pub(crate) use position::Position;

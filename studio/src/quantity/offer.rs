@@ -1,6 +1,6 @@
 //! The names of the quantities of a mechanism, to choose from.
 
-use super::naming::{CURVATURE, PRESSURE, has_coordinate, point_name, points};
+use super::naming::{has_coordinate, point_name, points};
 use mech_compiler::model::Model;
 
 /// Quantities that belong together, by their names.
@@ -13,7 +13,7 @@ pub(crate) struct Offer {
 }
 
 /// Everything that can be measured, in the order of its declaration: points, joints, links, forces.
-pub(crate) fn offers(model: &Model, dyads: &[String]) -> Vec<Offer> {
+pub(crate) fn offers(model: &Model, has_loops: bool) -> Vec<Offer> {
     let mut offers = Vec::new();
     for name in points(model).filter_map(|point| point_name(model, point)) {
         let of = format!("point {name}");
@@ -43,6 +43,8 @@ pub(crate) fn offers(model: &Model, dyads: &[String]) -> Vec<Offer> {
         }
         if model.motor_of(joint).is_some() {
             names.push(format!("torque:{name}"));
+            let loads = model.actions.loads.iter();
+            names.extend(loads.map(|load| format!("advantage({}, {name})", load.name)));
         }
         for motor in model.motors.iter().filter(|motor| motor.joint != joint) {
             if has_coordinate(model, joint) {
@@ -51,7 +53,7 @@ pub(crate) fn offers(model: &Model, dyads: &[String]) -> Vec<Offer> {
         }
         names.extend(["x", "y", "norm"].map(|part| format!("reaction:{name}.{part}")));
         if model.roller_of(joint).is_some() {
-            names.extend([PRESSURE, CURVATURE].map(|word| format!("{word}({name})")));
+            names.extend(["pressure", "curvature"].map(|word| format!("{word}({name})")));
         }
         offers.push(Offer {
             of: format!("joint {name}"),
@@ -74,7 +76,7 @@ pub(crate) fn offers(model: &Model, dyads: &[String]) -> Vec<Offer> {
             names: names.into(),
         });
     }
-    if !dyads.is_empty() {
+    if has_loops {
         offers.push(Offer {
             of: "loops".to_owned(),
             names: vec!["transmission".to_owned()],

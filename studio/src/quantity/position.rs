@@ -1,9 +1,8 @@
 //! All that is known where a mechanism is.
 
-use super::kind::Order;
 use crate::motion::PlaneMotion;
 use mech_compiler::Compiled;
-use mech_compiler::model::{LinkId, MotorId};
+use mech_compiler::model::{LinkId, MotorId, Rate};
 use mech_compiler::program::LinkRates;
 use mech_compiler::program::{self, Inertia, InverseDynamics};
 use mech_runtime::Pose;
@@ -72,15 +71,15 @@ impl Position {
     }
 
     /// The rates of a link, of this order: of its angle, and of x and y of its origin.
-    pub(crate) fn rate(&self, compiled: &Compiled, link: LinkId, order: Order) -> Option<[f64; 3]> {
+    pub(crate) fn rate(&self, compiled: &Compiled, link: LinkId, rate: Rate) -> Option<[f64; 3]> {
         if link == LinkId::GROUND {
             return Some([0.0; 3]);
         }
         let place = compiled.program.place_of(link)?;
         let rates = self.rates.as_ref()?;
-        let all = match order {
-            Order::Velocity => &rates.velocities,
-            _ => rates.accelerations.as_ref()?,
+        let all = match rate {
+            Rate::Velocity => &rates.velocities,
+            Rate::Acceleration => rates.accelerations.as_ref()?,
         };
         all.get(place).copied()
     }
@@ -91,14 +90,14 @@ impl Position {
         compiled: &Compiled,
         link: LinkId,
         place: [f64; 2],
-        order: Order,
+        rate: Rate,
     ) -> Option<[f64; 2]> {
         let pose = self.pose(compiled, link)?;
         let [x, y] = [place[0] - pose.x, place[1] - pose.y];
-        let [turning, along_x, along_y] = self.rate(compiled, link, order)?;
-        let centripetal = match order {
-            Order::Acceleration => self.rate(compiled, link, Order::Velocity)?[0].powi(2),
-            _ => 0.0,
+        let [turning, along_x, along_y] = self.rate(compiled, link, rate)?;
+        let centripetal = match rate {
+            Rate::Acceleration => self.rate(compiled, link, Rate::Velocity)?[0].powi(2),
+            Rate::Velocity => 0.0,
         };
         Some([
             along_x - turning * y - centripetal * x,
@@ -109,7 +108,7 @@ impl Position {
     /// The motion of a link.
     pub(crate) fn motion(&self, compiled: &Compiled, link: LinkId) -> Option<PlaneMotion> {
         let pose = self.pose(compiled, link)?;
-        let rates = self.rate(compiled, link, Order::Velocity)?;
+        let rates = self.rate(compiled, link, Rate::Velocity)?;
         Some(PlaneMotion::new(rates, pose))
     }
 

@@ -1,10 +1,10 @@
 //! Summaries of quantities through a motion: their extremes and means.
 
 use super::Measurement;
-use super::kind::Quantity;
 use super::measurement::{Prepared, columns};
 use crate::failure::Failure;
 use crate::motion::Drive;
+use mech_compiler::model::{Measurand, Quantity};
 use std::collections::VecDeque;
 
 /// An extreme is looked for so often between its neighbours.
@@ -63,15 +63,15 @@ impl Summary {
 /// With a width, in the unit of each quantity, the longest dwell within it is looked for, too: between the steps along straight lines.
 pub(crate) fn summarize(
     of: &Measurement<'_>,
-    quantities: &[Quantity],
+    measurands: &[Measurand],
     width_of_dwell: Option<f64>,
 ) -> Result<Vec<Summary>, Failure> {
-    let prepared = Prepared::new(of, quantities)?;
+    let prepared = Prepared::new(of, measurands)?;
     let parts = of.parts();
     let is_cyclic = of.drive.is_cyclic(of.model);
     of.drive.attempt(|drive| {
         let rows = Rows::of(&prepared, drive, parts.clone())?;
-        let columns = columns(of, quantities).into_iter().enumerate().skip(1);
+        let columns = columns(of, measurands).into_iter().enumerate().skip(1);
         let mut found: Vec<(usize, Summary)> = columns
             .filter_map(|(column, named)| Some((column, rows.summary(column, named)?)))
             .collect();
@@ -79,7 +79,7 @@ pub(crate) fn summarize(
         for _ in 0..ROUNDS {
             let extremes = found.iter().flat_map(|(column, one)| {
                 // Nearer to a dead point or a change point, nothing is learnt, and every move takes long.
-                let is_over = quantities[column - 1].is_transmission() && one.least.value < FLAT;
+                let is_over = is_transmission(&measurands[column - 1]) && one.least.value < FLAT;
                 let least = (!is_over).then_some(one.least);
                 least.into_iter().chain([one.greatest])
             });
@@ -101,6 +101,10 @@ pub(crate) fn summarize(
         }
         Ok(found.into_iter().map(|(_, summary)| summary).collect())
     })
+}
+
+fn is_transmission(measurand: &Measurand) -> bool {
+    matches!(measurand.quantity(), Some(Quantity::Transmission(_)))
 }
 
 /// Parts of the motion on both sides of an extreme.

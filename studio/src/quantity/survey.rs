@@ -1,15 +1,15 @@
 //! Everything that is known of a mechanism in parts of a motion.
 
-use super::kind::{Order, Part, Quantity, Reaction, Subject};
 use super::load::{self, Load};
-use super::measurement::{compiled_for, with_needs};
-use super::meter::Meter;
+use super::measurement::compiled_for;
+use super::meter::{Meter, needs_reactions};
+use super::needs::Needs;
 use super::position::Position;
 use super::turning::whole_angle;
 use crate::failure::Failure;
 use crate::motion::Drive;
 use mech_compiler::Compiled;
-use mech_compiler::model::{Between, JointId, Model};
+use mech_compiler::model::{Between, JointId, Model, Rate};
 
 /// A mechanism, compiled for what is asked for, and where it is in some parts of a motion: its motor moves at a rate of 1, and forces are
 /// those at rest. By laws, motors have their own rates.
@@ -42,35 +42,31 @@ impl Survey {
         model: &Model,
         drive: &Drive,
         parts: &[f64],
-        order: Order,
+        rate: Rate,
         forces: Option<&[Load]>,
     ) -> Result<Self, Failure> {
-        let rates = model
-            .declared_links()
-            .map(|link| Subject::Angle(link, order));
-        let reactions = model
-            .declared_joints()
-            .map(|joint| Subject::Reaction(joint, Reaction::Force(Part::Norm)));
-        let springs = model.actions.springs.iter();
-        let twists = springs.filter_map(|spring| match spring.between {
-            Between::Joint(joint) => Some(Subject::Coordinate(joint, Order::Place)),
-            Between::Points(..) => None,
-        });
-        let within = reactions.chain(twists).filter(|_| forces.is_some());
-        let named = |subject| Quantity {
-            name: String::new(),
-            subject,
-        };
-        let quantities: Vec<Quantity> = rates.chain(within).map(named).collect();
+        let mut needs = Needs::default();
+        needs.add_rate(rate);
+        let springs = model.actions.springs.iter().filter(|_| forces.is_some());
+        needs.force = forces.is_some();
+        needs.joints = springs
+            .filter_map(|spring| match spring.between {
+                Between::Joint(joint) => Some(joint),
+                Between::Points(..) => None,
+            })
+            .collect();
         let loads = load::numbers(model, forces.unwrap_or_default())?;
-        let model = with_needs(model, &quantities);
+        let model = needs.added_to(model);
         let compiled = compiled_for(&model)?;
-        let mut meter = Meter::new(&model, &compiled, &quantities, loads.clone())?;
+        if needs.force {
+            needs_reactions(&compiled)?;
+        }
+        let mut meter = Meter::of_needs(&model, &compiled, &needs, loads.clone());
         let positions = drive.attempt(|drive| {
             let mut positions: Vec<Position> = parts.iter().map(|_| Position::default()).collect();
             drive.visit(&model, &compiled, parts, |number, at| {
                 let moments = drive.moments(&model, &compiled, parts[number], [1.0, 0.0]);
-                positions[number] = meter.position(at, moments.each_ref(), &quantities)?;
+                positions[number] = meter.position(at, moments.each_ref())?;
                 Ok(())
             })?;
             Ok(positions)

@@ -6,7 +6,7 @@ use crate::motion::{Basis, Drive, Reach, Span, motor_name, obstacle};
 use crate::quantity::{self, FLAT, Measurement, Summary, Units, summarize};
 use crate::text::quoted;
 use mech_compiler::Compiled;
-use mech_compiler::model::{JointId, LinkId, Model, MotorId};
+use mech_compiler::model::{LinkId, Measurand, Model, MotorId, Quantity};
 
 /// So many motors are moved, one after the other.
 const MOST_MOTORS: usize = 8;
@@ -155,7 +155,7 @@ fn driven_lines(
         units,
     };
     let mut joints = quantity::usual(model);
-    joints.retain(|one| one.joint().is_some_and(|joint| is_carried(model, joint)));
+    joints.retain(|one| is_carried(model, one));
     let left = joints.len().saturating_sub(MOST_JOINTS);
     joints.truncate(MOST_JOINTS);
     // What another motor moves is told there.
@@ -169,9 +169,8 @@ fn driven_lines(
     if left > 0 {
         lines.push(format!("and {left} joints more"));
     }
-    let dyads = quantity::dyads(model, &compiled.plan);
-    if !dyads.is_empty() {
-        let angles = quantity::quantities(model, &dyads, "transmission")?;
+    if compiled.plan.loops().next().is_some() {
+        let angles = quantity::transmissions(model, &compiled.plan)?;
         match summarize(&measurement, &angles, None) {
             Ok(mut summaries) => {
                 summaries.retain(is_told);
@@ -185,8 +184,11 @@ fn driven_lines(
     Ok(lines)
 }
 
-/// Whether the ground carries a joint, which no motor moves.
-fn is_carried(model: &Model, joint: JointId) -> bool {
+/// Whether it is the coordinate of a joint that the ground carries, and that no motor moves.
+fn is_carried(model: &Model, measurand: &Measurand) -> bool {
+    let Some(Quantity::Coordinate(joint)) = measurand.quantity() else {
+        return false;
+    };
     let (a, b) = model.ends(joint);
     (a == LinkId::GROUND || b == LinkId::GROUND) && model.motor_of(joint).is_none()
 }

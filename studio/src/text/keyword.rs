@@ -11,7 +11,7 @@ pub(crate) fn is_keyword(word: &str) -> bool {
 }
 
 /// The words that stand before round brackets.
-pub(crate) const CALLED: [&str; 40] = [
+pub(crate) const CALLED: [&str; 43] = [
     "revolute",
     "prismatic",
     "gear",
@@ -52,4 +52,7 @@ pub(crate) const CALLED: [&str; 40] = [
     "clear",
     "transmission",
     "pressure",
+    "centre",
+    "advantage",
+    "shaking",
 ];

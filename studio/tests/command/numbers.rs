@@ -532,8 +532,30 @@ fn influence_coefficients_are_slopes_by_one_motor() {
     let text = "struct M; link left; link right; link pen { point tip = (2, 3); } link arm;
 joint a = revolute(ground, left) at (0, 0); joint b = revolute(ground, right) at (3, 0);
 joint c = revolute(left, pen) at (-1, 1.5); joint e = revolute(right, arm) at (4, 1.5);
-joint f = revolute(pen, arm) at (2, 3); motor a; motor b;";
+joint f = revolute(pen, arm) at (2, 3); motor a; motor b; ground { line rail = (0, 1) -> (3, 1); }";
     let folder = Folder::new().with("a.mech", text);
+    for moved in ["a", "b"] {
+        let measured = [
+            "pen.tip.x*f",
+            "distance(pen.tip,(1,-1))",
+            "distance(pen.tip,ground.rail)",
+        ];
+        let slopes = measured.map(|one| format!("d({one},{moved})"));
+        let words = format!(
+            "table a.mech pen.tip.x pen.tip.y f {} {} --motor {moved} --from 4.99 --to 5.01 --steps 2",
+            measured.join(" "),
+            slopes.join(" ")
+        );
+        let rows = numbers(&folder.mech(&words).done());
+        let [x, y, f] = [rows[1][1], rows[1][2], rows[1][3].to_radians()];
+        let values = [x * f, (x - 1.0).hypot(y + 1.0), (y - 1.0).abs()];
+        for (number, value) in values.into_iter().enumerate() {
+            assert!((rows[1][4 + number] - value).abs() < 1e-12, "{rows:?}");
+            let rise = rows[2][4 + number] - rows[0][4 + number];
+            let slope = rise / 0.02_f64.to_radians();
+            assert!((rows[1][7 + number] - slope).abs() < 1e-6, "{rows:?}");
+        }
+    }
     for (moved, other) in [("a", "b"), ("b", "a")] {
         let words = format!(
             "table a.mech pen.tip.x f d(pen.tip.x,{moved}) d(f,{moved}) d(pen.tip.x,{other}) \

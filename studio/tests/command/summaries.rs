@@ -297,14 +297,17 @@ fn distances_angles_and_power() {
     for (quantity, told) in [
         (
             "distance(crank.pin,crank.pim)",
-            "no joint, link or point `crank.pim`",
+            "`crank` has no point or line `pim`; did you mean `pin`?",
         ),
-        ("distance(crank.pin,(1,x))", "`x` is not a number"),
         (
-            "distance(crank.pin)",
-            "no joint, link or point `distance(crank.pin)`",
+            "distance(crank.pin,(1,x))",
+            "nothing is called `x` that could be measured",
         ),
-        ("angle(crank,b)", "no link `b`"),
+        ("distance(crank.pin)", "expected `,`"),
+        (
+            "angle(crank,b)",
+            "`b` is a joint; this must be a link, one of",
+        ),
         ("power:a", "`--rate 1`"),
     ] {
         let refused = folder.mech(&format!("table a.mech {quantity}")).refused(2);

@@ -145,8 +145,8 @@ fn pair(
     formulas: [Option<FormulaId>; 2],
     params: &[f64],
 ) -> [f64; 2] {
-    let variable = f64::NAN;
-    let values = model.params.evaluate(&mut Now { variable, params });
+    let variables = &[];
+    let values = model.params.evaluate(&mut Now { variables, params });
     [0, 1].map(|part| formulas[part].map_or(start[part], |formula| values[formula.index()]))
 }
 

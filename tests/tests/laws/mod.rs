@@ -75,7 +75,7 @@ fn timing(model: &Model) -> Timing {
 fn extent(law: &Law, time: f64) -> f64 {
     let params = &[];
     let sizes = law.formulas().evaluate(&mut Now {
-        variable: time,
+        variables: &[time],
         params,
     });
     sizes.iter().map(|size| size.abs()).fold(1.0, f64::max)

@@ -155,12 +155,20 @@ impl Formulas {
         values
     }
 
-    /// The value of one formula: only the formulas that it is made from are evaluated.
-    pub fn evaluate_one<A: FormulaArithmetic>(
-        &self,
-        id: FormulaId,
-        arithmetic: &mut A,
-    ) -> A::Scalar {
+    /// The numbers of the variables that a formula is made from.
+    #[must_use]
+    pub fn variables(&self, id: FormulaId) -> Vec<usize> {
+        let needed = self.needed(id).into_iter().enumerate();
+        let needed = needed.filter(|(_, needed)| *needed);
+        let variables = needed.filter_map(|(index, _)| match self.all[index] {
+            Formula::Variable(number) => Some(number),
+            _ => None,
+        });
+        variables.collect()
+    }
+
+    /// Which formulas one is made from, by their numbers.
+    fn needed(&self, id: FormulaId) -> Vec<bool> {
         let mut needed = vec![false; id.index() + 1];
         let mut waiting = vec![id];
         while let Some(next) = waiting.pop() {
@@ -168,6 +176,16 @@ impl Formulas {
                 waiting.extend(self.all[next.index()].operands());
             }
         }
+        needed
+    }
+
+    /// The value of one formula: only the formulas that it is made from are evaluated.
+    pub fn evaluate_one<A: FormulaArithmetic>(
+        &self,
+        id: FormulaId,
+        arithmetic: &mut A,
+    ) -> A::Scalar {
+        let needed = self.needed(id);
         let mut values: HashMap<FormulaId, A::Scalar> = HashMap::new();
         for (index, _) in needed.iter().enumerate().filter(|(_, needed)| **needed) {
             let value = self.all[index].apply(arithmetic, |id| values[&id].clone());
@@ -231,8 +249,8 @@ impl FormulaArithmetic for Formulas {
 /// Numbers now.
 #[derive(Clone, Copy, Debug)]
 pub struct Now<'p> {
-    /// The value of the variable: not a number, where there is none.
-    pub variable: f64,
+    /// The values of the variables, by their numbers.
+    pub variables: &'p [f64],
     /// The values of all params.
     pub params: &'p [f64],
 }
@@ -266,8 +284,8 @@ impl Arithmetic for Now<'_> {
 }
 
 impl FormulaArithmetic for Now<'_> {
-    fn variable(&mut self, _: usize) -> f64 {
-        self.variable
+    fn variable(&mut self, number: usize) -> f64 {
+        self.variables[number]
     }
 
     fn param(&mut self, param: ParamId) -> f64 {
@@ -287,23 +305,14 @@ impl FormulaArithmetic for Now<'_> {
     }
 }
 
-/// What slopes are taken by.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum By {
-    /// A param.
-    Param(ParamId),
-    /// The variable of a law.
-    Variable,
-}
-
 /// Numbers with their slopes: by how much each grows with one of those that they are made from.
 pub(super) struct Slopes<'p> {
-    /// The value of the variable: not a number, where there is none.
-    pub(super) variable: f64,
+    /// The values of the variables, by their numbers, each with its slope.
+    pub(super) variables: &'p [(f64, f64)],
     /// The values of all params.
     pub(super) params: &'p [f64],
-    /// The number by which slopes are taken.
-    pub(super) by: By,
+    /// The param whose slope is one, if it is a param by which slopes are taken.
+    pub(super) by: Option<ParamId>,
 }
 
 impl Slopes<'_> {
@@ -342,21 +351,13 @@ impl Arithmetic for Slopes<'_> {
 }
 
 impl FormulaArithmetic for Slopes<'_> {
-    fn variable(&mut self, _: usize) -> (f64, f64) {
-        let slope = if self.by == By::Variable { 1.0 } else { 0.0 };
-        (self.variable, slope)
+    fn variable(&mut self, number: usize) -> (f64, f64) {
+        self.variables[number]
     }
 
     fn param(&mut self, param: ParamId) -> (f64, f64) {
         let value = self.params[param.index()];
-        (
-            value,
-            if self.by == By::Param(param) {
-                1.0
-            } else {
-                0.0
-            },
-        )
+        (value, if self.by == Some(param) { 1.0 } else { 0.0 })
     }
 
     fn of(&mut self, function: Function, (a, da): (f64, f64)) -> (f64, f64) {

@@ -1,6 +1,6 @@
 //! Places at which laws jump, or their rates: no force makes anything of mass do that.
 
-use super::formula::{By, Slopes};
+use super::formula::Slopes;
 use super::{BinaryFunction, Formula, Function, Law};
 use mech_core::MotionLaw;
 use std::f64::consts::TAU;
@@ -56,9 +56,9 @@ impl Law {
         let place = |number: u32| low + (high - low) * f64::from(number) / f64::from(SAMPLES);
         let at = |variable: f64| {
             let (value, slope) = self.evaluate(&mut Slopes {
-                variable,
+                variables: &[(variable, 1.0)],
                 params,
-                by: By::Variable,
+                by: None,
             });
             [value, slope]
         };

@@ -54,7 +54,10 @@ impl Law {
     /// Its value for a value of the variable and of all params: not finite where it has none.
     #[must_use]
     pub fn at(&self, variable: f64, params: &[f64]) -> f64 {
-        self.evaluate(&mut Now { variable, params })
+        self.evaluate(&mut Now {
+            variables: &[variable],
+            params,
+        })
     }
 }
 

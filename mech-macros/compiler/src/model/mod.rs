@@ -19,11 +19,13 @@ mod law;
 mod link;
 mod look;
 mod mass;
+mod measurand;
 mod measure;
 mod number;
 mod param;
 mod period;
 mod polygon;
+mod quantity;
 mod requirement;
 mod roller;
 mod scale;
@@ -51,13 +53,12 @@ pub use link::{Axis, AxisKind, Link};
 pub use look::Look;
 pub(crate) use look::color_of;
 pub use mass::Mass;
+pub use measurand::Measurand;
 pub use measure::{Measure, Place};
 pub use number::Number;
 pub use param::{Param, Params};
-pub use requirement::{
-    Case, Condition, Dimension, Measured, Quantity, Rate, ReactionPart, RequiredBound, Requirement,
-    Spot, Summary,
-};
+pub use quantity::{Dimension, Quantity, Rate, ReactionPart, Spot};
+pub use requirement::{Case, Condition, Measured, RequiredBound, Requirement, Summary};
 pub use roller::Roller;
 pub use scale::ScaleTrouble;
 pub use shape::{Quality, Shape, ShapeKind};

@@ -1,6 +1,6 @@
 //! Numbers that may be changed while a mechanism runs.
 
-use super::formula::{By, Slopes};
+use super::formula::Slopes;
 use super::{
     Axis, Formula, FormulaArithmetic, FormulaId, Formulas, JointKind, Law, Model, Origin, ParamId,
 };
@@ -125,9 +125,9 @@ impl Model {
     pub fn param_scale(&self, param: ParamId) -> Option<f64> {
         let params: Vec<f64> = self.params.values().collect();
         let slopes = self.params.evaluate(&mut Slopes {
-            variable: f64::NAN,
+            variables: &[],
             params: &params,
-            by: By::Param(param),
+            by: Some(param),
         });
         let size = self.size().max(f64::MIN_POSITIVE);
         let slope = |formula: FormulaId| slopes[formula.index()].1.abs();
@@ -157,9 +157,9 @@ fn steepest(law: &Law, by: ParamId, params: &[f64]) -> f64 {
     let places = (0..PLACES).map(|place| TAU * f64::from(place) / f64::from(PLACES));
     let slopes = places.map(|variable| {
         let (_, slope) = law.evaluate(&mut Slopes {
-            variable,
+            variables: &[(variable, 0.0)],
             params,
-            by: By::Param(by),
+            by: Some(by),
         });
         slope.abs()
     });

@@ -24,7 +24,7 @@ impl Model {
     fn common_period<'m>(&self, laws: impl Iterator<Item = (&'m Law, bool)>) -> Option<f64> {
         let params: Vec<f64> = self.params.values().collect();
         let mut courses = Courses(Now {
-            variable: 0.0,
+            variables: &[],
             params: &params,
         });
         let mut period = 0.0;

@@ -1,6 +1,6 @@
 //! Requirements: conditions on quantities, which are proved for every value of the motors.
 
-use super::{AxisId, FormulaId, Formulas, JointId, JointKind, LinkId, Model, MotorId, Origin};
+use super::{FormulaId, Formulas, Model, MotorId, Origin, Quantity, Rate};
 
 /// A condition that the mechanism has to meet wherever its motors move.
 #[derive(Clone, Debug, PartialEq)]
@@ -92,104 +92,6 @@ impl Measured {
     }
 }
 
-/// A derivative by the time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum Rate {
-    /// The first.
-    Velocity,
-    /// The second.
-    Acceleration,
-}
-
-impl Rate {
-    /// Its word.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Velocity => "velocity",
-            Self::Acceleration => "acceleration",
-        }
-    }
-}
-
-/// A number that the position of a mechanism gives, in radians or scene units.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum Quantity {
-    /// The coordinate of a joint.
-    Coordinate(JointId),
-    /// The angle of a link in the scene, over whole turns.
-    Angle(LinkId),
-    /// The angle from one link to another.
-    AngleBetween([LinkId; 2]),
-    /// The abscissa of a point in the scene.
-    X(AxisId),
-    /// The ordinate of a point in the scene.
-    Y(AxisId),
-    /// The distance of two places, or of a place and a line.
-    Distance([Spot; 2]),
-    /// The least distance of the shapes of two links: zero where they overlap.
-    Clearance([LinkId; 2]),
-    /// The transmission angle: of the dyad that finds the coordinate of this joint, or without one of each dyad.
-    Transmission(Option<JointId>),
-    /// The pressure angle of a cam that has a roller.
-    Pressure(JointId),
-    /// The curvature of the curve on which the middle of a cam's roller runs: in parts of a scene unit, positive where it is convex.
-    Curvature(JointId),
-    /// The torque of a motor, or its force if it slides.
-    Torque(MotorId),
-    /// What the first link of a joint does to the second.
-    Reaction(JointId, ReactionPart),
-}
-
-/// A part of a reaction.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum ReactionPart {
-    /// The force along the scene's x axis.
-    X,
-    /// The force along the scene's y axis.
-    Y,
-    /// The torque about the joint.
-    Torque,
-}
-
-/// What a quantity is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Dimension {
-    /// An angle, in radians.
-    Angle,
-    /// A length, in scene units.
-    Length,
-    /// Something else.
-    Other,
-}
-
-impl Quantity {
-    /// What it is.
-    #[must_use]
-    pub fn dimension(self, model: &Model) -> Dimension {
-        match self {
-            Self::Coordinate(joint) => match model.joint(joint).kind {
-                JointKind::Revolute(..) => Dimension::Angle,
-                _ => Dimension::Length,
-            },
-            Self::Angle(_) | Self::AngleBetween(_) | Self::Transmission(_) | Self::Pressure(_) => {
-                Dimension::Angle
-            }
-            Self::X(_) | Self::Y(_) | Self::Distance(_) | Self::Clearance(_) => Dimension::Length,
-            Self::Curvature(_) | Self::Torque(_) | Self::Reaction(..) => Dimension::Other,
-        }
-    }
-
-    /// Whether it is a force or a torque.
-    #[must_use]
-    pub fn is_force(self) -> bool {
-        matches!(self, Self::Torque(_) | Self::Reaction(..))
-    }
-}
-
 impl Requirement {
     /// The quantities that it measures.
     pub fn quantities(&self) -> impl Iterator<Item = Quantity> + Clone + '_ {
@@ -202,11 +104,12 @@ impl Requirement {
         self.quantities().any(Quantity::is_force)
     }
 
-    /// Whether it measures a velocity or an acceleration.
+    /// Whether it measures a velocity or an acceleration, or something that only a motion has.
     #[must_use]
     pub fn is_about_rates(&self) -> bool {
         let mut all = self.measured.iter();
-        all.any(|measured| matches!(measured, Measured::Rate(..)))
+        self.quantities().any(Quantity::needs_motion)
+            || all.any(|measured| matches!(measured, Measured::Rate(..)))
     }
 
     /// The motor that moves where rates are measured and no motor has a law: the only one that does not stand at one value. If there is not
@@ -236,21 +139,14 @@ impl Requirement {
             all.any(|measured| matches!(measured, Measured::Rate(one, _) if *one == rate))
         };
         // Accelerations are made from velocities.
-        let rates = [Rate::Acceleration, Rate::Velocity];
-        let rate = rates.into_iter().find(|rate| is_measured(*rate));
+        let rate = if is_measured(Rate::Acceleration) {
+            Some(Rate::Acceleration)
+        } else {
+            self.is_about_rates().then_some(Rate::Velocity)
+        };
         let force = self.is_about_forces().then_some("force");
         rate.map(Rate::word).into_iter().chain(force).collect()
     }
-}
-
-/// A place from which a distance is measured.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum Spot {
-    /// A point or a line of a link.
-    Axis(AxisId),
-    /// A place of the scene.
-    At([f64; 2]),
 }
 
 /// A number that the whole motion gives.

@@ -106,6 +106,11 @@ impl SsaBuilder {
             (Quantity::Torque(motor), Forces::Inertia(found)) => {
                 Some(self.neg(found.drive[motor.index()]))
             }
+            (Quantity::Power(motor), forces) => {
+                let torque = self.force(model, forces, Quantity::Torque(motor))?;
+                let rate = self.make(Op::Rate(motor));
+                Some(self.mul(torque, rate))
+            }
             (Quantity::Reaction(joint, part), Forces::InverseDynamics(found)) => {
                 let number = model.declared_joints().position(|one| one == joint)?;
                 let [x, y, torque] = found.reactions[number];

@@ -60,7 +60,7 @@ impl Rates {
         compiled: &'a Compiled,
         requirement: &Requirement,
     ) -> Result<Option<Cow<'a, Program>>, RequirementTrouble> {
-        if !requirement.is_about_forces() {
+        if !requirement.quantities().any(Quantity::needs_equilibrium) {
             return Ok(None);
         }
         let forced = &compiled.forced;

@@ -18,7 +18,7 @@ mod waiting;
 
 use crate::compile::compile;
 use crate::compiled::Compiled;
-use crate::model::{Actions, Condition, Effects, Method, Model, Precision, Requirement};
+use crate::model::{Actions, Condition, Effects, Method, Model, Precision, Quantity, Requirement};
 use crate::structure::{Diagnosis, RequirementTrouble};
 use domain::Verdicts;
 pub use spread::failing;
@@ -107,9 +107,12 @@ fn is_plain(model: &Model) -> bool {
 
 /// The same mechanism, of which all links are found in closed form, and nothing else is computed but forces that are measured.
 fn plain(model: &Model) -> Model {
-    let mut requirements = model.requirements.iter();
-    let force = model.effects.force && requirements.any(Requirement::is_about_forces);
-    let actions = if force {
+    let measures = |is_wanted: fn(Quantity) -> bool| {
+        let mut all = model.requirements.iter().flat_map(Requirement::quantities);
+        all.any(is_wanted)
+    };
+    let force = model.effects.force && measures(Quantity::is_force);
+    let actions = if force || measures(Quantity::takes_loads) {
         model.actions.clone()
     } else {
         Actions::default()

@@ -113,10 +113,8 @@ pub(super) enum Way {
 
 /// Something that is measured.
 pub(super) enum MeasuredExpr {
-    /// `b`, `left[2].b`: a joint, a link or a constant.
-    Named(Name),
-    /// `coupler.tip.x`; the flag says that it is the ordinate.
-    Place(End, bool),
+    /// `b`, `coupler.tip.x`, `velocity:b`: what moves, or its rate; without a rate it may be a constant.
+    Moving(Option<Rate>, MovingExpr),
     /// `transmission(b)`
     Transmission(Name),
     /// `pressure(profile)`
@@ -129,20 +127,24 @@ pub(super) enum MeasuredExpr {
     Distance([SpotExpr; 2]),
     /// `clear(bucket, boom)`
     Clearance([Name; 2]),
+    /// `centre(coupler, ground).x`
+    Centre([Name; 2], Option<VectorPart>),
     /// `max(coupler.tip.y)`
     Summary(Summary, &'static str, Expr),
     /// `dwell(b, 0.5 deg)`
     Dwell([Expr; 2]),
     /// `d(coupler.tip.y, a)`
     Influence(Expr, Name),
-    /// `velocity:coupler.tip.x`
-    Rate(Rate, MovingExpr),
+    /// `advantage(push, a)`
+    Advantage(Name, Name),
     /// `torque:a`
     Torque(Name),
     /// `power:a`
     Power(Name),
-    /// `reaction:b.x`
+    /// `reaction:b.x`, `reaction:ground`
     Reaction(ReactionExpr),
+    /// `shaking:force.x`; `shaking:moment` is the torque.
+    Shaking(Option<VectorPart>),
 }
 
 /// What moves: `b`, `coupler` or `coupler.tip.x`.
@@ -179,14 +181,18 @@ pub(super) enum VectorPart {
 impl VectorPart {
     /// The part that a word names.
     pub(super) fn of(word: &Ident) -> Option<Self> {
-        let all = [
-            ("x", Self::X),
-            ("y", Self::Y),
-            ("norm", Self::Norm),
-            ("torque", Self::Torque),
-        ];
-        let mut all = all.into_iter();
-        all.find(|(name, _)| word == name).map(|(_, part)| part)
+        let mut all = [Self::X, Self::Y, Self::Norm, Self::Torque].into_iter();
+        all.find(|part| word == part.word())
+    }
+
+    /// Its word.
+    pub(super) fn word(self) -> &'static str {
+        match self {
+            Self::X => "x",
+            Self::Y => "y",
+            Self::Norm => "norm",
+            Self::Torque => "torque",
+        }
     }
 }
 

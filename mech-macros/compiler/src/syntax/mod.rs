@@ -22,8 +22,8 @@ pub use place::{Message, Place, Places};
 pub use source::{Edit, Edits, Rewriter, Source, StatementText, Tokens};
 
 use crate::api::Asked;
-use crate::model::Model;
-use proc_macro2::{Ident, TokenStream};
+use crate::model::{Measurand, Model};
+use proc_macro2::{Ident, Span, TokenStream};
 
 /// A parsed text.
 pub struct Parsed {
@@ -73,6 +73,19 @@ pub fn parse(input: TokenStream) -> Parsed {
         errors: lowered.errors,
         source,
     }
+}
+
+/// Reads what a table measures of a mechanism: `velocity:coupler.tip` gives both its parts, `transmission` that of no dyad in particular.
+///
+/// # Errors
+/// What is wrong with the text.
+pub fn measurands(model: &Model, text: &str) -> Result<Vec<Measurand>, Message> {
+    let tokens = text.parse().map_err(|_| {
+        let place = Place::at(Span::call_site());
+        Message::new(place, "a quote or a bracket has no partner")
+    })?;
+    let expr = grammar::read_measurand(tokens)?;
+    lower::measurands(model, &expr, text.trim())
 }
 
 /// Lists the names and numbers of the body of a `mechanism!`, as far as it can be read.

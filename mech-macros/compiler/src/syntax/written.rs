@@ -1,6 +1,8 @@
 //! Numbers as they were written, for messages that offer them again.
 
-use super::ast::{Expr, ExprKind, MeasuredExpr, MotionExpr, SegmentExpr, SpotExpr, Way};
+use super::ast::{
+    Expr, ExprKind, MeasuredExpr, MotionExpr, SegmentExpr, SpotExpr, VectorPart, Way,
+};
 use std::fmt::{self, Display, Formatter};
 
 /// The precedence of an expression, the weakest first.
@@ -77,11 +79,8 @@ impl Display for SegmentExpr {
 impl Display for MeasuredExpr {
     fn fmt(&self, formatter: &mut Formatter) -> fmt::Result {
         match self {
-            Self::Named(name) => write!(formatter, "{name}"),
-            Self::Place(point, is_ordinate) => {
-                let part = if *is_ordinate { "y" } else { "x" };
-                write!(formatter, "{point}.{part}")
-            }
+            Self::Moving(None, of) => write!(formatter, "{of}"),
+            Self::Moving(Some(rate), of) => write!(formatter, "{}:{of}", rate.word()),
             Self::Transmission(joint) => write!(formatter, "transmission({joint})"),
             Self::Pressure(cam) => write!(formatter, "pressure({cam})"),
             Self::Curvature(cam) => write!(formatter, "curvature({cam})"),
@@ -89,13 +88,20 @@ impl Display for MeasuredExpr {
             Self::Angle(from, Some(to)) => write!(formatter, "angle({from}, {to})"),
             Self::Distance([from, to]) => write!(formatter, "distance({from}, {to})"),
             Self::Clearance([first, second]) => write!(formatter, "clear({first}, {second})"),
+            Self::Centre([first, second], part) => {
+                write!(formatter, "centre({first}, {second})")?;
+                part.map_or(Ok(()), |part| write!(formatter, ".{}", part.word()))
+            }
             Self::Summary(_, word, of) => write!(formatter, "{word}({of})"),
             Self::Dwell([of, width]) => write!(formatter, "dwell({of}, {width})"),
             Self::Influence(of, motor) => write!(formatter, "d({of}, {motor})"),
-            Self::Rate(rate, of) => write!(formatter, "{}:{of}", rate.word()),
             Self::Torque(motor) => write!(formatter, "torque:{motor}"),
             Self::Power(motor) => write!(formatter, "power:{motor}"),
             Self::Reaction(reaction) => write!(formatter, "reaction:{}", reaction.whole),
+            Self::Advantage(load, motor) => write!(formatter, "advantage({load}, {motor})"),
+            Self::Shaking(None) => write!(formatter, "shaking:force"),
+            Self::Shaking(Some(VectorPart::Torque)) => write!(formatter, "shaking:moment"),
+            Self::Shaking(Some(part)) => write!(formatter, "shaking:force.{}", part.word()),
         }
     }
 }

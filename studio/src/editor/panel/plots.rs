@@ -94,8 +94,8 @@ fn offers(snapshot: &Snapshot) -> Vec<Offer> {
     let (Some(reading), Some(compiled)) = (&snapshot.reading, snapshot.compiled()) else {
         return Vec::new();
     };
-    let dyads = quantity::dyads(&reading.model, &compiled.plan);
-    quantity::offers(&reading.model, &dyads)
+    let has_loops = compiled.plan.loops().next().is_some();
+    quantity::offers(&reading.model, has_loops)
 }
 
 /// The quantity that is chosen from a menu of all.

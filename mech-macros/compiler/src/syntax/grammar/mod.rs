@@ -10,6 +10,7 @@ mod foreign;
 mod header;
 mod item;
 mod joint;
+mod measured;
 mod method;
 mod motion;
 mod part;
@@ -23,8 +24,9 @@ mod unit;
 
 pub use beginning::STATEMENTS;
 
-use super::ast::{Statement, Text};
+use super::ast::{Expr, Read, Statement, Text};
 use super::limits;
+use crate::bug::bug;
 use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
 
 /// Of a text that is beyond a limit, the `struct` line is read if it has no more tokens than this.
@@ -72,6 +74,20 @@ pub(super) fn read_statement(input: TokenStream) -> Option<Statement> {
     match (statements.next()?, statements.next()?, statements.next()) {
         (Statement::Broken(_), statement, None) => Some(statement),
         _ => None,
+    }
+}
+
+/// Reads something that is measured, and stands alone.
+pub(super) fn read_measurand(input: TokenStream) -> Read<Expr> {
+    limits::of_tokens(&input).map_err(|excess| excess.message())?;
+    let read = tokens::run(input, |input| {
+        let read = measured::number(input)?;
+        tokens::end(input, "the end")?;
+        Ok(read)
+    });
+    match read {
+        Some(read) => read,
+        None => bug!("a text was not read"),
     }
 }
 

@@ -1,6 +1,7 @@
 //! The names and numbers of requirements.
 
 use super::{Noun, Reader, in_words};
+use crate::model::Rate;
 use crate::syntax::Place;
 use crate::syntax::ast::{ConditionExpr, Expect, MeasuredExpr, MovingExpr, ReactionExpr, SpotExpr};
 
@@ -39,14 +40,6 @@ impl Reader {
 
     pub(super) fn measured(&mut self, measured: &MeasuredExpr, literals: &mut Vec<Place>) {
         match measured {
-            MeasuredExpr::Named(name) => {
-                self.name(name, Noun::BodyOrJoint);
-                if name.uses.is_empty() {
-                    // Or it is a constant.
-                    self.mention(Noun::Number, name.name.to_string(), false, name.span());
-                }
-            }
-            MeasuredExpr::Place(point, _) => self.end(point, Noun::Body),
             MeasuredExpr::Transmission(joint)
             | MeasuredExpr::Pressure(joint)
             | MeasuredExpr::Curvature(joint) => self.name(joint, Noun::Joint),
@@ -67,7 +60,7 @@ impl Reader {
                     }
                 }
             }
-            MeasuredExpr::Clearance(links) => {
+            MeasuredExpr::Clearance(links) | MeasuredExpr::Centre(links, _) => {
                 for link in links {
                     self.name(link, Noun::Body);
                 }
@@ -81,18 +74,12 @@ impl Reader {
                 self.leaves(of, literals);
                 self.name(motor, Noun::Joint);
             }
-            MeasuredExpr::Rate(_, MovingExpr { named, point, .. }) => match (named, point) {
-                (named, Some(point)) => {
-                    self.end(point, Noun::Body);
-                    if let Some(named) = named {
-                        // Or it is a joint or a link of an instance.
-                        let noun = Noun::BodyOrJoint;
-                        self.mention(noun, in_words(named), false, named.span());
-                    }
-                }
-                (Some(named), None) => self.name(named, Noun::BodyOrJoint),
-                (None, None) => {}
-            },
+            MeasuredExpr::Advantage(load, motor) => {
+                self.name(load, Noun::Action);
+                self.name(motor, Noun::Joint);
+            }
+            MeasuredExpr::Shaking(_) => {}
+            MeasuredExpr::Moving(rate, of) => self.moving(*rate, of),
             MeasuredExpr::Torque(motor) | MeasuredExpr::Power(motor) => {
                 self.name(motor, Noun::Joint);
             }
@@ -106,6 +93,24 @@ impl Reader {
                 self.name(joint, Noun::Joint);
                 // Or it is a joint of an instance that is called so.
                 self.mention(Noun::Joint, in_words(whole), false, whole.span());
+            }
+        }
+    }
+    fn moving(&mut self, rate: Option<Rate>, MovingExpr { named, point, .. }: &MovingExpr) {
+        if let Some(point) = point {
+            self.end(point, Noun::Body);
+        }
+        let Some(name) = named else {
+            return;
+        };
+        if point.is_some() {
+            // Or it is a joint or a link of an instance.
+            self.mention(Noun::BodyOrJoint, in_words(name), false, name.span());
+        } else {
+            self.name(name, Noun::BodyOrJoint);
+            if rate.is_none() {
+                // Or it is a constant.
+                self.mention(Noun::Number, name.name.to_string(), false, name.span());
             }
         }
     }

@@ -36,17 +36,22 @@ pub(super) struct WrittenMotor {
 }
 
 impl Draft {
-    /// The model of a text before any of its statements.
-    pub(super) fn of(text: &Text) -> Self {
-        let mut draft = Self {
-            model: Model::new("Mechanism", Origin::default()),
+    /// A model as far as it has come.
+    pub(super) fn of_model(model: Model) -> Self {
+        Self {
+            model,
             places: Places::default(),
             claims: Claims::default(),
             has_params: false,
             drawn: BTreeMap::new(),
             motors: Vec::new(),
             lost: Vec::new(),
-        };
+        }
+    }
+
+    /// The model of a text before any of its statements.
+    pub(super) fn of(text: &Text) -> Self {
+        let mut draft = Self::of_model(Model::new("Mechanism", Origin::default()));
         if let Some((header, precision)) = &text.header {
             draft.model.name = header.name.to_string();
             draft.model.origin = draft.note(&header.name);

@@ -100,7 +100,7 @@ pub(super) fn joint(reader: &mut Reader, draft: &Draft, name: &Name) -> Option<J
 }
 
 /// The first link that has a point of this name.
-fn point_called(model: &Model, name: &str) -> Option<LinkId> {
+pub(super) fn point_called(model: &Model, name: &str) -> Option<LinkId> {
     let mut axes = model.axes.iter();
     let called = |axis: &&Axis| axis.name.as_deref() == Some(name);
     axes.find(called).map(|axis| axis.link)

@@ -7,45 +7,139 @@ use super::name::Referent;
 use super::quantity::Quantity;
 use super::reader::{Measuring, Reader};
 use super::value::format_number;
+use super::vector::{Subject, Vector};
 use super::{coordinate, find, path};
-use crate::bug::bug;
 use crate::model::{
-    self, AxisKind, BinaryFunction, Formula, JointId, JointKind, LinkId, Measured, Rate,
-    ReactionPart, ShapeKind, Summary,
+    self, AxisId, AxisKind, Formula, JointId, JointKind, LinkId, LoadKind, Measured, ShapeKind,
+    Summary,
 };
 use crate::syntax::Place;
-use crate::syntax::ast::{
-    End, Expr, MeasuredExpr, MovingExpr, Name, Pair, ReactionExpr, SpotExpr, VectorPart,
-};
+use crate::syntax::ast::{End, Expr, MeasuredExpr, MovingExpr, Name, Pair, SpotExpr};
 use crate::syntax::spelling;
 
 /// The name of the transmission angles of all dyads.
 const TRANSMISSION: &str = "transmission";
+/// The name of the time in a table.
+const TIME: &str = "t";
 
-/// The mechanism that a requirement measures.
-pub(super) struct OfDraft<'d>(pub(super) &'d Draft);
+/// The mechanism that a requirement measures, under loads.
+pub(super) struct Required<'d> {
+    pub(super) draft: &'d Draft,
+    /// The numbers of all loads.
+    pub(super) loads: &'d [f64],
+}
 
-impl Measuring for OfDraft<'_> {
+impl Measuring for Required<'_> {
     fn measure(&self, reader: &mut Reader, expr: &MeasuredExpr, place: Place) -> Option<Quantity> {
-        reader.measured(self.0, expr, place)
+        let measured = reader.measured(self.draft, expr, place)?;
+        let model = &self.draft.model;
+        let trouble = match expr {
+            MeasuredExpr::Power(name)
+                if model
+                    .motor(find::motor(reader, self.draft, name)?)
+                    .law
+                    .is_none() =>
+            {
+                let text = format!(
+                    "a power needs the rate at which a motor moves; give it a law, as `motor {name} = 60 rpm * t;`"
+                );
+                Some((name.place(), text))
+            }
+            MeasuredExpr::Shaking(_) if model.lawful_motors().next().is_none() => {
+                let text = "what shakes the ground needs the rate at which motors move; give one a law, as `motor MOTOR = 60 rpm * t;`";
+                Some((place, text.to_owned()))
+            }
+            MeasuredExpr::Advantage(name, _) if !self.has_direction(reader, name)? => {
+                let text = format!(
+                    "an advantage is that over a load in its direction; say which, as `for {name} = (1, 0)`"
+                );
+                Some((place, text))
+            }
+            _ => None,
+        };
+        match trouble {
+            Some((place, text)) => reader.report.refuse(place, text),
+            None => Some(measured),
+        }
+    }
+}
+
+impl Required<'_> {
+    /// Whether a load acts in some direction.
+    fn has_direction(&self, reader: &mut Reader, name: &Name) -> Option<bool> {
+        let number = reader.load(self.draft, name)?;
+        let mut loads = self.draft.model.actions.numbered_loads();
+        let (first, load) = loads.nth(number)?;
+        Some(match load.kind {
+            LoadKind::Force(_) => self.loads[first..first + 2] != [0.0; 2],
+            LoadKind::Torque(_) => true,
+        })
+    }
+}
+
+/// The mechanism that a table measures: whoever asks for it gives rates and loads.
+pub(super) struct Tabulated<'d>(pub(super) &'d Draft);
+
+impl Measuring for Tabulated<'_> {
+    fn measure(&self, reader: &mut Reader, expr: &MeasuredExpr, place: Place) -> Option<Quantity> {
+        let subject = self.subject(reader, expr, place)?;
+        reader.number(subject, expr, place)
+    }
+}
+
+impl Tabulated<'_> {
+    /// Finds out what is measured: `t` is the time, if nothing else is called so.
+    pub(super) fn subject(
+        &self,
+        reader: &mut Reader,
+        expr: &MeasuredExpr,
+        place: Place,
+    ) -> Option<Subject> {
+        if let MeasuredExpr::Moving(
+            None,
+            MovingExpr {
+                named: Some(name),
+                point: None,
+                ..
+            },
+        ) = expr
+            && name.name == TIME
+            && reader.names.get(TIME).is_none()
+        {
+            let time = reader.variable_for(Measured::Quantity(model::Quantity::Time))?;
+            return Some(Subject::Number(time));
+        }
+        reader.subject(self.0, expr, place)
     }
 }
 
 impl Reader<'_> {
     fn measured(&mut self, draft: &Draft, expr: &MeasuredExpr, place: Place) -> Option<Quantity> {
+        let subject = self.subject(draft, expr, place)?;
+        self.number(subject, expr, place)
+    }
+
+    /// A number; of a vector without a part its length.
+    fn number(&mut self, subject: Subject, expr: &MeasuredExpr, place: Place) -> Option<Quantity> {
+        match subject {
+            Subject::Number(number) => Some(number),
+            Subject::Vector(vector, None) if vector.is_place() => {
+                let text = format!("`{expr}` is a place; measure `{expr}.x` or `{expr}.y`");
+                self.report.refuse(place, text)
+            }
+            Subject::Vector(vector, part) => self.part_of_vector(vector, part),
+        }
+    }
+
+    /// Finds out what is measured.
+    pub(super) fn subject(
+        &mut self,
+        draft: &Draft,
+        expr: &MeasuredExpr,
+        place: Place,
+    ) -> Option<Subject> {
         let quantity = match expr {
-            MeasuredExpr::Named(name) if self.is_constant(name)? => {
-                return self.constant(&name.name, place);
-            }
-            MeasuredExpr::Named(name) => self.named(draft, name)?,
-            MeasuredExpr::Place(point, is_ordinate) => {
-                let axis = self.axis(draft, point, Some(AxisKind::Point))?;
-                if *is_ordinate {
-                    model::Quantity::Y(axis)
-                } else {
-                    model::Quantity::X(axis)
-                }
-            }
+            MeasuredExpr::Moving(rate, of) => return self.moving(draft, *rate, of),
             MeasuredExpr::Transmission(joint) => {
                 model::Quantity::Transmission(Some(find::joint(self, draft, joint)?))
             }
@@ -66,15 +160,20 @@ impl Reader<'_> {
             }
             MeasuredExpr::Distance(spots) => self.distance(draft, spots, place)?,
             MeasuredExpr::Clearance(links) => self.clearance(draft, links, place)?,
+            MeasuredExpr::Centre(names, part) => {
+                let links = self.two_links(draft, names, place)?;
+                return Some(Subject::Vector(Vector::Centre(links), *part));
+            }
             MeasuredExpr::Summary(summary, word, of) => {
                 let inner = self.quantity(of)?;
-                return self.summary((*summary, word), (of, inner), place);
+                let summary = self.summary((*summary, word), (of, inner), place)?;
+                return Some(Subject::Number(summary));
             }
             MeasuredExpr::Dwell([of, width]) => {
                 let inner = self.quantity(of)?;
                 let width = self.width(draft, (of, inner), width)?;
                 let dwell = (Summary::Dwell(width), "dwell");
-                return self.summary(dwell, (of, inner), place);
+                return self.summary(dwell, (of, inner), place).map(Subject::Number);
             }
             MeasuredExpr::Influence(of, motor) => {
                 let motor = find::motor(self, draft, motor);
@@ -84,112 +183,62 @@ impl Reader<'_> {
                     let text = "this never changes: nothing has an influence on it";
                     return self.report.refuse(place, text);
                 };
-                return self.variable_for(Measured::Influence(of, motor));
+                let influence = self.variable_for(Measured::Influence(of, motor))?;
+                return Some(Subject::Number(influence));
             }
-            MeasuredExpr::Rate(rate, moving) => return self.rate(draft, *rate, moving),
+            MeasuredExpr::Advantage(load, motor) => {
+                let motor = find::motor(self, draft, motor);
+                model::Quantity::Advantage(self.load(draft, load)?, motor?)
+            }
             MeasuredExpr::Torque(motor) => {
                 model::Quantity::Torque(find::motor(self, draft, motor)?)
             }
-            MeasuredExpr::Power(motor) => return self.power(draft, motor),
+            MeasuredExpr::Power(motor) => model::Quantity::Power(find::motor(self, draft, motor)?),
             MeasuredExpr::Reaction(reaction) => return self.reaction(draft, reaction),
+            MeasuredExpr::Shaking(part) => {
+                self.refuse_massless(draft, false, place)?;
+                return Some(Subject::Vector(Vector::Shaking, *part));
+            }
         };
         self.variable_for(Measured::Quantity(quantity))
+            .map(Subject::Number)
     }
 
-    /// The velocity or acceleration of something that moves: of a point without a part the length of that.
-    fn rate(&mut self, draft: &Draft, rate: Rate, moving: &MovingExpr) -> Option<Quantity> {
-        let named = moving.named.as_ref();
-        let named = named.filter(|name| path::is_path(self, name));
-        let of = match (named, &moving.point) {
-            (Some(name), _) => self.named(draft, name)?,
-            (None, Some(point)) => {
-                if !path::is_path(self, &point.link) {
-                    let text = format!(
-                        "`{point}` is no part of a {}; write `.x`, `.y` or `.norm` after a point",
-                        rate.word()
-                    );
-                    return self.report.refuse(point.place(), text);
-                }
-                let axis = self.axis(draft, point, Some(AxisKind::Point))?;
-                if draft.model.axis(axis).link == LinkId::GROUND {
-                    let text = format!("`{point}` does not move: there is nothing to measure");
-                    return self.report.refuse(point.place(), text);
-                }
-                let part = moving.part.as_ref().map(|(part, _)| *part);
-                return self.part_of_vector(part, |reader, quantity| {
-                    reader.rate_of(
-                        rate,
-                        [model::Quantity::X, model::Quantity::Y][quantity](axis),
-                    )
-                });
-            }
-            (None, None) => bug!("something that moves has no name"),
-        };
-        self.rate_of(rate, of)
-    }
-
-    fn rate_of(&mut self, rate: Rate, of: model::Quantity) -> Option<Quantity> {
-        let of = self.variable_for(Measured::Quantity(of))?;
-        let of = of.as_formula(self.formulas());
-        self.variable_for(Measured::Rate(rate, of))
-    }
-
-    /// One part of a vector, by the number of its direction; without a part its length.
-    fn part_of_vector(
-        &mut self,
-        part: Option<VectorPart>,
-        mut along: impl FnMut(&mut Self, usize) -> Option<Quantity>,
-    ) -> Option<Quantity> {
-        match part {
-            Some(VectorPart::X) => along(self, 0),
-            Some(VectorPart::Y) => along(self, 1),
-            _ => {
-                let parts = [along(self, 0)?, along(self, 1)?];
-                let [x, y] = parts.map(|part| part.as_formula(self.formulas()));
-                let length = Formula::OfBoth(BinaryFunction::Hypot, x, y);
-                Some(Quantity {
-                    value: None,
-                    formula: Some(self.formulas().add(length)),
-                })
-            }
+    /// The number of a load.
+    pub(super) fn load(&mut self, draft: &Draft, name: &Name) -> Option<usize> {
+        let key = path::key(self, name)?;
+        let loads = &draft.model.actions.loads;
+        if let Some(number) = loads.iter().position(|load| load.name == key) {
+            return Some(number);
         }
+        let names: Vec<&str> = loads.iter().map(|load| load.name.as_str()).collect();
+        let text = if names.is_empty() {
+            format!("there is no load `{name}`; declare one, as `load {name} = force(LINK.POINT);`")
+        } else {
+            format!("unknown load `{name}`{}", spelling::remedy(&key, &names))
+        };
+        self.report.refuse(name.place(), text)
     }
 
-    /// The torque of a motor times its rate.
-    fn power(&mut self, draft: &Draft, name: &Name) -> Option<Quantity> {
-        let motor = find::motor(self, draft, name)?;
-        if draft.model.motor(motor).law.is_none() {
-            let text = format!(
-                "a power needs the rate at which a motor moves; give it a law, as `motor {name} = 60 rpm * t;`"
-            );
-            return self.report.refuse(name.place(), text);
-        }
-        let torque = self.variable_for(Measured::Quantity(model::Quantity::Torque(motor)))?;
-        let joint = draft.model.motor(motor).joint;
-        let rate = self.rate_of(Rate::Velocity, model::Quantity::Coordinate(joint))?;
-        Some(torque.times(rate, self.formulas()))
+    /// Whether a name is that of a motor.
+    pub(super) fn is_motor(&mut self, draft: &Draft, name: &Name) -> bool {
+        let key = path::key(self, name);
+        let mut motors = draft.model.motors.iter();
+        motors.any(|motor| Some(&draft.model.joint(motor.joint).name) == key.as_ref())
     }
 
-    /// What the first link of a joint does to the second: without a part the size of the force.
-    fn reaction(&mut self, draft: &Draft, reaction: &ReactionExpr) -> Option<Quantity> {
-        let (name, part) = match &reaction.part {
-            Some((joint, part)) if !path::is_path(self, &reaction.whole) => (joint, Some(*part)),
-            _ => (&reaction.whole, None),
-        };
-        let joint = find::joint(self, draft, name)?;
-        let along = |reader: &mut Self, part| {
-            reader.variable_for(Measured::Quantity(model::Quantity::Reaction(joint, part)))
-        };
-        match part {
-            Some(VectorPart::Torque) => along(self, ReactionPart::Torque),
-            part => self.part_of_vector(part, |reader, number| {
-                along(reader, [ReactionPart::X, ReactionPart::Y][number])
-            }),
+    fn two_links(&mut self, draft: &Draft, names: &[Name; 2], place: Place) -> Option<[LinkId; 2]> {
+        let links = names.each_ref().map(|name| find::link(self, draft, name));
+        let links = [links[0]?, links[1]?];
+        if links[0] == links[1] {
+            let text = format!("`{}` is no two links: name another one beside it", names[0]);
+            return self.report.refuse(place, text);
         }
+        Some(links)
     }
 
     /// A new variable of the requirement.
-    fn variable_for(&mut self, measured: Measured) -> Option<Quantity> {
+    pub(super) fn variable_for(&mut self, measured: Measured) -> Option<Quantity> {
         let all = &mut self.law.as_mut()?.measured;
         let known = all.iter().position(|known| *known == measured);
         let number = known.unwrap_or_else(|| {
@@ -203,7 +252,7 @@ impl Reader<'_> {
     }
 
     /// Whether a name is that of a constant; nothing if it is also one of the mechanism.
-    fn is_constant(&mut self, name: &Name) -> Option<bool> {
+    pub(super) fn is_constant(&mut self, name: &Name) -> Option<bool> {
         let text = name.name.to_string();
         if !name.uses.is_empty() || !self.constants().has(&text) {
             return Some(false);
@@ -220,13 +269,7 @@ impl Reader<'_> {
     }
 
     /// The coordinate of a joint, or the angle of a link.
-    fn named(&mut self, draft: &Draft, name: &Name) -> Option<model::Quantity> {
-        if let [link] = &name.uses[..]
-            && let Some(Referent::Link(_)) = self.names.get(&self.key_of(&link.name))
-        {
-            let text = format!("`{name}` is a place; measure `{name}.x` or `{name}.y`");
-            return self.report.refuse(name.place(), text);
-        }
+    pub(super) fn named(&mut self, draft: &Draft, name: &Name) -> Option<model::Quantity> {
         match find::look_up(self, name) {
             Some(Referent::Broken) => None,
             Some(Referent::Joint(joint)) => {
@@ -244,6 +287,11 @@ impl Reader<'_> {
             }
             None => {
                 let text = name.to_string();
+                if let Some(link) = find::point_called(&draft.model, &text) {
+                    let point = format!("{}.{text}", draft.model.link(link).name);
+                    let text = format!("`{text}` is a point; measure `{point}.x` or `{point}.y`");
+                    return self.report.refuse(name.place(), text);
+                }
                 let key = self.key_of(&name.name);
                 let joints = self.names.joints(&key);
                 let mut known = [self.names.links(&key), joints].concat();
@@ -301,7 +349,12 @@ impl Reader<'_> {
         self.report.refuse(name.place(), text)
     }
 
-    fn axis(&mut self, draft: &Draft, end: &End, kind: Option<AxisKind>) -> Option<model::AxisId> {
+    pub(super) fn axis(
+        &mut self,
+        draft: &Draft,
+        end: &End,
+        kind: Option<AxisKind>,
+    ) -> Option<AxisId> {
         let body = find::body(self, draft, &end.link)?;
         let Some(name) = &end.axis else {
             let text = format!("`{end}` is a link; name one of its points, as `{end}.tip`");
@@ -343,15 +396,7 @@ impl Reader<'_> {
         names: &[Name; 2],
         place: Place,
     ) -> Option<model::Quantity> {
-        let links = names.each_ref().map(|name| find::link(self, draft, name));
-        let links = [links[0]?, links[1]?];
-        if links[0] == links[1] {
-            let text = format!(
-                "`{}` is no two links: name the one from which it keeps clear",
-                names[0]
-            );
-            return self.report.refuse(place, text);
-        }
+        let links = self.two_links(draft, names, place)?;
         for (link, name) in links.into_iter().zip(names) {
             let text = match &draft.model.link(link).shapes[..] {
                 // Perhaps its shape could not be read.

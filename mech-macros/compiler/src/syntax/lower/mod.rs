@@ -22,6 +22,7 @@ mod kind;
 mod law;
 mod link;
 mod mass;
+mod measurand;
 mod measured;
 mod method;
 mod motion;
@@ -45,7 +46,10 @@ mod start;
 mod trace;
 mod unknown;
 mod value;
+mod vector;
 mod weld;
+
+pub(super) use self::measurand::lower as measurands;
 
 use self::draft::Draft;
 use self::expansion::Expansion;

@@ -153,7 +153,7 @@ impl<'t> Expansion<'t> {
             let mut path = used.name.to_string();
             path.extend(index.map(|index| format!("[{index}]")));
             let scopes = &mut self.names.scopes;
-            let instance = scopes.add(scope, &path, &part.name, Constants::of(body));
+            let instance = scopes.add(scope, &path, &part.name.to_string(), Constants::of(body));
             known.instances.push(instance);
             let own = scopes.get_mut(instance);
             own.similarity = similarity;

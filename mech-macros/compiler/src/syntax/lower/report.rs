@@ -171,6 +171,12 @@ impl Report {
         }
     }
 
+    /// The first message that came.
+    pub(super) fn first(self) -> Option<Message> {
+        let first = self.entries.into_iter().next();
+        first.map(|entry| entry.message)
+    }
+
     /// All messages in the order of the text; what is wrong with several instances of a part once.
     pub(super) fn finish(mut self, text: &Text, tokens: &TokenStream) -> Vec<Message> {
         self.explain_unknown(text, tokens);

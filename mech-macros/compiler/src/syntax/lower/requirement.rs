@@ -2,18 +2,18 @@
 
 use super::angle::{is_angle, is_degrees_perhaps, is_half_in_degrees, is_in_degrees};
 use super::draft::Draft;
+use super::find;
 use super::kind::{Kind, kinds};
-use super::measured::OfDraft;
+use super::measured::Required;
 use super::quantity::Quantity;
 use super::reader::{LawReading, Reader};
-use super::{find, path};
 use crate::bug::bug;
 use crate::model::{
     self, Case, Condition, Formula, FormulaId, Formulas, JointKind, LoadKind, Measured, MotorId,
     RequiredBound, Requirement,
 };
+use crate::syntax::Place;
 use crate::syntax::ast::{CaseExpr, ConditionExpr, Expect, Expr, LoadCase, Name};
-use crate::syntax::{Place, spelling};
 
 /// Why numbers of a requirement may not depend on params.
 const WHY_FIXED: &str = "what is expected is proved at compile time";
@@ -29,14 +29,16 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, expect: &Expect) {
         let text = "`expect` says what the whole mechanism is for; move it out of the part";
         return reader.report.error(Place::at(expect.keyword), text);
     }
-    let read = condition(reader, draft, &expect.condition);
+    let loads = lower_loads(reader, draft, &expect.loads);
+    let read = loads
+        .as_ref()
+        .and_then(|loads| condition(reader, &Required { draft, loads }, &expect.condition));
     let cases: Vec<Option<Case>> = expect
         .cases
         .iter()
         .map(|case| lower_case(reader, draft, case))
         .collect();
     let cases: Option<Vec<Case>> = cases.into_iter().collect();
-    let loads = lower_loads(reader, draft, &expect.loads);
     let (Some(read), Some(cases), Some(loads)) = (read, cases, loads) else {
         return;
     };
@@ -49,7 +51,7 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, expect: &Expect) {
     }
     let mut quantities = read.measured.iter().filter_map(Measured::quantity);
     if let Some(load) = expect.loads.first()
-        && !quantities.any(model::Quantity::is_force)
+        && !quantities.any(model::Quantity::takes_loads)
     {
         let text = format!(
             "load `{}` has no part in what is measured; leave it out",
@@ -81,11 +83,12 @@ struct ReadCondition {
 
 fn condition(
     reader: &mut Reader,
-    draft: &Draft,
+    required: &Required,
     condition: &ConditionExpr,
 ) -> Option<ReadCondition> {
     match condition {
         ConditionExpr::Turns(motor, place) => {
+            let draft = required.draft;
             let motor = turning_motor(reader, draft, motor)?;
             Some(ReadCondition {
                 place: *place,
@@ -112,7 +115,7 @@ fn condition(
             let written = format!("{first} {sign} {second}");
             bounds(
                 reader,
-                draft,
+                required,
                 first,
                 &[(second, *is_upper)],
                 *is_strict,
@@ -123,7 +126,7 @@ fn condition(
             let written = format!("{of} in {low} ..= {high}");
             bounds(
                 reader,
-                draft,
+                required,
                 of,
                 &[(low, false), (high, true)],
                 false,
@@ -147,7 +150,7 @@ fn turning_motor(reader: &mut Reader, draft: &Draft, name: &Name) -> Option<Moto
 /// Bounds of the first number: each with whether it is an upper one.
 fn bounds(
     reader: &mut Reader,
-    draft: &Draft,
+    required: &Required,
     subject: &Expr,
     limits: &[(&Expr, bool)],
     is_strict: bool,
@@ -160,10 +163,9 @@ fn bounds(
         measured: Vec::new(),
         nature: None,
     };
-    let measuring = OfDraft(draft);
     let mut inner = Reader {
         law: Some(law),
-        measuring: Some(&measuring),
+        measuring: Some(required),
         ..reader.fixed(WHY_FIXED)
     };
     let first = inner.quantity(subject);
@@ -220,7 +222,7 @@ fn bounds(
         (subject_formula, &bounds),
         place,
     )?;
-    let kinds = kinds(&draft.model, &formulas, &measured);
+    let kinds = kinds(&required.draft.model, &formulas, &measured);
     let kind = kinds[subject_formula.index()];
     for (number, ((limit, _), bound)) in limits.iter().zip(&bounds).enumerate() {
         check_kinds(reader, [subject, limit], [kind, kinds[bound.limit.index()]])?;
@@ -298,12 +300,7 @@ fn check_formulas(
         );
         return reader.report.refuse(place, text);
     }
-    if formulas.all().len() > MOST_FORMULAS {
-        let text = format!(
-            "a condition has {MOST_FORMULAS} numbers and operations at most; this one has more"
-        );
-        return reader.report.refuse(place, text);
-    }
+    check_size(reader, formulas, place)?;
     if !formulas
         .all()
         .iter()
@@ -313,6 +310,17 @@ fn check_formulas(
         return reader.report.refuse(place, text);
     }
     Some(())
+}
+
+/// Complains about more numbers than anybody could read.
+pub(super) fn check_size(reader: &mut Reader, formulas: &Formulas, place: Place) -> Option<()> {
+    if formulas.all().len() <= MOST_FORMULAS {
+        return Some(());
+    }
+    let text = format!(
+        "a condition has {MOST_FORMULAS} numbers and operations at most; this one has more"
+    );
+    reader.report.refuse(place, text)
 }
 
 /// Whether only forces and torques are measured.
@@ -354,27 +362,15 @@ fn lower_loads(reader: &mut Reader, draft: &Draft, given: &[LoadCase]) -> Option
     let mut known: Vec<usize> = Vec::new();
     for case in given {
         let LoadCase { name, place, .. } = case;
-        let key = path::key(reader, name)?;
-        let mut loads = actions.numbered_loads();
-        let Some((first, load)) = loads.find(|(_, load)| load.name == key) else {
-            let names: Vec<&str> = actions
-                .loads
-                .iter()
-                .map(|load| load.name.as_str())
-                .collect();
-            let mut motors = draft.model.motors.iter();
-            let text = if motors.any(|motor| draft.model.joint(motor.joint).name == key) {
-                format!(
-                    "`{name}` is a motor; write `at {name} = VALUE`, or `for {name} in LOW ..= HIGH`"
-                )
-            } else if names.is_empty() {
-                format!(
-                    "there is no load `{name}`; a motor's values are written `{name} in LOW ..= HIGH`"
-                )
-            } else {
-                format!("unknown load `{name}`{}", spelling::remedy(&key, &names))
-            };
+        if reader.is_motor(draft, name) {
+            let text = format!(
+                "`{name}` is a motor; write `at {name} = VALUE`, or `for {name} in LOW ..= HIGH`"
+            );
             return reader.report.refuse(name.place(), text);
+        }
+        let number = reader.load(draft, name)?;
+        let Some((first, load)) = actions.numbered_loads().nth(number) else {
+            bug!("a load has no number");
         };
         if known.contains(&first) {
             let text = format!("load `{name}` is given twice; remove one of the two");

@@ -89,10 +89,10 @@ impl Scopes {
     }
 
     /// Adds an instance of a part that a scope uses; its number.
-    pub(super) fn add(&mut self, parent: usize, name: &str, part: &Ident, own: Constants) -> usize {
+    pub(super) fn add(&mut self, parent: usize, name: &str, part: &str, own: Constants) -> usize {
         let prefix = format!("{}{name}.", self.0[parent].prefix);
         let mut scope = Scope::new(Some(parent), prefix, own);
-        scope.part = Some(part.to_string());
+        scope.part = Some(part.to_owned());
         self.0.push(scope);
         self.0.len() - 1
     }

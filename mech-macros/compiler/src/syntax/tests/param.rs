@@ -59,8 +59,8 @@ fn a_direction_may_depend_on_params() {
     // A slot's own line and the pin have none.
     assert_eq!(model.axes.iter().filter(|axis| axis.turns()).count(), 5);
     let now = |params: &[f64]| {
-        let variable = f64::NAN;
-        model.params.evaluate(&mut Now { variable, params })
+        let variables = &[];
+        model.params.evaluate(&mut Now { variables, params })
     };
     let turned = |axis: &Axis, params: &[f64]| {
         axis.direction_formulas

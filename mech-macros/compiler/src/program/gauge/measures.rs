@@ -1,176 +1,66 @@
-//! A program that computes what a requirement measures, beside positions.
+//! The operations that measure quantities of a position.
 
-use super::Program;
-use super::build::{Seed, Tangents};
-use super::builder::SsaBuilder;
-use super::clearance::{corners, gap};
-use super::contact::{Contact, Guide, Pressed};
-use super::forced::Circumstances;
-use super::node::{Op, Slot, Value};
+use super::GaugedAngle;
 use crate::bug::bug;
 use crate::model::{
-    AxisId, AxisKind, Boundary, InputId, JointId, JointKind, LinkId, Measured, Model, Quantity,
-    Rate, Requirement, Spot,
+    AxisId, AxisKind, Boundary, InputId, JointId, JointKind, LinkId, Model, Quantity, Spot,
 };
 use crate::plan::{Algebra, Arithmetic, Dyad, Plan, Rational, Source, Step, float_of};
+use crate::program::Program;
+use crate::program::build::{Seed, Tangents};
+use crate::program::builder::SsaBuilder;
+use crate::program::clearance::{corners, gap};
+use crate::program::contact::{Contact, Guide, Pressed};
+use crate::program::forced::Circumstances;
+use crate::program::node::{Op, Value};
 
-/// A program to positions, with the operations of a requirement after its own.
-#[derive(Clone, Debug)]
-pub(crate) struct Gauge {
-    pub(crate) program: Program,
-    /// The values of the requirement's formulas, by their numbers.
-    pub(crate) formulas: Vec<Value>,
-    /// The angles over whole turns: those that it measures, and those that the program follows for gears, racks and cams.
-    pub(crate) angles: Vec<GaugedAngle>,
-    /// For each variable that sums up the motion the state in which its value is put.
-    pub(crate) summaries: Vec<Option<usize>>,
-    /// The values whose derivatives are taken. No derivative goes through an iteration.
-    pub(crate) differentiated: Vec<Value>,
+/// A program to which measures are added.
+pub(super) struct Measures<'a> {
+    pub(super) model: &'a Model,
+    plan: &'a Plan,
+    program: &'a Program,
+    pub(super) ssa: SsaBuilder,
+    pub(super) angles: Vec<GaugedAngle>,
+    /// The angles over whole turns that were measured, each with its direction.
+    directions: Vec<(Value, [Value; 2])>,
+    /// The values whose derivatives are taken.
+    pub(super) differentiated: Vec<Value>,
 }
 
-/// The detail of a mechanism that a requirement is about, where it is about each of several.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Detail {
-    /// It is about all of it.
-    Whole,
-    /// The dyad of this number.
-    Dyad(usize),
-    /// The corner of this number, of two bodies that keep clear.
-    Corner(usize),
-}
-
-/// An angle over whole turns: a reference, and the angle from there.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct GaugedAngle {
-    /// The state in which the reference is put.
-    pub(crate) reference: usize,
-    /// The angle from the reference, between −π and π.
-    pub(crate) beyond: Value,
-    /// True if the requirement measures it, false if the program only moves something by it.
-    pub(crate) is_measured: bool,
-}
-
-impl Gauge {
-    /// Adds what a requirement measures to a program that finds the poses of all links in closed form; nothing if it asks for a dyad
-    /// that there is not.
-    pub(crate) fn new(
-        model: &Model,
-        (plan, program): (&Plan, &Program),
+impl<'a> Measures<'a> {
+    pub(super) fn new(
+        model: &'a Model,
+        plan: &'a Plan,
+        program: &'a Program,
         circumstances: &Circumstances<'_>,
-        requirement: &Requirement,
-        detail: Detail,
-        dyad_of: impl Fn(JointId) -> Option<usize>,
-    ) -> Option<Self> {
-        let mut measures = Measures {
+    ) -> Self {
+        Self {
             model,
             plan,
             program,
             ssa: SsaBuilder::resume_in(program, circumstances),
             angles: Vec::new(),
             directions: Vec::new(),
-        };
-        let forces = measures.ssa.add_forces(program, circumstances);
-        let (mut summaries, mut differentiated) = (Vec::new(), Vec::new());
-        for measured in &requirement.measured {
-            let (value, state) = match *measured {
-                Measured::Quantity(Quantity::Transmission(joint)) => {
-                    let dyad = match (joint, detail) {
-                        (Some(joint), _) => dyad_of(joint)?,
-                        (None, Detail::Dyad(dyad)) => dyad,
-                        (None, _) => bug!("no dyad is chosen of all"),
-                    };
-                    (measures.transmission(dyad)?, None)
-                }
-                Measured::Quantity(Quantity::Clearance(links)) => {
-                    let Detail::Corner(corner) = detail else {
-                        bug!("no corner is chosen of all");
-                    };
-                    (measures.clearance(links, corner)?, None)
-                }
-                Measured::Quantity(quantity) if quantity.is_force() => {
-                    let value = measures.ssa.force(model, forces.as_ref()?, quantity)?;
-                    (value, None)
-                }
-                Measured::Quantity(quantity) => (measures.quantity(quantity), None),
-                Measured::Influence(of, motor) => {
-                    let value = requirement.formulas.evaluate_one(of, &mut measures.ssa);
-                    differentiated.push(value);
-                    let mut tangents = measures.tangents(Seed::Alone(motor.index()));
-                    (tangents.of_all_up_to(&mut measures.ssa, value), None)
-                }
-                Measured::Rate(rate, of) => {
-                    let value = requirement.formulas.evaluate_one(of, &mut measures.ssa);
-                    differentiated.push(value);
-                    let mut tangents = measures.tangents(Seed::Coasting);
-                    let ssa = &mut measures.ssa;
-                    let velocity = tangents.of_all_up_to(ssa, value);
-                    let value = match rate {
-                        Rate::Velocity => velocity,
-                        Rate::Acceleration => tangents.of_all_up_to(ssa, velocity),
-                    };
-                    (value, None)
-                }
-                Measured::Summary(..) => {
-                    let carried = measures.ssa.carry(0.0);
-                    (carried.last, Some(carried.index))
-                }
-            };
-            measures.ssa.variables.push(value);
-            summaries.push(state);
+            differentiated: Vec::new(),
         }
-        let Measures {
-            mut ssa,
-            mut angles,
-            ..
-        } = measures;
-        let formulas = requirement.formulas.evaluate(&mut ssa);
-        angles.extend(followed(program, &mut ssa));
-        let SsaBuilder {
-            ssa, start, state, ..
-        } = ssa;
-        Some(Self {
-            program: Program {
-                ssa,
-                state,
-                start,
-                ..program.clone()
-            },
-            formulas,
-            angles,
-            summaries,
-            differentiated,
-        })
     }
-}
 
-/// The angles that a program follows over whole turns.
-fn followed(program: &Program, ssa: &mut SsaBuilder) -> Vec<GaugedAngle> {
-    let states = program.follows.iter().map(|follow| follow.angle);
-    let angles = states.map(|state| {
-        let last = ssa.make(Op::Last(Slot::State(state)));
-        GaugedAngle {
-            reference: state,
-            beyond: ssa.sub(program.state[state], last),
-            is_measured: false,
+    /// The derivative of a value, where motors move so.
+    pub(super) fn rate(&mut self, value: Value, tangents: &mut Tangents) -> Value {
+        self.differentiated.push(value);
+        tangents.of_all_up_to(&mut self.ssa, value)
+    }
+
+    /// The rate at which a direction turns.
+    pub(super) fn turning(&mut self, direction: [Value; 2], tangents: &mut Tangents) -> Value {
+        for part in direction {
+            self.rate(part, tangents);
         }
-    });
-    angles.collect()
-}
+        tangents.angular_velocity(&mut self.ssa, direction)
+    }
 
-/// A program to which measures are added.
-struct Measures<'a> {
-    model: &'a Model,
-    plan: &'a Plan,
-    program: &'a Program,
-    ssa: SsaBuilder,
-    angles: Vec<GaugedAngle>,
-    /// The angles over whole turns that were measured, each with its direction.
-    directions: Vec<(Value, [Value; 2])>,
-}
-
-impl Measures<'_> {
     /// The rates of what is measured. That of an angle is its direction's: whole turns have no part in it.
-    fn tangents(&mut self, seed: Seed) -> Tangents {
+    pub(super) fn tangents(&mut self, seed: Seed) -> Tangents {
         let mut tangents = Tangents::new(seed, self.model.motors.len());
         for &(angle, direction) in &self.directions {
             for part in direction {
@@ -182,8 +72,13 @@ impl Measures<'_> {
         tangents
     }
 
-    fn quantity(&mut self, quantity: Quantity) -> Value {
-        match quantity {
+    /// A quantity that no equilibrium tells; nothing if these circumstances do not tell it.
+    pub(super) fn quantity(
+        &mut self,
+        quantity: Quantity,
+        circumstances: &Circumstances<'_>,
+    ) -> Option<Value> {
+        Some(match quantity {
             Quantity::Coordinate(joint) => self.coordinate(joint),
             Quantity::Angle(link) => {
                 let [cos, sin, ..] = self.pose(link);
@@ -199,11 +94,18 @@ impl Measures<'_> {
             Quantity::X(axis) => self.point(axis)[0],
             Quantity::Y(axis) => self.point(axis)[1],
             Quantity::Distance(spots) => self.distance(spots),
+            Quantity::CentreX(links) => self.centre(links)[0],
+            Quantity::CentreY(links) => self.centre(links)[1],
+            Quantity::Ground(part) => self.on_ground(part, true, circumstances),
+            Quantity::Shaking(part) => self.on_ground(part, false, circumstances),
+            Quantity::Advantage(load, motor) => self.advantage(load, motor, circumstances),
             Quantity::Transmission(_)
             | Quantity::Clearance(_)
             | Quantity::Torque(_)
-            | Quantity::Reaction(..) => {
-                bug!("this is measured of a dyad, of a corner, or of forces")
+            | Quantity::Power(_)
+            | Quantity::Reaction(..)
+            | Quantity::Time => {
+                bug!("this is measured of a dyad, of a corner, of forces, or in a table")
             }
             Quantity::Pressure(cam) => {
                 let pressed = self.pressed(cam);
@@ -212,10 +114,10 @@ impl Measures<'_> {
                 ssa.make(Op::Atan2(sine, cosine))
             }
             Quantity::Curvature(cam) => self.pressed(cam).curvature,
-        }
+        })
     }
 
-    fn pose(&mut self, link: LinkId) -> [Value; 4] {
+    pub(super) fn pose(&mut self, link: LinkId) -> [Value; 4] {
         if link == LinkId::GROUND {
             return [1.0, 0.0, 0.0, 0.0].map(|number| self.ssa.constant(number));
         }
@@ -223,7 +125,7 @@ impl Measures<'_> {
     }
 
     /// The place of an axis in the scene.
-    fn point(&mut self, axis: AxisId) -> [Value; 2] {
+    pub(super) fn point(&mut self, axis: AxisId) -> [Value; 2] {
         let axis = self.model.axis(axis);
         let [cos, sin, x, y] = self.pose(axis.link);
         let arm = self.ssa.vector(axis.at);
@@ -271,7 +173,7 @@ impl Measures<'_> {
     }
 
     /// The angle of a direction over whole turns.
-    fn angle(&mut self, direction: [Value; 2]) -> Value {
+    pub(super) fn angle(&mut self, direction: [Value; 2]) -> Value {
         let [cos, sin] = direction.map(|part| self.ssa.at_start(part));
         let reference = self.ssa.carry(sin.atan2(cos));
         let turn = [
@@ -312,7 +214,7 @@ impl Measures<'_> {
     }
 
     /// The distance of a corner of two bodies from the other body.
-    fn clearance(&mut self, links: [LinkId; 2], number: usize) -> Option<Value> {
+    pub(super) fn clearance(&mut self, links: [LinkId; 2], number: usize) -> Option<Value> {
         let boundaries = Boundary::of_both(self.model, links)?;
         let (own, corner) = *corners(&boundaries).get(number)?;
         let [cos, sin, x, y] = self.pose(links[own]);
@@ -440,7 +342,7 @@ impl Measures<'_> {
 
     /// The transmission angle of the dyad that closes a loop: between the directions in which its two unknowns move what they join. Both
     /// its sine and its cosine follow from lengths, whatever the branch.
-    fn transmission(&mut self, number: usize) -> Option<Value> {
+    pub(super) fn transmission(&mut self, number: usize) -> Option<Value> {
         let mut all = self.program.closed_forms();
         let (_, closed) = all.find(|(_, closed)| closed.number == number)?;
         let ssa = &mut self.ssa;
