@@ -82,8 +82,11 @@ pub(super) fn read_measurand(input: TokenStream) -> Read<Expr> {
     limits::of_tokens(&input).map_err(|excess| excess.message())?;
     let read = tokens::run(input, |input| {
         let read = measured::number(input)?;
-        tokens::end(input, "the end")?;
-        Ok(read)
+        if input.is_empty() {
+            Ok(read)
+        } else {
+            Err(tokens::expected_message(input, "nothing more"))
+        }
     });
     match read {
         Some(read) => read,

@@ -91,8 +91,8 @@ impl Reader<'_> {
             return self.quantity_or_rate(rate, of).map(Subject::Number);
         };
         let part = moving.part.as_ref().map(|(part, _)| *part);
-        if let Some(rate) = rate
-            && !path::is_path(self, &point.link)
+        if let (Some(rate), Some(first)) = (rate, point.link.uses.first())
+            && let Some(Referent::Link(_)) = self.names.get(&self.key_of(&first.name))
         {
             let text = format!(
                 "`{point}` is no part of a {}; write `.x`, `.y` or `.norm` after a point",
