@@ -72,13 +72,13 @@ impl<'a> Measures<'a> {
         tangents
     }
 
-    /// A quantity that no equilibrium tells; nothing if these circumstances do not tell it.
+    /// A quantity that no equilibrium tells.
     pub(super) fn quantity(
         &mut self,
         quantity: Quantity,
         circumstances: &Circumstances<'_>,
-    ) -> Option<Value> {
-        Some(match quantity {
+    ) -> Value {
+        match quantity {
             Quantity::Coordinate(joint) => self.coordinate(joint),
             Quantity::Angle(link) => {
                 let [cos, sin, ..] = self.pose(link);
@@ -114,7 +114,7 @@ impl<'a> Measures<'a> {
                 ssa.make(Op::Atan2(sine, cosine))
             }
             Quantity::Curvature(cam) => self.pressed(cam).curvature,
-        })
+        }
     }
 
     pub(super) fn pose(&mut self, link: LinkId) -> [Value; 4] {
@@ -127,8 +127,13 @@ impl<'a> Measures<'a> {
     /// The place of an axis in the scene.
     pub(super) fn point(&mut self, axis: AxisId) -> [Value; 2] {
         let axis = self.model.axis(axis);
-        let [cos, sin, x, y] = self.pose(axis.link);
-        let arm = self.ssa.vector(axis.at);
+        self.carried(axis.link, axis.at)
+    }
+
+    /// The place in the scene of a place on a link.
+    pub(super) fn carried(&mut self, link: LinkId, at: [f64; 2]) -> [Value; 2] {
+        let [cos, sin, x, y] = self.pose(link);
+        let arm = self.ssa.vector(at);
         let arm = self.ssa.rotate([cos, sin], arm);
         self.ssa.plus([x, y], arm)
     }

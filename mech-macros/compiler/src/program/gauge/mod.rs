@@ -83,10 +83,7 @@ impl Gauge {
                     let value = measures.ssa.force(model, forces.as_ref()?, quantity)?;
                     (value, None)
                 }
-                Measured::Quantity(quantity) => {
-                    let value = measures.quantity(quantity, circumstances)?;
-                    (value, None)
-                }
+                Measured::Quantity(quantity) => (measures.quantity(quantity, circumstances), None),
                 Measured::Influence(of, motor) => {
                     let value = requirement.formulas.evaluate_one(of, &mut measures.ssa);
                     let mut tangents = measures.tangents(Seed::Alone(motor.index()));

@@ -112,14 +112,6 @@ impl Measures<'_> {
         }
     }
 
-    /// The place in the scene of a place on a link.
-    fn carried(&mut self, link: LinkId, at: [f64; 2]) -> [Value; 2] {
-        let [cos, sin, x, y] = self.pose(link);
-        let arm = self.ssa.vector(at);
-        let arm = self.ssa.rotate([cos, sin], arm);
-        self.ssa.plus([x, y], arm)
-    }
-
     /// One divided by the rate at which a load goes on in its direction while a motor alone moves at a rate of one.
     pub(super) fn advantage(
         &mut self,
