@@ -210,9 +210,12 @@ impl Limits {
     }
 
     fn text(self, is_angle: bool) -> String {
-        let number = |value: f64| match is_angle {
-            true => format!("{} deg", value.to_degrees()),
-            false => format!("{value}"),
+        let number = |value: f64| {
+            if is_angle {
+                format!("{} deg", value.to_degrees())
+            } else {
+                format!("{value}")
+            }
         };
         match (self.least.map(number), self.greatest.map(number)) {
             (Some(least), Some(greatest)) => format!("in {least} ..= {greatest}"),
@@ -315,6 +318,8 @@ impl<'s, 'm> Question<'s, 'm> {
             // the limit is measured.
             (Measure::Slope, _) => 1e-2 * value.abs().max(1.0),
             // A mean is told by its bounds, which are as near to each other as the requirement needs.
+            // Where no other limit is proved, these are as near as the time allowed; samples tell whether it breaks its limit.
+            (Measure::Mean | Measure::Rms, None) => 0.1 * self.size(),
             (Measure::Mean | Measure::Rms, Some(proved)) => {
                 alike.max((proved - witness.value).abs())
             }
