@@ -41,7 +41,7 @@ struct Stretch {
     values: Interval,
     /// The mean of them, if the motor goes evenly.
     mean: Interval,
-    /// The value at its beginning.
+    /// The value at its beginning, or all values if nobody asks for that.
     first: Interval,
     frame: Rc<Frame>,
 }
@@ -56,6 +56,8 @@ pub(super) struct Course<'s, 'a> {
     /// Where all other motors stand.
     near: Vec<f64>,
     whole: Interval,
+    /// Whether anybody asks for values where stretches begin.
+    has_ends: bool,
     /// Whether its end is its beginning.
     is_round: bool,
     stretches: Vec<Stretch>,
@@ -65,13 +67,15 @@ pub(super) struct Course<'s, 'a> {
 
 impl<'s, 'a> Course<'s, 'a> {
     /// The course of a value while a motor goes through a range, and all others stand near a place; nothing if it cannot be found within
-    /// the time there is. With the turn of the motor after which the value is what it was, if there is one.
+    /// the time there is. With the turn of the motor after which the value is what it was, if there is one; and
+    /// whether anybody asks for values where stretches begin.
     pub(super) fn new(
         search: &'s mut Search<'a>,
         value: Value,
         (motor, whole): (usize, Interval),
         near: Vec<f64>,
         period: Option<f64>,
+        has_ends: bool,
     ) -> Option<Self> {
         let reserve = search.left() / 2;
         let start = Rc::clone(&search.start);
@@ -82,6 +86,7 @@ impl<'s, 'a> Course<'s, 'a> {
             motor,
             near,
             whole,
+            has_ends,
             is_round: false,
             stretches: Vec::new(),
             last: Interval::ENTIRE,
@@ -129,8 +134,12 @@ impl<'s, 'a> Course<'s, 'a> {
         } else {
             values
         };
-        let begin = self.place(Interval::point(range.low()));
-        let (_, first) = self.search.look_in(&begin, &frame, self.value)?;
+        let first = if self.has_ends {
+            let begin = self.place(Interval::point(range.low()));
+            self.search.look_in(&begin, &frame, self.value)?.1
+        } else {
+            values
+        };
         Some(Stretch {
             range,
             values,

@@ -1,8 +1,10 @@
 //! What a requirement is about: the whole mechanism, or each of its details.
 
 use super::Proof;
+use super::answers::Answers;
 use super::domain::Verdicts;
 use super::proof::{Case, visit};
+use super::sides::Ways;
 use crate::bug::bug;
 use crate::compiled::Compiled;
 use crate::model::{
@@ -13,11 +15,12 @@ use crate::program::{Detail, clearance, corners};
 use crate::structure::{RequirementTrouble, Witness};
 
 /// Proves that bounds are kept wherever the motors may be.
-pub(super) fn prove(
-    model: &Model,
-    compiled: &Compiled,
-    verdicts: &Verdicts<'_>,
-    requirement: &Requirement,
+pub(super) fn prove<'a>(
+    model: &'a Model,
+    compiled: &'a Compiled,
+    verdicts: &'a Verdicts<'a>,
+    ways: &'a Ways<'a>,
+    requirement: &'a Requirement,
     bounds: (FormulaId, &[RequiredBound]),
 ) -> Result<Proof, RequirementTrouble> {
     refuse_params(model, requirement)?;
@@ -25,6 +28,7 @@ pub(super) fn prove(
         model,
         compiled,
         verdicts,
+        ways,
         requirement,
         detail: Detail::Whole,
     };
@@ -37,11 +41,21 @@ pub(super) fn prove(
             unknowns: Vec::new(),
         });
     }
-    let mut effort = 0;
-    for detail in details {
-        effort += Case { detail, ..case }.prove(bounds)?;
-    }
+    let effort = prove_each(case, details, bounds)?;
     Ok(Proof { effort })
+}
+
+/// Proves each detail; of those that fail, the worst place is told.
+fn prove_each(
+    case: Case<'_>,
+    details: Vec<Detail>,
+    bounds: (FormulaId, &[RequiredBound]),
+) -> Result<usize, RequirementTrouble> {
+    let mut answers = Answers::default();
+    for detail in details {
+        answers.add(Case { detail, ..case }.prove(bounds));
+    }
+    answers.of_all()
 }
 
 /// The two bodies that a requirement wants to keep clear, if it is about any.
@@ -83,33 +97,14 @@ fn prove_clear(
     bounds: (FormulaId, &[RequiredBound]),
 ) -> Result<Proof, RequirementTrouble> {
     refuse_overlap(case, links)?;
-    let mut effort = 0;
-    let (mut worst, mut open): (Option<Witness>, _) = (None, None);
-    for detail in details {
-        match (Case { detail, ..case }).prove(bounds) {
-            Ok(own) => effort += own,
-            Err(RequirementTrouble::Fails(own)) => {
-                let proved = worst.as_ref().map_or(own.proved, |worst| {
-                    worst.proved.zip(own.proved).map(|(a, b)| a.min(b))
-                });
-                let nearest = match worst {
-                    Some(worst) if worst.value <= own.value => worst,
-                    _ => own,
-                };
-                worst = Some(Witness { proved, ..nearest });
-            }
-            Err(trouble) => open = open.or(Some(trouble)),
-        }
-    }
-    match (worst, open) {
-        (Some(worst), open) => {
-            // That it is not negative says nothing, nor do some corners without the others.
-            let is_limit = |proved: &f64| *proved > 0.0 && open.is_none();
-            let proved = worst.proved.filter(is_limit);
+    match prove_each(case, details, bounds) {
+        Ok(effort) => Ok(Proof { effort }),
+        // That it is not negative says nothing.
+        Err(RequirementTrouble::Fails(worst)) => {
+            let proved = worst.proved.filter(|proved| *proved > 0.0);
             Err(RequirementTrouble::Fails(Witness { proved, ..worst }))
         }
-        (None, Some(trouble)) => Err(trouble),
-        (None, None) => Ok(Proof { effort }),
+        Err(trouble) => Err(trouble),
     }
 }
 

@@ -4,6 +4,7 @@
 //! sharp enough, the least bound first, until all of them keep the condition or a place breaks it. That place is then visited as at run
 //! time, from the start.
 
+mod answers;
 mod bound;
 mod circumstances;
 mod course;
@@ -21,6 +22,7 @@ use crate::compiled::Compiled;
 use crate::model::{Actions, Condition, Effects, Method, Model, Precision, Quantity, Requirement};
 use crate::structure::{Diagnosis, RequirementTrouble};
 use domain::Verdicts;
+use sides::Ways;
 pub use spread::failing;
 
 /// The proof of a requirement.
@@ -45,10 +47,11 @@ pub fn judge(model: &Model, compiled: &Compiled) -> Vec<Result<Proof, Diagnosis>
     }
     with_plain(model, compiled, |plain, compiled| {
         let verdicts = Verdicts::new(&compiled.program);
+        let ways = Ways::new(&compiled.program);
         let requirements = model.requirements.iter().enumerate();
         let judged = requirements.map(|(requirement, one)| {
             let proof = match missing_effects(model.effects, one) {
-                effects if effects.is_empty() => prove_one(plain, compiled, &verdicts, one),
+                effects if effects.is_empty() => prove_one(plain, compiled, &verdicts, &ways, one),
                 effects => Err(RequirementTrouble::NoEffect { effects }),
             };
             proof.map_err(|trouble| Diagnosis::Unmet {
@@ -83,17 +86,25 @@ fn missing_effects(effects: Effects, requirement: &Requirement) -> Vec<String> {
     words.filter(is_missing).map(str::to_owned).collect()
 }
 
-fn prove_one(
-    model: &Model,
-    compiled: &Compiled,
-    verdicts: &Verdicts<'_>,
-    requirement: &Requirement,
+fn prove_one<'a>(
+    model: &'a Model,
+    compiled: &'a Compiled,
+    verdicts: &'a Verdicts<'a>,
+    ways: &'a Ways<'a>,
+    requirement: &'a Requirement,
 ) -> Result<Proof, RequirementTrouble> {
     match &requirement.condition {
         Condition::Turns(motor) => turn::prove(model, compiled, verdicts, *motor),
         Condition::Bounds {
             subject, bounds, ..
-        } => details::prove(model, compiled, verdicts, requirement, (*subject, bounds)),
+        } => details::prove(
+            model,
+            compiled,
+            verdicts,
+            ways,
+            requirement,
+            (*subject, bounds),
+        ),
     }
 }
 

@@ -1,11 +1,12 @@
 //! The proof of a condition, or a place where it does not hold.
 
+use super::answers::Answers;
 use super::bound::{Bound, Limit};
 use super::circumstances::Rates;
 use super::course::Course;
 use super::domain::{Ranges, Verdicts, ranges, round_of};
-use super::search::{BUDGET, Goal, Search};
-use super::sides::{Way, subsets, turns_until_back};
+use super::search::{BUDGET, Goal, Search, Sum};
+use super::sides::{Way, Ways, subsets, turns_until_back};
 use crate::certify::{Interval, Sources, side_changes};
 use crate::compiled::Compiled;
 use crate::evaluate::Machine;
@@ -15,13 +16,17 @@ use crate::model::{
 use crate::plan::Loop;
 use crate::program::{BlockId, Detail, Gauge, Position, Program, Value};
 use crate::structure::{RequirementTrouble, Witness};
+use std::rc::Rc;
 
 /// A number that sums up the motion is known well enough if this part of it is open, or this part of its size.
 const WELL_KNOWN: f64 = 1e-10;
 const NOTHING: f64 = 1e-12;
 
-/// It is known roughly if so many times that is open. For that a quarter of all intervals may be spent.
-const ROUGH: f64 = 1e4;
+/// It is known roughly if so many times that is open. For each of these a quarter of all intervals may be spent.
+const ROUGH: [f64; 2] = [1e4, 1e2];
+
+/// A number is told to fewer digits than this part of it.
+const TOLD: f64 = 1e-5;
 
 /// Numbers that differ by this part of them are equal but for rounding.
 const ROUNDING: f64 = 1e-9;
@@ -43,6 +48,7 @@ pub(super) struct Case<'a> {
     pub(super) model: &'a Model,
     pub(super) compiled: &'a Compiled,
     pub(super) verdicts: &'a Verdicts<'a>,
+    pub(super) ways: &'a Ways<'a>,
     pub(super) requirement: &'a Requirement,
     pub(super) detail: Detail,
 }
@@ -54,7 +60,7 @@ struct Field<'a> {
     ranges: &'a Ranges,
 }
 
-impl Case<'_> {
+impl<'a> Case<'a> {
     /// Proves it; gives the intervals that were computed.
     pub(super) fn prove(
         &self,
@@ -95,7 +101,7 @@ impl Case<'_> {
             }
         }
         let way = self.find_way(&mut ranges, &crossing)?;
-        let way = way.as_ref();
+        let way = way.as_deref();
         let (lasting, passing): (Vec<_>, Vec<_>) = subsets(&crossing)
             .into_iter()
             .partition(|turned| way.is_none_or(|way| way.comes_to(turned)));
@@ -150,7 +156,7 @@ impl Case<'_> {
         &self,
         ranges: &mut Ranges,
         crossing: &[BlockId],
-    ) -> Result<Option<Way<'_>>, RequirementTrouble> {
+    ) -> Result<Option<Rc<Way<'a>>>, RequirementTrouble> {
         let (false, Some(motor)) = (crossing.is_empty(), ranges.only_motor()) else {
             return Ok(None);
         };
@@ -162,7 +168,9 @@ impl Case<'_> {
             let half = 0.5 * turn * turns.ok_or(RequirementTrouble::TooHard)?;
             ranges.all[motor] = start + Interval::new(-half, half);
         }
-        let way = Way::new(program, crossing, motor, ranges.all[motor].hull(start));
+        let way = self
+            .ways
+            .find(crossing, motor, ranges.all[motor].hull(start));
         way.map(Some).ok_or(RequirementTrouble::TooHard)
     }
 
@@ -197,15 +205,22 @@ impl Case<'_> {
         // Numbers that sum up the motion are mostly needed only roughly.
         if gauge.summaries.iter().any(Option::is_some) {
             let left: Vec<usize> = searches.iter().map(Search::left).collect();
-            for (search, left) in searches.iter_mut().zip(&left) {
-                search.allow(left / 4);
+            let allow = |searches: &mut [Search<'_>], share: usize| {
+                for (search, left) in searches.iter_mut().zip(&left) {
+                    search.allow(left / share);
+                }
+            };
+            for open in ROUGH {
+                allow(searches, 4);
+                match self.prove_with(field, searches, subject, open) {
+                    Ok(()) => return Ok(()),
+                    Err(RequirementTrouble::Fails(witness)) if is_told_well(&witness) => {
+                        return Err(RequirementTrouble::Fails(witness));
+                    }
+                    Err(_) => {}
+                }
             }
-            if self.prove_with(field, searches, subject, ROUGH).is_ok() {
-                return Ok(());
-            }
-            for (search, left) in searches.iter_mut().zip(left) {
-                search.allow(left);
-            }
+            allow(searches, 1);
         }
         self.prove_with(field, searches, subject, 1.0)
     }
@@ -226,7 +241,11 @@ impl Case<'_> {
                 let value = gauge.formulas[of.index()];
                 let summed = self.sum_up(field, searches, (*summary, value), open)?;
                 for search in &mut *searches {
-                    search.put(*state, summed.value);
+                    search.put(Sum {
+                        state: *state,
+                        value: summed.value,
+                        told: summed.told,
+                    });
                 }
                 places.get_or_insert_with(Vec::new).extend(summed.places);
             }
@@ -236,10 +255,12 @@ impl Case<'_> {
             (bound, limit)
         });
         let limited: Vec<(&RequiredBound, Limit)> = limited.collect();
+        let mut answers = Answers::default();
         for search in searches {
-            self.prove_bounds(field, search, subject, &limited, places.as_deref())?;
+            let proved = self.prove_bounds(field, search, subject, &limited, places.as_deref());
+            answers.add(proved.map(|()| 0));
         }
-        Ok(())
+        answers.of_all().map(|_| ())
     }
 
     /// The limit of a bound's margin; the search is one with loops on their sides of the start.
@@ -268,8 +289,8 @@ impl Case<'_> {
             .iter()
             .flat_map(|place| values.iter().map(move |value| (place, *value)));
         let known = all.filter_map(|(place, value)| search.value_at(place, value));
-        let sizes = known.filter(|value| value.is_bounded());
-        let sizes = sizes.map(|value| value.middle().abs());
+        // What sums up the motion may be known so roughly that its middle says nothing.
+        let sizes = known.map(|value| value.abs().low());
         sizes.fold(self.unit().unwrap_or(0.0), f64::max)
     }
 
@@ -282,17 +303,22 @@ impl Case<'_> {
         open: f64,
     ) -> Result<Summed, RequirementTrouble> {
         let mut end = |sign: f64| self.end(field, searches, (value, sign), open);
-        let one = |(value, place)| Summed {
-            value,
-            places: vec![place],
-        };
         match summary {
-            Summary::Min => end(1.0).map(one),
-            Summary::Max => end(-1.0).map(one),
+            Summary::Min => end(1.0).map(|(value, place)| Summed {
+                value,
+                told: value.high(),
+                places: vec![place],
+            }),
+            Summary::Max => end(-1.0).map(|(value, place)| Summed {
+                value,
+                told: value.low(),
+                places: vec![place],
+            }),
             Summary::Swing => {
                 let ((low, first), (high, second)) = (end(1.0)?, end(-1.0)?);
                 Ok(Summed {
                     value: high - low,
+                    told: high.low() - low.high(),
                     places: vec![first, second],
                 })
             }
@@ -328,7 +354,9 @@ impl Case<'_> {
             &[value],
         );
         let near = field.ranges.nearest(&field.gauge.program.start.motors);
-        let course = Course::new(search, value, (motor, all[motor]), near.clone(), period);
+        let has_ends = !matches!(summary, Summary::Mean | Summary::Rms);
+        let way = (motor, all[motor]);
+        let course = Course::new(search, value, way, near.clone(), period, has_ends);
         let mut course = course.ok_or(RequirementTrouble::TooHard)?;
         let (value, ends) = match summary {
             Summary::Dwell(width) => course.dwell(width, open),
@@ -346,8 +374,12 @@ impl Case<'_> {
             place[motor] = end;
             place
         };
+        if !value.is_bounded() {
+            return Err(RequirementTrouble::TooHard);
+        }
         Ok(Summed {
             value,
+            told: value.middle(),
             places: ends.into_iter().map(place).collect(),
         })
     }
@@ -527,15 +559,22 @@ impl Case<'_> {
         let position = visit(program, place)?;
         let sources = Sources::of(&field.gauge.program, field.found);
         let numbers = program.poses.iter().flatten();
-        let mut numbers = numbers.zip(position.poses.iter().flatten());
-        let is_there = numbers.all(|(value, reached)| {
-            !sources.contain(*value)
-                || search.value_at(place, *value).is_some_and(|proved| {
-                    (proved.middle() - reached).abs() <= ELSEWHERE * (1.0 + reached.abs())
-                })
+        let numbers = numbers.zip(position.poses.iter().flatten());
+        let numbers = numbers.map(|(value, reached)| (*value, *reached));
+        let (values, reached): (Vec<Value>, Vec<f64>) =
+            numbers.filter(|(value, _)| sources.contain(*value)).unzip();
+        let proved = search.values_at(place, &values)?;
+        let is_there = proved.iter().zip(reached).all(|(proved, reached)| {
+            (proved.middle() - reached).abs() <= ELSEWHERE * (1.0 + reached.abs())
         });
         is_there.then_some(position)
     }
+}
+
+/// Whether a value that breaks a limit is known to more digits than are told.
+fn is_told_well(witness: &Witness) -> bool {
+    let Witness { value, proved, .. } = witness;
+    proved.is_some_and(|proved| (proved - value).abs() <= TOLD * value.abs())
 }
 
 /// The values that a requirement is about.
@@ -572,5 +611,7 @@ pub(super) fn visit(program: &Program, place: &[f64]) -> Option<Position<f64>> {
 /// A number that sums up the motion, and where what it is made from is.
 struct Summed {
     value: Interval,
+    /// What it is at these places, or the middle of its bounds.
+    told: f64,
     places: Vec<Vec<f64>>,
 }

@@ -49,7 +49,7 @@ pub(super) struct Search<'a> {
     /// The loops that are on the other side than at the start.
     turned: Vec<BlockId>,
     /// The numbers that sum up the motion, as far as they are known.
-    summaries: Vec<(usize, Interval)>,
+    summaries: Vec<Sum>,
     enclosures: Vec<Framed<'a>>,
     /// The frame at the start.
     pub(super) start: Rc<Frame>,
@@ -57,6 +57,16 @@ pub(super) struct Search<'a> {
     known: Vec<Rc<Frame>>,
     budget: usize,
     left: usize,
+}
+
+/// A number that sums up the motion.
+pub(super) struct Sum {
+    /// The state in which it is carried.
+    pub(super) state: usize,
+    /// Its bounds.
+    pub(super) value: Interval,
+    /// That between them which is told.
+    pub(super) told: f64,
 }
 
 /// An enclosure with its references, and the loops that are on the other side than at the start.
@@ -128,9 +138,9 @@ impl<'a> Search<'a> {
     }
 
     /// Puts in a number that sums up the motion.
-    pub(super) fn put(&mut self, state: usize, value: Interval) {
-        self.summaries.retain(|(known, _)| *known != state);
-        self.summaries.push((state, value));
+    pub(super) fn put(&mut self, sum: Sum) {
+        self.summaries.retain(|known| known.state != sum.state);
+        self.summaries.push(sum);
         self.enclosures.clear();
     }
 
@@ -138,7 +148,8 @@ impl<'a> Search<'a> {
     fn carried(&self, references: &[f64]) -> Vec<(usize, Interval)> {
         let angles = self.gauge.angles.iter().zip(references);
         let angles = angles.map(|(angle, at)| (angle.reference, Interval::point(*at)));
-        angles.chain(self.summaries.iter().copied()).collect()
+        let sums = self.summaries.iter().map(|sum| (sum.state, sum.value));
+        angles.chain(sums).collect()
     }
 
     /// A value at a position to which the mechanism came, as it computes it there.
@@ -152,6 +163,9 @@ impl<'a> Search<'a> {
         whole.state[..position.state.len()].copy_from_slice(&position.state);
         for (state, number) in self.carried(&frame.references) {
             whole.state[state] = number.middle();
+        }
+        for sum in &self.summaries {
+            whole.state[sum.state] = sum.told;
         }
         let mut machine = Machine::<f64>::new(&program);
         machine.put_back(whole);
@@ -341,17 +355,24 @@ impl<'a> Search<'a> {
 
     /// A value at a place.
     pub(super) fn value_at(&mut self, place: &[f64], value: Value) -> Option<Interval> {
-        self.freely(|search| search.find_at(place, value))
+        self.values_at(place, &[value])?.first().copied()
     }
 
-    fn find_at(&mut self, place: &[f64], value: Value) -> Option<Interval> {
-        let goal = Goal {
-            values: &[(value, 0.0)],
-            sign: 1.0,
-        };
-        let frame = self.frame_at(&Rc::clone(&self.start), place)?;
-        let seen = self.look(&points(place), &frame, goal)?;
-        Some(seen.value)
+    /// Some values at a place.
+    pub(super) fn values_at(&mut self, place: &[f64], values: &[Value]) -> Option<Vec<Interval>> {
+        self.freely(|search| {
+            let frame = search.frame_at(&Rc::clone(&search.start), place)?;
+            let turned = search.turned.clone();
+            let (_, is_cut, enclosure) = search.run(&points(place), &frame, &turned)?;
+            let value = |value: &Value| {
+                if is_cut {
+                    Interval::ENTIRE
+                } else {
+                    enclosure.on_box(*value)
+                }
+            };
+            Some(values.iter().map(value).collect())
+        })
     }
 
     /// A value on a box, with a frame for parts of that, from the frame of a box of which this is a part, or which is beside it; nothing

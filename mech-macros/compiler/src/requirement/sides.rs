@@ -5,6 +5,8 @@ use crate::bug::bug;
 use crate::certify::{Enclosure, Interval};
 use crate::evaluate::Machine;
 use crate::program::{BlockId, Position, Program, Value};
+use std::cell::RefCell;
+use std::rc::Rc;
 
 /// After so many turns of a motor everything should be back.
 const MOST_TURNS: u8 = 4;
@@ -88,9 +90,56 @@ pub(super) struct Way<'p> {
     ends: Vec<(f64, Vec<BlockId>)>,
 }
 
+/// The ways of motors: each is found once for all requirements and their details.
+pub(super) struct Ways<'p> {
+    program: &'p Program,
+    known: RefCell<Vec<KnownWay<'p>>>,
+}
+
+/// A way that was looked for, by what it was looked for.
+struct KnownWay<'p> {
+    crossing: Vec<BlockId>,
+    motor: usize,
+    ends: Interval,
+    way: Option<Rc<Way<'p>>>,
+}
+
+impl<'p> Ways<'p> {
+    pub(super) fn new(program: &'p Program) -> Self {
+        Self {
+            program,
+            known: RefCell::default(),
+        }
+    }
+
+    /// The way to both ends of some values; nothing if there is none.
+    pub(super) fn find(
+        &self,
+        crossing: &[BlockId],
+        motor: usize,
+        ends: Interval,
+    ) -> Option<Rc<Way<'p>>> {
+        let mut known = self.known.borrow_mut();
+        let is_same = |one: &&KnownWay<'p>| {
+            one.crossing == crossing && one.motor == motor && one.ends == ends
+        };
+        if let Some(found) = known.iter().find(is_same) {
+            return found.way.clone();
+        }
+        let way = Way::new(self.program, crossing, motor, ends).map(Rc::new);
+        known.push(KnownWay {
+            crossing: crossing.to_vec(),
+            motor,
+            ends,
+            way: way.clone(),
+        });
+        way
+    }
+}
+
 impl<'p> Way<'p> {
     /// The way to both ends of some values; nothing if the mechanism does not come there, or nothing can be told of its loops.
-    pub(super) fn new(
+    fn new(
         program: &'p Program,
         crossing: &[BlockId],
         motor: usize,

@@ -3,6 +3,7 @@
 use super::details::details;
 use super::domain::Verdicts;
 use super::proof::Case;
+use super::sides::Ways;
 use super::with_plain;
 use crate::compiled::Compiled;
 use crate::evaluate::Machine;
@@ -35,6 +36,7 @@ pub fn failing(
     }
     with_plain(model, compiled, |model, compiled| {
         let verdicts = Verdicts::new(&compiled.program);
+        let ways = Ways::new(&compiled.program);
         let details = details(model, compiled, requirement);
         let places = PLACES * MANY / details.len().max(MANY);
         let gauges = details.into_iter().filter_map(|detail| {
@@ -42,6 +44,7 @@ pub fn failing(
                 model,
                 compiled,
                 verdicts: &verdicts,
+                ways: &ways,
                 requirement,
                 detail,
             };
