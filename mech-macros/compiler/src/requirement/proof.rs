@@ -483,8 +483,13 @@ impl<'a> Case<'a> {
             return Ok(());
         }
         let reached = (!least.place.is_empty()).then(|| self.reach(field, search, &least.place));
-        let measured = reached.flatten();
-        let measured = measured.and_then(|position| search.measure(&position, subject));
+        let measured = reached.flatten().and_then(|position| {
+            let value = search.measure(&position, subject)?;
+            let margin = field.gauge.formulas[bound.margin.index()];
+            let margin = search.measure(&position, margin)?;
+            // Rates differ between the sides of a loop where poses do not.
+            (margin <= ELSEWHERE * (1.0 + value.abs())).then_some(value)
+        });
         let (true, Some(value)) = (limit.is_broken(&least), measured) else {
             return Err(self.undecided(field, search, subject, &least));
         };
