@@ -249,7 +249,7 @@ impl Count {
                             panic!("{}: {witness:?}", told());
                         };
                         let mut goal = program.start.motors.clone();
-                        for (motor, value) in place {
+                        for (motor, value) in &place.motors {
                             goal[motor.index()] = *value;
                         }
                         let machine = at(program, &goal).expect("a witness is reached");

@@ -5,12 +5,12 @@ use super::build::{Seed, Tangents};
 use super::builder::SsaBuilder;
 use super::clearance::{corners, gap};
 use super::contact::{Contact, Guide, Pressed};
-use super::forced::Circumstances;
+use super::forced::{Circumstances, Motion};
 use super::node::{Op, Slot, Value};
 use crate::bug::bug;
 use crate::model::{
-    AxisId, AxisKind, Boundary, InputId, JointId, JointKind, LinkId, Measured, Model, Quantity,
-    Rate, Requirement, Spot,
+    AxisId, AxisKind, Boundary, InputId, JointId, JointKind, LinkId, Measured, Model, MotorId,
+    Quantity, Rate, Requirement, Spot,
 };
 use crate::plan::{Algebra, Arithmetic, Dyad, Plan, Rational, Source, Step, float_of};
 
@@ -65,7 +65,8 @@ impl Gauge {
             model,
             plan,
             program,
-            ssa: SsaBuilder::resume_in(program, circumstances),
+            ssa: SsaBuilder::resume_in(program, &circumstances.motion),
+            motion: &circumstances.motion,
             angles: Vec::new(),
             directions: Vec::new(),
         };
@@ -88,20 +89,21 @@ impl Gauge {
                     (measures.clearance(links, corner)?, None)
                 }
                 Measured::Quantity(quantity) if quantity.is_force() => {
-                    let value = measures.ssa.force(model, forces.as_ref()?, quantity)?;
+                    let acting = (forces.as_ref()?, measures.motion);
+                    let value = measures.ssa.force(model, acting, quantity)?;
                     (value, None)
                 }
                 Measured::Quantity(quantity) => (measures.quantity(quantity), None),
                 Measured::Influence(of, motor) => {
                     let value = requirement.formulas.evaluate_one(of, &mut measures.ssa);
                     differentiated.push(value);
-                    let mut tangents = measures.tangents(Seed::Alone(motor.index()));
+                    let mut tangents = measures.by_motor(motor);
                     (tangents.of_all_up_to(&mut measures.ssa, value), None)
                 }
                 Measured::Rate(rate, of) => {
                     let value = requirement.formulas.evaluate_one(of, &mut measures.ssa);
                     differentiated.push(value);
-                    let mut tangents = measures.tangents(Seed::Coasting);
+                    let mut tangents = measures.by_time();
                     let ssa = &mut measures.ssa;
                     let velocity = tangents.of_all_up_to(ssa, value);
                     let value = match rate {
@@ -163,15 +165,40 @@ struct Measures<'a> {
     plan: &'a Plan,
     program: &'a Program,
     ssa: SsaBuilder,
+    motion: &'a Motion<'a>,
     angles: Vec<GaugedAngle>,
     /// The angles over whole turns that were measured, each with its direction.
     directions: Vec<(Value, [Value; 2])>,
 }
 
 impl Measures<'_> {
-    /// The rates of what is measured. That of an angle is its direction's: whole turns have no part in it.
-    fn tangents(&mut self, seed: Seed) -> Tangents {
-        let mut tangents = Tangents::new(seed, self.model.motors.len());
+    /// The rates of what is measured while motors move.
+    fn by_time(&mut self) -> Tangents {
+        let mut tangents = Tangents::new(self.motion.seed(), self.model.motors.len());
+        if let Motion::InTime(laws) = self.motion {
+            for following in &laws.motors {
+                tangents.hold(following.value, following.rate);
+                tangents.hold(following.rate, following.second);
+            }
+        }
+        self.with_angles(tangents)
+    }
+
+    /// The rates of what is measured while one motor alone moves, at a rate of one.
+    fn by_motor(&mut self, motor: MotorId) -> Tangents {
+        let mut tangents = Tangents::new(Seed::Alone(motor.index()), self.model.motors.len());
+        if let Motion::InTime(laws) = self.motion {
+            for following in &laws.motors {
+                let is_moving = following.motor == motor;
+                let rate = self.ssa.constant(if is_moving { 1.0 } else { 0.0 });
+                tangents.hold(following.value, rate);
+            }
+        }
+        self.with_angles(tangents)
+    }
+
+    /// The same, with the rates of angles. That of an angle is its direction's: whole turns have no part in it.
+    fn with_angles(&mut self, mut tangents: Tangents) -> Tangents {
         for &(angle, direction) in &self.directions {
             for part in direction {
                 tangents.of_all_up_to(&mut self.ssa, part);

@@ -1,8 +1,9 @@
 //! What a requirement is about: the whole mechanism, or each of its details.
 
 use super::Proof;
-use super::domain::Verdicts;
-use super::proof::{Case, visit};
+use super::case::Case;
+use super::circumstances::Setting;
+use super::verdicts::Verdicts;
 use crate::bug::bug;
 use crate::compiled::Compiled;
 use crate::model::{
@@ -21,11 +22,15 @@ pub(super) fn prove(
     bounds: (FormulaId, &[RequiredBound]),
 ) -> Result<Proof, RequirementTrouble> {
     refuse_params(model, requirement)?;
+    let setting = Setting::of(model, compiled, requirement)?;
+    let timed = setting.timed();
+    let in_time = timed.map(|timed| Verdicts::new(&timed.laws.program));
     let case = Case {
         model,
         compiled,
-        verdicts,
+        verdicts: in_time.as_ref().unwrap_or(verdicts),
         requirement,
+        setting: &setting,
         detail: Detail::Whole,
     };
     let details = details(model, compiled, requirement);
@@ -119,14 +124,19 @@ fn refuse_overlap(case: Case<'_>, links: [LinkId; 2]) -> Result<(), RequirementT
         model,
         compiled,
         requirement,
+        setting,
         ..
     } = case;
     let program = &compiled.program;
-    let mut place = program.start.motors.clone();
+    let mut place = setting.positions(compiled).start.motors.clone();
     for model::Case { motor, ends, .. } in &requirement.cases {
         place[motor.index()] = place[motor.index()].clamp(ends[0], ends[1]);
     }
-    let position = visit(program, &place).ok_or(RequirementTrouble::TooHard)?;
+    if let (Some(timed), Some([low, high])) = (setting.timed(), requirement.times) {
+        let time = &mut place[timed.input()];
+        *time = time.clamp(low, high);
+    }
+    let position = case.visit(&place).ok_or(RequirementTrouble::TooHard)?;
     let pose = |link: LinkId| match program.place_of(link) {
         Some(number) => position.poses[number],
         None => [1.0, 0.0, 0.0, 0.0],
@@ -134,12 +144,13 @@ fn refuse_overlap(case: Case<'_>, links: [LinkId; 2]) -> Result<(), RequirementT
     if clearance(model, links, links.map(pose)) != Some(0.0) {
         return Ok(());
     }
-    let motors = model.motor_ids().zip(place);
+    let at = case.place(&place, |_| true);
     Err(RequirementTrouble::Fails(Witness {
         value: 0.0,
         is_upper: false,
         proved: None,
-        places: vec![motors.collect()],
+        places: vec![at],
+        is_in_time: setting.timed().is_some(),
         unknowns: Vec::new(),
     }))
 }

@@ -5,23 +5,28 @@
 //! time, from the start.
 
 mod bound;
+mod case;
 mod circumstances;
 mod course;
 mod details;
 mod domain;
 mod proof;
+mod rounds;
 mod search;
 mod sides;
 mod spread;
+mod summing;
+mod times;
 mod turn;
+mod verdicts;
 mod waiting;
 
 use crate::compile::compile;
 use crate::compiled::Compiled;
 use crate::model::{Actions, Condition, Effects, Method, Model, Precision, Requirement};
 use crate::structure::{Diagnosis, RequirementTrouble};
-use domain::Verdicts;
 pub use spread::failing;
+use verdicts::Verdicts;
 
 /// The proof of a requirement.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,8 +1,9 @@
 //! The values of a motor for which a requirement does not hold, as far as samples show: for pictures, not for proofs.
 
+use super::case::Case;
+use super::circumstances::Setting;
 use super::details::details;
-use super::domain::Verdicts;
-use super::proof::Case;
+use super::verdicts::Verdicts;
 use super::with_plain;
 use crate::compiled::Compiled;
 use crate::evaluate::Machine;
@@ -34,6 +35,11 @@ pub fn failing(
         return Vec::new();
     }
     with_plain(model, compiled, |model, compiled| {
+        // At each value of a motor another time would be.
+        let setting = match Setting::of(model, compiled, requirement) {
+            Ok(setting) if setting.timed().is_none() => setting,
+            _ => return Vec::new(),
+        };
         let verdicts = Verdicts::new(&compiled.program);
         let details = details(model, compiled, requirement);
         let places = PLACES * MANY / details.len().max(MANY);
@@ -43,6 +49,7 @@ pub fn failing(
                 compiled,
                 verdicts: &verdicts,
                 requirement,
+                setting: &setting,
                 detail,
             };
             case.gauge().ok()
