@@ -55,15 +55,16 @@ impl Law {
             let rise = if is_down { -rise } else { rise };
             segments.push((span, rise, shape));
             height += rise;
-            if dice.once_in(2) {
+            if JUMPING.contains(&word) || dice.once_in(2) {
                 let rest = dice.between(0.05, 0.5);
                 words.push(format!("dwell {rest}"));
                 segments.push((rest, 0.0, rests as Shape));
             }
         }
         let (span, (word, shape)) = (dice.between(0.3, 1.5), *dice.pick(&SHAPES));
-        words.push(format!("return over {span} with {word}, repeat"));
+        words.push(format!("return over {span} with {word}, dwell 0.1, repeat"));
         segments.push((span, -height, shape));
+        segments.push((0.1, 0.0, rests as Shape));
         let mut pieces = vec![0.0];
         for (span, ..) in &segments {
             let begin = pieces[pieces.len() - 1];
@@ -108,6 +109,9 @@ impl Law {
 
 /// The part of a way after a part of the time.
 type Shape = fn(f64) -> f64;
+
+/// Those whose acceleration jumps at both ends. Where two of them meet, bounds are those of both together.
+const JUMPING: [&str; 2] = ["parabolic", "harmonic"];
 
 /// The motion laws that have a short closed form, and no velocity at their ends.
 const SHAPES: [(&str, Shape); 5] = [
