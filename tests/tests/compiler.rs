@@ -11,6 +11,7 @@ mod clearances;
 mod contacts;
 mod courses;
 mod efforts;
+mod efforts_in_time;
 mod embedded_page;
 mod expand;
 mod expected;

@@ -61,14 +61,14 @@ fn turning(ends: [f64; 2]) -> String {
 }
 
 /// The first and the second derivative of something.
-fn slopes(of: impl Fn(f64) -> f64, at: f64) -> [f64; 2] {
+pub(super) fn slopes(of: impl Fn(f64) -> f64, at: f64) -> [f64; 2] {
     const STEP: f64 = 2e-3;
     let around = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|step| of(at + step * STEP));
     differences(around, STEP)
 }
 
 /// The masses of a slider-crank, with the distances of their centres from the first pin of each link, and moments of inertia.
-struct Masses {
+pub(super) struct Masses {
     crank: [f64; 3],
     rod: [f64; 3],
     piston: f64,
@@ -76,7 +76,7 @@ struct Masses {
 }
 
 impl Masses {
-    fn new(slider: &Slider, dice: &mut Dice) -> Self {
+    pub(super) fn new(slider: &Slider, dice: &mut Dice) -> Self {
         let mut link = |length: f64| {
             let at = length * dice.between(-0.2, 1.1);
             [dice.between(0.1, 3.0), at, dice.between(0.0, 1.0)]
@@ -89,8 +89,8 @@ impl Masses {
         }
     }
 
-    /// The same slider-crank with these masses, and with a law for its motor if a rate is given.
-    fn on(&self, slider: &Slider, rate: Option<f64>) -> Slider {
+    /// The same slider-crank with these masses, and with a law for its motor if one is given.
+    pub(super) fn on(&self, slider: &Slider, law: Option<&str>) -> Slider {
         let mass =
             |[mass, at, inertia]: [f64; 3]| format!("mass {mass} at ({at}, 0) inertia {inertia};");
         let [gx, gy] = self.gravity;
@@ -105,9 +105,8 @@ impl Masses {
                 "link piston {",
                 &format!("link piston {{ mass {};", self.piston),
             );
-        if let Some(rate) = rate {
-            let law = format!("motor a = {} + {rate} * t;", slider.start);
-            text = text.replace("motor a;", &law);
+        if let Some(law) = law {
+            text = text.replace("motor a;", &format!("motor a = {law};"));
             text = text.replace(&format!("a = {}; rod", slider.start), "rod");
         }
         text += &format!(
@@ -120,7 +119,7 @@ impl Masses {
     }
 
     /// The mechanism's inertia as the motor feels it, and its potential energy.
-    fn energies(&self, slider: &Slider, angle: f64) -> [f64; 2] {
+    pub(super) fn energies(&self, slider: &Slider, angle: f64) -> [f64; 2] {
         let [crank, rod] = [self.crank, self.rod];
         let lean = slopes(|angle| places(slider, angle).lean, angle)[0];
         let mut inertia = crank[2] + rod[2] * lean * lean;
@@ -166,14 +165,14 @@ impl Masses {
 }
 
 /// The places of a slider-crank in the scene.
-struct Places {
+pub(super) struct Places {
     pin: [f64; 2],
-    end: [f64; 2],
+    pub(super) end: [f64; 2],
     /// The angle of its rod, near to that of its rail.
-    lean: f64,
+    pub(super) lean: f64,
 }
 
-fn places(slider: &Slider, angle: f64) -> Places {
+pub(super) fn places(slider: &Slider, angle: f64) -> Places {
     let (along, _) = slider.at(angle);
     let (sin, cos) = slider.turn.sin_cos();
     let scene = |x: f64, y: f64| {
@@ -199,11 +198,12 @@ fn rates_torques_and_reactions_are_those_of_closed_forms() {
         let twist = dice.between(-5.0, 5.0);
         let when = format!("for push = ({}, {}), twist = {twist}", push[0], push[1]);
         let rate = dice.between(0.5, 20.0) * if dice.once_in(2) { -1.0 } else { 1.0 };
+        let law = format!("{} + {rate} * t", plain.start);
         let sense = plain.mirror;
         // At rest velocities are those at a rate of 1, and torques those that hold it.
         for (slider, rate, pushed) in [
             (masses.on(&plain, None), 1.0, 0.0),
-            (masses.on(&plain, Some(rate)), rate, rate),
+            (masses.on(&plain, Some(&law)), rate, rate),
         ] {
             let way = |angle: f64| slider.at(angle).0;
             is_decided(&slider, "velocity:x", "", |angle| {
@@ -524,6 +524,7 @@ impl Count {
                             panic!("{}: {witness:?}", told());
                         };
                         let at = place
+                            .motors
                             .iter()
                             .find(|(motor, _)| motor.index() == moving.motor);
                         let value = at.and_then(|(_, at)| moving.at(kind, *at));

@@ -36,6 +36,9 @@ struct Witness<'a> {
     expect: &'a str,
     /// The motors' values, as `--at` takes them.
     at: BTreeMap<&'a str, f64>,
+    /// When it comes there, if motors follow laws.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    time: Option<f64>,
     value: f64,
 }
 
@@ -164,6 +167,7 @@ fn witness(found: &super::Witness) -> Witness<'_> {
     Witness {
         expect: &found.expect,
         at: at.map(|(name, value)| (&**name, *value)).collect(),
+        time: found.time,
         value: found.value,
     }
 }

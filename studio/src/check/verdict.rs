@@ -136,6 +136,8 @@ pub(crate) struct Witness {
     pub(crate) expect: String,
     /// The motors by the names of their joints, with their values as `--at` takes them: in degrees if they turn.
     pub(crate) at: Vec<(String, f64)>,
+    /// When it comes there, if motors follow laws.
+    pub(crate) time: Option<f64>,
     /// The value of what is measured there: in degrees if it is an angle.
     pub(crate) value: f64,
 }
@@ -154,13 +156,14 @@ fn witnesses(model: &Model, diagnoses: &[Diagnosis]) -> Vec<Witness> {
             found.value
         };
         for place in &found.places {
-            let at = place.iter().map(|(motor, value)| {
+            let at = place.motors.iter().map(|(motor, value)| {
                 let joint = model.motor(*motor).joint;
                 (model.joint(joint).name.clone(), shown(model, joint, *value))
             });
             all.push(Witness {
                 expect: requirement.written.clone(),
                 at: at.collect(),
+                time: place.time,
                 value,
             });
         }

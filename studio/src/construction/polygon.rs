@@ -72,7 +72,7 @@ pub(super) fn polygon(survey: Surveyed<'_>, at: &Position, rate: Rate) -> Option
     }
     let color = match rate {
         Rate::Acceleration => Palette::RED,
-        _ => Palette::BLUE,
+        Rate::Velocity => Palette::BLUE,
     };
     for (end, names) in ends {
         marks.push(Mark::Arrow {

@@ -69,7 +69,7 @@ fn places(unmet: &Diagnosis) -> Vec<Vec<(usize, f64)>> {
     let places = unmet.witness().into_iter();
     let places = places.flat_map(|(_, witness)| &witness.places);
     let numbered = places.map(|place| {
-        let motors = place.iter();
+        let motors = place.motors.iter();
         motors
             .map(|(motor, value)| (motor.index(), *value))
             .collect()

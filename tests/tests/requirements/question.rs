@@ -307,7 +307,7 @@ impl<'s, 'm> Question<'s, 'm> {
 
     /// What is wrong with a witness: it is elsewhere, is not reached, or does not break it.
     pub(super) fn refute(&self, witness: &Witness) -> Result<(), String> {
-        let places = witness.places.iter().map(|place| self.goal(place));
+        let places = witness.places.iter().map(|place| self.goal(&place.motors));
         let places: Vec<Vec<f64>> = places.collect::<Result<_, _>>()?;
         let measured = self.measure_at(&places);
         let (value, doubt) = measured.ok_or_else(|| format!("{places:?} do not show it"))?;

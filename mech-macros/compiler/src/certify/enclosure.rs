@@ -38,6 +38,11 @@ impl<'p> Enclosure<'p> {
         (!tape.is_too_large()).then_some(Self { tape })
     }
 
+    /// Follows staircases more closely.
+    pub(crate) fn follow_stairs(&mut self) {
+        self.tape.follow_stairs();
+    }
+
     /// Runs it on a box.
     pub(crate) fn run(&mut self, place: &[Interval]) -> Sight {
         self.tape.run(place);
@@ -148,6 +153,12 @@ impl Sources {
         chosen.sort_unstable();
         chosen.dedup();
         chosen
+    }
+
+    /// Tests whether the values are computed from what this operation makes.
+    pub(crate) fn read(&self, program: &Program, op: Op) -> bool {
+        let mut values = self.made_from.iter();
+        values.any(|value| program.node(*value).op == op)
     }
 
     /// Tests whether the values are computed from this one.

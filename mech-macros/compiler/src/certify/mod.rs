@@ -13,6 +13,7 @@ mod enclosure;
 mod form;
 mod group;
 mod interval;
+mod jump;
 mod line;
 mod operation;
 mod search;
@@ -28,6 +29,7 @@ pub(crate) use carried::is_same;
 pub(crate) use enclosure::{Enclosure, Sight, Sources, side_changes};
 pub(crate) use group::motors_of;
 pub use interval::Interval;
+pub(crate) use jump::first_jump;
 
 use crate::bug::bug;
 use crate::program::{BlockId, BlockKind, Program};

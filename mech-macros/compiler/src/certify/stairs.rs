@@ -32,6 +32,45 @@ pub(super) fn slopes(stairs: Staircase, places: Interval, share: f64) -> Interva
     derivatives(stairs.slope(), places, share) / Interval::point(share)
 }
 
+/// The slopes of a staircase at these places, if it has no corner and no jump there that they do not tell of.
+pub(super) fn smooth_slopes(stairs: Staircase, places: Interval, share: f64) -> Option<Interval> {
+    if stairs.order == 0 {
+        return Some(slopes(stairs, places, share));
+    }
+    let step = if stairs.repeats {
+        places.low().floor()
+    } else {
+        0.0
+    };
+    let slack = EDGE * (1.0 + step.abs());
+    let time = |place: f64| (place - step) / share;
+    let (from, to) = (time(places.low()) - slack, time(places.high()) + slack);
+    let next_step = if stairs.repeats {
+        1.0 / share
+    } else {
+        f64::INFINITY
+    };
+    let mut edges = vec![0.0];
+    edges.extend(cuts(stairs.law));
+    edges.push(next_step);
+    let is_within = |pair: &[f64]| pair[0] < from && to < pair[1];
+    let before = !stairs.repeats && to < 0.0;
+    let is_smooth = before || edges.windows(2).any(is_within);
+    is_smooth.then(|| derivatives(stairs.slope(), places, share) / Interval::point(share))
+}
+
+/// The times after which a law changes its formula, its end among them.
+fn cuts(law: MotionLaw) -> Vec<f64> {
+    let changes: Vec<f64> = law.changes().collect();
+    let mirrored = changes.iter().rev().map(|change| 1.0 - change);
+    changes
+        .iter()
+        .copied()
+        .chain(mirrored)
+        .chain([1.0])
+        .collect()
+}
+
 /// The derivatives of a staircase at these places, times a power of the share: on both sides where they jump.
 fn derivatives(stairs: Staircase, places: Interval, share: f64) -> Interval {
     let (low, high) = (places.low(), places.high());
@@ -57,14 +96,6 @@ fn derivatives(stairs: Staircase, places: Interval, share: f64) -> Interval {
 fn of_times(stairs: Staircase, [from, to]: [f64; 2]) -> Interval {
     let law = stairs.law;
     let (bound, next) = (law.bound(stairs.order), law.bound(stairs.order + 1));
-    let changes: Vec<f64> = law.changes().collect();
-    let mirrored = changes.iter().rev().map(|change| 1.0 - change);
-    let cuts: Vec<f64> = changes
-        .iter()
-        .copied()
-        .chain(mirrored)
-        .chain([1.0])
-        .collect();
     // Where the slope jumps, no number is the derivative of it.
     if stairs.order > 1 && law == MotionLaw::Linear && (from <= 0.0 || to >= 1.0) {
         return Interval::ENTIRE;
@@ -72,7 +103,7 @@ fn of_times(stairs: Staircase, [from, to]: [f64; 2]) -> Interval {
     // Before and after it there is no slope.
     let mut found = (from < 0.0 || to >= 1.0).then_some(Interval::ZERO);
     let mut begin = 0.0;
-    for end in cuts {
+    for end in cuts(law) {
         let (low, high) = (from.max(begin), to.min(end));
         if low <= high && begin < end {
             // Within the piece, where both sides are the same.

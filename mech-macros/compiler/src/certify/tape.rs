@@ -4,9 +4,11 @@ use super::Interval;
 use super::claim::{Group, Test, carried_sides, keeps_direction};
 use super::form::{Forms, Linear, Operand, greater, root, wave};
 use super::operation::{direction, natural, sign, strict_sign};
+use super::stairs;
 use super::whole::WholeAngle;
 use crate::cancel;
 use crate::program::{BlockId, Node, Op, Program, Slot, Value};
+use mech_core::Staircase;
 
 /// A program whose single run costs more is not proved at all.
 const MOST: usize = 100_000;
@@ -44,6 +46,8 @@ pub(super) struct Tape<'p> {
     /// The angles over whole turns whose references are known.
     wholes: Vec<WholeAngle>,
     forms: Forms,
+    /// Whether staircases have forms, as laws of the time need.
+    climbs: bool,
     centre: Vec<f64>,
     evaluations: usize,
 }
@@ -114,6 +118,7 @@ impl<'p> Tape<'p> {
             steps: vec![None; nodes.len()],
             wholes: Vec::new(),
             forms: Forms::new(motors, 0),
+            climbs: false,
             centre: vec![0.0; motors],
             evaluations: 0,
         }
@@ -126,6 +131,11 @@ impl<'p> Tape<'p> {
             let turn = if turned.contains(&block) { -1.0 } else { 1.0 };
             self.set_state(state, Interval::point(1.0_f64.copysign(turn * side)));
         }
+    }
+
+    /// Gives forms to staircases, too.
+    pub(super) fn follow_stairs(&mut self) {
+        self.climbs = true;
     }
 
     /// Sets the state that is carried under this number.
@@ -376,6 +386,9 @@ impl<'p> Tape<'p> {
                     return None;
                 }
             }
+            Op::Stairs(stairs, a, share) if self.climbs => {
+                one(a, self.climb(operand(a), stairs, share.get())?)
+            }
             Op::Atan2(..)
             | Op::Round(_)
             | Op::Exp(_)
@@ -402,6 +415,21 @@ impl<'p> Tape<'p> {
             factors: [2.0 * middle.low(), 0.0],
             remainder: (a.range - middle).square() - middle.square(),
         }
+    }
+
+    /// With the slopes in reach, a height is that at the middle and a slope times the way from there.
+    fn climb(&self, a: Operand, stairs: Staircase, share: f64) -> Option<Linear> {
+        let middle = Interval::point(self.forms.middle(a));
+        let slopes = stairs::smooth_slopes(stairs, a.range.hull(middle), share)?;
+        if !slopes.is_bounded() {
+            return None;
+        }
+        let slope = Interval::point(slopes.middle());
+        let height = stairs::heights(stairs, middle, share);
+        Some(Linear {
+            factors: [slope.low(), 0.0],
+            remainder: height - slope * middle + (slopes - slope) * (a.range - middle),
+        })
     }
 
     fn multiply(&self, a: Operand, b: Operand) -> Linear {

@@ -2,7 +2,8 @@
 
 use super::formula::Now;
 use super::{
-    Arithmetic, BinaryFunction, FormulaArithmetic, Function, Inverse, Law, Model, Number, ParamId,
+    Arithmetic, BinaryFunction, FormulaArithmetic, Function, Inverse, Law, Model, MotorId, Number,
+    ParamId,
 };
 use mech_core::Staircase;
 use std::f64::consts::TAU;
@@ -12,28 +13,38 @@ impl Model {
     /// none if nobody knows one. What turns may have made whole turns.
     #[must_use]
     pub fn period(&self) -> Option<f64> {
+        let turn = |turns: bool| turns.then_some(TAU);
         let turns = |motor| self.turns(self.motor(motor).joint);
         let motors = self.lawful_motors();
-        let motors = motors.map(|(motor, law)| (law, turns(motor)));
+        let motors = motors.map(|(motor, law)| (law, turn(turns(motor))));
         let trajectory = self.inverse.iter().flat_map(|inverse| &inverse.trajectory);
         let given = trajectory.enumerate();
-        let given = given.map(|(given, law)| (self.law(*law), given == Inverse::ANGLE));
+        let given = given.map(|(given, law)| (self.law(*law), turn(given == Inverse::ANGLE)));
         self.common_period(motors.chain(given))
     }
 
-    fn common_period<'m>(&self, laws: impl Iterator<Item = (&'m Law, bool)>) -> Option<f64> {
+    /// After what time these motors are where they were by their laws, or farther by whole rounds; none if nobody knows one. Each has how
+    /// far it goes until all is as it was, if it ever is.
+    pub(crate) fn period_of_rounds(&self, rounds: &[(MotorId, Option<f64>)]) -> Option<f64> {
+        let laws = self.lawful_motors().filter_map(|(motor, law)| {
+            let (_, round) = rounds.iter().find(|(other, _)| *other == motor)?;
+            Some((law, *round))
+        });
+        self.common_period(laws)
+    }
+
+    fn common_period<'m>(&self, laws: impl Iterator<Item = (&'m Law, Option<f64>)>) -> Option<f64> {
         let params: Vec<f64> = self.params.values().collect();
         let mut courses = Courses(Now {
             variables: &[],
             params: &params,
         });
         let mut period = 0.0;
-        for (law, turns) in laws {
+        for (law, round) in laws {
             let course = law.evaluate(&mut courses)?;
             period = common(period, course.period)?;
             if course.rate != 0.0 {
-                let round = turns.then(|| TAU / course.rate.abs());
-                period = common(period, round?)?;
+                period = common(period, round? / course.rate.abs())?;
             }
         }
         (period > 0.0).then_some(period)

@@ -18,6 +18,8 @@ pub struct Requirement {
     pub condition: Condition,
     /// The values of motors for which it has to hold; for others all that they can have.
     pub cases: Vec<Case>,
+    /// The times for which it has to hold while motors follow their laws; if there are none, laws decide only how fast motors are.
+    pub times: Option<[f64; 2]>,
     /// The numbers of all loads, in their order: those that nobody gives are zero.
     pub loads: Vec<f64>,
     /// The reason that the user gives.

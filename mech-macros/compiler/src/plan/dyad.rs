@@ -83,6 +83,31 @@ impl<S: Copy + PartialEq> Dyad<S> {
         }
     }
 
+    /// The same dyad of other values.
+    pub(crate) fn map(&self, other: impl Fn(S) -> S) -> Self {
+        let vector = |of: [S; 2]| of.map(&other);
+        match *self {
+            Self::TwoCircles { goal, arms } => Self::TwoCircles {
+                goal: vector(goal),
+                arms: arms.map(vector),
+            },
+            Self::CircleAndLine { goal, arm, along } => Self::CircleAndLine {
+                goal: vector(goal),
+                arm: vector(arm),
+                along: vector(along),
+            },
+            Self::TurningLine { goal, arm, along } => Self::TurningLine {
+                goal: vector(goal),
+                arm: vector(arm),
+                along: vector(along),
+            },
+            Self::TwoLines { goal, lines } => Self::TwoLines {
+                goal: vector(goal),
+                lines: lines.map(vector),
+            },
+        }
+    }
+
     /// Returns the vector that its unknowns reach together.
     pub(crate) fn goal(&self) -> [S; 2] {
         match *self {

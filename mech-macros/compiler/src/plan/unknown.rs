@@ -28,6 +28,14 @@ impl<S: Copy> Solution<S> {
         matches!(self, Self::Direction(_))
     }
 
+    /// The same with other numbers.
+    pub(crate) fn map(&self, other: impl Fn(S) -> S) -> Self {
+        match *self {
+            Self::Direction(direction) => Self::Direction(direction.map(other)),
+            Self::Slide(displacement) => Self::Slide(other(displacement)),
+        }
+    }
+
     /// Its numbers: a cosine and a sine, or a length.
     pub(crate) fn numbers(&self) -> impl Iterator<Item = S> + use<S> {
         let (first, second) = match *self {

@@ -31,3 +31,22 @@ pub struct ClosedForm {
     /// reach. The sine of a turning line is relative to it.
     pub size: f64,
 }
+
+impl ClosedForm {
+    /// The same with other values.
+    pub(super) fn map(&self, other: impl Fn(Value) -> Value) -> Self {
+        Self {
+            number: self.number,
+            place: self.place.clone(),
+            discriminant: other(self.discriminant),
+            tolerance: other(self.tolerance),
+            margin: other(self.margin),
+            sine: other(self.sine),
+            rounding_square: other(self.rounding_square),
+            has_branches: self.has_branches,
+            found: self.found.iter().map(|found| other(*found)).collect(),
+            dyad: self.dyad.map(other),
+            size: self.size,
+        }
+    }
+}

@@ -1,6 +1,8 @@
 //! Forces that are measured: what computes them is added to a program of positions, with the rates of motors and all loads put in.
 
+use super::build::Seed;
 use super::builder::SsaBuilder;
+use super::in_time::InTime;
 use super::node::{Op, Value};
 use super::{Forces, Program};
 use crate::model::{Model, MotorId, Quantity, ReactionPart};
@@ -9,23 +11,71 @@ use crate::plan::{Algebra, Arithmetic};
 /// How a mechanism is moved, and what acts on it, where it is measured.
 #[derive(Clone, Debug)]
 pub(crate) struct Circumstances<'a> {
-    /// The rate of each motor, for velocities and accelerations. It does not change.
-    pub(crate) rates: Vec<f64>,
-    /// The same for forces: zero at rest.
-    pub(crate) pushed: Vec<f64>,
+    /// How motors move.
+    pub(crate) motion: Motion<'a>,
     /// The numbers of all loads.
     pub(crate) loads: &'a [f64],
     /// The program that computes forces, if any are measured.
     pub(crate) forces: Option<&'a Program>,
 }
 
+/// How motors move.
+#[derive(Clone, Debug)]
+pub(crate) enum Motion<'a> {
+    /// Each at a rate that does not change.
+    Even {
+        /// The rate of each motor, for velocities and accelerations.
+        rates: Vec<f64>,
+        /// The same for forces: zero at rest.
+        pushed: Vec<f64>,
+    },
+    /// By laws of the time, which is an input of this program of positions. Motors without a law stand.
+    InTime(&'a InTime),
+    /// At any rates and second rates: nobody gives them.
+    Any,
+}
+
+impl Motion<'_> {
+    /// What is known of inputs where something is differentiated by the time.
+    pub(super) fn seed(&self) -> Seed {
+        match self {
+            Self::Even { .. } => Seed::Coasting,
+            // What laws say is known.
+            Self::InTime(_) => Seed::NONE,
+            Self::Any => Seed::Given,
+        }
+    }
+
+    /// The rate of a motor, for forces.
+    fn pushed(&self, ssa: &mut SsaBuilder, motor: MotorId) -> Value {
+        match self {
+            Self::Even { pushed, .. } => ssa.constant(pushed[motor.index()]),
+            Self::InTime(_) | Self::Any => ssa.make(Op::Rate(motor)),
+        }
+    }
+
+    /// The second rate of a motor.
+    fn second(&self, ssa: &mut SsaBuilder, motor: MotorId) -> Value {
+        match self {
+            Self::Even { .. } => ssa.constant(0.0),
+            Self::InTime(_) | Self::Any => ssa.make(Op::Acceleration(motor)),
+        }
+    }
+}
+
 impl SsaBuilder {
-    /// Goes on with a program of positions where motors move at these rates.
-    pub(super) fn resume_in(positions: &Program, circumstances: &Circumstances<'_>) -> Self {
+    /// Goes on with a program of positions where motors move so.
+    pub(super) fn resume_in(positions: &Program, motion: &Motion<'_>) -> Self {
         let mut ssa = Self::resume(positions);
-        for (motor, rate) in circumstances.rates.iter().enumerate() {
-            let rate = ssa.constant(*rate);
-            ssa.give(Op::Rate(MotorId::new(motor)), rate);
+        match motion {
+            Motion::Even { rates, .. } => {
+                for (motor, rate) in rates.iter().enumerate() {
+                    let rate = ssa.constant(*rate);
+                    ssa.give(Op::Rate(MotorId::new(motor)), rate);
+                }
+            }
+            Motion::InTime(laws) => laws.give_to(&mut ssa, positions.motors.len()),
+            Motion::Any => {}
         }
         ssa
     }
@@ -55,8 +105,8 @@ impl SsaBuilder {
         for (node, needed) in nodes.iter().zip(needed) {
             let value = match node.op {
                 _ if !needed => unused,
-                Op::Rate(motor) => self.constant(circumstances.pushed[motor.index()]),
-                Op::Acceleration(_) => unused,
+                Op::Rate(motor) => circumstances.motion.pushed(self, motor),
+                Op::Acceleration(motor) => circumstances.motion.second(self, motor),
                 Op::Load(number) => self.constant(circumstances.loads[number]),
                 op => self.make_again(op.map(|operand| made[operand.index()])),
             };
@@ -94,7 +144,7 @@ impl SsaBuilder {
     pub(super) fn force(
         &mut self,
         model: &Model,
-        forces: &Forces<Value>,
+        (forces, motion): (&Forces<Value>, &Motion<'_>),
         quantity: Quantity,
     ) -> Option<Value> {
         match (quantity, forces) {
@@ -102,12 +152,17 @@ impl SsaBuilder {
             (Quantity::Torque(motor), Forces::InverseDynamics(found)) => {
                 Some(found.torques[motor.index()])
             }
-            // The rates of motors do not change.
             (Quantity::Torque(motor), Forces::Inertia(found)) => {
-                Some(self.neg(found.drive[motor.index()]))
+                let mut torque = self.neg(found.drive[motor.index()]);
+                for (other, part) in model.motor_ids().zip(&found.matrix[motor.index()]) {
+                    let second = motion.second(self, other);
+                    let share = self.mul(*part, second);
+                    torque = self.add(torque, share);
+                }
+                Some(torque)
             }
             (Quantity::Power(motor), forces) => {
-                let torque = self.force(model, forces, Quantity::Torque(motor))?;
+                let torque = self.force(model, (forces, motion), Quantity::Torque(motor))?;
                 let rate = self.make(Op::Rate(motor));
                 Some(self.mul(torque, rate))
             }

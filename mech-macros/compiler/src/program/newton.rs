@@ -95,6 +95,32 @@ pub struct Limits {
 }
 
 impl Newton {
+    /// The same with other values.
+    pub(super) fn map(&self, other: impl Fn(Value) -> Value) -> Self {
+        let all = |values: &[Value]| values.iter().map(|value| other(*value)).collect();
+        let scalar = |scalar: &Scalar| Scalar {
+            name: scalar.name.clone(),
+            first: other(scalar.first),
+            now: other(scalar.now),
+            next: other(scalar.next),
+        };
+        Self {
+            number: self.number,
+            place: self.place.clone(),
+            scalars: self.scalars.iter().map(scalar).collect(),
+            gap: all(&self.gap),
+            det: other(self.det),
+            columns: self.columns.iter().map(|column| all(column)).collect(),
+            dense: self.dense,
+            sides: self.sides.iter().map(|side| side.map(&other)).collect(),
+            step: self.step.map(&other),
+            extent: self.extent.map(&other),
+            rounds: self.rounds,
+            linear: self.linear,
+            limits: self.limits,
+        }
+    }
+
     /// The square of its step, if each must be smaller than the one before: a single round has nothing to compare.
     #[must_use]
     pub fn contracting_step(&self) -> Option<Value> {

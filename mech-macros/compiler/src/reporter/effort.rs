@@ -2,6 +2,7 @@
 
 use super::Words;
 use crate::bug::bug;
+use crate::digits::significant;
 use crate::repair::Offers;
 use crate::structure::RequirementTrouble;
 
@@ -31,13 +32,34 @@ impl Words<'_> {
             RequirementTrouble::Together => format!(
                 "{not_proved}: what is measured takes many linear equations that are solved together, for which there is no proof"
             ),
-            RequirementTrouble::UnevenLaw { motor } => {
-                let name = &self.model.joint(self.model.motor(*motor).joint).name;
+            RequirementTrouble::NoTimes { goes_on } => {
+                let why = if *goes_on {
+                    "what is measured goes on with every period of the laws"
+                } else {
+                    "it is not known after what time laws have everything where it was"
+                };
                 format!(
-                    "{not_proved}: the law of motor `{name}` changes its rate, for which there is no proof of rates and forces\nhelp: \
-                     write a law such as `motor {name} = 60 rpm * t;`"
+                    "{not_proved}: {why}\nhelp: say for which times it holds, as `for t in 0 ..= 2`"
                 )
             }
+            RequirementTrouble::Jumps { motor, at, is_rate } => {
+                let name = &self.model.joint(self.model.motor(*motor).joint).name;
+                let [what, lost] = if *is_rate {
+                    ["the velocity of motor", "acceleration"]
+                } else {
+                    ["motor", "velocity"]
+                };
+                format!(
+                    "{not_proved}: {what} `{name}` jumps at {}, or bounds cannot tell; it has no {lost} there\nhelp: choose a law that does not, as \
+                     `rise ... over ... with cycloidal`, or other times",
+                    time_value(*at)
+                )
+            }
+            RequirementTrouble::Astray { at } => format!(
+                "{not_proved}: laws lead the motors to where a loop does not close, at {}\nhelp: change a law, or say for which times it holds, as \
+                 `for t in LOW ..= HIGH`",
+                time_value(*at)
+            ),
             RequirementTrouble::NoRate { motors } => {
                 let names = motors.iter();
                 let names =
@@ -88,4 +110,9 @@ impl Words<'_> {
         }
         format!("\nnote: {}", notes.join(", "))
     }
+}
+
+/// A time as one would write it in a text.
+pub(super) fn time_value(time: f64) -> String {
+    format!("`t = {}`", significant(time, 7, None))
 }

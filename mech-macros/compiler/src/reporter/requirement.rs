@@ -1,10 +1,11 @@
 //! Requirements that are not met.
 
 use super::Words;
+use super::effort::time_value;
 use crate::digits::{round_to, significant};
 use crate::model::{Condition, JointKind, MotorId, Origin};
 use crate::repair::Offers;
-use crate::structure::{RequirementTrouble, Witness};
+use crate::structure::{RequirementTrouble, Witness, WitnessPlace};
 
 /// A value is told with so many digits, or more if it would seem to keep its limit.
 const DIGITS: i32 = 4;
@@ -41,15 +42,9 @@ impl Words<'_> {
                     "`{written}` does not hold{why}: the range of motor `{name}` is less than a turn\nhelp: leave its range out"
                 )
             }
-            RequirementTrouble::Undecided { value, at, open } => format!(
-                "{not_proved}, nor that it does not hold{why}\nnote: what came nearest is {} {}; elsewhere it may be beyond that by {}{}\nhelp: \
-                 give the limit more room, or say for which values of the motors it holds, as `for {} in LOW ..= HIGH`",
-                self.measured(number, *value, None),
-                self.at_values(at),
-                self.measured(number, *open, None),
-                self.circumstances(number),
-                self.first_motor(at)
-            ),
+            RequirementTrouble::Undecided { value, at, open } => {
+                self.undecided(number, [&not_proved, &why], (*value, at, *open))
+            }
             RequirementTrouble::TooHard => format!(
                 "{not_proved}: the mechanism has too many loops for a proof, or too many ways in which they may be assembled"
             ),
@@ -60,7 +55,9 @@ impl Words<'_> {
             RequirementTrouble::NoEffect { .. }
             | RequirementTrouble::NoForces
             | RequirementTrouble::Together
-            | RequirementTrouble::UnevenLaw { .. }
+            | RequirementTrouble::NoTimes { .. }
+            | RequirementTrouble::Jumps { .. }
+            | RequirementTrouble::Astray { .. }
             | RequirementTrouble::NoRate { .. } => self.no_effort(written, trouble, offers),
             RequirementTrouble::NoDyad { unknowns } if unknowns.is_empty() => format!(
                 "`{written}` is about a transmission angle, and there is no loop that has one"
@@ -82,20 +79,19 @@ impl Words<'_> {
                      or the condition values, as `for {name} in LOW ..= HIGH`"
                 )
             }
-            RequirementTrouble::SeveralMotors { motors } => self.several_motors(written, motors),
-            RequirementTrouble::NotToAndFro { motor } => {
-                let name = &self.model.joint(self.model.motor(*motor).joint).name;
-                format!(
-                    "`{written}` is about a way there and back, and there is none: a time ratio takes whole turns of motor `{name}`, and one greatest \
-                     and one least place in them"
-                )
+            RequirementTrouble::SeveralMotors { motors, is_in_time } => {
+                self.several_motors(written, motors, *is_in_time)
             }
+            RequirementTrouble::NotToAndFro { motor } => self.not_to_and_fro(written, *motor),
             RequirementTrouble::Endless { motor } => {
                 let name = &self.model.joint(self.model.motor(*motor).joint).name;
                 format!(
                     "`{written}` does not hold{why}: what is measured goes on with every turn of motor `{name}`\nhelp: say for which values of \
                      the motor it holds, as `for {name} in LOW ..= HIGH`"
                 )
+            }
+            RequirementTrouble::Follows { motor, origin } => {
+                return (*origin, self.follows(*motor));
             }
             RequirementTrouble::Unreachable {
                 motor,
@@ -113,14 +109,69 @@ impl Words<'_> {
         (requirement.origin, text)
     }
 
+    /// What came nearest to a limit, and how much is open elsewhere.
+    fn undecided(
+        &self,
+        number: usize,
+        [not_proved, why]: [&str; 2],
+        (value, at, open): (f64, &WitnessPlace, f64),
+    ) -> String {
+        let value = self.measured(number, value, None);
+        let more = self.measured(number, open, None);
+        format!(
+            "{not_proved}, nor that it does not hold{why}\nnote: what came nearest is {value} {}; elsewhere it may be beyond that by {more}{}\nhelp: \
+             give the limit more room, or say for which {} it holds, as `for {} in LOW ..= HIGH`",
+            self.at_values(at),
+            self.circumstances(number),
+            if at.time.is_some() {
+                "times"
+            } else {
+                "values of the motors"
+            },
+            self.first_input(at)
+        )
+    }
+
+    /// What is measured does not go there and back.
+    fn not_to_and_fro(&self, written: &str, motor: Option<MotorId>) -> String {
+        let whole = match motor {
+            Some(motor) => {
+                let name = &self.model.joint(self.model.motor(motor).joint).name;
+                format!(
+                    "whole turns of motor `{name}`, and one greatest and one least place in them"
+                )
+            }
+            None => "a period of the laws, and one greatest and one least place in it".to_owned(),
+        };
+        format!(
+            "`{written}` is about a way there and back, and there is none: a time ratio takes {whole}"
+        )
+    }
+
+    /// Values are given to a motor that has those of its law.
+    fn follows(&self, motor: MotorId) -> String {
+        let name = &self.model.joint(self.model.motor(motor).joint).name;
+        format!(
+            "motor `{name}` follows its law, which says where it is and how fast it moves there\nhelp: say for which times it holds, as `for t in LOW \
+             ..= HIGH`"
+        )
+    }
+
     /// The way of one motor is to be summed up, and these move.
-    fn several_motors(&self, written: &str, motors: &[MotorId]) -> String {
+    fn several_motors(&self, written: &str, motors: &[MotorId], is_in_time: bool) -> String {
         let names = motors.iter();
         let names = names.map(|motor| &self.model.joint(self.model.motor(*motor).joint).name);
         let names: Vec<&str> = names.map(String::as_str).collect();
         let Some(last) = names.last() else {
             return format!("`{written}` sums up the way of a motor, and none moves there");
         };
+        if is_in_time {
+            return format!(
+                "it could not be proved that `{written}`: it sums up what goes on in time, and `{}` may stand anywhere\nhelp: say where, as `at {last} = \
+                 VALUE`",
+                names.join("`, `")
+            );
+        }
         format!(
             "it could not be proved that `{written}`: it sums up the way of one motor, and `{}` have a part in it\nhelp: say where all but one stand, \
              as `at {last} = VALUE`",
@@ -149,7 +200,12 @@ impl Words<'_> {
                 "at least"
             };
             let proved = self.measured(number, proved, Some(witness.is_upper));
-            format!("\nhelp: it is {sign} {proved}, wherever the motors are")
+            let all = if witness.is_in_time {
+                "at all times"
+            } else {
+                "wherever the motors are"
+            };
+            format!("\nhelp: it is {sign} {proved}, {all}")
         });
         format!(
             "`{written}` does not hold{why}: it is {}{places}{of}{}{}",
@@ -159,13 +215,14 @@ impl Words<'_> {
         )
     }
 
-    /// Values of motors in words: ``at `a = 30 deg` ``.
-    fn at_values(&self, at: &[(MotorId, f64)]) -> String {
-        let values = at.iter().map(|(motor, value)| {
+    /// A place in words: ``at `t = 0.5`, `a = 30 deg` ``.
+    fn at_values(&self, at: &WitnessPlace) -> String {
+        let motors = at.motors.iter().map(|(motor, value)| {
             let name = &self.model.joint(self.model.motor(*motor).joint).name;
             format!("`{name} = {}`", self.bare_motor_value(*motor, *value))
         });
-        let values: Vec<String> = values.collect();
+        let time = at.time.map(time_value).into_iter();
+        let values: Vec<String> = time.chain(motors).collect();
         if values.is_empty() {
             "wherever the motors are".to_owned()
         } else {
@@ -173,8 +230,12 @@ impl Words<'_> {
         }
     }
 
-    fn first_motor(&self, at: &[(MotorId, f64)]) -> &str {
-        let motor = at.first().map(|(motor, _)| *motor);
+    /// The name of the first input that a place tells.
+    fn first_input(&self, at: &WitnessPlace) -> &str {
+        if at.time.is_some() {
+            return "t";
+        }
+        let motor = at.motors.first().map(|(motor, _)| *motor);
         let motor = motor.or_else(|| self.model.motor_ids().next());
         motor.map_or("MOTOR", |motor| {
             &self.model.joint(self.model.motor(motor).joint).name

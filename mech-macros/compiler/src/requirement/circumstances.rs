@@ -1,28 +1,45 @@
 //! How a mechanism moves where rates and forces are measured, and what computes these.
 //!
-//! Motors that follow a law have the rate of the law. Without laws one motor moves at a rate of 1, and forces are those at rest: as tables
-//! have them.
+//! Motors that follow a law have the rate of the law. Where that changes, the time decides where they are and how fast they are. Without
+//! laws one motor moves at a rate of 1, and forces are those at rest: as tables have them.
 
+use super::times::Timed;
 use crate::compile::compile;
 use crate::compiled::Compiled;
 use crate::model::{Effects, Model, Quantity, Requirement};
-use crate::program::{Circumstances, Op, Program, build_timing};
+use crate::program::{Circumstances, Motion, Op, Program, Timing, build_timing};
 use crate::structure::RequirementTrouble;
 use std::borrow::Cow;
 
-/// The rates of all motors, and those for which forces are measured.
-pub(super) struct Rates {
-    own: Vec<f64>,
-    pushed: Vec<f64>,
+/// How all motors move.
+pub(super) enum Setting {
+    /// Wherever they are, at rates that do not change.
+    Even {
+        /// The rates of all motors.
+        own: Vec<f64>,
+        /// Those for which forces are measured.
+        pushed: Vec<f64>,
+    },
+    /// By their laws, through times.
+    InTime(Box<Timed>),
 }
 
-impl Rates {
-    pub(super) fn of(model: &Model, requirement: &Requirement) -> Result<Self, RequirementTrouble> {
+impl Setting {
+    pub(super) fn of(
+        model: &Model,
+        compiled: &Compiled,
+        requirement: &Requirement,
+    ) -> Result<Self, RequirementTrouble> {
         let at_rest = vec![0.0; model.motors.len()];
-        if model.lawful_motors().next().is_some() {
-            let is_asked = requirement.is_about_rates() || requirement.is_about_forces();
-            let rates = if is_asked { by_laws(model)? } else { at_rest };
-            return Ok(Self {
+        let is_asked = requirement.is_about_rates() || requirement.is_about_forces();
+        let laws = with_slopes(model);
+        if let Some(laws) = laws.filter(|_| is_asked || requirement.times.is_some()) {
+            let even = even_rates(model, &laws).filter(|_| requirement.times.is_none());
+            let Some(rates) = even else {
+                let timed = Timed::new(model, &compiled.program, laws, requirement)?;
+                return Ok(Self::InTime(Box::new(timed)));
+            };
+            return Ok(Self::Even {
                 own: rates.clone(),
                 pushed: rates,
             });
@@ -33,21 +50,41 @@ impl Rates {
             let moving = moving.map_err(|motors| RequirementTrouble::NoRate { motors })?;
             own[moving.index()] = 1.0;
         }
-        Ok(Self {
+        Ok(Self::Even {
             own,
             pushed: at_rest,
         })
     }
 
+    /// The times through which laws are followed, if they decide.
+    pub(super) fn timed(&self) -> Option<&Timed> {
+        match self {
+            Self::Even { .. } => None,
+            Self::InTime(timed) => Some(timed),
+        }
+    }
+
+    /// The program of positions that is searched through.
+    pub(super) fn positions<'a>(&'a self, compiled: &'a Compiled) -> &'a Program {
+        self.timed()
+            .map_or(&compiled.program, |timed| &timed.laws.program)
+    }
+
     /// The circumstances of a requirement, with a program that computes forces.
     pub(super) fn circumstances<'a>(
-        &self,
+        &'a self,
         requirement: &'a Requirement,
         forces: Option<&'a Program>,
     ) -> Circumstances<'a> {
+        let motion = match self {
+            Self::Even { own, pushed } => Motion::Even {
+                rates: own.clone(),
+                pushed: pushed.clone(),
+            },
+            Self::InTime(timed) => Motion::InTime(&timed.laws),
+        };
         Circumstances {
-            rates: self.own.clone(),
-            pushed: self.pushed.clone(),
+            motion,
             loads: &requirement.loads,
             forces,
         }
@@ -66,7 +103,10 @@ impl Rates {
         let forced = &compiled.forced;
         let mut quantities = requirement.quantities();
         let is_within = quantities.any(|one| matches!(one, Quantity::Reaction(..)));
-        let is_still = self.pushed.iter().all(|rate| *rate == 0.0);
+        let is_still = match self {
+            Self::Even { pushed, .. } => pushed.iter().all(|rate| *rate == 0.0),
+            Self::InTime(_) => false,
+        };
         let holding = forced.holding.as_ref().filter(|_| is_still);
         // Virtual work takes fewer operations, and tells no reaction.
         let found = if is_within {
@@ -94,27 +134,27 @@ fn inertia(model: &Model) -> Option<Program> {
     compile(&moved).ok()?.forced.inertia
 }
 
-/// The rates of all motors by their laws, which do not change.
-fn by_laws(model: &Model) -> Result<Vec<f64>, RequirementTrouble> {
+/// The laws of motors, with their rates; none if no motor has a law.
+fn with_slopes(model: &Model) -> Option<Timing> {
     let effects = Effects {
         velocity: true,
         ..Effects::default()
     };
-    let timing = build_timing(&Model {
+    build_timing(&Model {
         effects,
         ..model.clone()
-    });
+    })
+}
+
+/// The rates of all motors by their laws; nothing if any of them changes.
+fn even_rates(model: &Model, laws: &Timing) -> Option<Vec<f64>> {
     let mut rates = vec![0.0; model.motors.len()];
-    let Some(timing) = timing else {
-        return Ok(rates);
-    };
-    for law in &timing.motors {
-        let motor = law.motor;
-        let rate = law.rate.map(|rate| timing.program.node(rate).op);
+    for law in &laws.motors {
+        let rate = law.rate.map(|rate| laws.program.node(rate).op);
         let Some(Op::Constant(rate)) = rate else {
-            return Err(RequirementTrouble::UnevenLaw { motor });
+            return None;
         };
-        rates[motor.index()] = rate.get();
+        rates[law.motor.index()] = rate.get();
     }
-    Ok(rates)
+    Some(rates)
 }

@@ -2,9 +2,10 @@
 
 use super::Proof;
 use super::answers::Answers;
-use super::domain::Verdicts;
-use super::proof::{Case, visit};
+use super::case::Case;
+use super::circumstances::Setting;
 use super::sides::Ways;
+use super::verdicts::Verdicts;
 use crate::bug::bug;
 use crate::compiled::Compiled;
 use crate::model::{
@@ -15,21 +16,25 @@ use crate::program::{Detail, clearance, corners};
 use crate::structure::{RequirementTrouble, Witness};
 
 /// Proves that bounds are kept wherever the motors may be.
-pub(super) fn prove<'a>(
-    model: &'a Model,
-    compiled: &'a Compiled,
-    verdicts: &'a Verdicts<'a>,
-    ways: &'a Ways<'a>,
-    requirement: &'a Requirement,
+pub(super) fn prove(
+    model: &Model,
+    compiled: &Compiled,
+    verdicts: &Verdicts<'_>,
+    ways: &Ways<'_>,
+    requirement: &Requirement,
     bounds: (FormulaId, &[RequiredBound]),
 ) -> Result<Proof, RequirementTrouble> {
     refuse_params(model, requirement)?;
+    let setting = Setting::of(model, compiled, requirement)?;
+    let timed = setting.timed();
+    let in_time = timed.map(|timed| Verdicts::new(&timed.laws.program));
     let case = Case {
         model,
         compiled,
-        verdicts,
         ways,
+        verdicts: in_time.as_ref().unwrap_or(verdicts),
         requirement,
+        setting: &setting,
         detail: Detail::Whole,
     };
     let details = details(model, compiled, requirement);
@@ -47,7 +52,7 @@ pub(super) fn prove<'a>(
 
 /// Proves each detail; of those that fail, the worst place is told.
 fn prove_each(
-    case: Case<'_>,
+    case: Case<'_, '_>,
     details: Vec<Detail>,
     bounds: (FormulaId, &[RequiredBound]),
 ) -> Result<usize, RequirementTrouble> {
@@ -92,7 +97,7 @@ pub(super) fn details(
 
 /// Proves that two bodies keep clear: of whatever is nearest, the nearest place is told.
 fn prove_clear(
-    case: Case<'_>,
+    case: Case<'_, '_>,
     (links, details): ([LinkId; 2], Vec<Detail>),
     bounds: (FormulaId, &[RequiredBound]),
 ) -> Result<Proof, RequirementTrouble> {
@@ -109,19 +114,24 @@ fn prove_clear(
 }
 
 /// Refuses bodies that overlap where their motion begins. Later ones would touch first.
-fn refuse_overlap(case: Case<'_>, links: [LinkId; 2]) -> Result<(), RequirementTrouble> {
+fn refuse_overlap(case: Case<'_, '_>, links: [LinkId; 2]) -> Result<(), RequirementTrouble> {
     let Case {
         model,
         compiled,
         requirement,
+        setting,
         ..
     } = case;
     let program = &compiled.program;
-    let mut place = program.start.motors.clone();
+    let mut place = setting.positions(compiled).start.motors.clone();
     for model::Case { motor, ends, .. } in &requirement.cases {
         place[motor.index()] = place[motor.index()].clamp(ends[0], ends[1]);
     }
-    let position = visit(program, &place).ok_or(RequirementTrouble::TooHard)?;
+    if let (Some(timed), Some([low, high])) = (setting.timed(), requirement.times) {
+        let time = &mut place[timed.input()];
+        *time = time.clamp(low, high);
+    }
+    let position = case.visit(&place).ok_or(RequirementTrouble::TooHard)?;
     let pose = |link: LinkId| match program.place_of(link) {
         Some(number) => position.poses[number],
         None => [1.0, 0.0, 0.0, 0.0],
@@ -129,12 +139,13 @@ fn refuse_overlap(case: Case<'_>, links: [LinkId; 2]) -> Result<(), RequirementT
     if clearance(model, links, links.map(pose)) != Some(0.0) {
         return Ok(());
     }
-    let motors = model.motor_ids().zip(place);
+    let at = case.place(&place, |_| true);
     Err(RequirementTrouble::Fails(Witness {
         value: 0.0,
         is_upper: false,
         proved: None,
-        places: vec![motors.collect()],
+        places: vec![at],
+        is_in_time: setting.timed().is_some(),
         unknowns: Vec::new(),
     }))
 }

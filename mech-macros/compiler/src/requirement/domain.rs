@@ -1,18 +1,15 @@
 //! The values of the motors for which a requirement is proved.
 
-use crate::certify::cone::Cuts;
-use crate::certify::{Enclosure, Interval, Sources, Verdict, certify, is_same};
-use crate::compiled::Compiled;
+use super::case::Case;
+use super::rounds::round_of;
+use super::times::Timed;
+use super::verdicts::Verdicts;
+use crate::certify::{Enclosure, Interval, Sources, Verdict, is_same};
 use crate::evaluate::Machine;
-use crate::model::{Model, MotorId, Requirement};
+use crate::model::MotorId;
 use crate::motion::proof::unknowns;
-use crate::motion::watching::Domain;
 use crate::program::{BlockId, Gauge, Program, Value};
 use crate::structure::RequirementTrouble;
-use std::cell::RefCell;
-
-/// A motor that has to make more turns than this until everything has turned as a whole needs a range.
-const MOST_TURNS: f64 = 64.0 * std::f64::consts::TAU;
 
 /// So many turns a motor may go until it is stopped, or so many sizes of the mechanism if it slides.
 const MOST_REACH: [f64; 2] = [4.0 * std::f64::consts::TAU, 64.0];
@@ -20,12 +17,14 @@ const MOST_REACH: [f64; 2] = [4.0 * std::f64::consts::TAU, 64.0];
 /// Boxes narrower than this part of all values are not cut.
 const NARROW: f64 = 1e-13;
 
-/// The values of all motors, and which of them have a part.
+/// The values of all motors, and which of them have a part. The time is one of them where motors follow laws.
 pub(super) struct Ranges {
     /// For each motor its values; a motor that has no part stands at its start.
     pub(super) all: Vec<Interval>,
     /// The motors that have a part, by their numbers.
     pub(super) motors: Vec<usize>,
+    /// The number of the time, if motors follow laws.
+    pub(super) time: Option<usize>,
     /// The motors that go right round: at both ends of their values everything is as it was, but for whole turns.
     pub(super) round: Vec<usize>,
     /// The loops that may come to a dead point or change point there, or on the way there from the start, if that is known.
@@ -39,6 +38,11 @@ impl Ranges {
             [motor] => Some(motor),
             _ => None,
         }
+    }
+
+    /// The motor of a number; none if that is the time.
+    pub(super) fn motor(&self, number: usize) -> Option<MotorId> {
+        (self.time != Some(number)).then(|| MotorId::new(number))
     }
 
     /// The place among these values that is nearest to another.
@@ -92,46 +96,29 @@ impl Ranges {
     }
 }
 
-/// Verdicts on whether a mechanism moves through values of its motors: each is found once for all requirements and their details.
-pub(super) struct Verdicts<'a> {
-    program: &'a Program,
-    known: RefCell<Vec<(Vec<Interval>, Verdict)>>,
-}
-
-impl<'a> Verdicts<'a> {
-    pub(super) fn new(program: &'a Program) -> Self {
-        Self {
-            program,
-            known: RefCell::default(),
-        }
-    }
-
-    pub(super) fn on(&self, values: &[Interval]) -> Verdict {
-        let mut known = self.known.borrow_mut();
-        if let Some((_, verdict)) = known.iter().find(|(on, _)| on == values) {
-            return verdict.clone();
-        }
-        let verdict = certify(self.program, values);
-        known.push((values.to_vec(), verdict.clone()));
-        verdict
-    }
-}
-
 /// A place as a box.
 pub(super) fn points(place: &[f64]) -> Vec<Interval> {
     place.iter().copied().map(Interval::point).collect()
 }
 
-/// All values of the motors that a requirement is about.
+/// All values of the motors that a requirement is about: with the times, and whether everything comes round in them, if motors follow
+/// laws.
 pub(super) fn ranges(
-    model: &Model,
-    compiled: &Compiled,
-    verdicts: &Verdicts<'_>,
-    requirement: &Requirement,
+    case: &Case<'_, '_>,
     gauge: &Gauge,
     found: &[Value],
+    times: Option<(Interval, bool)>,
 ) -> Result<Ranges, RequirementTrouble> {
-    let program = &compiled.program;
+    let Case {
+        model,
+        compiled,
+        verdicts,
+        requirement,
+        setting,
+        ..
+    } = *case;
+    let program = setting.positions(compiled);
+    let time = setting.timed().map(Timed::input);
     let Sources { inputs, tested, .. } = Sources::of(&gauge.program, found);
     let made_from = [found, &gauge.differentiated].concat();
     let made_from = Sources::of(&gauge.program, &made_from);
@@ -142,7 +129,8 @@ pub(super) fn ranges(
     if made_from.is_dense {
         return Err(RequirementTrouble::Together);
     }
-    if let Some(param) = inputs.iter().find_map(|&input| {
+    let given = inputs.iter().filter(|input| Some(**input) != time);
+    if let Some(param) = given.into_iter().find_map(|&input| {
         let number = input.checked_sub(model.motors.len())?;
         model.params.ids().nth(number)
     }) {
@@ -151,13 +139,20 @@ pub(super) fn ranges(
     let mut ranges = Ranges {
         all: points(&program.start.motors),
         motors: inputs,
+        time,
         round: Vec::new(),
         touching: None,
     };
     let loops = compiled.plan.loops().count();
     let mut open = Vec::new();
     for number in ranges.motors.clone() {
-        let motor = MotorId::new(number);
+        let Some(motor) = ranges.motor(number) else {
+            if let Some((times, is_round)) = times {
+                ranges.all[number] = times;
+                ranges.round.extend(is_round.then_some(number));
+            }
+            continue;
+        };
         let start = program.start.motors[number];
         let mut cases = requirement.cases.iter();
         if let Some(case) = cases.find(|case| case.motor == motor) {
@@ -189,7 +184,10 @@ pub(super) fn ranges(
         ranges.all[number] = Interval::point(start) + Interval::new(-0.5 * period, 0.5 * period);
         ranges.round.push(number);
     }
-    hold_idle(&mut ranges, &tested, gauge, found);
+    // While motors rest, nothing that they move with others is seen to move.
+    if time.is_none() {
+        hold_idle(&mut ranges, &tested, gauge, found);
+    }
     open.retain(|motor| ranges.motors.contains(motor));
     let [motor] = ranges.motors[..] else {
         if let Some(&motor) = open.first() {
@@ -204,7 +202,11 @@ pub(super) fn ranges(
         }
         return Ok(ranges);
     };
-    take_reach(&mut ranges, requirement, verdicts, motor, !open.is_empty())?;
+    if ranges.motor(motor).is_none() {
+        ranges.touching = touching_in_time(&ranges, verdicts, motor)?;
+    } else {
+        take_reach(&mut ranges, case, motor, !open.is_empty())?;
+    }
     Ok(ranges)
 }
 
@@ -270,28 +272,6 @@ fn hold_idle(ranges: &mut Ranges, tested: &[usize], gauge: &Gauge, found: &[Valu
     }
 }
 
-/// The turn of a motor after which some values are what they were; none if it slides, or if there is none that could be looked through.
-pub(super) fn round_of(
-    model: &Model,
-    program: &Program,
-    (loops, motor): (usize, usize),
-    found: &[Value],
-) -> Option<f64> {
-    if !model.turns(model.motor(MotorId::new(motor)).joint) {
-        return None;
-    }
-    let domain = Domain::new(model, program, loops);
-    // An angle that a law makes turns with all that the law is made from.
-    let whole = Cuts {
-        through: &|_| true,
-        own: None,
-        into: &|_| true,
-    };
-    let read = domain.read(found, &whole);
-    let period = domain.period(motor, &read);
-    period.filter(|period| *period < MOST_TURNS)
-}
-
 /// Moves a motor to a value while all others stand, and tells whether it comes there.
 fn arrives(program: &Program, motor: usize, end: f64) -> bool {
     let mut goal = program.start.motors.clone();
@@ -299,16 +279,36 @@ fn arrives(program: &Program, motor: usize, end: f64) -> bool {
     Machine::<f64>::new(program).move_to(&goal).is_ok()
 }
 
+/// The loops that may come to a dead point or change point while laws are followed, or on the way there, if that is known.
+fn touching_in_time(
+    ranges: &Ranges,
+    verdicts: &Verdicts<'_>,
+    time: usize,
+) -> Result<Option<Vec<BlockId>>, RequirementTrouble> {
+    let mut way = ranges.all.clone();
+    way[time] = way[time].hull(Interval::ZERO);
+    match verdicts.on(&way) {
+        Verdict::Proved { touching } => Ok(Some(touching)),
+        Verdict::Blocked(blocked) if blocked.motor == time => {
+            Err(RequirementTrouble::Astray { at: blocked.limit })
+        }
+        Verdict::Blocked(blocked) => Err(RequirementTrouble::Astray {
+            at: blocked.at[time],
+        }),
+        Verdict::Undecided { .. } | Verdict::NoClosedForm { .. } => Ok(None),
+    }
+}
+
 /// Narrows the values of the only motor that has a part to those that it can reach from the start. It may have to be stopped on both
 /// sides.
 fn take_reach(
     ranges: &mut Ranges,
-    requirement: &Requirement,
-    verdicts: &Verdicts<'_>,
+    case: &Case<'_, '_>,
     motor: usize,
     must_stop: bool,
 ) -> Result<(), RequirementTrouble> {
-    let program = verdicts.program;
+    let (verdicts, requirement) = (case.verdicts, case.requirement);
+    let program = &case.compiled.program;
     let start = program.start.motors[motor];
     let wanted = ranges.all[motor];
     let mut ends = [wanted.low(), wanted.high()];

@@ -6,24 +6,29 @@
 
 mod answers;
 mod bound;
+mod case;
 mod circumstances;
 mod course;
 mod details;
 mod domain;
 mod proof;
+mod rounds;
 mod search;
 mod sides;
 mod spread;
+mod summing;
+mod times;
 mod turn;
+mod verdicts;
 mod waiting;
 
 use crate::compile::compile;
 use crate::compiled::Compiled;
 use crate::model::{Actions, Condition, Effects, Method, Model, Precision, Quantity, Requirement};
 use crate::structure::{Diagnosis, RequirementTrouble};
-use domain::Verdicts;
 use sides::Ways;
 pub use spread::failing;
+use verdicts::Verdicts;
 
 /// The proof of a requirement.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,12 +91,12 @@ fn missing_effects(effects: Effects, requirement: &Requirement) -> Vec<String> {
     words.filter(is_missing).map(str::to_owned).collect()
 }
 
-fn prove_one<'a>(
-    model: &'a Model,
-    compiled: &'a Compiled,
-    verdicts: &'a Verdicts<'a>,
-    ways: &'a Ways<'a>,
-    requirement: &'a Requirement,
+fn prove_one(
+    model: &Model,
+    compiled: &Compiled,
+    verdicts: &Verdicts<'_>,
+    ways: &Ways<'_>,
+    requirement: &Requirement,
 ) -> Result<Proof, RequirementTrouble> {
     match &requirement.condition {
         Condition::Turns(motor) => turn::prove(model, compiled, verdicts, *motor),

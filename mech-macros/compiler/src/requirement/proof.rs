@@ -2,25 +2,15 @@
 
 use super::answers::Answers;
 use super::bound::{Bound, Limit};
-use super::circumstances::Rates;
-use super::course::Course;
-use super::domain::{Ranges, Verdicts, ranges, round_of};
+use super::case::Case;
+use super::domain::{Ranges, ranges};
 use super::search::{BUDGET, Goal, Search, Sum};
-use super::sides::{Way, Ways, subsets, turns_until_back};
+use super::sides::{Way, subsets, turns_until_back};
 use crate::certify::{Interval, Sources, side_changes};
-use crate::compiled::Compiled;
-use crate::evaluate::Machine;
-use crate::model::{
-    Condition, FormulaId, JointId, Measured, Model, MotorId, RequiredBound, Requirement, Summary,
-};
-use crate::plan::Loop;
-use crate::program::{BlockId, Detail, Gauge, Position, Program, Value};
-use crate::structure::{RequirementTrouble, Witness};
+use crate::model::{Condition, FormulaId, Measured, MotorId, RequiredBound, Requirement};
+use crate::program::{BlockId, Gauge, Motion, Position, Value};
+use crate::structure::{RequirementTrouble, Witness, WitnessPlace};
 use std::rc::Rc;
-
-/// A number that sums up the motion is known well enough if this part of it is open, or this part of its size.
-const WELL_KNOWN: f64 = 1e-10;
-const NOTHING: f64 = 1e-12;
 
 /// It is known roughly if so many times that is open. For each of these a quarter of all intervals may be spent.
 const ROUGH: [f64; 2] = [1e4, 1e2];
@@ -42,48 +32,23 @@ const MOST_SIDES: usize = 4;
 /// The difference between a link where it was proved to be and where it goes.
 const ELSEWHERE: f64 = 1e-6;
 
-/// A condition, for one detail if it is about each.
-#[derive(Clone, Copy)]
-pub(super) struct Case<'a> {
-    pub(super) model: &'a Model,
-    pub(super) compiled: &'a Compiled,
-    pub(super) verdicts: &'a Verdicts<'a>,
-    pub(super) ways: &'a Ways<'a>,
-    pub(super) requirement: &'a Requirement,
-    pub(super) detail: Detail,
-}
-
 /// What is searched through.
-struct Field<'a> {
-    gauge: &'a Gauge,
+pub(super) struct Field<'a> {
+    pub(super) gauge: &'a Gauge,
     found: &'a [Value],
-    ranges: &'a Ranges,
+    pub(super) ranges: &'a Ranges,
 }
 
-impl<'a> Case<'a> {
+impl<'w> Case<'_, 'w> {
     /// Proves it; gives the intervals that were computed.
     pub(super) fn prove(
         &self,
         (subject, bounds): (FormulaId, &[RequiredBound]),
     ) -> Result<usize, RequirementTrouble> {
-        let Self {
-            model,
-            compiled,
-            verdicts,
-            requirement,
-            ..
-        } = *self;
         let mut gauge = self.gauge()?;
-        let mut found = subjects(requirement, &gauge, (subject, bounds));
-        let sources = Sources::of(&gauge.program, &found);
-        let state = &gauge.program.state;
-        gauge
-            .angles
-            .retain(|angle| sources.contain(state[angle.reference]));
-        found.extend(gauge.angles.iter().map(|angle| angle.beyond));
-        found.sort_unstable();
-        found.dedup();
-        let mut ranges = ranges(model, compiled, verdicts, requirement, &gauge, &found)?;
+        let found = found(self.requirement, &mut gauge, (subject, bounds));
+        let times = self.times((subject, bounds))?;
+        let mut ranges = ranges(self, &gauge, &found, times)?;
         let mut crossing = side_changes(&gauge.program, &found, ranges.touching.as_deref());
         crossing.sort_unstable();
         if crossing.len() > MOST_SIDES {
@@ -92,12 +57,12 @@ impl<'a> Case<'a> {
         if !crossing.is_empty() && !gauge.angles.is_empty() {
             // Where it passes change points, the way decides which angle it comes to.
             match (ranges.only_motor(), ranges.round.first()) {
-                (Some(_), None) => {}
-                (_, Some(&motor)) => {
+                (Some(_), None) if ranges.time.is_none() => {}
+                (_, Some(&motor)) if ranges.time.is_none() => {
                     let motor = MotorId::new(motor);
                     return Err(RequirementTrouble::NoRange { motor });
                 }
-                (None, None) => return Err(RequirementTrouble::TooHard),
+                _ => return Err(RequirementTrouble::TooHard),
             }
         }
         let way = self.find_way(&mut ranges, &crossing)?;
@@ -123,31 +88,25 @@ impl<'a> Case<'a> {
         Ok(searches.iter().map(Search::spent).sum())
     }
 
-    /// The program that measures it.
-    pub(super) fn gauge(&self) -> Result<Gauge, RequirementTrouble> {
+    /// The times for which it is proved, and whether everything comes round in them, if motors follow laws: these must not jump there.
+    fn times(
+        &self,
+        bounds: (FormulaId, &[RequiredBound]),
+    ) -> Result<Option<(Interval, bool)>, RequirementTrouble> {
+        let Some(timed) = self.setting.timed() else {
+            return Ok(None);
+        };
         let Self {
             model,
             compiled,
             requirement,
             ..
         } = *self;
-        let rates = Rates::of(model, requirement)?;
-        let forces = rates.forces(model, compiled, requirement)?;
-        let gauge = Gauge::new(
-            model,
-            (&compiled.plan, &compiled.program),
-            &rates.circumstances(requirement, forces.as_deref()),
-            requirement,
-            self.detail,
-            |joint| self.dyad_of(joint),
-        );
-        gauge.ok_or_else(|| {
-            if requirement.is_about_forces() {
-                return RequirementTrouble::NoForces;
-            }
-            let unknowns = self.unknowns();
-            RequirementTrouble::NoDyad { unknowns }
-        })
+        let mut any = self.gauge_of(&compiled.program, Some(Motion::Any))?;
+        let found = found(requirement, &mut any, bounds);
+        let times = timed.times(model, compiled, requirement, (&any, &found))?;
+        timed.refuse_jumps(times.0, (&any, &found))?;
+        Ok(Some(times))
     }
 
     /// Finds the way of the only motor that has a part, if loops change their side on it. A motor that goes round gets as many turns as it
@@ -156,8 +115,9 @@ impl<'a> Case<'a> {
         &self,
         ranges: &mut Ranges,
         crossing: &[BlockId],
-    ) -> Result<Option<Rc<Way<'a>>>, RequirementTrouble> {
-        let (false, Some(motor)) = (crossing.is_empty(), ranges.only_motor()) else {
+    ) -> Result<Option<Rc<Way<'w>>>, RequirementTrouble> {
+        let only = ranges.only_motor().filter(|_| ranges.time.is_none());
+        let (false, Some(motor)) = (crossing.is_empty(), only) else {
             return Ok(None);
         };
         let program = &self.compiled.program;
@@ -172,21 +132,6 @@ impl<'a> Case<'a> {
             .ways
             .find(crossing, motor, ranges.all[motor].hull(start));
         way.map(Some).ok_or(RequirementTrouble::TooHard)
-    }
-
-    /// The loop whose transmission angle is meant.
-    fn dyad_of(&self, joint: JointId) -> Option<usize> {
-        let mut loops = self.compiled.plan.loops();
-        loops.position(|ring| ring.unknowns().contains(&joint))
-    }
-
-    /// The unknown joints of the loop that it is about, if it is about one.
-    fn unknowns(&self) -> Vec<JointId> {
-        let Detail::Dyad(number) = self.detail else {
-            return Vec::new();
-        };
-        let ring = self.compiled.plan.loops().nth(number);
-        ring.map_or(Vec::new(), Loop::unknowns)
     }
 
     /// Proves it wherever loops lie on any of their sides. What sums up the motion is taken over all sides.
@@ -279,7 +224,7 @@ impl<'a> Case<'a> {
     }
 
     /// The size beside which rounding of some values is nothing.
-    fn size(&self, gauge: &Gauge, search: &mut Search<'_>, values: &[Value]) -> f64 {
+    pub(super) fn size(&self, gauge: &Gauge, search: &mut Search<'_>, values: &[Value]) -> f64 {
         let places = match self.unit() {
             Some(_) => vec![gauge.program.start.motors.clone()],
             // Nobody knows how large forces and rates are.
@@ -292,134 +237,6 @@ impl<'a> Case<'a> {
         // What sums up the motion may be known so roughly that its middle says nothing.
         let sizes = known.map(|value| value.abs().low());
         sizes.fold(self.unit().unwrap_or(0.0), f64::max)
-    }
-
-    /// Bounds a number that sums up the motion.
-    fn sum_up(
-        &self,
-        field: &Field<'_>,
-        searches: &mut [Search<'_>],
-        (summary, value): (Summary, Value),
-        open: f64,
-    ) -> Result<Summed, RequirementTrouble> {
-        let mut end = |sign: f64| self.end(field, searches, (value, sign), open);
-        match summary {
-            Summary::Min => end(1.0).map(|(value, place)| Summed {
-                value,
-                told: value.high(),
-                places: vec![place],
-            }),
-            Summary::Max => end(-1.0).map(|(value, place)| Summed {
-                value,
-                told: value.low(),
-                places: vec![place],
-            }),
-            Summary::Swing => {
-                let ((low, first), (high, second)) = (end(1.0)?, end(-1.0)?);
-                Ok(Summed {
-                    value: high - low,
-                    told: high.low() - low.high(),
-                    places: vec![first, second],
-                })
-            }
-            Summary::Mean | Summary::Rms | Summary::TimeRatio | Summary::Dwell(_) => {
-                self.sum_up_course(field, searches, (summary, value), open)
-            }
-        }
-    }
-
-    /// Bounds a number that sums up how a value changes along the way of the only motor that has a part.
-    fn sum_up_course(
-        &self,
-        field: &Field<'_>,
-        searches: &mut [Search<'_>],
-        (summary, value): (Summary, Value),
-        open: f64,
-    ) -> Result<Summed, RequirementTrouble> {
-        let all = &field.ranges.all;
-        let motors = field.ranges.motors.iter().copied();
-        let motors: Vec<usize> = motors.filter(|motor| all[*motor].width() > 0.0).collect();
-        let [motor] = motors[..] else {
-            let motors = motors.into_iter().map(MotorId::new).collect();
-            return Err(RequirementTrouble::SeveralMotors { motors });
-        };
-        // Where loops change their side, the course is in pieces.
-        let [search] = searches else {
-            return Err(RequirementTrouble::TooHard);
-        };
-        let period = round_of(
-            self.model,
-            &field.gauge.program,
-            (self.compiled.plan.loops().count(), motor),
-            &[value],
-        );
-        let near = field.ranges.nearest(&field.gauge.program.start.motors);
-        let has_ends = !matches!(summary, Summary::Mean | Summary::Rms);
-        let way = (motor, all[motor]);
-        let course = Course::new(search, value, way, near.clone(), period, has_ends);
-        let mut course = course.ok_or(RequirementTrouble::TooHard)?;
-        let (value, ends) = match summary {
-            Summary::Dwell(width) => course.dwell(width, open),
-            Summary::TimeRatio => {
-                let motor = MotorId::new(motor);
-                let found = course.time_ratio(open);
-                found.ok_or(RequirementTrouble::NotToAndFro { motor })?
-            }
-            // The value is the square.
-            Summary::Rms => (course.mean(open).max(Interval::ZERO).sqrt(), Vec::new()),
-            _ => (course.mean(open), Vec::new()),
-        };
-        let place = |end: f64| {
-            let mut place = near.clone();
-            place[motor] = end;
-            place
-        };
-        if !value.is_bounded() {
-            return Err(RequirementTrouble::TooHard);
-        }
-        Ok(Summed {
-            value,
-            told: value.middle(),
-            places: ends.into_iter().map(place).collect(),
-        })
-    }
-
-    /// Bounds the least value, times its sign, over all sides of loops; with the place where one end of the bounds is attained, to which the
-    /// mechanism comes.
-    fn end(
-        &self,
-        field: &Field<'_>,
-        searches: &mut [Search<'_>],
-        (value, sign): (Value, f64),
-        open: f64,
-    ) -> Result<(Interval, Vec<f64>), RequirementTrouble> {
-        let goal = Goal {
-            values: &[(value, 0.0)],
-            sign,
-        };
-        let nothing = NOTHING * self.size(field.gauge, &mut searches[0], &[value]);
-        let mut proved = f64::INFINITY;
-        let mut least: Option<(Bound, usize)> = None;
-        for (number, search) in searches.iter_mut().enumerate() {
-            let spend = search.left() / 3;
-            let found = search.least(goal, spend, |found| {
-                found.gap() <= open * nothing.max(WELL_KNOWN * found.seen.abs())
-            });
-            proved = proved.min(found.proved);
-            if least
-                .as_ref()
-                .is_none_or(|(least, _)| found.seen < least.seen)
-            {
-                least = Some((found, number));
-            }
-        }
-        let Some((Bound { seen, place, .. }, number)) = least else {
-            return Err(RequirementTrouble::TooHard);
-        };
-        if place.is_empty() || self.reach(field, &mut searches[number], &place).is_none() {
-            return Err(RequirementTrouble::TooHard);
-        }
-        Ok((Interval::new(sign * proved, sign * seen), place))
     }
 
     /// Proves that bounds are kept: both of a range at once. `places` are those of what sums up the motion, if anything does: a mean has
@@ -505,6 +322,7 @@ impl<'a> Case<'a> {
             is_upper: bound.is_upper,
             proved: proved.is_finite().then_some(proved),
             places,
+            is_in_time: self.setting.timed().is_some(),
             unknowns: self.unknowns(),
         }))
     }
@@ -529,14 +347,13 @@ impl<'a> Case<'a> {
             .map_or(RequirementTrouble::TooHard, undecided)
     }
 
-    /// The values of motors at a place: of those that have a part, and of those that stand elsewhere than at the start.
-    fn at(&self, ranges: &Ranges, place: &[f64]) -> Vec<(MotorId, f64)> {
+    /// A place: of motors are told those that have a part, and those that stand elsewhere than at the start.
+    fn at(&self, ranges: &Ranges, place: &[f64]) -> WitnessPlace {
         let start = &self.compiled.program.start.motors;
-        let motors = place.iter().take(self.model.motors.len()).enumerate();
-        let told = motors
-            .filter(|(motor, value)| ranges.motors.contains(motor) || **value != start[*motor]);
-        told.map(|(motor, value)| (MotorId::new(motor), *value))
-            .collect()
+        self.place(place, |motor| {
+            let motor = motor.index();
+            ranges.motors.contains(&motor) || place[motor] != start[motor]
+        })
     }
 
     /// What is compared is at least of this size, but for rounding: a radian, or the size of the mechanism. Forces and rates have none.
@@ -554,14 +371,14 @@ impl<'a> Case<'a> {
 
     /// The position at a place to which the mechanism comes from its start; nothing if it does not, or is not there as it was proved to
     /// be.
-    fn reach(
+    pub(super) fn reach(
         &self,
         field: &Field<'_>,
         search: &mut Search<'_>,
         place: &[f64],
     ) -> Option<Position<f64>> {
-        let program = &self.compiled.program;
-        let position = visit(program, place)?;
+        let program = self.setting.positions(self.compiled);
+        let position = self.visit(place)?;
         let sources = Sources::of(&field.gauge.program, field.found);
         let numbers = program.poses.iter().flatten();
         let numbers = numbers.zip(position.poses.iter().flatten());
@@ -582,6 +399,24 @@ fn is_told_well(witness: &Witness) -> bool {
     proved.is_some_and(|proved| (proved - value).abs() <= TOLD * value.abs())
 }
 
+/// What a gauge has to find, and the angles that are followed for it: no others are.
+fn found(
+    requirement: &Requirement,
+    gauge: &mut Gauge,
+    bounds: (FormulaId, &[RequiredBound]),
+) -> Vec<Value> {
+    let mut found = subjects(requirement, gauge, bounds);
+    let sources = Sources::of(&gauge.program, &found);
+    let state = &gauge.program.state;
+    gauge
+        .angles
+        .retain(|angle| sources.contain(state[angle.reference]));
+    found.extend(gauge.angles.iter().map(|angle| angle.beyond));
+    found.sort_unstable();
+    found.dedup();
+    found
+}
+
 /// The values that a requirement is about.
 fn subjects(
     requirement: &Requirement,
@@ -598,25 +433,4 @@ fn subjects(
     formulas
         .map(|formula| gauge.formulas[formula.index()])
         .collect()
-}
-
-/// The position at a place to which the motors go together, or one after the other.
-pub(super) fn visit(program: &Program, place: &[f64]) -> Option<Position<f64>> {
-    let mut machine = Machine::<f64>::new(program);
-    if machine.move_to(place).is_err() {
-        let mut values = program.start.motors.clone();
-        for (motor, goal) in place.iter().enumerate() {
-            values[motor] = *goal;
-            machine.move_to(&values).ok()?;
-        }
-    }
-    Some(machine.into_position())
-}
-
-/// A number that sums up the motion, and where what it is made from is.
-struct Summed {
-    value: Interval,
-    /// What it is at these places, or the middle of its bounds.
-    told: f64,
-    places: Vec<Vec<f64>>,
 }

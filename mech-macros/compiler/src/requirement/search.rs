@@ -6,7 +6,6 @@ use super::sides::{Stretch, Way, spread};
 use super::waiting::{Frame, Part, Waiting};
 use crate::certify::{Enclosure, Interval, Sight, Sources};
 use crate::evaluate::Machine;
-use crate::model::MotorId;
 use crate::program::{BlockId, Gauge, Position, Value, computing};
 use crate::structure::RequirementTrouble;
 use std::collections::BinaryHeap;
@@ -180,7 +179,11 @@ impl<'a> Search<'a> {
             number
         } else {
             let carried = self.carried(references);
-            let enclosure = Enclosure::new(&self.gauge.program, turned, &carried, self.found)?;
+            let program = &self.gauge.program;
+            let mut enclosure = Enclosure::new(program, turned, &carried, self.found)?;
+            if self.ranges.time.is_some() {
+                enclosure.follow_stairs();
+            }
             if self.enclosures.len() == KEPT {
                 self.enclosures.remove(0);
             }
@@ -332,8 +335,10 @@ impl<'a> Search<'a> {
             let both = angles[0].iter().zip(&angles[1]).zip(&gauge.angles);
             let goes_on = both.filter(|((a, b), _)| (*a - *b).abs() > 1.0);
             let mut goes_on = goes_on.map(|(_, angle)| angle.is_measured);
-            let motor = MotorId::new(motor);
             if let Some(first) = goes_on.next() {
+                let Some(motor) = self.ranges.motor(motor) else {
+                    return Some(Err(RequirementTrouble::NoTimes { goes_on: true }));
+                };
                 return Some(Err(if first || goes_on.any(|is_measured| is_measured) {
                     RequirementTrouble::Endless { motor }
                 } else {

@@ -1,9 +1,10 @@
 //! The values of a motor for which a requirement does not hold, as far as samples show: for pictures, not for proofs.
 
+use super::case::Case;
+use super::circumstances::Setting;
 use super::details::details;
-use super::domain::Verdicts;
-use super::proof::Case;
 use super::sides::Ways;
+use super::verdicts::Verdicts;
 use super::with_plain;
 use crate::compiled::Compiled;
 use crate::evaluate::Machine;
@@ -35,6 +36,11 @@ pub fn failing(
         return Vec::new();
     }
     with_plain(model, compiled, |model, compiled| {
+        // At each value of a motor another time would be.
+        let setting = match Setting::of(model, compiled, requirement) {
+            Ok(setting) if setting.timed().is_none() => setting,
+            _ => return Vec::new(),
+        };
         let verdicts = Verdicts::new(&compiled.program);
         let ways = Ways::new(&compiled.program);
         let details = details(model, compiled, requirement);
@@ -46,6 +52,7 @@ pub fn failing(
                 verdicts: &verdicts,
                 ways: &ways,
                 requirement,
+                setting: &setting,
                 detail,
             };
             case.gauge().ok()

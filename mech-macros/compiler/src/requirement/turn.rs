@@ -1,7 +1,9 @@
 //! Whether a motor turns right round.
 
 use super::Proof;
-use super::domain::{Verdicts, points, round_of};
+use super::domain::points;
+use super::rounds::round_of;
+use super::verdicts::Verdicts;
 use crate::certify::{Interval, Verdict};
 use crate::compiled::Compiled;
 use crate::model::{Model, MotorId};

@@ -369,8 +369,8 @@ pub enum RequirementTrouble {
     Undecided {
         /// The value of what is measured that came nearest to the limit.
         value: f64,
-        /// The motors' values there.
-        at: Vec<(MotorId, f64)>,
+        /// The place.
+        at: WitnessPlace,
         /// By how much more it may change elsewhere, as far as that is known.
         open: f64,
     },
@@ -390,10 +390,31 @@ pub enum RequirementTrouble {
     NoForces,
     /// What is measured takes more than three linear equations to be solved together, for which there is no proof.
     Together,
-    /// Rates or forces are measured, and the rate of this motor changes by its law.
-    UnevenLaw {
+    /// A law decides where this motor is, and the requirement says so, too.
+    Follows {
         /// The motor.
         motor: MotorId,
+        /// Where its values were declared.
+        origin: Origin,
+    },
+    /// It is not known for which times laws are followed: nothing tells after what time they are back.
+    NoTimes {
+        /// Whether laws are back, and what is measured is not.
+        goes_on: bool,
+    },
+    /// The law of this motor jumps, or its rate does, as far as intervals tell: then it has no rate or second rate there.
+    Jumps {
+        /// The motor.
+        motor: MotorId,
+        /// The time.
+        at: f64,
+        /// Whether its rate jumps, else its value.
+        is_rate: bool,
+    },
+    /// Laws lead to where the mechanism does not go.
+    Astray {
+        /// The time at which it stops.
+        at: f64,
     },
     /// Rates are measured, and it is not known which of these motors moves.
     NoRate {
@@ -417,13 +438,15 @@ pub enum RequirementTrouble {
     },
     /// What sums up a way is asked for where several motors may move.
     SeveralMotors {
-        /// The motors.
+        /// The motors, but for those that follow laws.
         motors: Vec<MotorId>,
+        /// Whether motors follow laws.
+        is_in_time: bool,
     },
     /// A time ratio is asked for where this motor does not make whole turns, or what is measured has no one greatest and one least place.
     NotToAndFro {
-        /// The motor.
-        motor: MotorId,
+        /// The motor; none, if motors follow laws.
+        motor: Option<MotorId>,
     },
     /// What is measured grows with every turn of this motor.
     Endless {
@@ -451,10 +474,22 @@ pub struct Witness {
     pub is_upper: bool,
     /// A limit that was proved to be kept instead, if one was.
     pub proved: Option<f64>,
-    /// The motors' values there; of a swing, at both of its ends.
-    pub places: Vec<Vec<(MotorId, f64)>>,
+    /// The place; of a swing, both of its ends.
+    pub places: Vec<WitnessPlace>,
+    /// Whether that is proved for times through which motors follow laws, else for all values of the motors.
+    pub is_in_time: bool,
     /// The joints of the loop that it is about, if it is about one.
     pub unknowns: Vec<JointId>,
+}
+
+/// A place to which a mechanism comes.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct WitnessPlace {
+    /// When it comes there, if motors follow laws.
+    pub time: Option<f64>,
+    /// The motors that are told, with their values there.
+    pub motors: Vec<(MotorId, f64)>,
 }
 
 /// Why a declared range cannot stand.

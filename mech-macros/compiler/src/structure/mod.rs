@@ -15,7 +15,7 @@ mod welded;
 
 pub use diagnosis::{
     Diagnosis, Extreme, InverseTrouble, LoopAssembly, MeshTrouble, OpenLoop, RangeTrouble,
-    RequirementTrouble, TrajectoryStop, Witness,
+    RequirementTrouble, TrajectoryStop, Witness, WitnessPlace,
 };
 pub(crate) use graph::KinematicGraph;
 pub use parallel::Parallels;

@@ -43,6 +43,11 @@ struct Rotation {
     other: Value,
 }
 
+impl Seed {
+    /// None of them moves.
+    pub(in crate::program) const NONE: Self = Self::Alone(usize::MAX);
+}
+
 impl Tangents {
     /// Knows nothing but the inputs: so many motors, and params after them.
     pub(in crate::program) fn new(seed: Seed, motors: usize) -> Self {
@@ -78,6 +83,11 @@ impl Tangents {
             let back = ssa.neg(rate);
             self.rates.insert(inner, back);
         }
+    }
+
+    /// Notes the rate of a value, whatever it is made from.
+    pub(in crate::program) fn hold(&mut self, value: Value, rate: Value) {
+        self.rates.insert(value, rate);
     }
 
     /// Notes the angular velocity of a direction that a loop solves.

@@ -3,7 +3,7 @@
 use super::GaugedAngle;
 use crate::bug::bug;
 use crate::model::{
-    AxisId, AxisKind, Boundary, InputId, JointId, JointKind, LinkId, Model, Quantity, Spot,
+    AxisId, AxisKind, Boundary, InputId, JointId, JointKind, LinkId, Model, MotorId, Quantity, Spot,
 };
 use crate::plan::{Algebra, Arithmetic, Dyad, Plan, Rational, Source, Step, float_of};
 use crate::program::Program;
@@ -11,7 +11,7 @@ use crate::program::build::{Seed, Tangents};
 use crate::program::builder::SsaBuilder;
 use crate::program::clearance::{corners, gap};
 use crate::program::contact::{Contact, Guide, Pressed};
-use crate::program::forced::Circumstances;
+use crate::program::forced::{Circumstances, Motion};
 use crate::program::node::{Op, Value};
 
 /// A program to which measures are added.
@@ -20,6 +20,7 @@ pub(super) struct Measures<'a> {
     plan: &'a Plan,
     program: &'a Program,
     pub(super) ssa: SsaBuilder,
+    pub(super) motion: &'a Motion<'a>,
     pub(super) angles: Vec<GaugedAngle>,
     /// The angles over whole turns that were measured, each with its direction.
     directions: Vec<(Value, [Value; 2])>,
@@ -32,13 +33,14 @@ impl<'a> Measures<'a> {
         model: &'a Model,
         plan: &'a Plan,
         program: &'a Program,
-        circumstances: &Circumstances<'_>,
+        motion: &'a Motion<'a>,
     ) -> Self {
         Self {
             model,
             plan,
             program,
-            ssa: SsaBuilder::resume_in(program, circumstances),
+            ssa: SsaBuilder::resume_in(program, motion),
+            motion,
             angles: Vec::new(),
             directions: Vec::new(),
             differentiated: Vec::new(),
@@ -59,9 +61,33 @@ impl<'a> Measures<'a> {
         tangents.angular_velocity(&mut self.ssa, direction)
     }
 
-    /// The rates of what is measured. That of an angle is its direction's: whole turns have no part in it.
-    pub(super) fn tangents(&mut self, seed: Seed) -> Tangents {
-        let mut tangents = Tangents::new(seed, self.model.motors.len());
+    /// The rates of what is measured while motors move.
+    pub(super) fn by_time(&mut self) -> Tangents {
+        let mut tangents = Tangents::new(self.motion.seed(), self.model.motors.len());
+        if let Motion::InTime(laws) = self.motion {
+            for following in &laws.motors {
+                tangents.hold(following.value, following.rate);
+                tangents.hold(following.rate, following.second);
+            }
+        }
+        self.with_angles(tangents)
+    }
+
+    /// The rates of what is measured while one motor alone moves, at a rate of one.
+    pub(super) fn by_motor(&mut self, motor: MotorId) -> Tangents {
+        let mut tangents = Tangents::new(Seed::Alone(motor.index()), self.model.motors.len());
+        if let Motion::InTime(laws) = self.motion {
+            for following in &laws.motors {
+                let is_moving = following.motor == motor;
+                let rate = self.ssa.constant(if is_moving { 1.0 } else { 0.0 });
+                tangents.hold(following.value, rate);
+            }
+        }
+        self.with_angles(tangents)
+    }
+
+    /// The same, with the rates of angles. That of an angle is its direction's: whole turns have no part in it.
+    fn with_angles(&mut self, mut tangents: Tangents) -> Tangents {
         for &(angle, direction) in &self.directions {
             for part in direction {
                 tangents.of_all_up_to(&mut self.ssa, part);

@@ -4,7 +4,6 @@ mod measures;
 mod moved;
 
 use super::Program;
-use super::build::Seed;
 use super::builder::SsaBuilder;
 use super::forced::Circumstances;
 use super::node::{Op, Slot, Value};
@@ -60,7 +59,7 @@ impl Gauge {
         detail: Detail,
         dyad_of: impl Fn(JointId) -> Option<usize>,
     ) -> Option<Self> {
-        let mut measures = Measures::new(model, plan, program, circumstances);
+        let mut measures = Measures::new(model, plan, program, &circumstances.motion);
         let forces = measures.ssa.add_forces(program, circumstances);
         let mut summaries = Vec::new();
         for measured in &requirement.measured {
@@ -80,18 +79,19 @@ impl Gauge {
                     (measures.clearance(links, corner)?, None)
                 }
                 Measured::Quantity(quantity) if quantity.needs_equilibrium() => {
-                    let value = measures.ssa.force(model, forces.as_ref()?, quantity)?;
+                    let acting = (forces.as_ref()?, measures.motion);
+                    let value = measures.ssa.force(model, acting, quantity)?;
                     (value, None)
                 }
                 Measured::Quantity(quantity) => (measures.quantity(quantity, circumstances), None),
                 Measured::Influence(of, motor) => {
                     let value = requirement.formulas.evaluate_one(of, &mut measures.ssa);
-                    let mut tangents = measures.tangents(Seed::Alone(motor.index()));
+                    let mut tangents = measures.by_motor(motor);
                     (measures.rate(value, &mut tangents), None)
                 }
                 Measured::Rate(rate, of) => {
                     let value = requirement.formulas.evaluate_one(of, &mut measures.ssa);
-                    let mut tangents = measures.tangents(Seed::Coasting);
+                    let mut tangents = measures.by_time();
                     let velocity = measures.rate(value, &mut tangents);
                     let value = match rate {
                         Rate::Velocity => velocity,

@@ -4,14 +4,14 @@ use super::measures::Measures;
 use crate::bug::bug;
 use crate::model::{LinkId, LoadKind, Mass, MotorId, ReactionPart};
 use crate::plan::{Algebra, Arithmetic};
-use crate::program::build::{Seed, Tangents};
-use crate::program::forced::Circumstances;
+use crate::program::build::Tangents;
+use crate::program::forced::{Circumstances, Motion};
 use crate::program::node::Value;
 
 impl Measures<'_> {
     /// The place in the scene at which two links move as one.
     pub(super) fn centre(&mut self, links: [LinkId; 2]) -> [Value; 2] {
-        let mut tangents = self.tangents(Seed::Coasting);
+        let mut tangents = self.by_time();
         // The angular velocity of each link, and the velocity of that point of it which is at the origin of the scene.
         let [(turning, velocity), (other_turning, other_velocity)] = links.map(|link| {
             let [cos, sin, x, y] = self.pose(link);
@@ -35,10 +35,13 @@ impl Measures<'_> {
         circumstances: &Circumstances<'_>,
     ) -> Value {
         let model = self.model;
-        let moves = circumstances.pushed.iter().any(|rate| *rate != 0.0);
+        let moves = match self.motion {
+            Motion::Even { pushed, .. } => pushed.iter().any(|rate| *rate != 0.0),
+            Motion::InTime(_) | Motion::Any => true,
+        };
         let gravity = model.actions.gravity.filter(|_| is_whole);
         let gravity = gravity.unwrap_or_default();
-        let mut tangents = moves.then(|| self.tangents(Seed::Coasting));
+        let mut tangents = moves.then(|| self.by_time());
         let mut sum = self.ssa.constant(0.0);
         for link in model.declared_links() {
             let Some(mass) = model.link(link).mass else {
@@ -119,7 +122,7 @@ impl Measures<'_> {
         motor: MotorId,
         circumstances: &Circumstances<'_>,
     ) -> Value {
-        let mut tangents = self.tangents(Seed::Alone(motor.index()));
+        let mut tangents = self.by_motor(motor);
         let Some((first, load)) = self.model.actions.numbered_loads().nth(load) else {
             bug!("an advantage is measured over no load");
         };

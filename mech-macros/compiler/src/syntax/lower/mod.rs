@@ -3,6 +3,7 @@
 mod action;
 mod angle;
 mod cam;
+mod case;
 mod claim;
 mod constant;
 mod continuous;

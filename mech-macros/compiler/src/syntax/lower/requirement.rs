@@ -1,6 +1,7 @@
 //! The statement `expect`: a condition that the mechanism has to meet.
 
-use super::angle::{is_angle, is_degrees_perhaps, is_half_in_degrees, is_in_degrees};
+use super::angle::{is_degrees_perhaps, is_in_degrees};
+use super::case::{WHY_FIXED, lower_cases};
 use super::draft::Draft;
 use super::find;
 use super::kind::{Kind, kinds};
@@ -9,20 +10,14 @@ use super::quantity::Quantity;
 use super::reader::{LawReading, Reader};
 use crate::bug::bug;
 use crate::model::{
-    self, Case, Condition, Formula, FormulaId, Formulas, JointKind, LoadKind, Measured, MotorId,
+    self, Condition, Formula, FormulaId, Formulas, JointKind, LoadKind, Measured, MotorId,
     RequiredBound, Requirement,
 };
 use crate::syntax::Place;
-use crate::syntax::ast::{CaseExpr, ConditionExpr, Expect, Expr, LoadCase, Name};
-
-/// Why numbers of a requirement may not depend on params.
-const WHY_FIXED: &str = "what is expected is proved at compile time";
+use crate::syntax::ast::{ConditionExpr, Expect, Expr, LoadCase, Name};
 
 /// More numbers and operations than this make no condition that anybody could read.
 const MOST_FORMULAS: usize = 200;
-
-/// A value may be beyond the end of its motor's range by this part of it, as it is computed in another way.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, expect: &Expect) {
     if reader.scope != 0 {
@@ -33,21 +28,13 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, expect: &Expect) {
     let read = loads
         .as_ref()
         .and_then(|loads| condition(reader, &Required { draft, loads }, &expect.condition));
-    let cases: Vec<Option<Case>> = expect
-        .cases
-        .iter()
-        .map(|case| lower_case(reader, draft, case))
-        .collect();
-    let cases: Option<Vec<Case>> = cases.into_iter().collect();
-    let (Some(read), Some(cases), Some(loads)) = (read, cases, loads) else {
+    let cases = lower_cases(reader, draft, &expect.cases);
+    let (Some(read), Some((cases, times)), Some(loads)) = (read, cases, loads) else {
         return;
     };
-    for (number, case) in cases.iter().enumerate() {
-        if cases[..number].iter().any(|one| one.motor == case.motor) {
-            let motor = &expect.cases[number].motor;
-            let text = format!("the values of `{motor}` are given twice; remove one of the two");
-            return reader.report.error(motor.place(), text);
-        }
+    if let (Condition::Turns(_), Some(times)) = (&read.condition, &times) {
+        let text = "whether a motor turns right round does not depend on the time; leave `t` out";
+        return reader.report.error(times.place, text);
     }
     let mut quantities = read.measured.iter().filter_map(Measured::quantity);
     if let Some(load) = expect.loads.first()
@@ -67,6 +54,7 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, expect: &Expect) {
         measured: read.measured,
         condition: read.condition,
         cases,
+        times: times.map(|times| times.ends),
         loads,
         why: expect.why.clone(),
     });
@@ -393,54 +381,4 @@ fn lower_loads(reader: &mut Reader, draft: &Draft, given: &[LoadCase]) -> Option
             .refuse(*place, format!("load `{name}` is {how}"));
     }
     Some(numbers)
-}
-
-/// The values of a motor for which a condition has to hold.
-fn lower_case(reader: &mut Reader, draft: &mut Draft, case: &CaseExpr) -> Option<Case> {
-    let motor = find::motor(reader, draft, &case.motor)?;
-    let joint = draft.model.motor(motor).joint;
-    let numbers: Vec<&Expr> = case.values.iter().collect();
-    let is_turning = draft.model.turns(joint);
-    let is_told = if is_turning {
-        is_half_in_degrees(reader.report, &numbers)
-    } else {
-        let mut numbers = numbers.iter();
-        numbers.any(|number| is_angle(reader.report, number, "a length"))
-    };
-    if is_told {
-        return None;
-    }
-    let mut fixed = reader.fixed(WHY_FIXED);
-    let values: Option<Vec<f64>> = case.values.iter().map(|value| fixed.value(value)).collect();
-    let values = values?;
-    let (Some(&low), Some(&high)) = (values.first(), values.last()) else {
-        bug!("a case without values was read");
-    };
-    let [first, last] = [&case.values[0], &case.values[case.values.len() - 1]];
-    let place = first.place.to(last.place);
-    let name = &case.motor;
-    for (expr, value) in case.values.iter().zip(&values) {
-        if is_turning && is_degrees_perhaps(reader.report, expr, *value) {
-            return None;
-        }
-    }
-    if low > high {
-        let text =
-            format!("these values of `{name}` end before they begin; write `{last} ..= {first}`");
-        return reader.report.refuse(place, text);
-    }
-    if let Some(range) = draft.model.motor(motor).range {
-        let slack = ROUNDING * range.low.abs().max(range.high.abs());
-        if low < range.low - slack || high > range.high + slack {
-            let written = &draft.motors[motor.index()].range;
-            let text = format!("motor `{name}` does not go there: its range is `{written}`");
-            return reader.report.refuse(place, text);
-        }
-    }
-    let origin = draft.places.note(place);
-    Some(Case {
-        motor,
-        ends: [low, high],
-        origin,
-    })
 }

@@ -13,6 +13,7 @@ use crate::syntax::Place;
 use crate::syntax::ast::{MovingExpr, Name, ReactionExpr, VectorPart};
 
 /// Something that is measured.
+#[derive(Clone, Copy)]
 pub(super) enum Subject {
     /// A number.
     Number(Quantity),
