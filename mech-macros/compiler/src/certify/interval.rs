@@ -50,6 +50,11 @@ impl Interval {
         Self::new(number, number)
     }
 
+    /// Nothing but each of these numbers.
+    pub(crate) fn points(numbers: &[f64]) -> Vec<Self> {
+        numbers.iter().copied().map(Self::point).collect()
+    }
+
     /// The least number in it.
     #[must_use]
     pub fn low(self) -> f64 {

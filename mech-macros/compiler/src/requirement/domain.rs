@@ -96,11 +96,6 @@ impl Ranges {
     }
 }
 
-/// A place as a box.
-pub(super) fn points(place: &[f64]) -> Vec<Interval> {
-    place.iter().copied().map(Interval::point).collect()
-}
-
 /// All values of the motors that a requirement is about: with the times, and whether everything comes round in them, if motors follow
 /// laws.
 pub(super) fn ranges(
@@ -137,7 +132,7 @@ pub(super) fn ranges(
         return Err(RequirementTrouble::Varies { param });
     }
     let mut ranges = Ranges {
-        all: points(&program.start.motors),
+        all: Interval::points(&program.start.motors),
         motors: inputs,
         time,
         round: Vec::new(),
@@ -240,7 +235,7 @@ fn hold_idle(ranges: &mut Ranges, tested: &[usize], gauge: &Gauge, found: &[Valu
         return;
     };
     let mut values = |place: &[f64]| {
-        enclosure.run(&points(place));
+        enclosure.run(&Interval::points(place));
         let values = found.iter().map(|value| enclosure.on_box(*value));
         values.collect::<Vec<Interval>>()
     };

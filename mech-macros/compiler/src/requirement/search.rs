@@ -1,7 +1,7 @@
 //! The search for the least value of something on boxes of motor values.
 
 use super::bound::Bound;
-use super::domain::{Ranges, points};
+use super::domain::Ranges;
 use super::sides::{Stretch, Way, spread};
 use super::waiting::{Frame, Part, Waiting};
 use crate::certify::{Enclosure, Interval, Sight, Sources};
@@ -310,7 +310,7 @@ impl<'a> Search<'a> {
     /// The angles at a place where a frame is valid, with loops on these sides.
     fn angles_at(&mut self, frame: &Frame, place: &[f64], turned: &[BlockId]) -> Option<Vec<f64>> {
         let gauge = self.gauge;
-        let (.., enclosure) = self.run(&points(place), frame, turned)?;
+        let (.., enclosure) = self.run(&Interval::points(place), frame, turned)?;
         let angles = gauge.angles.iter().zip(&frame.references);
         let angles = angles.map(|(angle, from)| from + enclosure.on_box(angle.beyond).middle());
         Some(angles.collect())
@@ -368,7 +368,7 @@ impl<'a> Search<'a> {
         self.freely(|search| {
             let frame = search.frame_at(&Rc::clone(&search.start), place)?;
             let turned = search.turned.clone();
-            let (_, is_cut, enclosure) = search.run(&points(place), &frame, &turned)?;
+            let (_, is_cut, enclosure) = search.run(&Interval::points(place), &frame, &turned)?;
             let value = |value: &Value| {
                 if is_cut {
                     Interval::ENTIRE
@@ -420,7 +420,7 @@ impl<'a> Search<'a> {
         };
         for corner in self.corners() {
             if let Some(frame) = self.frame_at(&frame, &corner)
-                && let Some(seen) = self.look(&points(&corner), &frame, goal)
+                && let Some(seen) = self.look(&Interval::points(&corner), &frame, goal)
             {
                 bound.see(seen.centre, &corner);
             }

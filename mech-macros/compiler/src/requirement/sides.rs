@@ -1,6 +1,5 @@
 //! The sides of loops that pass change points, along the way of the only motor that has a part.
 
-use super::domain::points;
 use crate::bug::bug;
 use crate::certify::{Enclosure, Interval};
 use crate::evaluate::Machine;
@@ -179,7 +178,7 @@ impl<'p> Way<'p> {
     fn walk(&mut self, end: f64, narrow: f64, sides: &mut [Sided<'_>]) -> Option<()> {
         let (program, motor) = (self.program, self.motor);
         let mut machine = Machine::<f64>::new(program);
-        let mut place = points(&program.start.motors);
+        let mut place = Interval::points(&program.start.motors);
         let mut waiting = vec![end];
         let mut left = MOST_CUTS;
         while let Some(next) = waiting.pop() {

@@ -1,7 +1,6 @@
 //! Whether a motor turns right round.
 
 use super::Proof;
-use super::domain::points;
 use super::rounds::round_of;
 use super::verdicts::Verdicts;
 use crate::certify::{Interval, Verdict};
@@ -35,7 +34,7 @@ pub(super) fn prove(
         return Err(RequirementTrouble::NoRange { motor });
     };
     for way in [0.5 * period, -0.5 * period] {
-        let mut ranges = points(&program.start.motors);
+        let mut ranges = Interval::points(&program.start.motors);
         ranges[number] = Interval::new(start, start + way);
         match verdicts.on(&ranges) {
             Verdict::Proved { .. } => {}
