@@ -532,7 +532,7 @@ fn influence_coefficients_are_slopes_by_one_motor() {
     let text = "struct M; link left; link right; link pen { point tip = (2, 3); } link arm;
 joint a = revolute(ground, left) at (0, 0); joint b = revolute(ground, right) at (3, 0);
 joint c = revolute(left, pen) at (-1, 1.5); joint e = revolute(right, arm) at (4, 1.5);
-joint f = revolute(pen, arm) at (2, 3); motor a; motor b; ground { line rail = (0, 1) -> (3, 1); }";
+joint f = revolute(pen, arm) at (2, 3); motor a; motor b; ground { line rail = (0, 1) -> (1, 0); }";
     let folder = Folder::new().with("a.mech", text);
     for moved in ["a", "b"] {
         let measured = [
