@@ -16,10 +16,12 @@ const MOST: f64 = 100.0;
 const LONG: f64 = 40.0;
 
 /// What is measured, by words in it: the first that fits.
-const KINDS: [(&str, &[&str]); 13] = [
+const KINDS: [(&str, &[&str]); 15] = [
     ("turns", &["turns("]),
     ("mean, rms", &["mean(", "rms("]),
     ("dwell, time ratio", &["dwell(", "time ratio("]),
+    ("what the ground gets", &["reaction:ground", "shaking:"]),
+    ("advantage, centre", &["advantage(", "centre("]),
     ("reaction", &["reaction:"]),
     ("torque, power", &["torque:", "power:"]),
     ("acceleration", &["acceleration:"]),

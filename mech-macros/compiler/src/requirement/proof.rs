@@ -37,6 +37,8 @@ pub(super) struct Field<'a> {
     pub(super) gauge: &'a Gauge,
     found: &'a [Value],
     pub(super) ranges: &'a Ranges,
+    /// Whether it is known on which sides loops are; else they may be on any of those that are searched through.
+    pub(super) knows_sides: bool,
 }
 
 impl<'w> Case<'_, 'w> {
@@ -83,6 +85,7 @@ impl<'w> Case<'_, 'w> {
             gauge: &gauge,
             found: &found,
             ranges: &ranges,
+            knows_sides: crossing.is_empty() || way.is_some(),
         };
         self.prove_on_all(&field, &mut searches, (subject, bounds))?;
         Ok(searches.iter().map(Search::spent).sum())

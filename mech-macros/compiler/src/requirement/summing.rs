@@ -34,22 +34,14 @@ impl Case<'_, '_> {
     ) -> Result<Summed, RequirementTrouble> {
         let mut end = |sign: f64| self.end(field, searches, (value, sign), open);
         match summary {
-            Summary::Min => end(1.0).map(|(value, place)| Summed {
-                value,
-                told: value.high(),
-                places: vec![place],
-            }),
-            Summary::Max => end(-1.0).map(|(value, place)| Summed {
-                value,
-                told: value.low(),
-                places: vec![place],
-            }),
+            Summary::Min => end(1.0),
+            Summary::Max => end(-1.0),
             Summary::Swing => {
-                let ((low, first), (high, second)) = (end(1.0)?, end(-1.0)?);
+                let (low, high) = (end(1.0)?, end(-1.0)?);
                 Ok(Summed {
-                    value: high - low,
-                    told: high.low() - low.high(),
-                    places: vec![first, second],
+                    value: (high.value - low.value).max(Interval::ZERO),
+                    told: high.told - low.told,
+                    places: [low.places, high.places].concat(),
                 })
             }
             Summary::Mean | Summary::Rms | Summary::TimeRatio | Summary::Dwell(_) => {
@@ -120,15 +112,15 @@ impl Case<'_, '_> {
         })
     }
 
-    /// Bounds the least value, times its sign, over all sides of loops; with the place where one end of the bounds is attained, to which the
-    /// mechanism comes.
+    /// Bounds the least value, times its sign, over all sides of loops; with a place where it is told to be, to which the mechanism comes.
+    /// Where nobody knows the sides, the value there is that of one side, and no bound.
     fn end(
         &self,
         field: &Field<'_>,
         searches: &mut [Search<'_>],
         (value, sign): (Value, f64),
         open: f64,
-    ) -> Result<(Interval, Vec<f64>), RequirementTrouble> {
+    ) -> Result<Summed, RequirementTrouble> {
         let goal = Goal {
             values: &[(value, 0.0)],
             sign,
@@ -155,6 +147,28 @@ impl Case<'_, '_> {
         if place.is_empty() || self.reach(field, &mut searches[number], &place).is_none() {
             return Err(RequirementTrouble::TooHard);
         }
-        Ok((Interval::new(sign * proved, sign * seen), place))
+        let mut other = seen;
+        if !field.knows_sides {
+            for search in searches {
+                other = other.max(Self::greatest(search, (value, sign)));
+            }
+        }
+        Ok(Summed {
+            value: Interval::new(sign * proved, sign * other),
+            told: sign * seen,
+            places: vec![place],
+        })
+    }
+
+    /// More than a value, times its sign, is anywhere.
+    fn greatest(search: &mut Search<'_>, (value, sign): (Value, f64)) -> f64 {
+        let goal = Goal {
+            values: &[(value, 0.0)],
+            sign: -sign,
+        };
+        let spend = search.left() / 8;
+        -search
+            .least(goal, spend, |found| found.proved.is_finite())
+            .proved
     }
 }
