@@ -307,7 +307,7 @@ fn a_slider_crank_on_an_uneven_law_takes_what_its_energy_says() {
 }
 
 /// The troubles with one statement.
-fn found(text: &str, expect: &str) -> Vec<RequirementTrouble> {
+fn troubles_with(text: &str, expect: &str) -> Vec<RequirementTrouble> {
     troubles(&judged(&text.parse().expect("tokens"), expect))
 }
 
@@ -327,7 +327,7 @@ fn a_motor_that_has_no_part_needs_no_times() {
         is_decided(&text, &law, ("torque:a", ""), |[.., second]| {
             weight * second
         });
-        let found = found(&text, "expect velocity:o < 9;");
+        let found = troubles_with(&text, "expect velocity:o < 9;");
         assert!(matches!(
             found[..],
             [RequirementTrouble::NoTimes { goes_on: false }]
@@ -371,12 +371,12 @@ fn a_wheel_that_is_back_after_two_turns_is_looked_at_for_two() {
             let expect = |limit: f64| format!("expect velocity:wheel.rim.x {sign} {limit};");
             assert!(
                 matches!(
-                    found(&text, &expect(within))[..],
+                    troubles_with(&text, &expect(within))[..],
                     [RequirementTrouble::Fails(_)]
                 ),
                 "{text}"
             );
-            assert!(found(&text, &expect(beyond)).is_empty(), "{text}");
+            assert!(troubles_with(&text, &expect(beyond)).is_empty(), "{text}");
         }
     }
 }
@@ -390,7 +390,7 @@ fn laws_that_are_never_back_need_times() {
     };
     let never = text("0.1 * t * t + 0.2 * sin(t)");
     let [RequirementTrouble::NoTimes { goes_on: false }] =
-        found(&never, "expect velocity:a < 9;")[..]
+        troubles_with(&never, "expect velocity:a < 9;")[..]
     else {
         panic!("{never}");
     };
@@ -400,7 +400,7 @@ fn laws_that_are_never_back_need_times() {
     for (ends, most) in [("0 ..= 3", most.max(0.4_f64)), ("4 ..= 5", at_end)] {
         for (part, holds) in [(1.001, true), (0.999, false)] {
             let expect = format!("expect velocity:a < {} for t in {ends};", most * part);
-            assert_eq!(found(&never, &expect).is_empty(), holds, "{expect}");
+            assert_eq!(troubles_with(&never, &expect).is_empty(), holds, "{expect}");
         }
     }
     let at = format!(
@@ -408,13 +408,13 @@ fn laws_that_are_never_back_need_times() {
         at_end - 1e-6,
         at_end + 1e-6
     );
-    assert!(found(&never, &at).is_empty());
-    let follows = found(&never, "expect velocity:a < 9 for a in 0 deg ..= 9 deg;");
+    assert!(troubles_with(&never, &at).is_empty());
+    let follows = troubles_with(&never, "expect velocity:a < 9 for a in 0 deg ..= 9 deg;");
     assert!(matches!(follows[..], [RequirementTrouble::Follows { .. }]));
     // Where it is needs no rates, and laws may be even.
     let even = text("2 * t");
-    assert!(found(&even, "expect a < 6.001 for t in 0 ..= 3;").is_empty());
-    assert!(!found(&even, "expect a < 5.999 for t in 0 ..= 3;").is_empty());
+    assert!(troubles_with(&even, "expect a < 6.001 for t in 0 ..= 3;").is_empty());
+    assert!(!troubles_with(&even, "expect a < 5.999 for t in 0 ..= 3;").is_empty());
 }
 
 #[test]
@@ -444,14 +444,15 @@ fn nothing_is_proved_of_an_acceleration_where_a_velocity_jumps() {
         let text = text(law);
         let when = format!("for t in {low} ..= {high}");
         for subject in ["acceleration:a", "torque:a", "power:a"] {
-            let found = found(&text, &format!("expect {subject} < 1000000 {when};"));
+            let found = troubles_with(&text, &format!("expect {subject} < 1000000 {when};"));
             let [RequirementTrouble::Jumps { at, is_rate, .. }] = found[..] else {
                 panic!("{law}: {found:?}");
             };
             assert!(low <= at && at <= high, "{law}: {at}");
             assert_eq!(is_rate, velocity.is_some(), "{law}");
         }
-        let below = |limit: f64| found(&text, &format!("expect velocity:a < {limit} {when};"));
+        let below =
+            |limit: f64| troubles_with(&text, &format!("expect velocity:a < {limit} {when};"));
         match velocity {
             Some(most) => {
                 assert!(below(1.001 * most).is_empty(), "{law}: {:?}", below(most));
@@ -474,7 +475,7 @@ fn nothing_is_proved_of_an_acceleration_where_a_velocity_jumps() {
     ] {
         for (part, holds) in [(1.001, true), (0.999, false)] {
             let expect = format!("expect torque:a < {} for t in {ends};", part * most);
-            let found = found(&text(law), &expect);
+            let found = troubles_with(&text(law), &expect);
             assert_eq!(found.is_empty(), holds, "{law}: {found:?}");
         }
     }
@@ -503,7 +504,11 @@ fn two_motors_on_laws_of_their_own_move_a_point_as_fast_as_both() {
         let most = times.map(speed).fold(0.0, f64::max);
         for (part, holds) in [(1.001, true), (0.999, false)] {
             let expect = format!("expect velocity:head.tip < {};", most * part);
-            assert_eq!(found(&text, &expect).is_empty(), holds, "{expect} {text}");
+            assert_eq!(
+                troubles_with(&text, &expect).is_empty(),
+                holds,
+                "{expect} {text}"
+            );
         }
     }
 }

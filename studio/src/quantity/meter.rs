@@ -8,8 +8,8 @@ use crate::motion::{Moment, Mover, obstacle, place_of};
 use mech_compiler::Compiled;
 use mech_compiler::evaluate::Stop;
 use mech_compiler::model::{
-    AxisId, AxisKind, FormulaId, JointId, JointKind, LinkId, Load as ModelLoad, LoadKind,
-    Measurand, Measured, Model, MotorId, Quantity, Rate, ReactionPart, Spot,
+    AxisId, AxisKind, FormulaId, JointId, JointKind, LinkId, LoadKind, Measurand, Measured, Model,
+    MotorId, Quantity, Rate, ReactionPart, Spot,
 };
 use mech_compiler::program::{self, CamContact, CamNumbers, Forces, Program, clearance};
 use mech_runtime::{Acceleration, Velocity};
@@ -239,9 +239,7 @@ impl<'a> Meter<'a> {
             Quantity::Shaking(part) => Some(part_of(self.on_ground(at, false)?, part)),
             Quantity::Advantage(load, motor) => self.advantage(at, load, motor),
             Quantity::Transmission(joint) => {
-                let joint = joint?;
-                let mut loops = self.compiled.plan.loops();
-                let dyad = loops.position(|ring| ring.unknowns().contains(&joint))?;
+                let dyad = self.compiled.plan.number_of_loop(joint?)?;
                 at.forces.as_ref()?.transmission.get(dyad).copied()
             }
             Quantity::Pressure(cam) => Some(self.contact(at, moment, cam)?.pressure),
@@ -294,7 +292,12 @@ impl<'a> Meter<'a> {
             let force = [gravity[0] - x, gravity[1] - y].map(|part| part * mass.mass);
             add(force, place, -mass.inertia * turning);
         }
-        for (load, numbers) in load_parts(self.model, &self.loads).filter(|_| is_whole) {
+        for (load, numbers) in self
+            .model
+            .actions
+            .loads_with(&self.loads)
+            .filter(|_| is_whole)
+        {
             match (load.kind, numbers) {
                 (LoadKind::Force(point), &[x, y]) => {
                     add([x, y], self.place(at, point)?, 0.0);
@@ -309,7 +312,8 @@ impl<'a> Meter<'a> {
     /// What a load gets for what a motor gives: one divided by the velocity ratio in the direction of the load.
     fn advantage(&self, at: &Position, load: usize, motor: MotorId) -> Option<f64> {
         let alone = at.with_rates(at.influences.get(&motor)?.clone());
-        let (load, numbers) = load_parts(self.model, &self.loads).nth(load)?;
+        let mut loads = self.model.actions.loads_with(&self.loads);
+        let (load, numbers) = loads.nth(load)?;
         let ratio = match (load.kind, numbers) {
             (LoadKind::Force(point), &[x, y]) => {
                 let velocity = self.rate_of_point(&alone, point, Rate::Velocity)?;
@@ -453,15 +457,6 @@ impl<'a> Meter<'a> {
     }
 }
 
-/// All loads, with their numbers.
-fn load_parts<'m>(
-    model: &'m Model,
-    numbers: &'m [f64],
-) -> impl Iterator<Item = (&'m ModelLoad, &'m [f64])> {
-    let loads = model.actions.numbered_loads();
-    loads.map(|(first, load)| (load, &numbers[first..first + load.kind.numbers()]))
-}
-
 /// Counts the transmission angles that are computed.
 fn transmissions(compiled: &Compiled) -> usize {
     let program = compiled.forced.inverse_dynamics.as_ref();
@@ -507,7 +502,7 @@ fn refuse(
         needs_reactions(compiled)?;
     }
     let loads_of_advantages = quantities(measurand).filter_map(|one| match one {
-        Quantity::Advantage(load, _) => load_parts(model, loads).nth(load),
+        Quantity::Advantage(load, _) => model.actions.loads_with(loads).nth(load),
         _ => None,
     });
     for (load, numbers) in loads_of_advantages {

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::text::quoted;
 use mech_compiler::model::{
-    AxisId, AxisKind, JointId, JointKind, LinkId, Measurand, Measured, Model, Quantity,
+    AxisId, AxisKind, JointId, JointKind, LinkId, Measurand, Model, Quantity,
 };
 use mech_compiler::plan::Plan;
 use mech_compiler::syntax;
@@ -16,16 +16,14 @@ pub(crate) fn measurands(
     plan: &Plan,
     text: &str,
 ) -> Result<Vec<Measurand>, Failure> {
+    const OF_ALL: Option<Quantity> = Some(Quantity::Transmission(None));
     let found = syntax::measurands(model, text)
         .map_err(|message| Failure::usage(format!("`{text}`: {}", message.text)))?;
-    let is_of_all = |one: &Measured| one.quantity() == Some(Quantity::Transmission(None));
-    if found
-        .iter()
-        .any(|one| one.quantity() == Some(Quantity::Transmission(None)))
-    {
+    if found.iter().any(|one| one.quantity() == OF_ALL) {
         return transmissions(model, plan);
     }
-    if found.iter().flat_map(Measurand::measured).any(is_of_all) {
+    let mut measured = found.iter().flat_map(Measurand::measured);
+    if measured.any(|one| one.quantity() == OF_ALL) {
         return Err(Failure::usage(format!(
             "`{text}`: every dyad has a transmission angle of its own; name one by its joint, as `transmission(b)`"
         )));

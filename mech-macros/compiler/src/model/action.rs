@@ -100,6 +100,15 @@ impl Actions {
         self.loads.iter().flat_map(names).collect()
     }
 
+    /// The loads, each with its own of the numbers of all.
+    pub fn loads_with<'a>(
+        &'a self,
+        numbers: &'a [f64],
+    ) -> impl Iterator<Item = (&'a Load, &'a [f64])> {
+        let loads = self.numbered_loads();
+        loads.map(move |(first, load)| (load, &numbers[first..first + load.kind.numbers()]))
+    }
+
     /// The loads, each with the position of its first number among those of all.
     pub fn numbered_loads(&self) -> impl Iterator<Item = (usize, &Load)> {
         self.loads.iter().scan(0, |next, load| {

@@ -43,7 +43,7 @@ impl Measurand {
         &self.formulas
     }
 
-    /// What the variables of its formulas stand for, by their numbers.
+    /// The meanings of the variables of its formulas, by their numbers.
     #[must_use]
     pub fn measured(&self) -> &[Measured] {
         &self.measured
@@ -55,7 +55,7 @@ impl Measurand {
         self.subject
     }
 
-    /// What its own variables stand for: not what rates are taken of.
+    /// The meanings of its own variables: without those of which rates are taken.
     pub fn own(&self) -> impl Iterator<Item = &Measured> {
         let numbers = self.formulas.variables(self.subject).into_iter();
         numbers.map(|number| &self.measured[number])

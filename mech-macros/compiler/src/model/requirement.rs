@@ -136,12 +136,9 @@ impl Requirement {
     /// The words of the effects that compute what it measures.
     #[must_use]
     pub fn effects(&self) -> Vec<&'static str> {
-        let is_measured = |rate: Rate| {
-            let mut all = self.measured.iter();
-            all.any(|measured| matches!(measured, Measured::Rate(one, _) if *one == rate))
-        };
+        let mut all = self.measured.iter();
         // Accelerations are made from velocities.
-        let rate = if is_measured(Rate::Acceleration) {
+        let rate = if all.any(|one| matches!(one, Measured::Rate(Rate::Acceleration, _))) {
             Some(Rate::Acceleration)
         } else {
             self.is_about_rates().then_some(Rate::Velocity)

@@ -39,7 +39,7 @@ pub(crate) use triad::{Leg, Triad};
 pub(crate) use unknown::Solution;
 pub use unknown::Unknown;
 
-use crate::model::{Axis, Link, Model};
+use crate::model::{Axis, JointId, Link, Model};
 use crate::structure::{Diagnosis, Structure};
 
 /// The solution of a coherent mechanism, step by step.
@@ -57,6 +57,13 @@ pub struct Plan {
 }
 
 impl Plan {
+    /// The number of the loop that finds the coordinate of a joint; none if no loop does.
+    #[must_use]
+    pub fn number_of_loop(&self, joint: JointId) -> Option<usize> {
+        let mut loops = self.loops();
+        loops.position(|ring| ring.unknowns().contains(&joint))
+    }
+
     /// The loops, in the order in which they are solved.
     pub fn loops(&self) -> impl Iterator<Item = &Loop> {
         self.steps.iter().filter_map(|step| {

@@ -92,8 +92,7 @@ impl Words<'_> {
                 notes.push("forces are those at rest".to_owned());
             }
         }
-        for (first, load) in self.model.actions.numbered_loads() {
-            let numbers = &requirement.loads[first..first + load.kind.numbers()];
+        for (load, numbers) in self.model.actions.loads_with(&requirement.loads) {
             if numbers.iter().any(|number| *number != 0.0) {
                 let text = match numbers {
                     [torque] => format!("`{} = {torque}`", load.name),

@@ -52,7 +52,7 @@ impl Case<'_, '_> {
             &circumstances,
             requirement,
             self.detail,
-            |joint| self.dyad_of(joint),
+            |joint| compiled.plan.number_of_loop(joint),
         );
         gauge.ok_or_else(|| {
             if requirement.is_about_forces() {
@@ -61,12 +61,6 @@ impl Case<'_, '_> {
             let unknowns = self.unknowns();
             RequirementTrouble::NoDyad { unknowns }
         })
-    }
-
-    /// The loop whose transmission angle is meant.
-    fn dyad_of(&self, joint: JointId) -> Option<usize> {
-        let mut loops = self.compiled.plan.loops();
-        loops.position(|ring| ring.unknowns().contains(&joint))
     }
 
     /// The unknown joints of the loop that it is about, if it is about one.

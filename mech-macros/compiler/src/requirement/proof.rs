@@ -48,7 +48,7 @@ impl<'w> Case<'_, 'w> {
         (subject, bounds): (FormulaId, &[RequiredBound]),
     ) -> Result<usize, RequirementTrouble> {
         let mut gauge = self.gauge()?;
-        let found = found(self.requirement, &mut gauge, (subject, bounds));
+        let found = values_to_find(self.requirement, &mut gauge, (subject, bounds));
         let times = self.times((subject, bounds))?;
         let mut ranges = ranges(self, &gauge, &found, times)?;
         let mut crossing = side_changes(&gauge.program, &found, ranges.touching.as_deref());
@@ -106,7 +106,7 @@ impl<'w> Case<'_, 'w> {
             ..
         } = *self;
         let mut any = self.gauge_of(&compiled.program, Some(Motion::Any))?;
-        let found = found(requirement, &mut any, bounds);
+        let found = values_to_find(requirement, &mut any, bounds);
         let times = timed.times(model, compiled, requirement, (&any, &found))?;
         timed.refuse_jumps(times.0, (&any, &found))?;
         Ok(Some(times))
@@ -304,9 +304,8 @@ impl<'w> Case<'_, 'w> {
         }
         let reached = (!least.place.is_empty()).then(|| self.reach(field, search, &least.place));
         let measured = reached.flatten().and_then(|position| {
-            let value = search.measure(&position, subject)?;
             let margin = field.gauge.formulas[bound.margin.index()];
-            let margin = search.measure(&position, margin)?;
+            let [value, margin] = search.measure(&position, [subject, margin])?;
             // Rates differ between the sides of a loop where poses do not.
             (margin <= ELSEWHERE * (1.0 + value.abs())).then_some(value)
         });
@@ -402,8 +401,8 @@ fn is_told_well(witness: &Witness) -> bool {
     proved.is_some_and(|proved| (proved - value).abs() <= TOLD * value.abs())
 }
 
-/// What a gauge has to find, and the angles that are followed for it: no others are.
-fn found(
+/// The values that a gauge has to find, and the angles that are followed for it: no others are.
+fn values_to_find(
     requirement: &Requirement,
     gauge: &mut Gauge,
     bounds: (FormulaId, &[RequiredBound]),

@@ -151,12 +151,16 @@ impl<'a> Search<'a> {
         angles.chain(sums).collect()
     }
 
-    /// A value at a position to which the mechanism came, as it computes it there.
-    pub(super) fn measure(&mut self, position: &Position<f64>, value: Value) -> Option<f64> {
+    /// Values at a position to which the mechanism came, as it computes them there.
+    pub(super) fn measure<const N: usize>(
+        &mut self,
+        position: &Position<f64>,
+        values: [Value; N],
+    ) -> Option<[f64; N]> {
         let start = Rc::clone(&self.start);
         let frame = self.freely(|search| search.frame_at(&start, &position.motors))?;
         let gauged = &self.gauge.program;
-        let program = computing(gauged, &[&[value], &gauged.state[..]].concat());
+        let program = computing(gauged, &[&values, &gauged.state[..]].concat());
         let mut whole = position.clone();
         whole.state.clone_from(&program.start.state);
         whole.state[..position.state.len()].copy_from_slice(&position.state);
@@ -168,8 +172,7 @@ impl<'a> Search<'a> {
         }
         let mut machine = Machine::<f64>::new(&program);
         machine.put_back(whole);
-        let measured = machine.look_at(&position.motors, &[value])?;
-        measured.first().copied()
+        machine.look_at(&position.motors, &values)?.try_into().ok()
     }
 
     /// The enclosure for these references where these loops are turned; none if one run of it would take too long.

@@ -57,8 +57,8 @@ impl Measures<'_> {
             let own = self.part_of_force(part, (force, place), torque);
             sum = self.ssa.add(sum, own);
         }
-        for (first, load) in model.actions.numbered_loads().filter(|_| is_whole) {
-            let numbers = &circumstances.loads[first..first + load.kind.numbers()];
+        let loads = model.actions.loads_with(circumstances.loads);
+        for (load, numbers) in loads.filter(|_| is_whole) {
             let zero = self.ssa.constant(0.0);
             let own = match (load.kind, numbers) {
                 (LoadKind::Force(point), &[x, y]) => {
@@ -123,22 +123,23 @@ impl Measures<'_> {
         circumstances: &Circumstances<'_>,
     ) -> Value {
         let mut tangents = self.by_motor(motor);
-        let Some((first, load)) = self.model.actions.numbered_loads().nth(load) else {
+        let mut loads = self.model.actions.loads_with(circumstances.loads);
+        let Some((load, numbers)) = loads.nth(load) else {
             bug!("an advantage is measured over no load");
         };
-        let ratio = match load.kind {
-            LoadKind::Force(point) => {
-                let [x, y] = [circumstances.loads[first], circumstances.loads[first + 1]];
+        let ratio = match (load.kind, numbers) {
+            (LoadKind::Force(point), &[x, y]) => {
                 let size = x.hypot(y);
                 let along = self.ssa.vector([x / size, y / size]);
                 let place = self.point(point);
                 let way = self.ssa.dot(along, place);
                 self.rate(way, &mut tangents)
             }
-            LoadKind::Torque(link) => {
+            (LoadKind::Torque(link), _) => {
                 let [cos, sin, ..] = self.pose(link);
                 self.turning([cos, sin], &mut tangents)
             }
+            (LoadKind::Force(_), _) => bug!("a force has no two numbers"),
         };
         let one = self.ssa.constant(1.0);
         self.ssa.div(one, ratio)

@@ -12,7 +12,7 @@ use super::scope::{Scopes, UsedPart};
 use super::similarity::Similarity;
 use super::vector::{Subject, Vector};
 use crate::bug::bug;
-use crate::model::{Formulas, Measurand, Measured, Model, Params};
+use crate::model::{Measurand, Measured, Model, Params};
 use crate::syntax::Message;
 use crate::syntax::ast::{Expr, ExprKind, VectorPart};
 
@@ -43,12 +43,7 @@ pub(in crate::syntax) fn lower(
 fn measurands(reader: &mut Reader, draft: &Draft, expr: &Expr) -> Option<Vec<Measurand>> {
     let measuring = Tabulated(draft);
     let mut inner = Reader {
-        law: Some(LawReading {
-            input: Quantity::fixed(1.0),
-            formulas: Formulas::default(),
-            measured: Vec::new(),
-            nature: None,
-        }),
+        law: Some(LawReading::of_measured()),
         measuring: Some(&measuring),
         ..reader.again()
     };

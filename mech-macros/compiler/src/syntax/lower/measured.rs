@@ -1,6 +1,7 @@
 //! What is measured: quantities of the position, and summaries of the motion.
 
 use super::angle::{is_degrees_perhaps, is_in_degrees};
+use super::constant::TIME;
 use super::draft::Draft;
 use super::kind::{Kind, kinds};
 use super::name::Referent;
@@ -19,8 +20,6 @@ use crate::syntax::spelling;
 
 /// The name of the transmission angles of all dyads.
 const TRANSMISSION: &str = "transmission";
-/// The name of the time in a table.
-const TIME: &str = "t";
 
 /// The mechanism that a requirement measures, under loads.
 pub(super) struct Required<'d> {
@@ -68,12 +67,10 @@ impl Required<'_> {
     /// Whether a load acts in some direction.
     fn has_direction(&self, reader: &mut Reader, name: &Name) -> Option<bool> {
         let number = reader.load(self.draft, name)?;
-        let mut loads = self.draft.model.actions.numbered_loads();
-        let (first, load) = loads.nth(number)?;
-        Some(match load.kind {
-            LoadKind::Force(_) => self.loads[first..first + 2] != [0.0; 2],
-            LoadKind::Torque(_) => true,
-        })
+        let mut loads = self.draft.model.actions.loads_with(self.loads);
+        let (load, numbers) = loads.nth(number)?;
+        let is_torque = matches!(load.kind, LoadKind::Torque(_));
+        Some(is_torque || numbers != [0.0; 2])
     }
 }
 

@@ -54,6 +54,18 @@ pub(super) struct LawReading {
     pub(super) nature: Option<Nature>,
 }
 
+impl LawReading {
+    /// A requirement or a measurand, of which nothing is read yet.
+    pub(super) fn of_measured() -> Self {
+        Self {
+            input: Quantity::fixed(1.0),
+            formulas: Formulas::default(),
+            measured: Vec::new(),
+            nature: None,
+        }
+    }
+}
+
 /// What the variable and the value of a law are.
 #[derive(Clone, Copy)]
 pub(super) struct Nature {

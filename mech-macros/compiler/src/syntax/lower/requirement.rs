@@ -144,15 +144,8 @@ fn bounds(
     is_strict: bool,
     written: String,
 ) -> Option<ReadCondition> {
-    let fixed = Quantity::fixed(1.0);
-    let law = LawReading {
-        input: fixed,
-        formulas: Formulas::default(),
-        measured: Vec::new(),
-        nature: None,
-    };
     let mut inner = Reader {
-        law: Some(law),
+        law: Some(LawReading::of_measured()),
         measuring: Some(required),
         ..reader.fixed(WHY_FIXED)
     };
