@@ -29,10 +29,7 @@ fn main() -> Result<(), Blocked> {
         let lift = valve.lift();
         let speed = tidy(valve.lift_rate() / 1000.0);
         let acceleration = tidy(valve.lift_acceleration() / 1000.0);
-        let bar: String = (0..18)
-            .filter(|&n| f64::from(n) < 2.0 * lift)
-            .map(|_| '█')
-            .collect();
+        let bar: String = (0..18).filter(|&n| f64::from(n) < 2.0 * lift).map(|_| '█').collect();
         println!("{degrees:7}° {lift:11.3} {speed:13.3} {acceleration:16.1}          {bar}");
     }
     Ok(())

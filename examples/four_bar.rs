@@ -25,10 +25,7 @@ fn main() -> Result<(), Blocked> {
         four_bar.move_to([f64::from(degrees).to_radians()])?;
         let rocker = four_bar.d().to_degrees();
         let tip = four_bar.coupler_tip();
-        println!(
-            "{degrees:6}°  {rocker:7.2}°    ({:6.3}, {:6.3})",
-            tip.x, tip.y
-        );
+        println!("{degrees:6}°  {rocker:7.2}°    ({:6.3}, {:6.3})", tip.x, tip.y);
     }
     Ok(())
 }

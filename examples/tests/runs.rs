@@ -9,9 +9,7 @@ fn run(example: &str) -> (String, PathBuf) {
     let test = env::current_exe().expect("a test is a file");
     let built = test.parent().and_then(Path::parent);
     let built = built.expect("tests are built into `deps`").join("examples");
-    let program = built
-        .join(example)
-        .with_extension(env::consts::EXE_EXTENSION);
+    let program = built.join(example).with_extension(env::consts::EXE_EXTENSION);
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(example);
     fs::create_dir_all(&folder).expect("a folder to run in");
     let output = Command::new(&program).current_dir(&folder).output();

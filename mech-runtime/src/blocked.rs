@@ -131,12 +131,7 @@ impl<M> Blocked<M> {
     #[doc(hidden)]
     #[must_use]
     pub const fn new(place: &'static str, cause: Cause, reached: M) -> Self {
-        Self {
-            place,
-            cause,
-            reached,
-            inputs: &[],
-        }
+        Self { place, cause, reached, inputs: &[] }
     }
 
     /// Adds the inputs to which the numbers reached belong.
@@ -239,17 +234,13 @@ impl<T: Scalar> fmt::Display for NamedNumbers<'_, T> {
 impl<M: Values> fmt::Display for Blocked<M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let place = self.place;
-        let reached = NamedNumbers {
-            numbers: self.reached.numbers(),
-            inputs: self.inputs,
-        };
+        let reached = NamedNumbers { numbers: self.reached.numbers(), inputs: self.inputs };
         match self.cause {
             Cause::NotFinite => write!(f, "the value for `{place}` is not a finite number"),
             Cause::Open => write!(f, "the loop {place} does not close beyond {reached}"),
-            Cause::DeadPoint => write!(
-                f,
-                "the loop {place} would have to pass a dead point at {reached}"
-            ),
+            Cause::DeadPoint => {
+                write!(f, "the loop {place} would have to pass a dead point at {reached}")
+            }
             Cause::ChangePoint => write!(
                 f,
                 "the loop {place} is at a change point at {reached} and stops there as declared"
@@ -263,14 +254,12 @@ impl<M: Values> fmt::Display for Blocked<M> {
             Cause::Overflow => write!(f, "a coordinate would be beyond the range of the numbers"),
             Cause::Massless => write!(f, "no mass resists motor `{place}` at {reached}"),
             Cause::StepTooLong => write!(f, "the step of time is too long to be followed"),
-            Cause::Unloaded => write!(
-                f,
-                "nothing pulls at the motors that are let go at {reached}"
-            ),
-            Cause::Restless => write!(
-                f,
-                "motor `{place}` does not come to rest: nothing stops what pulls at it"
-            ),
+            Cause::Unloaded => {
+                write!(f, "nothing pulls at the motors that are let go at {reached}")
+            }
+            Cause::Restless => {
+                write!(f, "motor `{place}` does not come to rest: nothing stops what pulls at it")
+            }
             Cause::Singular => write!(
                 f,
                 "the rates of the loop {place} are not determined at {reached}: it is at a dead point or a change point"

@@ -26,16 +26,12 @@ impl<'a, T: Scalar, const LINKS: usize> Columns<'a, T, LINKS> {
         let needed = len.checked_mul(4)?.checked_mul(LINKS)?;
         let mut remainder = buffer.get_mut(..needed)?;
         let mut next = || {
-            let (column, others) = core::mem::take(&mut remainder)
-                .split_at_mut_checked(len)
-                .unwrap_or_default();
+            let (column, others) =
+                core::mem::take(&mut remainder).split_at_mut_checked(len).unwrap_or_default();
             remainder = others;
             column
         };
-        Some(Self {
-            columns: core::array::from_fn(|_| core::array::from_fn(|_| next())),
-            len,
-        })
+        Some(Self { columns: core::array::from_fn(|_| core::array::from_fn(|_| next())), len })
     }
 
     /// The number of positions.
@@ -102,9 +98,7 @@ impl<'a, T: Scalar, const LINKS: usize> Columns<'a, T, LINKS> {
             return None;
         }
         Some(self.columns.each_mut().map(|columns| {
-            columns
-                .each_mut()
-                .map(|column| column.get_mut(first..)?.first_chunk_mut())
+            columns.each_mut().map(|column| column.get_mut(first..)?.first_chunk_mut())
         }))
     }
 

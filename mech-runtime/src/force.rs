@@ -37,11 +37,7 @@ pub struct Reaction<T> {
 
 impl<T: Scalar> Reaction<T> {
     /// None.
-    pub(crate) const NONE: Self = Self {
-        x: T::ZERO,
-        y: T::ZERO,
-        torque: T::ZERO,
-    };
+    pub(crate) const NONE: Self = Self { x: T::ZERO, y: T::ZERO, torque: T::ZERO };
 }
 
 /// Gauss–Legendre collocation of a given order, for a step of time. Each method is symmetric in time, so energy does not drift.

@@ -77,14 +77,7 @@ impl<T> JointInfo<T> {
         motor: Option<usize>,
         coordinate: Option<Coordinate>,
     ) -> Self {
-        Self {
-            name,
-            kind,
-            links,
-            anchors,
-            motor,
-            coordinate,
-        }
+        Self { name, kind, links, anchors, motor, coordinate }
     }
 }
 

@@ -14,10 +14,7 @@ impl<M, V: Copy> InRange<M, V> {
     #[doc(hidden)]
     #[must_use]
     pub const fn tested(motors: V) -> Self {
-        Self {
-            motors,
-            of: PhantomData,
-        }
+        Self { motors, of: PhantomData }
     }
 
     /// The values, in the order in which the motors were declared.

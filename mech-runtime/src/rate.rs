@@ -15,11 +15,7 @@ pub struct Velocity<T> {
 
 impl<T: Scalar> Velocity<T> {
     /// Zero.
-    pub const ZERO: Self = Self {
-        angular: T::ZERO,
-        x: T::ZERO,
-        y: T::ZERO,
-    };
+    pub const ZERO: Self = Self { angular: T::ZERO, x: T::ZERO, y: T::ZERO };
 
     /// The velocity of a point of the link when the link is at `pose`. The point is given in the link's frame.
     #[must_use]
@@ -43,11 +39,7 @@ pub struct Acceleration<T> {
 
 impl<T: Scalar> Acceleration<T> {
     /// Zero.
-    pub const ZERO: Self = Self {
-        angular: T::ZERO,
-        x: T::ZERO,
-        y: T::ZERO,
-    };
+    pub const ZERO: Self = Self { angular: T::ZERO, x: T::ZERO, y: T::ZERO };
 
     /// The acceleration of a point of the link, tangential and centripetal, when the link is at `pose` and turns at this angular velocity.
     /// The point is given in the link's frame.
@@ -55,9 +47,6 @@ impl<T: Scalar> Acceleration<T> {
     #[inline]
     pub fn of_point(self, pose: Pose<T>, angular_velocity: T, point: [T; 2]) -> [T; 2] {
         let ([x, y], square) = (pose.turn(point), angular_velocity * angular_velocity);
-        [
-            self.x - self.angular * y - square * x,
-            self.y + self.angular * x - square * y,
-        ]
+        [self.x - self.angular * y - square * x, self.y + self.angular * x - square * y]
     }
 }

@@ -68,10 +68,7 @@ macro_rules! scalar {
             }
 
             #[inline]
-            #[allow(
-                clippy::cast_possible_truncation,
-                reason = "cutting off is what is asked for"
-            )]
+            #[allow(clippy::cast_possible_truncation, reason = "cutting off is what is asked for")]
             fn to_fixed(self) -> i64 {
                 const ONE: $float = 1_099_511_627_776.0;
                 (self * ONE) as i64

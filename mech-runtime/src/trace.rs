@@ -33,11 +33,7 @@ impl<T: Scalar, const N: usize> Trace<T, N> {
     /// An empty trace.
     #[must_use]
     pub const fn new() -> Self {
-        Self {
-            places: [[T::ZERO; 2]; N],
-            next: 0,
-            len: 0,
-        }
+        Self { places: [[T::ZERO; 2]; N], next: 0, len: 0 }
     }
 
     /// Adds a place in the scene. If there are `N` places already, the oldest is removed.
@@ -116,10 +112,7 @@ struct Strokes<T> {
 
 impl<T: Scalar> Strokes<T> {
     const fn new(place: [T; 2]) -> Self {
-        Self {
-            places: [place; 32],
-            len: 1,
-        }
+        Self { places: [place; 32], len: 1 }
     }
 
     /// The last place.

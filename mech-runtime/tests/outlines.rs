@@ -29,12 +29,7 @@ pub(crate) fn any(
 ) -> impl Strategy<Value = Any> {
     let place = prop::array::uniform2(number.clone());
     let places = prop::collection::vec(place.clone(), 0..9);
-    let arc = |(center, start, angle, width)| OwnedOutline::Arc {
-        center,
-        start,
-        angle,
-        width,
-    };
+    let arc = |(center, start, angle, width)| OwnedOutline::Arc { center, start, angle, width };
     let outline = prop_oneof![
         (place.clone(), number.clone(), number.clone()).prop_map(round),
         places.clone().prop_map(OwnedOutline::Polygon),
@@ -51,11 +46,7 @@ pub(crate) fn any(
 /// A ring, or a circle if the hole has no radius.
 fn round((center, radius, hole): ([f64; 2], f64, f64)) -> OwnedOutline<f64> {
     if hole > 0.0 {
-        OwnedOutline::Ring {
-            center,
-            radius,
-            hole,
-        }
+        OwnedOutline::Ring { center, radius, hole }
     } else {
         OwnedOutline::Circle { center, radius }
     }

@@ -9,9 +9,7 @@ use proptest::prelude::*;
 fn a_moment_to_the_right_is_that_to_the_left_in_a_mirror() {
     let [left, right] = [true, false]
         .map(|left| picture::<44, 44>(|frame| moment(frame, [0.01, 0.02], left, 15.0, 1.0, 14)));
-    let mirrored = left
-        .lines()
-        .map(|row| row.chars().rev().collect::<String>());
+    let mirrored = left.lines().map(|row| row.chars().rev().collect::<String>());
     let right: Vec<&str> = right.lines().collect();
     let differing = mirrored
         .zip(right)
@@ -27,28 +25,16 @@ fn a_moment_to_the_right_is_that_to_the_left_in_a_mirror() {
 #[test]
 fn only_what_is_wanted_is_drawn() {
     let symbols = [
-        Symbol::Bar {
-            link: 0,
-            ends: [[-9.0, 0.0], [9.0, 0.0]],
-        },
+        Symbol::Bar { link: 0, ends: [[-9.0, 0.0], [9.0, 0.0]] },
         Symbol::Pivot(on(1, [0.0, 0.0])),
         Symbol::RotaryMotor(on(1, [0.0, 0.0])),
         Symbol::Point(on(1, [0.0, 0.0])),
         // No pose is known of this one.
         Symbol::Mark(on(2, [0.0, 0.0])),
-        Symbol::LinearMotor {
-            block: on(7, [0.0, 0.0]),
-            guide: 0,
-            along: [1.0, 0.0],
-        },
+        Symbol::LinearMotor { block: on(7, [0.0, 0.0]), guide: 0, along: [1.0, 0.0] },
     ];
     let none = Overlay::new().joints(false).motors(false);
-    let kinds = [
-        none.links(true),
-        none.joints(true),
-        none.motors(true),
-        none.axes(true),
-    ];
+    let kinds = [none.links(true), none.joints(true), none.motors(true), none.axes(true)];
     let drawn = |overlay: Overlay, symbols: &[Symbol<f64>]| {
         picture::<41, 41>(|frame| overlay.draw(symbols, &[TURNED], frame))
     };
@@ -64,10 +50,7 @@ fn only_what_is_wanted_is_drawn() {
 #[test]
 fn ends_that_meet_are_no_spring() {
     let (ends, beside) = ([on(0, [1.0, 2.0]); 2], 8.0);
-    for symbol in [
-        Symbol::Spring { ends, beside },
-        Symbol::Damper { ends, beside },
-    ] {
+    for symbol in [Symbol::Spring { ends, beside }, Symbol::Damper { ends, beside }] {
         assert_eq!(symbols::<5, 2>(&[symbol]), ".....\n.....");
     }
 }
@@ -124,73 +107,38 @@ fn around(points: &[[f64; 2]], width: f64) -> Vec<[f64; 2]> {
 
 fn all_symbols() -> Vec<Symbol<f64>> {
     vec![
-        Symbol::Bar {
-            link: 1,
-            ends: [[0.0, 0.0], [1.0, 2.0]],
-        },
+        Symbol::Bar { link: 1, ends: [[0.0, 0.0], [1.0, 2.0]] },
         Symbol::Mark(on(1, [1.0, 0.0])),
-        Symbol::Wheel {
-            center: on(1, [0.5, 0.0]),
-            radius: 1.5,
-        },
-        Symbol::Belt {
-            centers: [on(0, [0.0, 0.0]), on(1, [3.0, 0.5])],
-            radii: [1.0, 0.5],
-        },
+        Symbol::Wheel { center: on(1, [0.5, 0.0]), radius: 1.5 },
+        Symbol::Belt { centers: [on(0, [0.0, 0.0]), on(1, [3.0, 0.5])], radii: [1.0, 0.5] },
         Symbol::Rack {
             pinion: on(0, [0.0, 0.0]),
             radius: -0.5,
             bar: on(1, [1.0, 1.0]),
             along: [0.6, 0.8],
         },
-        Symbol::Line {
-            at: on(1, [0.0, 1.0]),
-            along: [0.0, 1.0],
-        },
+        Symbol::Line { at: on(1, [0.0, 1.0]), along: [0.0, 1.0] },
         Symbol::Point(on(1, [1.0, 1.0])),
-        Symbol::Slide {
-            guide: on(0, [0.0, 0.0]),
-            along: [0.0, -1.0],
-            block: on(1, [2.0, 1.0]),
-        },
-        Symbol::Slide {
-            guide: on(1, [0.0, 0.0]),
-            along: [0.8, -0.6],
-            block: on(0, [2.0, 1.0]),
-        },
+        Symbol::Slide { guide: on(0, [0.0, 0.0]), along: [0.0, -1.0], block: on(1, [2.0, 1.0]) },
+        Symbol::Slide { guide: on(1, [0.0, 0.0]), along: [0.8, -0.6], block: on(0, [2.0, 1.0]) },
         Symbol::Weld(on(1, [0.0, 1.0])),
-        Symbol::Spring {
-            ends: [on(0, [0.0, 0.0]), on(1, [3.0, 0.5])],
-            beside: 8.0,
-        },
-        Symbol::Damper {
-            ends: [on(1, [3.0, 0.5]), on(0, [0.0, 0.0])],
-            beside: 0.0,
-        },
+        Symbol::Spring { ends: [on(0, [0.0, 0.0]), on(1, [3.0, 0.5])], beside: 8.0 },
+        Symbol::Damper { ends: [on(1, [3.0, 0.5]), on(0, [0.0, 0.0])], beside: 0.0 },
         Symbol::TorsionSpring(on(1, [0.0, 1.0])),
         Symbol::TorsionDamper(on(1, [0.0, 1.0])),
         Symbol::Pivot(on(0, [2.0, 2.0])),
         Symbol::RotaryMotor(on(1, [0.0, 0.0])),
-        Symbol::LinearMotor {
-            block: on(1, [0.0, 0.0]),
-            guide: 0,
-            along: [0.0, 1.0],
-        },
+        Symbol::LinearMotor { block: on(1, [0.0, 0.0]), guide: 0, along: [0.0, 1.0] },
     ]
 }
 
 #[test]
 fn where_pixels_have_no_size_everything_is_where_it_stands() {
-    let mut canvas = Recorder {
-        scale: f64::INFINITY,
-        ..Recorder::default()
-    };
+    let mut canvas = Recorder { scale: f64::INFINITY, ..Recorder::default() };
     let overlay = Overlay::new().links(true).axes(true);
     overlay.draw(&all_symbols(), &[TURNED], &mut canvas);
     let corners = canvas.polygons.iter().flatten();
-    let far = corners
-        .clone()
-        .filter(|corner| corner[0].hypot(corner[1]) > 6.0);
+    let far = corners.clone().filter(|corner| corner[0].hypot(corner[1]) > 6.0);
     assert_eq!(far.count(), 0);
     assert!(corners.count() > 60 && canvas.circles.iter().all(|(_, radius)| *radius == 0.0));
 }

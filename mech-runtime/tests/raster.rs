@@ -3,12 +3,7 @@
 use mech_runtime::{Canvas, Frame, Outline, Palette, Pose, Scalar, View};
 use proptest::prelude::*;
 
-const STILL: Pose<f64> = Pose {
-    cos: 1.0,
-    sin: 0.0,
-    x: 0.0,
-    y: 0.0,
-};
+const STILL: Pose<f64> = Pose { cos: 1.0, sin: 0.0, x: 0.0, y: 0.0 };
 
 /// A view in which a scene unit is a pixel and the origin is the lower left corner of a picture of this size.
 fn pixelwise(width: f64, height: f64) -> View {
@@ -33,29 +28,15 @@ fn picture<const W: usize, const H: usize>(outline: Outline<f64>) -> Frame<W, H>
 }
 
 fn area<const W: usize, const H: usize>(frame: &Frame<W, H>) -> f64 {
-    frame
-        .pixels()
-        .iter()
-        .flatten()
-        .map(|&pixel| f64::from(pixel))
-        .sum()
+    frame.pixels().iter().flatten().map(|&pixel| f64::from(pixel)).sum()
 }
 
 #[test]
 fn a_pose_turns_and_moves() {
-    let quarter = Pose {
-        cos: 0.0,
-        sin: 1.0,
-        x: 5.0,
-        y: 1.0,
-    };
+    let quarter = Pose { cos: 0.0, sin: 1.0, x: 5.0, y: 1.0 };
     let mut frame = Frame::<6, 5>::new();
     frame.look_at(pixelwise(6.0, 5.0));
-    frame.fill(
-        polygon(&[[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [0.0, 1.0]]),
-        quarter,
-        7,
-    );
+    frame.fill(polygon(&[[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [0.0, 1.0]]), quarter, 7);
     let painted: Vec<_> = (0..5)
         .flat_map(|y| (0..6).map(move |x| (x, y)))
         .filter(|&(x, y)| frame.pixel(x, y) == Some(7))
@@ -107,11 +88,7 @@ fn a_corner_that_is_not_finite_hides_the_shape() {
         let lost = Pose { cos: bad, ..STILL };
         let mut frame = Frame::<9, 9>::new();
         frame.fill(circle([1.0, 1.0], 3.0), lost, 1);
-        frame.fill(
-            polygon(&[[-90.0, -90.0], [90.0, -90.0], [0.0, 90.0]]),
-            lost,
-            1,
-        );
+        frame.fill(polygon(&[[-90.0, -90.0], [90.0, -90.0], [0.0, 90.0]]), lost, 1);
         assert_eq!(area(&frame), 0.0);
     }
 }
@@ -122,16 +99,9 @@ fn shapes_much_larger_than_the_picture() {
     assert_eq!(area(&picture::<20, 30>(polygon(&corners))), 600.0);
     assert_eq!(area(&picture::<20, 30>(circle([0.0, 0.0], 1e9))), 600.0);
     // The half plane left of x = 7, the half plane above y = 7.
+    assert_eq!(area(&picture::<20, 30>(circle([7.0 - 1e9, 15.0], 1e9))), 7.0 * 30.0);
     assert_eq!(
-        area(&picture::<20, 30>(circle([7.0 - 1e9, 15.0], 1e9))),
-        7.0 * 30.0
-    );
-    assert_eq!(
-        area(&picture::<20, 30>(polygon(&[
-            [-1e9, 7.0],
-            [1e9, 7.0],
-            [0.0, 1e9]
-        ]))),
+        area(&picture::<20, 30>(polygon(&[[-1e9, 7.0], [1e9, 7.0], [0.0, 1e9]]))),
         20.0 * 23.0
     );
     // Wholly to one side.
@@ -144,17 +114,8 @@ fn shapes_much_larger_than_the_picture() {
 
 #[test]
 fn views_of_any_box_are_usable() {
-    let numbers = [
-        0.0,
-        -3.0,
-        1e-300,
-        1e300,
-        f64::MAX,
-        f64::MIN,
-        f64::NAN,
-        f64::INFINITY,
-        f64::NEG_INFINITY,
-    ];
+    let numbers =
+        [0.0, -3.0, 1e-300, 1e300, f64::MAX, f64::MIN, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
     for a in numbers {
         for b in numbers {
             for c in numbers {
@@ -202,10 +163,7 @@ fn palettes_keep_to_their_order() {
         }
         assert_eq!(Palette::shade(Palette::SLATE, 99), 255);
         assert_eq!(Palette::shade(Palette::BLUE, 0), 64);
-        assert_eq!(
-            palette.rgb(Palette::shade(Palette::INK, 15)),
-            palette.rgb(Palette::PAPER)
-        );
+        assert_eq!(palette.rgb(Palette::shade(Palette::INK, 15)), palette.rgb(Palette::PAPER));
         let distinct: std::collections::BTreeSet<_> = palette.entries()[..48].iter().collect();
         assert_eq!(distinct.len(), 48);
     }
@@ -220,10 +178,7 @@ fn palettes_keep_to_their_order() {
 }
 
 fn sides(corners: &[[f64; 2]]) -> impl Iterator<Item = ([f64; 2], [f64; 2])> {
-    corners
-        .iter()
-        .copied()
-        .zip(corners.iter().copied().cycle().skip(1))
+    corners.iter().copied().zip(corners.iter().copied().cycle().skip(1))
 }
 
 /// Corners in and around a picture: anywhere, or on the centres of some pixels, so that many sides run through others.
@@ -247,9 +202,7 @@ fn centers<const W: usize, const H: usize>(
     let half = |number: u16| f64::from(number) + 0.5;
     let rows = frame.pixels().iter().rev().zip((0..).map(half));
     rows.flat_map(move |(row, y)| {
-        row.iter()
-            .zip((0..).map(half))
-            .map(move |(&pixel, x)| (pixel, [x, y]))
+        row.iter().zip((0..).map(half)).map(move |(&pixel, x)| (pixel, [x, y]))
     })
 }
 

@@ -45,21 +45,9 @@ fn everything(
         Outline::Polygon(&corners),
         Outline::Winding(&corners),
         Outline::Circle { center, radius: c },
-        Outline::Ring {
-            center,
-            radius: c,
-            hole: d,
-        },
-        Outline::Line {
-            points: &corners,
-            width,
-        },
-        Outline::Arc {
-            center,
-            start: [c, d],
-            angle: e,
-            width,
-        },
+        Outline::Ring { center, radius: c, hole: d },
+        Outline::Line { points: &corners, width },
+        Outline::Arc { center, start: [c, d], angle: e, width },
     ];
     for outline in outlines {
         for pose in [Pose::identity(), pose] {
@@ -83,11 +71,9 @@ fn pictures<const W: usize, const H: usize>(numbers: [f64; 12], view: View, four
     let mut frame = Frame::<W, H>::new();
     let mut smooth = Smooth::<W, H>::new();
     let mut stage = Stage::<W, H, 8>::new();
-    for view in [
-        View::fit([numbers[0]; 2], [numbers[1]; 2], W, H, numbers[2]),
-        FourBar::view(W, H),
-        view,
-    ] {
+    for view in
+        [View::fit([numbers[0]; 2], [numbers[1]; 2], W, H, numbers[2]), FourBar::view(W, H), view]
+    {
         frame.clear();
         frame.look_at(view);
         smooth.look_at(view);
@@ -96,21 +82,12 @@ fn pictures<const W: usize, const H: usize>(numbers: [f64; 12], view: View, four
         everything(&mut smooth, numbers, &trace, four_bar);
         stage.show(|canvas| everything(canvas, numbers, &trace, four_bar));
         // Where squares overflow, neither is right.
-        let seen = [
-            view.center()[0],
-            view.center()[1],
-            view.scale(),
-            1.0 / view.scale(),
-        ];
+        let seen = [view.center()[0], view.center()[1], view.scale(), 1.0 / view.scale()];
         let overflows = |number: &f64| number.is_finite() && number.abs() > 1e70;
         if !numbers.iter().chain(&seen).any(overflows) {
             assert_eq!(stage.frame().pixels(), frame.pixels());
         }
-        assert!(
-            stage
-                .changed()
-                .all(|area| area.x + area.width <= W && area.y + area.height <= H)
-        );
+        assert!(stage.changed().all(|area| area.x + area.width <= W && area.y + area.height <= H));
     }
     assert_eq!([frame.pixel(W, 0), frame.pixel(0, H)], [None; 2]);
     assert_eq!([smooth.pixel(W, 0), smooth.pixel(0, H)], [None; 2]);

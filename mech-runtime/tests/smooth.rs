@@ -50,12 +50,7 @@ fn area(corners: &[[f64; 2]]) -> f64 {
 /// The area of a simple polygon in each pixel, found by cutting it.
 fn shares(corners: &[[f64; 2]]) -> Vec<[f64; W]> {
     let rows = (0..40).rev().map(|row| {
-        let strip = clip(
-            &clip(corners, 1, f64::from(row), 1.0),
-            1,
-            f64::from(row + 1),
-            -1.0,
-        );
+        let strip = clip(&clip(corners, 1, f64::from(row), 1.0), 1, f64::from(row + 1), -1.0);
         std::array::from_fn(|column| {
             #[expect(clippy::cast_precision_loss, reason = "small")]
             let left = column as f64;
@@ -86,11 +81,7 @@ fn area_above(level: f64, [from, to]: [f64; 2], radius: f64) -> f64 {
 fn disc_shares<const W: usize, const H: usize>([x, y]: [f64; 2], radius: f64) -> Vec<[f64; W]> {
     let number = |index: usize| f64::from(u32::try_from(index).expect("small"));
     let above = |level: f64, sides| {
-        if level < radius {
-            area_above(level, sides, radius)
-        } else {
-            0.0
-        }
+        if level < radius { area_above(level, sides, radius) } else { 0.0 }
     };
     let rows = (0..H).rev().map(|row| {
         let [bottom, top] = [number(row) - y, number(row) + 1.0 - y];
@@ -108,11 +99,7 @@ fn assert_exact<const W: usize>(found: &[[u8; W]], expected: &[[f64; W]]) {
     for (row, (found, expected)) in found.iter().zip(expected).enumerate() {
         for (column, (found, expected)) in found.iter().zip(expected).enumerate() {
             let error = f64::from(*found) - 255.0 * expected;
-            assert!(
-                error.abs() <= 1.0,
-                "{found} of {} at {column}, {row}",
-                255.0 * expected
-            );
+            assert!(error.abs() <= 1.0, "{found} of {} at {column}, {row}", 255.0 * expected);
         }
     }
 }
@@ -310,9 +297,7 @@ fn half_a_pixel_is_half_a_color() {
 #[test]
 fn a_part_of_a_pixel_takes_a_part_of_the_color() {
     let mut picture = Smooth::<4, 4>::new();
-    let palette = Palette::default()
-        .with(0, [10, 20, 30])
-        .with(1, [210, 120, 30]);
+    let palette = Palette::default().with(0, [10, 20, 30]).with(1, [210, 120, 30]);
     picture.set_palette(palette);
     picture.clear();
     picture.fill(
@@ -339,10 +324,7 @@ fn what_is_surrounded_twice() {
         [8.0, 14.0],
         [8.0, 8.0],
     ];
-    let (hollow, full) = (
-        coverage(Outline::Polygon(&twice)),
-        coverage(Outline::Winding(&twice)),
-    );
+    let (hollow, full) = (coverage(Outline::Polygon(&twice)), coverage(Outline::Winding(&twice)));
     assert_eq!((hollow[29][10], full[29][10]), (0, 255));
     assert_eq!((hollow[35][4], full[35][4]), (255, 255));
 }
@@ -352,14 +334,7 @@ fn a_picture_is_a_value() {
     let mut one = Smooth::<8, 8>::default();
     let other = one.clone();
     assert_eq!(one, other);
-    one.fill(
-        Outline::Circle {
-            center: [0.0, 0.0],
-            radius: 2.0,
-        },
-        Pose::identity(),
-        3,
-    );
+    one.fill(Outline::Circle { center: [0.0, 0.0], radius: 2.0 }, Pose::identity(), 3);
     assert_ne!(one, other);
     one.clear();
     assert_eq!(one, other);

@@ -8,17 +8,8 @@ use proptest::prelude::*;
 fn thing() -> impl Strategy<Value = Any> {
     let place = || [-50.0..50.0, -40.0..40.0];
     let places = |least| prop::collection::vec(place(), least..7_usize);
-    let ring = |(center, radius)| OwnedOutline::Ring {
-        center,
-        radius,
-        hole: 0.6 * radius,
-    };
-    let arc = |(center, start, angle)| OwnedOutline::Arc {
-        center,
-        start,
-        angle,
-        width: 2.5,
-    };
+    let ring = |(center, radius)| OwnedOutline::Ring { center, radius, hole: 0.6 * radius };
+    let arc = |(center, start, angle)| OwnedOutline::Arc { center, start, angle, width: 2.5 };
     let outline = prop_oneof![
         places(0).prop_map(OwnedOutline::Polygon),
         places(3).prop_map(OwnedOutline::Winding),
@@ -90,21 +81,12 @@ fn what_stands_still_is_not_painted_again() {
     let mut stage = Stage::<64, 64>::new();
     let show = |stage: &mut Stage<64, 64>, x: f64| {
         stage.show(|canvas| {
-            let ground = Outline::Circle {
-                center: [0.0, 0.0],
-                radius: 30.0,
-            };
+            let ground = Outline::Circle { center: [0.0, 0.0], radius: 30.0 };
             canvas.fill(ground, Pose::identity(), 1);
-            let pose = Pose {
-                x,
-                ..Pose::identity()
-            };
+            let pose = Pose { x, ..Pose::identity() };
             canvas.fill(Outline::Polygon(&square), pose, 2);
         });
-        stage
-            .changed()
-            .map(|area| area.width * area.height)
-            .sum::<usize>()
+        stage.changed().map(|area| area.width * area.height).sum::<usize>()
     };
     assert_eq!(show(&mut stage, 0.0), 64 * 64);
     assert_eq!(show(&mut stage, 1.0), 7 * 6);

@@ -20,11 +20,7 @@ fn jittered_grid() -> impl Strategy<Value = Vec<[f64; 2]>> {
                 let whole = place[axis] as f64;
                 let exact = (whole + if at_rim { 0.0 } else { jitter[axis] }) * CELL;
                 // In half pixels, corners and edges meet centres every now and then.
-                if rounded {
-                    (exact * 2.0).round() / 2.0
-                } else {
-                    exact
-                }
+                if rounded { (exact * 2.0).round() / 2.0 } else { exact }
             })
         };
         jitters.into_iter().enumerate().map(corner).collect()
@@ -33,10 +29,8 @@ fn jittered_grid() -> impl Strategy<Value = Vec<[f64; 2]>> {
 
 /// Paints a tile alone, and counts how often each pixel is painted.
 fn paint<T: Scalar>(tile: &[[f64; 2]], painted: &mut [[u8; SIDE]; SIDE]) {
-    let tile: Vec<_> = tile
-        .iter()
-        .map(|corner| corner.map(<T as mech_runtime::Real>::from_f64))
-        .collect();
+    let tile: Vec<_> =
+        tile.iter().map(|corner| corner.map(<T as mech_runtime::Real>::from_f64)).collect();
     let mut frame = Frame::<SIDE, SIDE>::new();
     #[expect(clippy::cast_precision_loss, reason = "small")]
     let middle = SIDE as f64 / 2.0;

@@ -30,11 +30,9 @@ fn main() {
         let (refused, longest) = window.refuse(loops);
         println!("{joints} joints");
         println!("  a frame {still:.1} ms, while it plays {played:.1} ms");
-        for (name, times) in [
-            ("at the start", drag),
-            ("onto other joints", snapping),
-            ("at a pose", posed),
-        ] {
+        for (name, times) in
+            [("at the start", drag), ("onto other joints", snapping), ("at a pose", posed)]
+        {
             let [middle, longest] = [times[times.len() / 2], times[times.len() - 1]];
             println!("  a frame of a drag {name} {middle:.1} ms, the longest {longest:.1} ms");
         }
@@ -96,17 +94,9 @@ impl Window {
         self.context.enable_accesskit();
         let output = self.frame(vec![]);
         self.context.disable_accesskit();
-        let update = output
-            .platform_output
-            .accesskit_update
-            .expect("it was asked for");
-        let found = update
-            .nodes
-            .iter()
-            .find(|(_, node)| node.label() == Some("drawing"));
-        let bounds = found
-            .and_then(|(_, node)| node.bounds())
-            .expect("the drawing has a place");
+        let update = output.platform_output.accesskit_update.expect("it was asked for");
+        let found = update.nodes.iter().find(|(_, node)| node.label() == Some("drawing"));
+        let bounds = found.and_then(|(_, node)| node.bounds()).expect("the drawing has a place");
         #[expect(clippy::cast_possible_truncation, reason = "pixels of a window")]
         let [left, top, right, bottom] =
             [bounds.x0, bounds.y0, bounds.x1, bounds.y1].map(|part| part as f32);
@@ -160,12 +150,7 @@ impl Window {
         let start = Instant::now();
         self.studio.editor_mut().perform(joint_too_many(loops));
         let mut longest: f64 = 0.0;
-        while !self
-            .studio
-            .editor()
-            .notice()
-            .is_some_and(|notice| notice.is_refusal)
-        {
+        while !self.studio.editor().notice().is_some_and(|notice| notice.is_refusal) {
             longest = longest.max(milliseconds(|| drop(self.frame(vec![]))));
         }
         (start.elapsed().as_secs_f64() * 1e3, longest)

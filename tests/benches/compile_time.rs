@@ -7,20 +7,12 @@ use std::path::Path;
 const ROUNDS: usize = 5;
 
 /// The profiles, and what they are for.
-const PROFILES: [(&str, &str); 3] = [
-    ("dev", "debug"),
-    ("whole", "debug, not incremental"),
-    ("release", "release"),
-];
+const PROFILES: [(&str, &str); 3] =
+    [("dev", "debug"), ("whole", "debug, not incremental"), ("release", "release")];
 
 /// How many loops each crate has, and its name.
-const CRATES: [(usize, &str); 5] = [
-    (0, "empty"),
-    (1, "four-bar"),
-    (10, "loops-10"),
-    (100, "loops-100"),
-    (200, "loops-200"),
-];
+const CRATES: [(usize, &str); 5] =
+    [(0, "empty"), (1, "four-bar"), (10, "loops-10"), (100, "loops-100"), (200, "loops-200")];
 
 fn main() {
     let root = Path::new(env!("CARGO_TARGET_TMPDIR")).join("compile-time");

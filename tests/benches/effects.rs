@@ -19,20 +19,12 @@ const PART: f64 = 1e-18;
 fn main() {
     let angles: [f64; 360] = std::array::from_fn(|degree| (degree as f64).to_radians());
     for dependent in [true, false] {
-        let how = if dependent {
-            "each after the last"
-        } else {
-            "independent"
-        };
+        let how = if dependent { "each after the last" } else { "independent" };
         let mut position = Position::new();
         let mut alone = || {
             for angle in black_box(&angles) {
                 let mechanism = black_box(&mut position);
-                let last = if dependent {
-                    mechanism.poses()[2].sin
-                } else {
-                    0.0
-                };
+                let last = if dependent { mechanism.poses()[2].sin } else { 0.0 };
                 let angle = angle + PART * last;
                 assert!(mechanism.move_to([angle]).is_ok());
             }
@@ -46,11 +38,7 @@ fn main() {
             || {
                 for angle in black_box(&angles) {
                     let mechanism = black_box(&mut fast);
-                    let last = if dependent {
-                        mechanism.poses()[2].sin
-                    } else {
-                        0.0
-                    };
+                    let last = if dependent { mechanism.poses()[2].sin } else { 0.0 };
                     let angle = angle + PART * last;
                     assert!(mechanism.move_with([angle], [1.5]).is_ok());
                 }
@@ -66,11 +54,7 @@ fn main() {
             || {
                 for angle in black_box(&angles) {
                     let mechanism = black_box(&mut faster);
-                    let last = if dependent {
-                        mechanism.poses()[2].sin
-                    } else {
-                        0.0
-                    };
+                    let last = if dependent { mechanism.poses()[2].sin } else { 0.0 };
                     let angle = angle + PART * last;
                     assert!(mechanism.move_with([angle], [1.5], [0.7]).is_ok());
                 }
@@ -87,11 +71,7 @@ fn main() {
             || {
                 for angle in black_box(&angles) {
                     let mechanism = black_box(&mut held);
-                    let last = if dependent {
-                        mechanism.poses()[2].sin
-                    } else {
-                        0.0
-                    };
+                    let last = if dependent { mechanism.poses()[2].sin } else { 0.0 };
                     let angle = angle + PART * last;
                     assert!(black_box(mechanism.hold_at([angle])).is_ok());
                 }

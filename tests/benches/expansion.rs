@@ -24,10 +24,7 @@ fn main() {
             }
         }
     }
-    println!(
-        "{:>16} {:>10} {:>12}",
-        "loops in a chain", "ms", "ms a loop"
-    );
+    println!("{:>16} {:>10} {:>12}", "loops in a chain", "ms", "ms a loop");
     for (loops, shown) in [(1, 1.0), (10, 10.0), (100, 100.0), (300, 300.0)] {
         let body = chain_text(loops).parse().expect("tokens");
         let time = expansion(&body, 11);

@@ -59,11 +59,7 @@ impl ByHand {
         }
         self.coupler = (uc, us);
         self.rocker = (vc, vs);
-        self.poses = [
-            [cos, sin, 0.0, 0.0],
-            [uc, us, cos, sin],
-            [vc, vs, Self::GROUND, 0.0],
-        ];
+        self.poses = [[cos, sin, 0.0, 0.0], [uc, us, cos, sin], [vc, vs, Self::GROUND, 0.0]];
         true
     }
 }

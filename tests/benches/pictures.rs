@@ -26,11 +26,7 @@ impl<M: Mechanism<Scalar = f64, Motors = [f64; 1]>> Motion<M> {
     fn new() -> Self {
         let mechanism = M::new();
         let [start] = mechanism.motors();
-        Self {
-            mechanism,
-            start,
-            step: 0,
-        }
+        Self { mechanism, start, step: 0 }
     }
 
     fn go_on(&mut self) -> &M {
@@ -66,19 +62,13 @@ fn repaints<M: Mechanism<Scalar = f64, Motors = [f64; 1]>>(threshold: Threshold)
     let pixels: usize = stage.changed().map(|area| area.width * area.height).sum();
     #[expect(clippy::cast_precision_loss, reason = "a picture has fewer")]
     let part = 100.0 * pixels as f64 / (512.0 * 512.0);
-    println!(
-        "    {} rectangles, {:.1} % of the picture",
-        stage.changed().count(),
-        part
-    );
+    println!("    {} rectangles, {:.1} % of the picture", stage.changed().count(), part);
 }
 
 /// A frame of Andrews' squeezer, and its share that is spent on solving.
 fn whole_frame() {
-    let (mut solved, mut drawn) = (
-        Motion::<AndrewsSqueezer>::new(),
-        Motion::<AndrewsSqueezer>::new(),
-    );
+    let (mut solved, mut drawn) =
+        (Motion::<AndrewsSqueezer>::new(), Motion::<AndrewsSqueezer>::new());
     let mut frame = Box::new(Frame::<512, 512>::new());
     frame.look_at(AndrewsSqueezer::view(512, 512));
     let (share, [_, whole]) = compare(

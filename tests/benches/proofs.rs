@@ -29,10 +29,7 @@ const KINDS: [(&str, &[&str]); 15] = [
     ("clear", &["clear("]),
     ("pressure, curvature", &["pressure(", "curvature("]),
     ("d", &["d("]),
-    (
-        "min, max, swing, stroke",
-        &["min(", "max(", "swing(", "stroke("],
-    ),
+    ("min, max, swing, stroke", &["min(", "max(", "swing(", "stroke("]),
     ("transmission", &["transmission"]),
     ("coordinates, places", &[""]),
 ];
@@ -121,9 +118,7 @@ struct Judged {
 }
 
 fn main() {
-    let word = std::env::args()
-        .skip(1)
-        .find(|word| !word.starts_with("--"));
+    let word = std::env::args().skip(1).find(|word| !word.starts_with("--"));
     let is_wanted =
         |subject: &(String, TokenStream)| word.as_ref().is_none_or(|word| subject.0.contains(word));
     let all = subjects().into_iter().filter(is_wanted);
@@ -141,14 +136,8 @@ fn subjects() -> Vec<(String, TokenStream)> {
         (case.name.clone(), with(text, asked))
     });
     let gallery = OF_GALLERY.into_iter().map(|(name, asked)| {
-        let (_, source) = GALLERY
-            .iter()
-            .find(|(other, _)| *other == name)
-            .expect("it is there");
-        (
-            name.to_owned(),
-            with(bodies(source).remove(0), asked.iter().copied()),
-        )
+        let (_, source) = GALLERY.iter().find(|(other, _)| *other == name).expect("it is there");
+        (name.to_owned(), with(bodies(source).remove(0), asked.iter().copied()))
     });
     texts.chain(gallery).collect()
 }
@@ -169,10 +158,8 @@ fn judged((of, text): (String, TokenStream)) -> Vec<Judged> {
     };
     let requirements = analysis.parsed.model.requirements.iter();
     let judged = requirements.map(|requirement| {
-        let model = Model {
-            requirements: vec![requirement.clone()],
-            ..analysis.parsed.model.clone()
-        };
+        let model =
+            Model { requirements: vec![requirement.clone()], ..analysis.parsed.model.clone() };
         let (ms, verdict) = timed(&model, compiled);
         let written = &requirement.written;
         let (kind, intervals) = match verdict {
@@ -183,13 +170,7 @@ fn judged((of, text): (String, TokenStream)) -> Vec<Judged> {
             }) => (OPEN, 0),
             Err(_) => (REFUSED, 0),
         };
-        Judged {
-            of: of.clone(),
-            requirement: written.clone(),
-            kind,
-            ms,
-            intervals,
-        }
+        Judged { of: of.clone(), requirement: written.clone(), kind, ms, intervals }
     });
     judged.collect()
 }
@@ -228,12 +209,7 @@ fn print(all: &[Judged]) {
         let Some(worst) = own.iter().find(|one| one.ms == most) else {
             continue;
         };
-        let Judged {
-            of,
-            requirement,
-            intervals,
-            ..
-        } = worst;
+        let Judged { of, requirement, intervals, .. } = worst;
         let of_large = large.first().map(|_| format!("{:.0}", slowest(&large)));
         println!(
             "| {kind} | {} | {:.1} | {most:.0} | {intervals} | `{requirement}` of `{of}` | {} |",
@@ -245,14 +221,7 @@ fn print(all: &[Judged]) {
     let mut slow: Vec<&Judged> = all.iter().filter(|one| one.ms > MOST).collect();
     slow.sort_by(|a, b| b.ms.total_cmp(&a.ms));
     println!("{} of {} take more than {MOST} ms:", slow.len(), all.len());
-    for Judged {
-        of,
-        requirement,
-        kind,
-        ms,
-        ..
-    } in slow
-    {
+    for Judged { of, requirement, kind, ms, .. } in slow {
         println!("{ms:6.0} ms, {kind}: `{requirement}` of `{of}`");
     }
 }

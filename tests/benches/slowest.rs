@@ -28,14 +28,10 @@ struct Taken {
 fn main() {
     let files: Vec<String> = std::env::args().skip(1).collect();
     let files = files.iter().filter(|name| !name.starts_with("--"));
-    let texts: Vec<String> = files
-        .map(|name| std::fs::read_to_string(name).expect("a text"))
-        .collect();
-    let texts = if texts.is_empty() {
-        seeds(cases(2_000)).map(random_text).collect()
-    } else {
-        texts
-    };
+    let texts: Vec<String> =
+        files.map(|name| std::fs::read_to_string(name).expect("a text")).collect();
+    let texts =
+        if texts.is_empty() { seeds(cases(2_000)).map(random_text).collect() } else { texts };
     let mut all: Vec<Taken> = texts.into_iter().filter_map(taken).collect();
     #[expect(clippy::type_complexity, reason = "a table")]
     let parts: [(&str, fn(&Taken) -> f64); 4] = [
@@ -55,21 +51,13 @@ fn main() {
     for (name, part) in parts {
         all.sort_by(|a, b| part(a).total_cmp(&part(b)));
         let at = |share: usize| part(&all[(all.len() - 1) * share / 100]);
-        println!(
-            "{name:>10} {:>10.2} {:>10.2} {:>10.2}",
-            at(50),
-            at(99),
-            at(100)
-        );
+        println!("{name:>10} {:>10.2} {:>10.2} {:>10.2}", at(50), at(99), at(100));
     }
     let boxes: f64 = all.iter().map(|taken| taken.extent).sum();
     let whole: f64 = all.iter().map(|taken| taken.expansion).sum();
     println!("boxes are {:.1} % of all expansions", 100.0 * boxes / whole);
     for several in [false, true] {
-        let of = || {
-            all.iter()
-                .filter(move |taken| (taken.motors > 1) == several)
-        };
+        let of = || all.iter().filter(move |taken| (taken.motors > 1) == several);
         let outside = of().filter(|taken| taken.outside > 1e-6).count();
         let worst = of().map(|taken| taken.outside).fold(0.0, f64::max);
         println!(
@@ -86,9 +74,7 @@ fn main() {
             taken.analysis, taken.looks, taken.extent, taken.expansion, taken.text
         );
     }
-    let slow = all
-        .iter()
-        .filter(|taken| taken.expansion > MOST || taken.extent > MOST_OF_BOX);
+    let slow = all.iter().filter(|taken| taken.expansion > MOST || taken.extent > MOST_OF_BOX);
     assert!(
         slow.count() == 0,
         "an expansion took more than {MOST} ms, or a box more than {MOST_OF_BOX}"

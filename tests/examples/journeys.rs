@@ -14,9 +14,7 @@ fn main() {
         ),
     };
     let number = |place: usize, usual| {
-        words
-            .get(place)
-            .map_or(usual, |word| word.parse().expect("a number"))
+        words.get(place).map_or(usual, |word| word.parse().expect("a number"))
     };
     let (count, seed) = (number(1, 100), number(2, 0));
     let has = |word: &str| words[1..].iter().any(|one| one.eq_ignore_ascii_case(word));
@@ -24,10 +22,8 @@ fn main() {
         .iter()
         .find_map(|word| word.strip_prefix("examples="))
         .map_or(2, |number| number.parse().expect("a number"));
-    let families: Vec<Family> = Family::ALL
-        .into_iter()
-        .filter(|family| has(&format!("{family:.9?}")))
-        .collect();
+    let families: Vec<Family> =
+        Family::ALL.into_iter().filter(|family| has(&format!("{family:.9?}"))).collect();
     let files = words[1..].iter().filter(|word| word.contains(".mech"));
     let texts = files.map(|path| Family::Text(std::fs::read_to_string(path).expect("a file")));
     let mut families: Vec<Family> = families.into_iter().chain(texts).collect();
@@ -51,11 +47,8 @@ fn main() {
     for family in families {
         let begin = Instant::now();
         let found = tally(kind, &family, seed..seed + count, has("f32"), examples);
-        let name = if let Family::Text(_) = family {
-            "text".to_owned()
-        } else {
-            format!("{family:?}")
-        };
+        let name =
+            if let Family::Text(_) = family { "text".to_owned() } else { format!("{family:?}") };
         let seconds = begin.elapsed().as_secs_f64();
         print!(
             "{name:>10} {:>6} {:>7} {:>8} {seconds:>6.1} |",

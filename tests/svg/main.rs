@@ -52,19 +52,13 @@ fn seen(svg: &str) -> Vec<Seen> {
 #[track_caller]
 fn distance(film: &str, phase: f64, wanted: Svg) -> f32 {
     let (found, wanted) = (seen(&player::still(film, phase)), seen(&wanted.finish()));
-    let names = |all: &[Seen]| {
-        all.iter()
-            .map(|(name, ..)| name.clone())
-            .collect::<Vec<_>>()
-    };
+    let names = |all: &[Seen]| all.iter().map(|(name, ..)| name.clone()).collect::<Vec<_>>();
     assert_eq!(names(&found), names(&wanted), "at {phase}");
     let mut worst = 0.0_f32;
     for ((_, width, points), (_, other_width, others)) in found.iter().zip(&wanted) {
         assert_eq!(points.len(), others.len(), "at {phase}");
-        let distances = points
-            .iter()
-            .zip(others)
-            .map(|(&found, &wanted)| (found - wanted).length());
+        let distances =
+            points.iter().zip(others).map(|(&found, &wanted)| (found - wanted).length());
         worst = distances.fold(worst.max((width - other_width).abs()), f32::max);
     }
     worst

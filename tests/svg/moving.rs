@@ -20,9 +20,8 @@ fn deviation<M: Mechanism>(view: View, motion: impl Fn(f64) -> M::Motors) -> f32
     let mut mechanism = M::new();
     let mut worst = 0.0_f32;
     // By the golden ratio: spread over the turn, and in step with no frames.
-    let mut phases: Vec<_> = (0..200)
-        .map(|number: u16| (0.618_034 * f64::from(number)).fract())
-        .collect();
+    let mut phases: Vec<_> =
+        (0..200).map(|number: u16| (0.618_034 * f64::from(number)).fract()).collect();
     phases.sort_by(f64::total_cmp);
     for phase in phases {
         mechanism.move_to(motion(phase)).expect("it moves");
@@ -45,11 +44,7 @@ fn where_the_mechanism_is() {
         deviation::<Leg>(View::new([0.0, 0.0], 4.0), turn),
         deviation::<RockerArm>(near, |phase| {
             let turn = phase * TAU;
-            [
-                turn,
-                -1.35 + 0.55 * turn.sin(),
-                -0.45 + 0.6 * (2.0 * turn).cos(),
-            ]
+            [turn, -1.35 + 0.55 * turn.sin(), -0.45 + 0.6 * (2.0 * turn).cos()]
         }),
         deviation::<Single>(near, |phase| {
             #[expect(clippy::cast_possible_truncation, reason = "of a few digits")]
@@ -126,25 +121,18 @@ fn traces() {
     // The paper is one.
     assert_eq!(fills.collect::<Vec<_>>(), [true, true, false, true]);
     let path = seen[2].2.iter();
-    let path: Vec<_> = path
-        .map(|point| [point.x, point.y].map(f64::from))
-        .collect();
+    let path: Vec<_> = path.map(|point| [point.x, point.y].map(f64::from)).collect();
     assert_eq!(path.first(), path.last());
     let mut mechanism = Traced::new();
     for degrees in 0..720 {
-        mechanism
-            .move_to(motion(f64::from(degrees) / 720.0))
-            .expect("it turns");
+        mechanism.move_to(motion(f64::from(degrees) / 720.0)).expect("it turns");
         let tip = mechanism.coupler_tip();
         let tip = [160.0 + 60.0 * (tip.x - 2.0), 120.0 - 60.0 * (tip.y - 2.0)];
         let distances = path.windows(2).map(|pair| to_line(tip, pair));
         let nearest = distances.fold(f64::INFINITY, f64::min);
         assert!(nearest < 0.1, "{nearest} pixels at {degrees}");
     }
-    let length: f64 = path
-        .windows(2)
-        .map(|pair| to_line(pair[0], &[pair[1], pair[1]]))
-        .sum();
+    let length: f64 = path.windows(2).map(|pair| to_line(pair[0], &[pair[1], pair[1]])).sum();
     assert!(length < 600.0, "more than once round: {length}");
 }
 
@@ -161,10 +149,7 @@ fn what_blocks_is_reported() {
     let sheet = Sheet::new(64, 48);
     let beyond = |phase: f64| [phase * f64::INFINITY];
     let error = animate::<CrankRocker>(&sheet, Duration::from_secs(1), beyond);
-    assert!(
-        matches!(error, Err(Blocked { place: "a", .. })),
-        "{error:?}"
-    );
+    assert!(matches!(error, Err(Blocked { place: "a", .. })), "{error:?}");
 }
 
 #[test]
@@ -175,10 +160,7 @@ fn nothing_moves() {
     let mut svg = AnimatedSvg::new(Sheet::new(3, 2), Duration::ZERO);
     for x in [f64::NAN, f64::INFINITY] {
         svg.add(|canvas| {
-            let circle = Outline::Circle {
-                center: [x, 0.0],
-                radius: 1.0,
-            };
+            let circle = Outline::Circle { center: [x, 0.0], radius: 1.0 };
             canvas.fill(circle, Pose::identity(), 1);
         });
     }
@@ -201,9 +183,8 @@ mechanism! {
 #[test]
 fn in_step_with_the_moments() {
     for turns in [64.0, 127.0, -128.0, 256.0, 1024.0] {
-        let worst = deviation::<Cart>(View::new([0.0, 0.0], 20.0), |phase| {
-            [0.0, turns * phase * TAU]
-        });
+        let worst =
+            deviation::<Cart>(View::new([0.0, 0.0], 20.0), |phase| [0.0, turns * phase * TAU]);
         assert!(worst < 0.1, "{worst} pixels");
     }
 }

@@ -84,9 +84,7 @@ fn place(text: &str, phase: f64) -> [f64; 3] {
 
 fn key(text: &str) -> Key {
     let (time, transform) = text.split_once("{transform:").expect("a transform");
-    let time = time
-        .strip_suffix('%')
-        .map_or(1.0, |time| number(time) / 100.0);
+    let time = time.strip_suffix('%').map_or(1.0, |time| number(time) / 100.0);
     let [x, y] = between(transform, ["translate(", "px,", "px)"]).expect("a shift");
     let turn = between(transform, ["rotate(", "deg)"]).map_or(0.0, |[turn]| number(turn));
     (time, [number(x), number(y), turn])

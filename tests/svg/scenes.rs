@@ -62,29 +62,16 @@ impl Thing {
         let [x, y] = [self.place[0] + self.sway * phase.cos(), self.place[1]];
         let turned = Pose { cos, sin, x, y };
         let size = 1.0 + self.pulse * phase.sin();
-        let [pose, to_scene] = if self.is_in_scene {
-            [Pose::identity(), turned]
-        } else {
-            [turned, Pose::identity()]
-        };
+        let [pose, to_scene] =
+            if self.is_in_scene { [Pose::identity(), turned] } else { [turned, Pose::identity()] };
         let point = |[x, y]: [f64; 2]| to_scene.apply([size * x, size * y]);
         let points: Vec<_> = self.points.iter().copied().map(point).collect();
         let outline = match self.kind {
-            0 => Outline::Circle {
-                center: points[0],
-                radius: 5.0 * size,
-            },
-            1 => Outline::Ring {
-                center: points[0],
-                radius: 5.0 * size,
-                hole: 3.0,
-            },
+            0 => Outline::Circle { center: points[0], radius: 5.0 * size },
+            1 => Outline::Ring { center: points[0], radius: 5.0 * size, hole: 3.0 },
             2 => Outline::Polygon(&points),
             3 => Outline::Winding(&points),
-            4 => Outline::Line {
-                points: &points,
-                width: 1.5,
-            },
+            4 => Outline::Line { points: &points, width: 1.5 },
             5 => Outline::Arc {
                 center: points[0],
                 start: points[1],

@@ -39,19 +39,13 @@ fn compare(svg: &str, frame: &Frame<LARGE, LARGE>) -> usize {
         let entry = frame.pixels()[y][x];
         if rows.all(|row| row.iter().all(|&other| other == entry)) {
             let wanted = frame.palette().rgb(entry);
-            let distances = found
-                .iter()
-                .zip(wanted)
-                .map(|(found, wanted)| found.abs_diff(wanted));
+            let distances = found.iter().zip(wanted).map(|(found, wanted)| found.abs_diff(wanted));
             let distance = distances.max().expect("three");
             different += usize::from(distance > 3);
             compared += 1;
         }
     }
-    assert!(
-        different * 200 <= compared,
-        "{different} of {compared} differ:\n{svg}"
-    );
+    assert!(different * 200 <= compared, "{different} of {compared} differ:\n{svg}");
     compared
 }
 
@@ -78,16 +72,9 @@ fn mechanisms() {
     let compared = [
         both(view, |svg| piston.draw(svg), |frame| piston.draw(frame)),
         both(view, |svg| four_bar.draw(svg), |frame| four_bar.draw(frame)),
-        both(
-            View::new([0.0, 0.0], 0.5),
-            |svg| leg.draw(svg),
-            |frame| leg.draw(frame),
-        ),
+        both(View::new([0.0, 0.0], 0.5), |svg| leg.draw(svg), |frame| leg.draw(frame)),
     ];
-    assert!(
-        compared.iter().all(|count| *count > LARGE * LARGE / 2),
-        "{compared:?}"
-    );
+    assert!(compared.iter().all(|count| *count > LARGE * LARGE / 2), "{compared:?}");
 }
 
 fn pose<T: Scalar>() -> impl Strategy<Value = Pose<T>> {
@@ -116,20 +103,11 @@ fn paint<T: Scalar>(shapes: &[Random<T>], canvas: &mut impl Canvas<T>) {
         let (center, start, radius, width) = (points[0], points[1], *radius, *hole);
         let outline = match kind {
             0 => Outline::Circle { center, radius },
-            1 => Outline::Ring {
-                center,
-                radius,
-                hole: *hole,
-            },
+            1 => Outline::Ring { center, radius, hole: *hole },
             2 => Outline::Polygon(points),
             3 => Outline::Winding(points),
             4 => Outline::Line { points, width },
-            _ => Outline::Arc {
-                center,
-                start,
-                angle: *angle,
-                width,
-            },
+            _ => Outline::Arc { center, start, angle: *angle, width },
         };
         canvas.fill(outline, *pose, *color);
     }

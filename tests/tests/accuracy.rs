@@ -66,11 +66,7 @@ fn measure<T: Real>(
 ) -> (f64, bool) {
     const STEPS: usize = 150;
     let spots = spots(model);
-    let steps: Vec<f64> = model
-        .motors
-        .iter()
-        .map(|motor| motor.step.unwrap_or(0.0))
-        .collect();
+    let steps: Vec<f64> = model.motors.iter().map(|motor| motor.step.unwrap_or(0.0)).collect();
     let (mut worst, mut stopped) = (0.0_f64, false);
     // The more mechanisms, the more walks of each.
     for _ in 0..cases().div_ceil(25) {
@@ -78,10 +74,7 @@ fn measure<T: Real>(
         let mut machine = Machine::<T>::new(program);
         // To anywhere, in steps that are smaller than declared.
         let far = dice.below(STEPS);
-        let signs: Vec<f64> = steps
-            .iter()
-            .map(|_| dice.between(-1.0, 1.0).signum())
-            .collect();
+        let signs: Vec<f64> = steps.iter().map(|_| dice.between(-1.0, 1.0).signum()).collect();
         let mut directions: Vec<f64> = signs;
         let part = dice.between(0.2, 0.9);
         for step in 0..far + STEPS {
@@ -144,11 +137,7 @@ fn in_its_precision(
 
 /// The most exact move.
 fn exact(model: &Model) -> Option<Program> {
-    let exact = Model {
-        method: None,
-        accuracy: None,
-        ..model.clone()
-    };
+    let exact = Model { method: None, accuracy: None, ..model.clone() };
     compile(&exact).ok().map(|compiled| compiled.program)
 }
 
@@ -196,12 +185,7 @@ fn hold(model: &Model, what: &str, seen: &mut Seen, dice: &mut Dice) {
         return;
     };
     for (method, predictor) in METHODS {
-        let model = Model {
-            method: Some(method),
-            predictor,
-            accuracy: None,
-            ..model.clone()
-        };
+        let model = Model { method: Some(method), predictor, accuracy: None, ..model.clone() };
         let Ok(compiled) = compile(&model) else {
             continue;
         };
@@ -210,10 +194,7 @@ fn hold(model: &Model, what: &str, seen: &mut Seen, dice: &mut Dice) {
         };
         let (measured, stopped) = in_its_precision(&model, &compiled.program, &exact, dice);
         let measured = if stopped { f64::INFINITY } else { measured };
-        let what = format!(
-            "{what} {} {method:?} {predictor} {:?}",
-            model.name, model.precision
-        );
+        let what = format!("{what} {} {method:?} {predictor} {:?}", model.name, model.precision);
         seen.hold(&what, prediction.error, measured);
     }
 }
@@ -257,12 +238,7 @@ fn dyads_at_random_are_hardly_worse_than_estimated() {
             hold(&with_step(&model, degrees), &what, &mut seen, &mut dice);
         }
         seen.tell(&format!("random, {precision:?}"));
-        assert!(
-            100 * seen.below <= seen.bounded,
-            "{} of {}",
-            seen.below,
-            seen.bounded
-        );
+        assert!(100 * seen.below <= seen.bounded, "{} of {}", seen.below, seen.bounded);
     }
 }
 
@@ -284,12 +260,7 @@ fn coupled_loops_at_random_are_seldom_worse_than_estimated() {
         }
         seen.tell(&format!("coupled at random, {precision:?}"));
         assert!(seen.bounded > 0);
-        assert!(
-            10 * seen.below <= seen.bounded.max(100),
-            "{} of {}",
-            seen.below,
-            seen.bounded
-        );
+        assert!(10 * seen.below <= seen.bounded.max(100), "{} of {}", seen.below, seen.bounded);
     }
 }
 
@@ -314,13 +285,8 @@ fn what_an_accuracy_accepts_is_as_accurate() {
         let Some(exact) = exact(&model) else {
             continue;
         };
-        for (degrees, accuracy) in [
-            (0.1, 1e-7),
-            (1.0, 1e-3),
-            (1.0, 1e-6),
-            (1.0, 1e-9),
-            (5.0, 1e-2),
-        ] {
+        for (degrees, accuracy) in [(0.1, 1e-7), (1.0, 1e-3), (1.0, 1e-6), (1.0, 1e-9), (5.0, 1e-2)]
+        {
             for precision in [Precision::F64, Precision::F32] {
                 let model = Model {
                     method: None,

@@ -24,21 +24,14 @@ where
     let (model, compiled) = mechanism_of::<M>(case.source);
     let mut machine = Machine::<M::Scalar>::new(&compiled.program);
     let mut mechanism = M::new();
-    let start: Vec<f64> = mechanism
-        .motors()
-        .as_ref()
-        .iter()
-        .map(|&motor| Real::to_f64(motor))
-        .collect();
+    let start: Vec<f64> =
+        mechanism.motors().as_ref().iter().map(|&motor| Real::to_f64(motor)).collect();
     let mut worst: f64 = 0.0;
     for frame in 0..=FRAMES {
         let phase = f64::from(frame) / f64::from(FRAMES);
         let mut motors = mechanism.motors();
-        for ((motor, start), displacement) in motors
-            .as_mut()
-            .iter_mut()
-            .zip(&start)
-            .zip((case.motion)(phase))
+        for ((motor, start), displacement) in
+            motors.as_mut().iter_mut().zip(&start).zip((case.motion)(phase))
         {
             *motor = <M::Scalar as Real>::from_f64(start + displacement);
         }
@@ -49,9 +42,8 @@ where
             .move_to(motors.as_ref())
             .unwrap_or_else(|stop| panic!("{} at {phase}: {stop:?}", M::NAME));
         for (emitted, run) in mechanism.poses().iter().zip(&machine.position().poses) {
-            for (emitted, run) in [emitted.cos, emitted.sin, emitted.x, emitted.y]
-                .into_iter()
-                .zip(run)
+            for (emitted, run) in
+                [emitted.cos, emitted.sin, emitted.x, emitted.y].into_iter().zip(run)
             {
                 let (emitted, run) = (Real::to_f64(emitted), Real::to_f64(*run));
                 let ulp = <M::Scalar as Real>::EPSILON * emitted.abs().max(f64::MIN_POSITIVE);
@@ -67,10 +59,7 @@ where
         assert!(worst_stretch(&poses) < 8.0 * <M::Scalar as Real>::EPSILON);
     }
     let relative = worst / lengths(&model).fold(0.0, f64::max);
-    println!(
-        "{:<16} gap at most {relative:.1e} of its largest length",
-        M::NAME
-    );
+    println!("{:<16} gap at most {relative:.1e} of its largest length", M::NAME);
     assert!(relative < gap_limit, "{}: {relative:e}", M::NAME);
 }
 
@@ -147,10 +136,7 @@ cases! {
 
 #[test]
 fn single_precision() {
-    let case = Case {
-        source: include_str!("subjects/zoo/single.mech"),
-        motion: turn,
-    };
+    let case = Case { source: include_str!("subjects/zoo/single.mech"), motion: turn };
     check::<zoo::Single>(&case, 1e-6);
 }
 

@@ -35,10 +35,7 @@ struct Shown<T> {
 impl<T: Real> Shown<T> {
     /// A number that differs where any bit does.
     fn mixed(&self) -> (bool, u64) {
-        let bits = self
-            .numbers
-            .iter()
-            .map(|&number| Real::to_f64(number).to_bits());
+        let bits = self.numbers.iter().map(|&number| Real::to_f64(number).to_bits());
         (self.is_ok, bits.fold(0, mix))
     }
 }
@@ -60,22 +57,8 @@ impl Case {
 
     /// A hard case that goes onto its change points, beside and past them, and towards where it cannot go, by one of two methods.
     fn hard(text: String, number: usize) -> Self {
-        const VALUES: [f64; 14] = [
-            1.0,
-            2.5,
-            PI,
-            3.2,
-            PI + 1e-9,
-            4.0,
-            TAU,
-            7.5,
-            40.0,
-            3.0,
-            -0.5,
-            0.0,
-            1e-7,
-            1.5,
-        ];
+        const VALUES: [f64; 14] =
+            [1.0, 2.5, PI, 3.2, PI + 1e-9, 4.0, TAU, 7.5, 40.0, 3.0, -0.5, 0.0, 1e-7, 1.5];
         let method = ["", "method newton;"][number % 2];
         let motors = VALUES.map(|value| vec![value]).to_vec();
         let text = text + method;
@@ -162,9 +145,7 @@ const fn mix(all: u64, bits: u64) -> u64 {
 
 /// A random mechanism that stands several times, as it is, mirrored and scaled.
 fn several(dice: &mut Dice) -> String {
-    let additions: Vec<Dice> = (0..=dice.below(5))
-        .map(|_| Dice::new(dice.bits()))
-        .collect();
+    let additions: Vec<Dice> = (0..=dice.below(5)).map(|_| Dice::new(dice.bits())).collect();
     let (body, motors, _) = part_of(&text(&grow_from(dice, &additions).model));
     let mut text = format!("struct Several;\npart Whole {{\n{body}}}\n");
     for (name, mirrored) in [("plain", ""), ("mirrored", " mirrored")] {

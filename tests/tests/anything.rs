@@ -33,10 +33,8 @@ impl fmt::Debug for Declared {
 
 /// Up to six links and thirteen joints, which are left out where a test fails without them.
 fn declarations() -> impl Strategy<Value = Declared> {
-    (dice(), vec(dice(), 1..=13)).prop_map(|(mut dice, joints)| Declared {
-        model: anything(&mut dice, &joints),
-        dice,
-    })
+    (dice(), vec(dice(), 1..=13))
+        .prop_map(|(mut dice, joints)| Declared { model: anything(&mut dice, &joints), dice })
 }
 
 fn anything(dice: &mut Dice, joints: &[Dice]) -> Model {
@@ -83,12 +81,7 @@ fn anything(dice: &mut Dice, joints: &[Dice]) -> Model {
                 ratio: Ratio::Teeth(20, *dice.pick(&[20, -40, 17])),
                 on: None,
             },
-            10 => JointKind::Rack {
-                pinion: a,
-                bar: b,
-                radius: 0.5,
-                on: None,
-            },
+            10 => JointKind::Rack { pinion: a, bar: b, radius: 0.5, on: None },
             _ => {
                 slots.push((
                     add_axis(&mut model, a, AxisKind::Point, p, [1.0, 0.0]),
@@ -108,20 +101,13 @@ fn anything(dice: &mut Dice, joints: &[Dice]) -> Model {
         model.add_slot(&format!("s{index}"), Origin::default(), point, line);
     }
     for joint in model.joint_ids().collect::<Vec<_>>() {
-        let drives = matches!(
-            model.joint(joint).kind,
-            JointKind::Revolute(..) | JointKind::Prismatic(..)
-        );
+        let drives =
+            matches!(model.joint(joint).kind, JointKind::Revolute(..) | JointKind::Prismatic(..));
         if drives && !model.joint(joint).hidden && dice.once_in(3) && model.motors.len() < 3 {
-            model
-                .motors
-                .push(Motor::new(JointId::new(joint.index()), Origin::default()));
+            model.motors.push(Motor::new(JointId::new(joint.index()), Origin::default()));
         }
     }
-    model.allow = Allowances {
-        redundant: dice.once_in(2),
-        coupled: dice.once_in(2),
-    };
+    model.allow = Allowances { redundant: dice.once_in(2), coupled: dice.once_in(2) };
     model
 }
 
@@ -129,10 +115,7 @@ fn anything(dice: &mut Dice, joints: &[Dice]) -> Model {
 fn put_cams(model: &mut Model, dice: &mut Dice) {
     let moves = |id: &JointId| {
         let joint = model.joint(*id);
-        let kinds = matches!(
-            joint.kind,
-            JointKind::Revolute(..) | JointKind::Prismatic(..)
-        );
+        let kinds = matches!(joint.kind, JointKind::Revolute(..) | JointKind::Prismatic(..));
         kinds && !joint.hidden
     };
     let joints: Vec<JointId> = model.joint_ids().filter(moves).collect();
@@ -154,20 +137,12 @@ fn put_cams(model: &mut Model, dice: &mut Dice) {
             "max(0, 0.4 * sin(t))",
             "exp(t) - 1",
         ]);
-        let law = if text == "1 / t" {
-            reciprocal()
-        } else {
-            law(text)
-        };
+        let law = if text == "1 / t" { reciprocal() } else { law(text) };
         model.laws.push(law);
         model.joints.push(Joint {
             name: format!("c{number}"),
             origin: Origin::default(),
-            kind: JointKind::Cam {
-                shaft,
-                follower,
-                law: LawId::new(model.laws.len() - 1),
-            },
+            kind: JointKind::Cam { shaft, follower, law: LawId::new(model.laws.len() - 1) },
             hidden: false,
         });
     }
@@ -176,10 +151,8 @@ fn put_cams(model: &mut Model, dice: &mut Dice) {
 /// The law 1 / t, which a motor cannot start with.
 fn reciprocal() -> Law {
     let mut formulas = Formulas::default();
-    let (variable, one) = (
-        formulas.add(Formula::Variable(0)),
-        formulas.add(Formula::constant(1.0)),
-    );
+    let (variable, one) =
+        (formulas.add(Formula::Variable(0)), formulas.add(Formula::constant(1.0)));
     let quotient = formulas.add(Formula::Div(one, variable));
     Law::new(formulas, quotient, "1 / t".to_owned(), Origin::default())
 }
@@ -207,15 +180,10 @@ fn anything_at_all() {
 
 #[test]
 fn anything_with_cams() {
-    try_all(&declarations().prop_map(
-        |Declared {
-             mut model,
-             mut dice,
-         }| {
-            put_cams(&mut model, &mut dice);
-            Declared { model, dice }
-        },
-    ));
+    try_all(&declarations().prop_map(|Declared { mut model, mut dice }| {
+        put_cams(&mut model, &mut dice);
+        Declared { model, dice }
+    }));
 }
 
 fn try_all(declared: &impl Strategy<Value = Declared>) {
@@ -256,8 +224,5 @@ fn try_all(declared: &impl Strategy<Value = Declared>) {
         }
     });
     println!("{accepted} of {all} accepted, {moved} moves");
-    assert!(
-        accepted > all / 100 && moved > accepted,
-        "{accepted} of {all}, {moved} moves"
-    );
+    assert!(accepted > all / 100 && moved > accepted, "{accepted} of {all}, {moved} moves");
 }

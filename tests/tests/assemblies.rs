@@ -31,10 +31,7 @@ fn legs(count: usize) -> String {
         )
     };
     let gears = (1..count).map(|leg| {
-        format!(
-            "joint mesh{leg} = gear(crank{}, crank{leg}, 20 : 20 on ground);\n",
-            leg - 1
-        )
+        format!("joint mesh{leg} = gear(crank{}, crank{leg}, 20 : 20 on ground);\n", leg - 1)
     });
     let parts: String = (0..count).map(each).chain(gears).collect();
     format!("struct Legs;\nground {{ {ground} }}\n{parts}motor ja0;\n")
@@ -57,17 +54,11 @@ fn what_is_offered_is_enough() {
     for count in [1, 2, 6] {
         let text = legs(count);
         let messages = message(&text);
-        let first = messages
-            .lines()
-            .find(|line| line.starts_with("help: "))
-            .expect("help");
+        let first = messages.lines().find(|line| line.starts_with("help: ")).expect("help");
         let start = quotes(first)[0].to_owned();
         let all = start.matches(" near ").count();
         assert_eq!(all, 2 * count, "a loop has no clause\n{messages}");
-        assert!(
-            compile(&model(&format!("{text}{start}"))).is_ok(),
-            "{messages}"
-        );
+        assert!(compile(&model(&format!("{text}{start}"))).is_ok(), "{messages}");
         // Each loop can be turned over in that statement.
         let others = messages.lines().filter(|line| line.contains("; instead `"));
         let mut turned = 0;
@@ -78,13 +69,7 @@ fn what_is_offered_is_enough() {
             let clauses = start.trim_start_matches("start { ").trim_end_matches(" }");
             let clauses = clauses.split_inclusive(';').map(str::trim);
             let changed: Vec<&str> = clauses
-                .map(|one| {
-                    if one.starts_with(&format!("{link} ")) {
-                        clause
-                    } else {
-                        one
-                    }
-                })
+                .map(|one| if one.starts_with(&format!("{link} ")) { clause } else { one })
                 .collect();
             let text = format!("{text}start {{ {} }}", changed.join(" "));
             assert!(compile(&model(&text)).is_ok(), "{line}\n{messages}");
@@ -98,10 +83,8 @@ fn what_is_offered_is_enough() {
 fn choose(model: &Model, loops: &[OpenLoop], other: Option<(usize, usize)>) -> Model {
     let mut chosen = model.clone();
     for (number, open) in loops.iter().enumerate() {
-        let assembly = other.map_or(
-            0,
-            |(turned, assembly)| if turned == number { assembly } else { 0 },
-        );
+        let assembly =
+            other.map_or(0, |(turned, assembly)| if turned == number { assembly } else { 0 });
         chosen.start.near.push(Near {
             link: open.link,
             angle: open.assemblies[assembly].angle,
@@ -138,35 +121,18 @@ fn each_loop_of_a_random_mechanism_is_named_by_its_joint() {
                 open += 1;
                 continue;
             };
-            let OpenLoop {
-                joint,
-                ref assemblies,
-                ..
-            } = loops[number];
-            let LoopAssembly {
-                coordinate: expected,
-                ..
-            } = assemblies[assembly];
+            let OpenLoop { joint, ref assemblies, .. } = loops[number];
+            let LoopAssembly { coordinate: expected, .. } = assemblies[assembly];
             let mut reversed = model.clone();
             reversed.start.near.reverse();
             let same = compile(&reversed).expect("the order of clauses is free");
             assert_eq!(same.plan.start, compiled.plan.start);
             let (is, turns) = coordinate(&model, &compiled.plan.start.poses, joint);
-            let off = if turns {
-                (0.5 * (is - expected)).sin()
-            } else {
-                is - expected
-            };
+            let off = if turns { (0.5 * (is - expected)).sin() } else { is - expected };
             assert!(off.abs() < 1e-6, "loop {number}: {is}, expected {expected}");
             compared += 1;
         }
     });
-    assert!(
-        3 * compared > 2 * cases(CASES),
-        "only {compared} assemblies"
-    );
-    assert!(
-        20 * open < compared,
-        "{open} of {compared} assemblies stay open"
-    );
+    assert!(3 * compared > 2 * cases(CASES), "only {compared} assemblies");
+    assert!(20 * open < compared, "{open} of {compared} assemblies stay open");
 }

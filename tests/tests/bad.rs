@@ -35,10 +35,7 @@ fn is_somewhere<T: Scalar>(poses: &[Pose<T>]) {
     for pose in poses {
         let numbers = [pose.cos, pose.sin, pose.x, pose.y];
         assert!(
-            numbers
-                .map(mech_runtime::Real::to_f64)
-                .iter()
-                .all(|number| number.is_finite()),
+            numbers.map(mech_runtime::Real::to_f64).iter().all(|number| number.is_finite()),
             "{pose:?}"
         );
         let length = numbers[0].to_f64().hypot(numbers[1].to_f64());
@@ -66,11 +63,8 @@ fn ask_forced(m: &mut Forced, which: u8, [x, y, z, w]: [f64; 4]) -> bool {
         6 => m.set_rates([x]).is_err(),
         7 => m.simulate(x, [y]).is_err(),
         8 => {
-            let method = [
-                GaussLegendre::Order2,
-                GaussLegendre::Order4,
-                GaussLegendre::Order6,
-            ][usize::from(which) % 3];
+            let method = [GaussLegendre::Order2, GaussLegendre::Order4, GaussLegendre::Order6]
+                [usize::from(which) % 3];
             m.simulate_by(method, 1e-3 * x, [y]).is_err()
         }
         9 => {
@@ -113,21 +107,14 @@ fn ask_forced(m: &mut Forced, which: u8, [x, y, z, w]: [f64; 4]) -> bool {
     assert!(!refused || *m == before, "{m:?} was {before:?}");
     is_somewhere(m.poses());
     are_numbers(m);
-    are_numbers(&(
-        m.coupler_tip(),
-        m.coupler_tip_velocity(),
-        m.coupler_tip_acceleration(),
-    ));
+    are_numbers(&(m.coupler_tip(), m.coupler_tip_velocity(), m.coupler_tip_acceleration()));
     are_numbers(&(m.jd(), m.jd_rate(), m.jd_acceleration(), m.coil()));
     !refused && [0, 1, 2, 3, 7, 8, 11, 13].contains(&(which % 15))
 }
 
 fn ask_changing(m: &mut Changing, which: u8, numbers: [f64; 4]) {
     let before = *m;
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "what is beyond is infinite"
-    )]
+    #[expect(clippy::cast_possible_truncation, reason = "what is beyond is infinite")]
     let [x, y, z, w] = numbers.map(|number| number as f32);
     let refused = match which % 6 {
         0 => m.move_to([x, y]).is_err(),

@@ -76,8 +76,5 @@ where
 fn code_for_any_mechanism_prints_it() {
     let mut short = Short::new();
     let blocked = short.move_to([f64::NAN, 0.0]).expect_err("no number");
-    assert_eq!(
-        display::<Short>(blocked),
-        "the value for `turn` is not a finite number"
-    );
+    assert_eq!(display::<Short>(blocked), "the value for `turn` is not a finite number");
 }

@@ -59,11 +59,7 @@ fn a_cam_drives_what_hangs_on_its_follower() {
         // The slider-crank that the lever makes with the rod, by hand.
         let (pin_x, pin_y) = (2.0 - 2.0 * lever.sin(), 2.0 * lever.cos());
         let slide = pin_x + (2.5_f64.powi(2) - (3.0 - pin_y).powi(2)).sqrt();
-        assert!(
-            (train.z() - slide).abs() < 1e-12,
-            "{m}: {} {slide}",
-            train.z()
-        );
+        assert!((train.z() - slide).abs() < 1e-12, "{m}: {} {slide}", train.z());
         let [first, second] = differences(|m| at(m).z(), m);
         assert!((train.z_rate() - first).abs() < 1e-9, "{m}");
         assert!((train.z_acceleration() - second).abs() < 1e-7, "{m}");
@@ -141,15 +137,9 @@ fn what_rolls_may_hang_on_a_follower() {
 fn what_cannot_be_followed_is_diagnosed() {
     type Found = fn(&[Diagnosis]) -> bool;
     let cases: [(&str, Found); 4] = [
-        (
-            "joint c = cam(s, f, q); joint d = cam(s, f, sin(q)); motor s;",
-            |found| {
-                matches!(
-                    found,
-                    [Diagnosis::Overdetermined { .. } | Diagnosis::Blocked { .. }]
-                )
-            },
-        ),
+        ("joint c = cam(s, f, q); joint d = cam(s, f, sin(q)); motor s;", |found| {
+            matches!(found, [Diagnosis::Overdetermined { .. } | Diagnosis::Blocked { .. }])
+        }),
         ("joint c = cam(s, f, q);", |found| {
             matches!(found, [Diagnosis::NoMotor { freedom: 1, .. }])
         }),
@@ -159,10 +149,7 @@ fn what_cannot_be_followed_is_diagnosed() {
         // A law that does not vary holds its follower.
         ("joint c = cam(s, f, 0.5); motor f;", |found| {
             let holds = |one: &Diagnosis| {
-                matches!(
-                    one,
-                    Diagnosis::Blocked { .. } | Diagnosis::TooManyMotors { .. }
-                )
+                matches!(one, Diagnosis::Blocked { .. } | Diagnosis::TooManyMotors { .. })
             };
             found.iter().any(holds)
         }),
@@ -186,16 +173,13 @@ fn random_followers_are_where_their_laws_have_them() {
     let (mut compiled, mut moved) = (0, 0);
     for_all(CASES, &samples(1..=6), |Sample { grown, mut dice }| {
         let mut model = grown.model;
-        let cams: Vec<_> = (0..=dice.below(3))
-            .filter_map(|_| add_cam(&mut model, &mut dice))
-            .collect();
+        let cams: Vec<_> =
+            (0..=dice.below(3)).filter_map(|_| add_cam(&mut model, &mut dice)).collect();
         let Some(&last) = cams.last() else { return };
         let name = model.joint(last).name.clone();
         let model = shuffled(&model, &mut dice);
-        let last = model
-            .joint_ids()
-            .find(|&joint| model.joint(joint).name == name)
-            .expect("it is there");
+        let last =
+            model.joint_ids().find(|&joint| model.joint(joint).name == name).expect("it is there");
         let whole = compile(&model).unwrap_or_else(|wrong| panic!("{wrong:?}"));
         compiled += 1;
         let link = model.ends(last).1;

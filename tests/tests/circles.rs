@@ -64,10 +64,7 @@ impl Modules {
     }
 
     fn add(&mut self, items: Vec<Item>, file: &Path, folder: &Path, path: &Names) {
-        let mut module = Module {
-            file: file.to_owned(),
-            ..Module::default()
-        };
+        let mut module = Module { file: file.to_owned(), ..Module::default() };
         for item in items {
             match item {
                 Item::Mod(inner) if is_for_tests(&inner.attrs) => {}
@@ -142,9 +139,7 @@ impl Modules {
             for names in &module.named {
                 let file = self.file_of(path, names, 0);
                 if let Some(file) = file.filter(|file| !self.is_above(file, path)) {
-                    from.entry(file)
-                        .or_default()
-                        .extend(names.last().map(String::as_str));
+                    from.entry(file).or_default().extend(names.last().map(String::as_str));
                 }
             }
         }
@@ -167,10 +162,9 @@ impl Module {
                 self.take(&path.tree, before, is_own);
                 before.pop();
             }
-            UseTree::Group(group) => group
-                .items
-                .iter()
-                .for_each(|tree| self.take(tree, before, is_own)),
+            UseTree::Group(group) => {
+                group.items.iter().for_each(|tree| self.take(tree, before, is_own))
+            }
             UseTree::Glob(_) => self.globs.push(before.clone()),
             UseTree::Name(name) if name.ident == "self" => {
                 note(before.last().cloned().unwrap_or_default(), before.clone());
@@ -214,9 +208,7 @@ impl Module {
 }
 
 fn is_for_tests(attributes: &[syn::Attribute]) -> bool {
-    attributes
-        .iter()
-        .any(|one| one.to_token_stream().to_string() == "# [cfg (test)]")
+    attributes.iter().any(|one| one.to_token_stream().to_string() == "# [cfg (test)]")
 }
 
 fn name_of(item: &Item) -> Option<String> {
@@ -247,20 +239,13 @@ fn reached<'a>(arrows: &Arrows<'a>, from: &'a Path) -> BTreeSet<&'a Path> {
 
 /// The arrows of each circle, in words.
 fn circles(arrows: &Arrows, root: &Path) -> BTreeSet<String> {
-    let reach: BTreeMap<&Path, _> = arrows
-        .keys()
-        .map(|file| (*file, reached(arrows, file)))
-        .collect();
+    let reach: BTreeMap<&Path, _> =
+        arrows.keys().map(|file| (*file, reached(arrows, file))).collect();
     let is_tied = |one: &Path, other: &Path| {
         let leads = |one: &Path, other: &Path| reach.get(one).is_some_and(|to| to.contains(other));
         leads(one, other) && leads(other, one)
     };
-    let name = |file: &Path| {
-        file.strip_prefix(root)
-            .unwrap_or(file)
-            .display()
-            .to_string()
-    };
+    let name = |file: &Path| file.strip_prefix(root).unwrap_or(file).display().to_string();
     let circle = |from: &Path| {
         let members = arrows.iter().filter(|(file, _)| is_tied(from, file));
         let lines = members.flat_map(|(file, to)| {
@@ -271,11 +256,7 @@ fn circles(arrows: &Arrows, root: &Path) -> BTreeSet<String> {
         });
         lines.collect::<String>()
     };
-    arrows
-        .keys()
-        .map(|file| circle(file))
-        .filter(|lines| !lines.is_empty())
-        .collect()
+    arrows.keys().map(|file| circle(file)).filter(|lines| !lines.is_empty()).collect()
 }
 
 #[test]
@@ -294,10 +275,5 @@ fn no_file_is_in_a_circle() {
         found.extend(circles(&arrows, &root));
     }
     let lines: Vec<String> = found.iter().cloned().collect();
-    assert!(
-        found.is_empty(),
-        "{} circles:\n{}",
-        found.len(),
-        lines.join("\n")
-    );
+    assert!(found.is_empty(), "{} circles:\n{}", found.len(), lines.join("\n"));
 }

@@ -95,10 +95,7 @@ impl Shape {
                     !(0.0..=way[0] * way[0] + way[1] * way[1]).contains(&along)
                 };
                 let ends = [round(*from, 0.5 * width), round(*to, 0.5 * width)].concat();
-                sides
-                    .into_iter()
-                    .chain(ends.into_iter().filter(is_outside))
-                    .collect()
+                sides.into_iter().chain(ends.into_iter().filter(is_outside)).collect()
             }
             Self::Polygon(corners) => {
                 let next = corners.iter().cycle().skip(1);
@@ -166,10 +163,7 @@ impl Passing {
         if let Err(faults) = &result {
             let texts = faults.messages.iter().map(|one| &one.text[..]);
             let texts: Vec<&str> = texts.collect();
-            assert!(
-                texts.iter().all(|text| text.contains("does not hold")),
-                "{text}: {texts:?}"
-            );
+            assert!(texts.iter().all(|text| text.contains("does not hold")), "{text}: {texts:?}");
         }
         result.is_ok()
     }
@@ -180,10 +174,8 @@ impl Passing {
         let mut least = f64::INFINITY;
         for angle in 0..ANGLES {
             let (sin, cos) = (TAU * f64::from(angle) / f64::from(ANGLES)).sin_cos();
-            let turned: Vec<Vector> = own
-                .iter()
-                .map(|[x, y]| [cos * x - sin * y, sin * x + cos * y])
-                .collect();
+            let turned: Vec<Vector> =
+                own.iter().map(|[x, y]| [cos * x - sin * y, sin * x + cos * y]).collect();
             if turned.iter().any(|at| self.standing.covers(*at))
                 || other
                     .iter()
@@ -219,8 +211,5 @@ fn bodies_keep_as_clear_as_places_on_their_boundaries() {
             assert!(!passing.meets(&beyond), "seed {seed}: {least}");
         }
     }
-    assert!(
-        clear > 2 && overlapping > 2,
-        "{clear} clear, {overlapping} overlapping"
-    );
+    assert!(clear > 2 && overlapping > 2, "{clear} clear, {overlapping} overlapping");
 }

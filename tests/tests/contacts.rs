@@ -15,11 +15,7 @@ fn text(dice: &mut Dice, expect: &str) -> String {
     let carrier = *dice.pick(&["ground", "frame"]);
     let mut ends = |one: &str| {
         let ends = [carrier, one];
-        let [a, b] = if dice.once_in(2) {
-            [ends[1], ends[0]]
-        } else {
-            ends
-        };
+        let [a, b] = if dice.once_in(2) { [ends[1], ends[0]] } else { ends };
         format!("{a}, {b}")
     };
     let (shaft, follower) = (ends("disk"), ends("lever"));
@@ -58,11 +54,7 @@ struct Seen<'p> {
 impl<'p> Seen<'p> {
     fn new(model: &'p Model, compiled: &'p Compiled) -> Self {
         let program = &compiled.program;
-        Self {
-            model,
-            program,
-            machine: Machine::new(program),
-        }
+        Self { model, program, machine: Machine::new(program) }
     }
 
     fn link(&self, joint: &str) -> LinkId {
@@ -84,10 +76,7 @@ impl<'p> Seen<'p> {
         self.machine.move_to(&[shaft]).expect("it moves");
         let foot = self.model.axis(self.model.rollers[0].point).at;
         let [cos, sin, x, y] = self.pose(self.link("f"));
-        let scene = [
-            x + cos * foot[0] - sin * foot[1],
-            y + sin * foot[0] + cos * foot[1],
-        ];
+        let scene = [x + cos * foot[0] - sin * foot[1], y + sin * foot[0] + cos * foot[1]];
         let [cos, sin, x, y] = self.pose(self.link("s"));
         let (dx, dy) = (scene[0] - x, scene[1] - y);
         [scene, [cos * dx + sin * dy, cos * dy - sin * dx]]
@@ -109,10 +98,7 @@ impl<'p> Seen<'p> {
             axis.at
         } else {
             let [cos, sin, x, y] = self.pose(axis.link);
-            [
-                x + cos * axis.at[0] - sin * axis.at[1],
-                y + sin * axis.at[0] + cos * axis.at[1],
-            ]
+            [x + cos * axis.at[0] - sin * axis.at[1], y + sin * axis.at[0] + cos * axis.at[1]]
         };
         [y - place[1], place[0] - x]
     }
@@ -199,15 +185,9 @@ fn contacts_are_proved_up_to_their_extremes() {
                 let expect = format!("const MOST = {most}; expect max({word}(c)) < MOST;");
                 let text = text(&mut Dice::new(seed), &expect);
                 let analysis = analyse(text.parse::<TokenStream>().expect("tokens")).prove();
-                let said = analysis
-                    .result
-                    .err()
-                    .map(|faults| faults.messages[0].text.clone());
+                let said = analysis.result.err().map(|faults| faults.messages[0].text.clone());
                 assert_eq!(said.is_none(), holds, "{text}: {said:?}");
-                assert!(
-                    holds || said.is_some_and(|said| said.contains("does not hold")),
-                    "{text}"
-                );
+                assert!(holds || said.is_some_and(|said| said.contains("does not hold")), "{text}");
             }
         }
     }
@@ -223,14 +203,8 @@ fn contacts_that_a_param_moves_are_not_proved() {
             expect pressure(c) < 60 deg;"
         );
         let analysis = analyse(text.parse::<TokenStream>().expect("tokens")).prove();
-        let said = analysis
-            .result
-            .err()
-            .map(|faults| faults.messages[0].text.clone());
+        let said = analysis.result.err().map(|faults| faults.messages[0].text.clone());
         assert_eq!(said.is_none(), is_proved, "{said:?}");
-        assert!(
-            is_proved || said.is_some_and(|said| said.contains("param `p`")),
-            "{text}"
-        );
+        assert!(is_proved || said.is_some_and(|said| said.contains("param `p`")), "{text}");
     }
 }

@@ -35,11 +35,7 @@ impl Slider {
         let (x, y) = (-away * sin, away * cos);
         let lean = ((offset - crank * start.sin()) / rod).asin();
         let ends = |a: &str, b: &str, dice: &mut Dice| {
-            if dice.once_in(2) {
-                format!("{a}, {b}")
-            } else {
-                format!("{b}, {a}")
-            }
+            if dice.once_in(2) { format!("{a}, {b}") } else { format!("{b}, {a}") }
         };
         let mut statements = [
             format!("link crank {{ point o = (0, 0); point p = ({crank}, 0); }}"),
@@ -57,15 +53,7 @@ impl Slider {
             turn + mirror * start,
             turn + mirror * lean,
         );
-        Self {
-            crank,
-            rod,
-            offset,
-            turn,
-            mirror,
-            start: turn + mirror * start,
-            text,
-        }
+        Self { crank, rod, offset, turn, mirror, start: turn + mirror * start, text }
     }
 
     /// The place of the piston, and how it changes with the crank's angle from the rail.
@@ -132,12 +120,7 @@ impl Slider {
             (">=", value + slack, false),
         ] {
             let expect = format!("{subject} {sign} {limit}");
-            assert_eq!(
-                self.meets(&expect),
-                holds,
-                "{expect}, {value}: {}",
-                self.text
-            );
+            assert_eq!(self.meets(&expect), holds, "{expect}, {value}: {}", self.text);
         }
     }
 }
@@ -178,16 +161,8 @@ fn influence_coefficients_are_those_of_closed_forms() {
         let hardest = places.map(|angle| second(angle).abs()).fold(0.0, f64::max);
         for (subject, most) in [("d(x, a)", fastest), ("d(d(x, a), a)", hardest)] {
             let within = |limit: f64| format!("abs({subject}) <= {limit}");
-            assert!(
-                slider.meets(&within(most * (1.0 + MARGIN))),
-                "{}",
-                slider.text
-            );
-            assert!(
-                !slider.meets(&within(most * (1.0 - MARGIN))),
-                "{}",
-                slider.text
-            );
+            assert!(slider.meets(&within(most * (1.0 + MARGIN))), "{}", slider.text);
+            assert!(!slider.meets(&within(most * (1.0 - MARGIN))), "{}", slider.text);
         }
         // The first of a motor is that of itself.
         assert!(slider.meets("d(a, a) in 1 ..= 1"));

@@ -16,10 +16,7 @@ include!(concat!(env!("OUT_DIR"), "/dynamics.rs"));
 fn andrews_squeezer_is_where_the_literature_says_after_three_hundredths_of_a_second() {
     let mut squeezer = Andrews::new();
     let first = squeezer.motor_accelerations([0.033]).expect("regular")[0];
-    assert!(
-        (first / 14_222.443_919_954_138_7 - 1.0).abs() < 1e-9,
-        "{first}"
-    );
+    assert!((first / 14_222.443_919_954_138_7 - 1.0).abs() < 1e-9, "{first}");
     let steps = 6000;
     for _ in 0..steps {
         squeezer
@@ -35,10 +32,7 @@ fn andrews_squeezer_is_where_the_literature_says_after_three_hundredths_of_a_sec
     // The literature's own tolerance is 1e-7 relative for velocities and 1e-5 for accelerations.
     assert!((beta - 15.810_771_196_299_04).abs() < 1e-7, "{beta}");
     let relative = |found: f64, published: f64, tolerance: f64| {
-        assert!(
-            (found / published - 1.0).abs() < tolerance,
-            "{found}, not {published}"
-        );
+        assert!((found / published - 1.0).abs() < tolerance, "{found}, not {published}");
     };
     relative(squeezer.beta_rate(), 1_139.920_302_151_208, 1e-7);
     relative(squeezer.theta_rate(), -1_424.379_294_994_111, 1e-7);
@@ -70,9 +64,7 @@ fn a_pendulum_keeps_the_time_that_elliptic_integrals_tell() {
         let mut pendulum = Pendulum::new();
         pendulum.move_to([amplitude - PI / 2.0]).expect("free");
         for _ in 0..200 {
-            pendulum
-                .simulate_by(method, quarter / 200.0, [0.0])
-                .expect("free");
+            pendulum.simulate_by(method, quarter / 200.0, [0.0]).expect("free");
         }
         let error = (pendulum.motors()[0] + PI / 2.0).abs();
         println!("{method:?}: {error:e}");
@@ -86,9 +78,7 @@ fn the_orders_of_the_methods_are_those_of_gauss() {
         let mut pendulum = Pendulum::new();
         pendulum.set_rates([3.0]).expect("finite");
         for _ in 0..steps {
-            pendulum
-                .simulate_by(method, 2.0 / f64::from(steps), [0.5])
-                .expect("free");
+            pendulum.simulate_by(method, 2.0 / f64::from(steps), [0.5]).expect("free");
         }
         pendulum.motors()[0]
     };
@@ -101,10 +91,7 @@ fn the_orders_of_the_methods_are_those_of_gauss() {
         let [coarse, fine] = [steps, 2 * steps].map(|steps| (after(method, steps) - exact).abs());
         let measured = (coarse / fine).log2();
         println!("{method:?}: order {measured}");
-        assert!(
-            (measured - f64::from(order)).abs() < 0.2,
-            "{method:?}: {measured}"
-        );
+        assert!((measured - f64::from(order)).abs() < 0.2, "{method:?}: {measured}");
     }
 }
 
@@ -134,16 +121,11 @@ fn power_is_the_change_of_energy() {
     let start = energy(&machine);
     // A constant torque does the work torque times angle.
     for _ in 0..4000 {
-        machine
-            .simulate_by(GaussLegendre::Order6, 0.001, [1.75])
-            .expect("it turns");
+        machine.simulate_by(GaussLegendre::Order6, 0.001, [1.75]).expect("it turns");
     }
     let work = 1.75 * machine.motors()[0];
     let gained = energy(&machine) - start;
-    assert!(
-        (work - gained).abs() < 1e-9 * work.abs(),
-        "{work} against {gained}"
-    );
+    assert!((work - gained).abs() < 1e-9 * work.abs(), "{work} against {gained}");
 }
 
 #[test]
@@ -151,11 +133,9 @@ fn a_double_pendulum_is_accelerated_as_in_the_book() {
     // Angles from the vertical, masses at the ends (Goldstein): solved for the second rates here.
     let [m, n, l, k, g] = [1.5, 0.7, 1.2, 0.9, 9.81];
     let mut pendulum = DoublePendulum::new();
-    for (angles, rates) in [
-        ([0.3, 0.4], [1.0, -2.0]),
-        ([-1.2, 2.5], [0.0, 3.0]),
-        ([2.0, -0.6], [-4.0, 0.5]),
-    ] {
+    for (angles, rates) in
+        [([0.3, 0.4], [1.0, -2.0]), ([-1.2, 2.5], [0.0, 3.0]), ([2.0, -0.6], [-4.0, 0.5])]
+    {
         pendulum.move_to(angles).expect("free");
         pendulum.set_rates(rates).expect("finite");
         let (p, q) = (angles[0] + PI / 2.0, angles[0] + angles[1] + PI / 2.0);
@@ -169,10 +149,7 @@ fn a_double_pendulum_is_accelerated_as_in_the_book() {
         );
         let second = inertia.lu().solve(&drive).expect("it has mass");
         let found = pendulum.motor_accelerations([0.0, 0.0]).expect("regular");
-        assert!(
-            (found[0] - second[0]).abs() < 1e-11 * second.norm(),
-            "{found:?}, {second}"
-        );
+        assert!((found[0] - second[0]).abs() < 1e-11 * second.norm(), "{found:?}, {second}");
         assert!(
             (found[0] + found[1] - second[1]).abs() < 1e-11 * second.norm(),
             "{found:?}, {second}"
@@ -200,11 +177,7 @@ fn a_five_bar_that_nobody_drives_bounces_on_its_spring() {
 #[test]
 fn what_stands_still_stays() {
     for time in [0.001, 0.002, 0.005, 0.0071, 0.01] {
-        for method in [
-            GaussLegendre::Order2,
-            GaussLegendre::Order4,
-            GaussLegendre::Order6,
-        ] {
+        for method in [GaussLegendre::Order2, GaussLegendre::Order4, GaussLegendre::Order6] {
             let mut block = Damped::new();
             for step in 0..4000 {
                 let outcome = block.simulate_by(method, time, [0.0]);
@@ -216,11 +189,7 @@ fn what_stands_still_stays() {
         }
     }
     for time in [1e-4, 3e-4, 9e-4, 1e-3] {
-        for method in [
-            GaussLegendre::Order2,
-            GaussLegendre::Order4,
-            GaussLegendre::Order6,
-        ] {
+        for method in [GaussLegendre::Order2, GaussLegendre::Order4, GaussLegendre::Order6] {
             let mut arm = Suspension::new();
             for step in 0..6000 {
                 let outcome = arm.simulate_by(method, time, [0.0]);
@@ -280,9 +249,7 @@ passing!(single, f32);
 macro_rules! fall {
     ($machine:path, $float:ident, $method:expr, $time:expr) => {{
         let mut machine = <$machine>::new();
-        machine
-            .move_to([$float::to_radians(30.0)])
-            .expect("it turns");
+        machine.move_to([$float::to_radians(30.0)]).expect("it turns");
         let energy = |machine: &$machine| machine.energy().expect("it has a limit").map(f64::from);
         let start: f64 = energy(&machine).iter().sum();
         let (mut worst, mut most, mut passages, mut early) = (0.0_f64, 0.0_f64, 0, [0.0_f64; 2]);
@@ -315,16 +282,10 @@ fn falls_go_straight_on(method: GaussLegendre, kept: f64, times: &[f64]) {
         let (swing, [angle, rate]) = fall!(double::Swing, f64, method, time);
         let (slider, _) = fall!(double::Slider, f64, method, time);
         println!("{method:?} {time}: {swing:e} and {slider:e}");
-        assert!(
-            swing < kept && slider < 5.0 * kept,
-            "{method:?} {time}: {swing:e} and {slider:e}"
-        );
+        assert!(swing < kept && slider < 5.0 * kept, "{method:?} {time}: {swing:e} and {slider:e}");
         let (swing, early) = fall!(single::Swing, f32, method, time);
         let (slider, _) = fall!(single::Slider, f32, method, time);
-        assert!(
-            swing < 1e-4 && slider < 2e-3,
-            "{method:?} {time}: {swing:e} and {slider:e}"
-        );
+        assert!(swing < 1e-4 && slider < 2e-3, "{method:?} {time}: {swing:e} and {slider:e}");
         // th'' = -10.9 cos th, integrated elsewhere.
         if time == 1e-3 && method != GaussLegendre::Order2 {
             assert!((angle + 0.271_549_375).abs() < 1e-8, "{angle}");
@@ -356,22 +317,11 @@ fn what_cannot_be_simulated_is_refused_and_leaves_everything_as_it_was() {
     machine.set_rates([2.0]).expect("finite");
     let before = machine;
     let cause = |blocked: mech_runtime::Blocked<[f64; 1]>| (blocked.place, blocked.cause);
+    assert_eq!(machine.simulate(f64::NAN, [0.0]).map_err(cause), Err(("time", Cause::NotFinite)));
+    assert_eq!(machine.simulate(0.1, [f64::INFINITY]).map_err(cause), Err(("a", Cause::NotFinite)));
+    assert_eq!(machine.set_rates([f64::NAN]).map_err(cause), Err(("a", Cause::NotFinite)));
     assert_eq!(
-        machine.simulate(f64::NAN, [0.0]).map_err(cause),
-        Err(("time", Cause::NotFinite))
-    );
-    assert_eq!(
-        machine.simulate(0.1, [f64::INFINITY]).map_err(cause),
-        Err(("a", Cause::NotFinite))
-    );
-    assert_eq!(
-        machine.set_rates([f64::NAN]).map_err(cause),
-        Err(("a", Cause::NotFinite))
-    );
-    assert_eq!(
-        machine
-            .simulate(1e3, [1.0])
-            .map_err(|blocked| blocked.cause),
+        machine.simulate(1e3, [1.0]).map_err(|blocked| blocked.cause),
         Err(Cause::StepTooLong)
     );
     assert_eq!(machine, before);

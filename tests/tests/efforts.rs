@@ -20,12 +20,7 @@ const PLACES: u32 = 720;
 /// Asks for limits of a subject beside its extremes in a round, on both sides of each.
 fn is_decided(slider: &Slider, subject: &str, when: &str, value: impl Fn(f64) -> f64) {
     let places = (0..PLACES).map(|place| TAU * f64::from(place) / f64::from(PLACES));
-    is_decided_within(
-        slider,
-        subject,
-        when,
-        &places.map(value).collect::<Vec<f64>>(),
-    );
+    is_decided_within(slider, subject, when, &places.map(value).collect::<Vec<f64>>());
 }
 
 /// The same, where it has these values.
@@ -46,11 +41,7 @@ fn is_decided_within(slider: &Slider, subject: &str, when: &str, values: &[f64])
         }
         let expect = format!("{subject} {sign} {limit} {when}");
         let met = slider.meets(&expect);
-        assert_eq!(
-            met, holds,
-            "{expect}, {least} to {greatest}: {}",
-            slider.text
-        );
+        assert_eq!(met, holds, "{expect}, {least} to {greatest}: {}", slider.text);
     }
 }
 
@@ -96,15 +87,9 @@ impl Masses {
         let [gx, gy] = self.gravity;
         let mut text = slider
             .text
-            .replace(
-                "link crank {",
-                &format!("link crank {{ {}", mass(self.crank)),
-            )
+            .replace("link crank {", &format!("link crank {{ {}", mass(self.crank)))
             .replace("link rod {", &format!("link rod {{ {}", mass(self.rod)))
-            .replace(
-                "link piston {",
-                &format!("link piston {{ mass {};", self.piston),
-            );
+            .replace("link piston {", &format!("link piston {{ mass {};", self.piston));
         if let Some(law) = law {
             text = text.replace("motor a;", &format!("motor a = {law};"));
             text = text.replace(&format!("a = {}; rod", slider.start), "rod");
@@ -112,10 +97,7 @@ impl Masses {
         text += &format!(
             "gravity ({gx}, {gy}); load push = force(piston.q); load twist = torque(rod); effects {{ acceleration; force; }}"
         );
-        Slider {
-            text,
-            ..slider.clone()
-        }
+        Slider { text, ..slider.clone() }
     }
 
     /// The mechanism's inertia as the motor feels it, and its potential energy.
@@ -201,17 +183,12 @@ fn rates_torques_and_reactions_are_those_of_closed_forms() {
         let law = format!("{} + {rate} * t", plain.start);
         let sense = plain.mirror;
         // At rest velocities are those at a rate of 1, and torques those that hold it.
-        for (slider, rate, pushed) in [
-            (masses.on(&plain, None), 1.0, 0.0),
-            (masses.on(&plain, Some(&law)), rate, rate),
-        ] {
+        for (slider, rate, pushed) in
+            [(masses.on(&plain, None), 1.0, 0.0), (masses.on(&plain, Some(&law)), rate, rate)]
+        {
             let way = |angle: f64| slider.at(angle).0;
-            is_decided(&slider, "velocity:x", "", |angle| {
-                sense * rate * slopes(way, angle)[0]
-            });
-            is_decided(&slider, "acceleration:x", "", |angle| {
-                rate * rate * slopes(way, angle)[1]
-            });
+            is_decided(&slider, "velocity:x", "", |angle| sense * rate * slopes(way, angle)[0]);
+            is_decided(&slider, "acceleration:x", "", |angle| rate * rate * slopes(way, angle)[1]);
             let torque = |angle: f64| {
                 let [inertia, potential] = [0, 1].map(|number| {
                     slopes(|angle| masses.energies(&slider, angle)[number], angle)[0]
@@ -230,17 +207,12 @@ fn rates_torques_and_reactions_are_those_of_closed_forms() {
             }
             let words = ["x", "y", "torque"].into_iter().enumerate();
             for (part, word) in words {
-                is_decided(
-                    &slider,
-                    &format!("reaction:ground.{word}"),
-                    &when,
-                    |angle| {
-                        let own = masses.on_ground(&slider, angle, pushed, masses.gravity);
-                        let [x, y] = places(&slider, angle).end;
-                        let loads = [push[0], push[1], x * push[1] - y * push[0] + twist];
-                        own[part] + loads[part]
-                    },
-                );
+                is_decided(&slider, &format!("reaction:ground.{word}"), &when, |angle| {
+                    let own = masses.on_ground(&slider, angle, pushed, masses.gravity);
+                    let [x, y] = places(&slider, angle).end;
+                    let loads = [push[0], push[1], x * push[1] - y * push[0] + twist];
+                    own[part] + loads[part]
+                });
                 if pushed != 0.0 {
                     let word = ["force.x", "force.y", "moment"][part];
                     is_decided(&slider, &format!("shaking:{word}"), "", |angle| {
@@ -288,12 +260,9 @@ fn advantages_and_instant_centres_are_those_of_closed_forms() {
         }
         // The rod turns about where the line through the crank meets what is at right angles to the rail. Both links' pin is their own centre.
         for (part, word) in ["x", "y"].into_iter().enumerate() {
-            is_decided(
-                &slider,
-                &format!("centre(crank, rod).{word}"),
-                "",
-                |angle| places(&slider, angle).pin[part],
-            );
+            is_decided(&slider, &format!("centre(crank, rod).{word}"), "", |angle| {
+                places(&slider, angle).pin[part]
+            });
         }
         let middle = dice.between(-0.6, 0.6) + if dice.once_in(2) { 0.0 } else { PI };
         let ends = [middle - 0.3, middle + 0.3].map(|end| slider.turn + slider.mirror * end);
@@ -456,11 +425,8 @@ impl Count {
         let others: Vec<String> = others
             .map(|other| format!("{} = {}", joint(other), program.start.motors[other]))
             .collect();
-        let at = if others.is_empty() {
-            String::new()
-        } else {
-            format!(" at {}", others.join(", "))
-        };
+        let at =
+            if others.is_empty() { String::new() } else { format!(" at {}", others.join(", ")) };
         let range = format!("for {} in {} ..= {}", joint(motor), ends[0], ends[1]);
         for kind in [Kind::Velocity, Kind::Acceleration, Kind::Torque] {
             let (subject, range) = match kind {
@@ -487,9 +453,7 @@ impl Count {
         let ends = moving.ends;
         let places =
             (0..=200).map(|place| ends[0] + (ends[1] - ends[0]) * f64::from(place) / 200.0);
-        let Some(values) = places
-            .map(|value| moving.at(kind, value))
-            .collect::<Option<Vec<f64>>>()
+        let Some(values) = places.map(|value| moving.at(kind, value)).collect::<Option<Vec<f64>>>()
         else {
             return;
         };
@@ -504,16 +468,10 @@ impl Count {
         for (sign, way, extreme) in [("<=", 1.0, greatest), (">=", -1.0, least)] {
             for beyond in [1.0, -1.0] {
                 let limit = extreme + way * beyond * slack;
-                let found = troubles(&judged(
-                    text,
-                    &format!("expect {subject} {sign} {limit} {when}"),
-                ));
-                let told = || {
-                    format!(
-                        "{} {subject} {sign} {limit} {when} {text}",
-                        moving.model.name
-                    )
-                };
+                let found =
+                    troubles(&judged(text, &format!("expect {subject} {sign} {limit} {when}")));
+                let told =
+                    || format!("{} {subject} {sign} {limit} {when} {text}", moving.model.name);
                 match &found[..] {
                     [] => {
                         assert!(beyond > 0.0, "falsely proved: {}, {extreme}", told());
@@ -523,10 +481,8 @@ impl Count {
                         let [place] = &witness.places[..] else {
                             panic!("{}: {witness:?}", told());
                         };
-                        let at = place
-                            .motors
-                            .iter()
-                            .find(|(motor, _)| motor.index() == moving.motor);
+                        let at =
+                            place.motors.iter().find(|(motor, _)| motor.index() == moving.motor);
                         let value = at.and_then(|(_, at)| moving.at(kind, *at));
                         let value = value.expect("it comes to where it fails");
                         let is_broken = way * (value - limit) > -1e-4 * size;
@@ -558,10 +514,7 @@ fn rates_and_torques_are_those_of_differences_in_random_mechanisms() {
         count.judge(&body, &mut dice);
     });
     println!("{count:?}");
-    assert!(
-        count.decided > 20 && 10 * count.open <= count.decided,
-        "{count:?}"
-    );
+    assert!(count.decided > 20 && 10 * count.open <= count.decided, "{count:?}");
 }
 
 #[test]
@@ -571,8 +524,5 @@ fn rates_and_torques_are_those_of_differences_in_the_gallery() {
         count.judge(&body, &mut dice);
     }
     println!("{count:?}");
-    assert!(
-        count.decided > 20 && 10 * count.open <= count.decided,
-        "{count:?}"
-    );
+    assert!(count.decided > 20 && 10 * count.open <= count.decided, "{count:?}");
 }

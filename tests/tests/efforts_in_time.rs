@@ -82,21 +82,14 @@ impl Law {
             }
             height
         };
-        Self {
-            text: words.join(", "),
-            at: Box::new(at),
-            pieces,
-        }
+        Self { text: words.join(", "), at: Box::new(at), pieces }
     }
 
     /// A turn that is now faster, now slower.
     fn uneven(dice: &mut Dice) -> Self {
         let speed = dice.between(1.0, 9.0) * if dice.once_in(2) { -1.0 } else { 1.0 };
-        let (from, size, phase) = (
-            dice.between(-PI, PI),
-            dice.between(0.1, 0.8),
-            dice.between(-PI, PI),
-        );
+        let (from, size, phase) =
+            (dice.between(-PI, PI), dice.between(0.1, 0.8), dice.between(-PI, PI));
         let times = f64::from(*dice.pick(&[1_u8, 2, 3]));
         let quick = times * speed;
         Self {
@@ -116,17 +109,11 @@ const JUMPING: [&str; 2] = ["parabolic", "harmonic"];
 /// The motion laws that have a short closed form, and no velocity at their ends.
 const SHAPES: [(&str, Shape); 5] = [
     ("parabolic", |time| {
-        if time < 0.5 {
-            2.0 * time * time
-        } else {
-            1.0 - 2.0 * (1.0 - time) * (1.0 - time)
-        }
+        if time < 0.5 { 2.0 * time * time } else { 1.0 - 2.0 * (1.0 - time) * (1.0 - time) }
     }),
     ("harmonic", |time| 0.5 - 0.5 * (PI * time).cos()),
     ("cycloidal", |time| time - (TAU * time).sin() / TAU),
-    ("polynomial_345", |time| {
-        time.powi(3) * (10.0 - 15.0 * time + 6.0 * time * time)
-    }),
+    ("polynomial_345", |time| time.powi(3) * (10.0 - 15.0 * time + 6.0 * time * time)),
     ("polynomial_4567", |time| {
         time.powi(4) * (35.0 - 84.0 * time + 70.0 * time.powi(2) - 20.0 * time.powi(3))
     }),
@@ -167,10 +154,7 @@ fn is_decided(text: &str, law: &Law, (subject, when): (&str, &str), of: impl Fn(
                 let (_, motor) = place.motors[0];
                 assert!((motor - (law.at)(time)).abs() < 1e-9, "{}", told());
                 let is_near = |(sample, _): &&(f64, [f64; 3])| (sample - time).abs() < 1e-2 * PI;
-                let near = samples
-                    .iter()
-                    .zip(&values)
-                    .filter(|(sample, _)| is_near(sample));
+                let near = samples.iter().zip(&values).filter(|(sample, _)| is_near(sample));
                 let way = if sign == "<" { 1.0 } else { -1.0 };
                 let near = near.map(|(_, value)| way * value).fold(f64::MIN, f64::max);
                 let is_broken = way * (witness.value - limit) > 0.0 && near > way * limit - slack;
@@ -183,11 +167,8 @@ fn is_decided(text: &str, law: &Law, (subject, when): (&str, &str), of: impl Fn(
 
 /// A crank that turns or a block that slides, alone, with what it weighs against its motor.
 fn alone(law: &Law, dice: &mut Dice) -> (String, f64) {
-    let [mass, at, inertia] = [
-        dice.between(0.1, 3.0),
-        dice.between(-2.0, 2.0),
-        dice.between(0.0, 1.0),
-    ];
+    let [mass, at, inertia] =
+        [dice.between(0.1, 3.0), dice.between(-2.0, 2.0), dice.between(0.0, 1.0)];
     let ends = |first: &str, second: &str, dice: &mut Dice| {
         if dice.once_in(2) {
             (format!("{first}, {second}"), 1.0)
@@ -211,11 +192,7 @@ fn alone(law: &Law, dice: &mut Dice) -> (String, f64) {
         "effects { acceleration; force; }".to_owned(),
     ];
     shuffle(&mut statements, dice);
-    let text = format!(
-        "struct M; {} {joint} motor a = {};",
-        statements.concat(),
-        law.text
-    );
+    let text = format!("struct M; {} {joint} motor a = {};", statements.concat(), law.text);
     (text, weight)
 }
 
@@ -227,12 +204,8 @@ fn what_moves_alone_takes_its_inertia_times_the_second_rate_of_its_law() {
         let (text, weight) = alone(&law, &mut dice);
         is_decided(&text, &law, ("velocity:a", ""), |[_, rate, _]| rate);
         is_decided(&text, &law, ("acceleration:a", ""), |[.., second]| second);
-        is_decided(&text, &law, ("torque:a", ""), |[.., second]| {
-            weight * second
-        });
-        is_decided(&text, &law, ("power:a", ""), |[_, rate, second]| {
-            weight * rate * second
-        });
+        is_decided(&text, &law, ("torque:a", ""), |[.., second]| weight * second);
+        is_decided(&text, &law, ("power:a", ""), |[_, rate, second]| weight * rate * second);
     }
 }
 
@@ -244,11 +217,7 @@ fn a_slider_crank_on_an_uneven_law_takes_what_its_energy_says() {
         let masses = Masses::new(&plain, &mut dice);
         let push = [0; 2].map(|_| dice.between(-50.0, 50.0));
         let when = format!("for push = ({}, {})", push[0], push[1]);
-        let law = if dice.once_in(2) {
-            Law::uneven(&mut dice)
-        } else {
-            Law::motion(&mut dice)
-        };
+        let law = if dice.once_in(2) { Law::uneven(&mut dice) } else { Law::motion(&mut dice) };
         // The law decides where it starts.
         let sense = plain.mirror;
         let angle = |motor: f64| sense * (motor - plain.turn);
@@ -262,28 +231,18 @@ fn a_slider_crank_on_an_uneven_law_takes_what_its_energy_says() {
         is_decided(text, &law, ("velocity:x", ""), |[motor, rate, _]| {
             sense * rate * slopes(way, angle(motor))[0]
         });
-        is_decided(
-            text,
-            &law,
-            ("acceleration:x", ""),
-            |[motor, rate, second]| {
-                let [slope, bend] = slopes(way, angle(motor));
-                sense * second * slope + rate * rate * bend
-            },
-        );
+        is_decided(text, &law, ("acceleration:x", ""), |[motor, rate, second]| {
+            let [slope, bend] = slopes(way, angle(motor));
+            sense * second * slope + rate * rate * bend
+        });
         let lean = |angle: f64| places(&plain, angle).lean;
         is_decided(text, &law, ("velocity:rod", ""), |[motor, rate, _]| {
             sense * rate * slopes(lean, angle(motor))[0]
         });
-        is_decided(
-            text,
-            &law,
-            ("acceleration:rod", ""),
-            |[motor, rate, second]| {
-                let [slope, bend] = slopes(lean, angle(motor));
-                sense * second * slope + rate * rate * bend
-            },
-        );
+        is_decided(text, &law, ("acceleration:rod", ""), |[motor, rate, second]| {
+            let [slope, bend] = slopes(lean, angle(motor));
+            sense * second * slope + rate * rate * bend
+        });
         let times = format!("for t in 0 ..= {}", law.pieces[law.pieces.len() - 1]);
         is_decided(text, &law, ("d(x, a)", &times), |[motor, ..]| {
             sense * slopes(way, angle(motor))[0]
@@ -300,9 +259,7 @@ fn a_slider_crank_on_an_uneven_law_takes_what_its_energy_says() {
             sense * (potential - dot(push, speed) + faster)
         };
         is_decided(text, &law, ("torque:a", &when), torque);
-        is_decided(text, &law, ("power:a", &when), |motion| {
-            torque(motion) * motion[1]
-        });
+        is_decided(text, &law, ("power:a", &when), |motion| torque(motion) * motion[1]);
     }
 }
 
@@ -324,14 +281,9 @@ fn a_motor_that_has_no_part_needs_no_times() {
         shuffle(&mut others, &mut dice);
         let text = text + &others.concat();
         is_decided(&text, &law, ("velocity:a", ""), |[_, rate, _]| rate);
-        is_decided(&text, &law, ("torque:a", ""), |[.., second]| {
-            weight * second
-        });
+        is_decided(&text, &law, ("torque:a", ""), |[.., second]| weight * second);
         let found = troubles_with(&text, "expect velocity:o < 9;");
-        assert!(matches!(
-            found[..],
-            [RequirementTrouble::NoTimes { goes_on: false }]
-        ));
+        assert!(matches!(found[..], [RequirementTrouble::NoTimes { goes_on: false }]));
     }
 }
 
@@ -358,9 +310,7 @@ fn a_wheel_that_is_back_after_two_turns_is_looked_at_for_two() {
         let velocity = |time: f64| (place(time + 1e-4) - place(time - 1e-4)) / 2e-4;
         let most = |turn: f64, way: f64| {
             let times = (0..=4000).map(|step| turn + f64::from(step) / 4000.0);
-            times
-                .map(|time| way * velocity(time))
-                .fold(f64::MIN, f64::max)
+            times.map(|time| way * velocity(time)).fold(f64::MIN, f64::max)
         };
         for (sign, way) in [("<", 1.0), (">", -1.0)] {
             let turns = [0.0, 1.0].map(|turn| most(turn, way));
@@ -370,10 +320,7 @@ fn a_wheel_that_is_back_after_two_turns_is_looked_at_for_two() {
             let [within, beyond] = [0.999, 1.001].map(|part| way * part * most);
             let expect = |limit: f64| format!("expect velocity:wheel.rim.x {sign} {limit};");
             assert!(
-                matches!(
-                    troubles_with(&text, &expect(within))[..],
-                    [RequirementTrouble::Fails(_)]
-                ),
+                matches!(troubles_with(&text, &expect(within))[..], [RequirementTrouble::Fails(_)]),
                 "{text}"
             );
             assert!(troubles_with(&text, &expect(beyond)).is_empty(), "{text}");
@@ -403,11 +350,7 @@ fn laws_that_are_never_back_need_times() {
             assert_eq!(troubles_with(&never, &expect).is_empty(), holds, "{expect}");
         }
     }
-    let at = format!(
-        "expect velocity:a in {} ..= {} at t = 5;",
-        at_end - 1e-6,
-        at_end + 1e-6
-    );
+    let at = format!("expect velocity:a in {} ..= {} at t = 5;", at_end - 1e-6, at_end + 1e-6);
     assert!(troubles_with(&never, &at).is_empty());
     let follows = troubles_with(&never, "expect velocity:a < 9 for a in 0 deg ..= 9 deg;");
     assert!(matches!(follows[..], [RequirementTrouble::Follows { .. }]));
@@ -431,11 +374,7 @@ fn nothing_is_proved_of_an_acceleration_where_a_velocity_jumps() {
         ("0.3 * abs(sin(2 * t + 1))", [0.9, 1.2], Some(0.6)),
         ("max(0, t - 1)", [0.8, 1.7], Some(1.0)),
         ("min(t * t, 2 * t)", [1.5, 2.5], Some(4.0)),
-        (
-            "rise 1 over 0.5 with linear, dwell 0.5",
-            [0.2, 0.7],
-            Some(2.0),
-        ),
+        ("rise 1 over 0.5 with linear, dwell 0.5", [0.2, 0.7], Some(2.0)),
         ("0.2 * sign(t - 2)", [1.1, 2.3], None),
         ("floor(t)", [0.6, 1.4], None),
         ("atan2(sin(t), cos(t))", [3.0, 3.3], None),
@@ -456,10 +395,7 @@ fn nothing_is_proved_of_an_acceleration_where_a_velocity_jumps() {
         match velocity {
             Some(most) => {
                 assert!(below(1.001 * most).is_empty(), "{law}: {:?}", below(most));
-                assert!(matches!(
-                    below(0.999 * most)[..],
-                    [RequirementTrouble::Fails(_)]
-                ));
+                assert!(matches!(below(0.999 * most)[..], [RequirementTrouble::Fails(_)]));
             }
             None => assert!(matches!(
                 below(1e6)[..],
@@ -494,21 +430,14 @@ fn two_motors_on_laws_of_their_own_move_a_point_as_fast_as_both() {
             motor x = {first} * sin(t); motor y = {second} * (sin({quick} * t + {phase}) - sin({phase})); effects {{ velocity; }}"
         );
         let speed = |time: f64| {
-            let (x, y) = (
-                first * time.cos(),
-                second * quick * (quick * time + phase).cos(),
-            );
+            let (x, y) = (first * time.cos(), second * quick * (quick * time + phase).cos());
             x.hypot(y)
         };
         let times = (0..100_000).map(|step| TAU * f64::from(step) / 100_000.0);
         let most = times.map(speed).fold(0.0, f64::max);
         for (part, holds) in [(1.001, true), (0.999, false)] {
             let expect = format!("expect velocity:head.tip < {};", most * part);
-            assert_eq!(
-                troubles_with(&text, &expect).is_empty(),
-                holds,
-                "{expect} {text}"
-            );
+            assert_eq!(troubles_with(&text, &expect).is_empty(), holds, "{expect} {text}");
         }
     }
 }

@@ -54,10 +54,7 @@ fn what_is_quoted_is_built() {
 #[test]
 fn what_is_linked_is_there() {
     let page = read("docs/embedded.md");
-    let links = page
-        .split("](")
-        .skip(1)
-        .filter_map(|link| link.split(')').next());
+    let links = page.split("](").skip(1).filter_map(|link| link.split(')').next());
     for link in links.filter(|link| !link.starts_with("http") && !link.starts_with('#')) {
         let file = link.split('#').next().unwrap_or_default();
         assert!(repository().join("docs").join(file).exists(), "{link}");

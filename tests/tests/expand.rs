@@ -23,9 +23,7 @@ fn shown(text: &str) -> String {
     let mut shown = Vec::new();
     for wish in text.lines().map_while(|line| line.strip_prefix("//: ")) {
         let (kind, words) = wish.split_once(' ').expect("words");
-        let rest = all
-            .lines()
-            .skip_while(|line| !line.trim_start().starts_with(words));
+        let rest = all.lines().skip_while(|line| !line.trim_start().starts_with(words));
         match kind {
             "item" => {
                 let first = rest.clone().next().expect(words);
@@ -46,11 +44,7 @@ fn shown(text: &str) -> String {
         }
         assert!(!shown.is_empty(), "{wish}");
     }
-    if shown.is_empty() {
-        all
-    } else {
-        shown.join("\n")
-    }
+    if shown.is_empty() { all } else { shown.join("\n") }
 }
 
 #[test]
@@ -103,9 +97,7 @@ fn the_step_to_a_position_never_knew_of_effects() {
     let heavy = plain.replace("point b = (1, 0);", "point b = (1, 0); mass 2 at (0.5, 0);");
     assert_ne!(heavy, plain);
     assert_eq!(
-        expansion(&format!(
-            "{heavy} gravity (0, -9.81); spring s = torsional(jd) stiffness 2;"
-        )),
+        expansion(&format!("{heavy} gravity (0, -9.81); spring s = torsional(jd) stiffness 2;")),
         expansion(&plain)
     );
 }
@@ -153,14 +145,7 @@ fn rows_of_equal_cranks_expand() {
 fn what_the_analysis_accepts_expands() {
     let mut texts = Vec::new();
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    for folder in [
-        "tests",
-        "examples",
-        "studio",
-        "docs",
-        "mech-runtime",
-        "mech-macros",
-    ] {
+    for folder in ["tests", "examples", "studio", "docs", "mech-runtime", "mech-macros"] {
         collect(&root.join(folder), &mut texts);
     }
     let mut expanded = 0;

@@ -30,24 +30,21 @@ type Row = (f64, Vec<f64>);
 impl Sampled<'_> {
     /// Whether it can be measured here.
     fn is_known(&self) -> bool {
-        self.requirement
-            .measured
-            .iter()
-            .all(|measured| match measured {
-                Measured::Quantity(Quantity::Transmission(None)) => {
-                    let start = Machine::<f64>::new(&self.compiled.program);
-                    self.transmission(&start).is_some()
-                }
-                Measured::Quantity(
-                    Quantity::Transmission(Some(_))
-                    | Quantity::Clearance(_)
-                    | Quantity::Pressure(_)
-                    | Quantity::Curvature(_),
-                )
-                | Measured::Rate(..) => false,
-                Measured::Quantity(_) | Measured::Influence(..) => true,
-                Measured::Summary(summary, _) => !matches!(summary, Summary::Mean | Summary::Rms),
-            })
+        self.requirement.measured.iter().all(|measured| match measured {
+            Measured::Quantity(Quantity::Transmission(None)) => {
+                let start = Machine::<f64>::new(&self.compiled.program);
+                self.transmission(&start).is_some()
+            }
+            Measured::Quantity(
+                Quantity::Transmission(Some(_))
+                | Quantity::Clearance(_)
+                | Quantity::Pressure(_)
+                | Quantity::Curvature(_),
+            )
+            | Measured::Rate(..) => false,
+            Measured::Quantity(_) | Measured::Influence(..) => true,
+            Measured::Summary(summary, _) => !matches!(summary, Summary::Mean | Summary::Rms),
+        })
     }
 
     /// Looks at it wherever its motors may be.
@@ -56,11 +53,7 @@ impl Sampled<'_> {
             return self.turn(told);
         };
         let rows = self.rows();
-        assert!(
-            rows.len() > POSITIONS as usize / 2,
-            "{told}: {} positions",
-            rows.len()
-        );
+        assert!(rows.len() > POSITIONS as usize / 2, "{told}: {} positions", rows.len());
         let summaries: Vec<Option<f64>> = self.summaries(&rows);
         let size = self.model.size().max(1.0);
         for (by, variables) in &rows {
@@ -68,26 +61,19 @@ impl Sampled<'_> {
             let all: Vec<f64> = known.map(|(own, summed)| summed.unwrap_or(*own)).collect();
             for bound in bounds {
                 let margin = self.value(bound.margin, &all);
-                assert!(
-                    margin > -self.rounding() * size,
-                    "{told}: {margin} at {by}, {all:?}"
-                );
+                assert!(margin > -self.rounding() * size, "{told}: {margin} at {by}, {all:?}");
             }
         }
     }
 
     /// How exactly it is measured here.
     fn rounding(&self) -> f64 {
-        let parts = self
-            .requirement
-            .measured
-            .iter()
-            .map(|measured| match measured {
-                Measured::Quantity(_) => 1e-9,
-                Measured::Influence(..) | Measured::Rate(..) => 1e-6,
-                Measured::Summary(Summary::Dwell(_) | Summary::TimeRatio, _) => 0.02,
-                Measured::Summary(..) => 1e-4,
-            });
+        let parts = self.requirement.measured.iter().map(|measured| match measured {
+            Measured::Quantity(_) => 1e-9,
+            Measured::Influence(..) | Measured::Rate(..) => 1e-6,
+            Measured::Summary(Summary::Dwell(_) | Summary::TimeRatio, _) => 0.02,
+            Measured::Summary(..) => 1e-4,
+        });
         parts.fold(0.0, f64::max)
     }
 
@@ -145,9 +131,7 @@ impl Sampled<'_> {
         let mut before = self.variables(&machine, None);
         for _ in 0..POSITIONS {
             let from = machine.position().motors.clone();
-            let to = moving
-                .iter()
-                .map(|(motor, [low, high])| (*motor, dice.between(*low, *high)));
+            let to = moving.iter().map(|(motor, [low, high])| (*motor, dice.between(*low, *high)));
             let to: Vec<(usize, f64)> = to.collect();
             // Angles are followed on the way.
             for part in 1..=8 {
@@ -229,9 +213,9 @@ impl Sampled<'_> {
                         let [from, to] = ends.map(spot);
                         (to[0] - from[0]).hypot(to[1] - from[1])
                     }
-                    Quantity::Transmission(_) => self
-                        .transmission(machine)
-                        .expect("it is a dyad of pins or slides"),
+                    Quantity::Transmission(_) => {
+                        self.transmission(machine).expect("it is a dyad of pins or slides")
+                    }
                     other => panic!("{other:?} is not measured here"),
                 },
                 Measured::Rate(..) => panic!("rates are not measured here"),
@@ -266,10 +250,7 @@ impl Sampled<'_> {
             measured: measured[..first.unwrap_or(measured.len())].to_vec(),
             ..self.requirement.clone()
         };
-        let alone = Sampled {
-            requirement: &requirement,
-            ..*self
-        };
+        let alone = Sampled { requirement: &requirement, ..*self };
         alone.variables(machine, Some(&beside.to_vec()))
     }
 
@@ -279,20 +260,12 @@ impl Sampled<'_> {
         let model = self.model;
         let poses = with_ground(model, &machine.position().poses);
         let links = |joint: JointId| {
-            let axes = model
-                .joint(joint)
-                .kind
-                .axes()
-                .unwrap_or_else(|| panic!("{joint:?}"));
+            let axes = model.joint(joint).kind.axes().unwrap_or_else(|| panic!("{joint:?}"));
             axes.map(|axis| model.axis(axis).link)
         };
         let meet = |a: JointId, b: JointId| links(a).iter().any(|link| links(b).contains(link));
         let place = |joint: JointId| {
-            let axes = model
-                .joint(joint)
-                .kind
-                .axes()
-                .unwrap_or_else(|| panic!("{joint:?}"));
+            let axes = model.joint(joint).kind.axes().unwrap_or_else(|| panic!("{joint:?}"));
             let axis = model.axis(axes[0]);
             let [cos, sin, x, y] = poses[axis.link.index()];
             let turned = |[u, v]: [f64; 2]| [cos * u - sin * v, sin * u + cos * v];
@@ -336,15 +309,11 @@ impl Sampled<'_> {
             let Measured::Summary(summary, of) = *measured else {
                 return None;
             };
-            let values: Vec<(f64, f64)> = rows
-                .iter()
-                .map(|(by, row)| (*by, self.value(of, row)))
-                .collect();
+            let values: Vec<(f64, f64)> =
+                rows.iter().map(|(by, row)| (*by, self.value(of, row))).collect();
             let by_value = |a: &&(f64, f64), b: &&(f64, f64)| a.1.total_cmp(&b.1);
-            let (least, greatest) = (
-                values.iter().min_by(by_value)?,
-                values.iter().max_by(by_value)?,
-            );
+            let (least, greatest) =
+                (values.iter().min_by(by_value)?, values.iter().max_by(by_value)?);
             Some(match summary {
                 Summary::Min => least.1,
                 Summary::Max => greatest.1,
@@ -363,10 +332,7 @@ impl Sampled<'_> {
     /// A formula of the requirement, for these variables.
     fn value(&self, id: FormulaId, variables: &[f64]) -> f64 {
         let of = |id: FormulaId| self.value(id, variables);
-        let mut now = Now {
-            variables: &[],
-            params: &[],
-        };
+        let mut now = Now { variables: &[], params: &[] };
         match self.requirement.formulas.all()[id.index()] {
             Formula::Constant(number) => number.get(),
             Formula::Variable(number) => variables[number],
@@ -419,11 +385,7 @@ fn what_is_expected_of_machines_is_proved_and_holds_where_they_are_sampled() {
         texts += usize::from(!model.requirements.is_empty());
         for requirement in &model.requirements {
             facts += 1;
-            let one = Sampled {
-                model,
-                compiled,
-                requirement,
-            };
+            let one = Sampled { model, compiled, requirement };
             if one.is_known() {
                 sampled += 1;
                 one.hold(&format!("{}: {}", case.name, requirement.written));

@@ -83,9 +83,7 @@ where
             }
             _ => continue,
         };
-        worst = parts
-            .iter()
-            .fold(worst, |worst, part| worst.max(part.abs()));
+        worst = parts.iter().fold(worst, |worst, part| worst.max(part.abs()));
     }
     worst
 }
@@ -100,11 +98,7 @@ fn lead<M: Follower>(
 ) where
     M::Motors: AsRef<[f64]>,
 {
-    let count = if M::POINT.0 == "c" || M::MOTORS.len() == 2 {
-        2
-    } else {
-        3
-    };
+    let count = if M::POINT.0 == "c" || M::MOTORS.len() == 2 { 2 } else { 3 };
     let (mut arrived, mut refused, mut worst) = (0, 0, 0.0_f64);
     let mut dice = Dice::new(7);
     let mut mechanism = M::new();
@@ -113,9 +107,7 @@ fn lead<M: Follower>(
         if round % 5 == 4 {
             let motors = mechanism.motors();
             let motors = motors.as_ref().iter();
-            let motors: Vec<f64> = motors
-                .map(|motor| motor + dice.between(-stir, stir))
-                .collect();
+            let motors: Vec<f64> = motors.map(|motor| motor + dice.between(-stir, stir)).collect();
             mechanism.set(&motors);
         }
         let here = place(&mechanism);
@@ -130,14 +122,8 @@ fn lead<M: Follower>(
                 arrived += 1;
                 let there = place(&mechanism);
                 let turned = (there[2] - goal[2]) / TAU;
-                let turned = if count == 3 {
-                    TAU * (turned - turned.round())
-                } else {
-                    0.0
-                };
-                let away = (there[0] - goal[0])
-                    .hypot(there[1] - goal[1])
-                    .max(turned.abs());
+                let turned = if count == 3 { TAU * (turned - turned.round()) } else { 0.0 };
+                let away = (there[0] - goal[0]).hypot(there[1] - goal[1]).max(turned.abs());
                 let sine = sine(&mechanism).abs();
                 // It is where these values of its motors have it.
                 let mut again = mechanism;
@@ -152,34 +138,19 @@ fn lead<M: Follower>(
             Err(blocked) => {
                 refused += 1;
                 assert_eq!(mechanism, before, "{}: {blocked}", M::NAME);
-                assert!(
-                    !is_free(&here, &goal),
-                    "{} from {here:?} to {goal:?}: {blocked}",
-                    M::NAME
-                );
+                assert!(!is_free(&here, &goal), "{} from {here:?} to {goal:?}: {blocked}", M::NAME);
                 // It says how far the point goes, on the way.
                 let ends = here.iter().zip(&goal).zip(&blocked.reached);
                 let outside =
                     ends.map(|((from, to), at)| (at - from.max(*to)).max(from.min(*to) - at));
                 let outside = outside.take(2).fold(0.0, f64::max);
-                assert!(
-                    outside < 1e-9,
-                    "{} from {here:?} to {goal:?}: {blocked}",
-                    M::NAME
-                );
+                assert!(outside < 1e-9, "{} from {here:?} to {goal:?}: {blocked}", M::NAME);
             }
         }
     }
-    println!(
-        "{}: {arrived} places reached, {refused} refused, worst {worst:.1e}",
-        M::NAME
-    );
+    println!("{}: {arrived} places reached, {refused} refused, worst {worst:.1e}", M::NAME);
     assert!(worst < 3e-13, "{}: {worst:e}", M::NAME);
-    assert!(
-        arrived > 20 * refused.min(1) && arrived > refused,
-        "{}",
-        M::NAME
-    );
+    assert!(arrived > 20 * refused.min(1) && arrived > refused, "{}", M::NAME);
 }
 
 /// Whether the way from one place to another stays between these distances from a point, and away from both.
@@ -196,8 +167,7 @@ fn stays_within(centre: [f64; 2], [near, wide]: [f64; 2], from: &[f64; 3], to: &
 fn a_plotter_comes_wherever_both_of_its_arms_do() {
     let is_free = |from: &[f64; 3], to: &[f64; 3]| {
         let feet = [[-1.0, 0.0], [1.0, 0.0]];
-        feet.iter()
-            .all(|foot| stays_within(*foot, [0.5, 4.5], from, to))
+        feet.iter().all(|foot| stays_within(*foot, [0.5, 4.5], from, to))
     };
     let sine = |plotter: &Plotter| {
         let [_, _, pen, rod] = *plotter.poses();
@@ -224,11 +194,7 @@ fn an_arm_by_a_belt_keeps_count_of_turns() {
         ];
         let [x, y, _] = place(arm);
         let away = (tip[0] - x).hypot(tip[1] - y);
-        assert!(
-            away < 1e-13 * (10.0 + drive.abs()),
-            "{:?}: {away:e}",
-            arm.motors()
-        );
+        assert!(away < 1e-13 * (10.0 + drive.abs()), "{:?}: {away:e}", arm.motors());
         // A value of many radians is rounded to so much less.
         1.0 / (1.0 + drive.abs().max(shoulder.abs()))
     };
@@ -283,10 +249,7 @@ fn is_told_by_motors(legs: [([f64; 2], [f64; 2], [f64; 2]); 3], place: &[f64; 3]
         let far = u.hypot(v);
         let bend = (thigh * thigh + far * far - shin * shin) / (2.0 * thigh * far);
         let lean = v.atan2(u) + way * bend.clamp(-1.0, 1.0).acos();
-        let along = [
-            (u - thigh * lean.cos()) / shin,
-            (v - thigh * lean.sin()) / shin,
-        ];
+        let along = [(u - thigh * lean.cos()) / shin, (v - thigh * lean.sin()) / shin];
         [along[0], along[1], arm[0] * along[1] - arm[1] * along[0]]
     };
     (0..8).all(|knees: u32| {
@@ -314,10 +277,8 @@ fn a_platform_on_three_legs_is_led_in_closed_form() {
                 legs.iter().all(|(foot, knee, hip)| {
                     let (sin, cos) = angle.sin_cos();
                     let [a, b] = [hip[0] - 3.0, hip[1] - 1.6];
-                    let hip_now = [
-                        x + cos * a - sin * b - foot[0],
-                        y + sin * a + cos * b - foot[1],
-                    ];
+                    let hip_now =
+                        [x + cos * a - sin * b - foot[0], y + sin * a + cos * b - foot[1]];
                     let [upper, lower] =
                         [(foot, knee), (knee, hip)].map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]));
                     let distance = hip_now[0].hypot(hip_now[1]);
@@ -337,9 +298,7 @@ fn what_cannot_be_reached_is_refused_and_nothing_moves() {
     let [x, y] = blocked.reached;
     assert!((x + 1.0).hypot(y) < 4.5 + 1e-9 && x > 2.0, "{blocked}");
     assert_eq!(plotter, start);
-    let wrong = plotter
-        .reach([0.0, f64::INFINITY])
-        .expect_err("it is no place");
+    let wrong = plotter.reach([0.0, f64::INFINITY]).expect_err("it is no place");
     assert_eq!((wrong.cause, wrong.place), (Cause::NotFinite, "y"));
     assert_eq!(plotter, start);
     assert_eq!(plotter.reach([0.3, 2.9]), Ok(()));
@@ -368,15 +327,8 @@ fn what_a_mechanism_has_besides_goes_with_it() {
     assert!((motors[hand] - 0.2).abs() < 1e-6);
     let (a, b) = (motors[upper], motors[upper] + motors[elbow]);
     let wrist = [2.0 * a.cos() + 1.2 * b.cos(), 2.0 * a.sin() + 1.2 * b.sin()];
-    assert!(
-        (wrist[0] - 1.0).abs().max((wrist[1] - 2.2).abs()) < 1e-6,
-        "{motors:?}"
-    );
-    assert!(
-        arm.velocities()
-            .iter()
-            .all(|velocity| velocity.angular == 0.0)
-    );
+    assert!((wrist[0] - 1.0).abs().max((wrist[1] - 2.2).abs()) < 1e-6, "{motors:?}");
+    assert!(arm.velocities().iter().all(|velocity| velocity.angular == 0.0));
     assert_eq!(arm.fore_wrist_trace().len(), seen + 1);
 }
 
@@ -385,13 +337,8 @@ fn a_motor_does_not_leave_its_range() {
     let mut arm = Limited::new();
     let before = arm;
     // Folded up, the elbow would leave its range before the loop is open.
-    let blocked = arm
-        .reach([1.5, 0.0])
-        .expect_err("the elbow is at its limit");
-    assert_eq!(
-        (blocked.cause, blocked.place, arm),
-        (Cause::OutOfRange, "elbow", before)
-    );
+    let blocked = arm.reach([1.5, 0.0]).expect_err("the elbow is at its limit");
+    assert_eq!((blocked.cause, blocked.place, arm), (Cause::OutOfRange, "elbow", before));
     let [x, y] = blocked.reached;
     // By the law of cosines, from where its forearm is at 45 and 60 degrees more.
     let fore = 2_f64.sqrt();
@@ -411,9 +358,7 @@ fn a_point_comes_everywhere_in_its_region_and_nowhere_else() {
         assert!((tip.x - place[0]).hypot(tip.y - place[1]) < 1e-13);
     }
     let before = plotter;
-    let blocked = plotter
-        .reach([0.0, 4.3])
-        .expect_err("that is beside the paper");
+    let blocked = plotter.reach([0.0, 4.3]).expect_err("that is beside the paper");
     assert_eq!((blocked.cause, blocked.place), (Cause::OutOfRange, "y"));
     assert_eq!(plotter, before);
     assert!(blocked.reached[1] <= 4.2, "{blocked}");
@@ -429,10 +374,7 @@ fn rates_of_motors_are_those_of_their_differences() {
         plotter.motors()
     });
     let mut plotter = Paper::new();
-    assert_eq!(
-        plotter.reach_with(way(0.0), [0.3, -0.7], [-1.0, 0.4]),
-        Ok(())
-    );
+    assert_eq!(plotter.reach_with(way(0.0), [0.3, -0.7], [-1.0, 0.4]), Ok(()));
     let tip = (plotter.pen_tip_velocity(), plotter.pen_tip_acceleration());
     assert!((tip.0.x - 0.3).hypot(tip.0.y + 0.7) < 1e-13);
     assert!((tip.1.x + 1.0).hypot(tip.1.y - 0.4) < 1e-12);
@@ -442,11 +384,7 @@ fn rates_of_motors_are_those_of_their_differences() {
         let [before, here, after] = motors.map(|motors| motors[motor]);
         let rate = (after - before) / (2.0 * STEP);
         let acceleration = (after - 2.0 * here + before) / (STEP * STEP);
-        assert!(
-            (rate - rates[motor]).abs() < 1e-6,
-            "{rate} and {}",
-            rates[motor]
-        );
+        assert!((rate - rates[motor]).abs() < 1e-6, "{rate} and {}", rates[motor]);
         let off = (acceleration - accelerations[motor]).abs();
         assert!(off < 1e-5, "{acceleration} and {}", accelerations[motor]);
     }
@@ -472,11 +410,7 @@ fn the_angle_of_a_led_link_has_a_rate() {
     let rates = [platform.m1_rate(), platform.m2_rate(), platform.m3_rate()];
     for motor in 0..3 {
         let rate = (motors[1][motor] - motors[0][motor]) / (2.0 * STEP);
-        assert!(
-            (rate - rates[motor]).abs() < 1e-7,
-            "{rate} and {}",
-            rates[motor]
-        );
+        assert!((rate - rates[motor]).abs() < 1e-7, "{rate} and {}", rates[motor]);
     }
 }
 
@@ -506,10 +440,7 @@ fn a_point_is_where_its_path_has_it() {
             let rate = (after[motor] - before[motor]) / (2.0 * STEP);
             let second = (after[motor] - 2.0 * here[motor] + before[motor]) / (STEP * STEP);
             assert!((rate - rates[motor]).abs() < 1e-5, "{t}: {rate}");
-            assert!(
-                (second - accelerations[motor]).abs() < 1e-4,
-                "{t}: {second}"
-            );
+            assert!((second - accelerations[motor]).abs() < 1e-4, "{t}: {second}");
         }
     }
     assert_eq!(compass.set_size(0.5), Ok(()));
@@ -530,9 +461,6 @@ fn a_link_has_the_place_and_angle_of_its_path() {
         let pose = rocking.platform().rotation.angle();
         let middle = rocking.platform_middle();
         let off = (middle.x - 3.0 - 0.2 * t.cos()).hypot(middle.y - 1.6 - 0.2 * t.sin());
-        assert!(
-            off < 1e-13 && (pose - 0.15 * (3.0 * t).sin()).abs() < 1e-13,
-            "{t}"
-        );
+        assert!(off < 1e-13 && (pose - 0.15 * (3.0 * t).sin()).abs() < 1e-13, "{t}");
     }
 }

@@ -12,10 +12,7 @@ type Vector = [f64; 2];
 #[track_caller]
 fn near(found: f64, expected: f64, what: &str) {
     let off = (found - expected).abs();
-    assert!(
-        off < 1e-9 * (1.0 + expected.abs()),
-        "{what}: {found}, not {expected}"
-    );
+    assert!(off < 1e-9 * (1.0 + expected.abs()), "{what}: {found}, not {expected}");
 }
 
 /// The places and the directions in the scene of both parts of a joint, if it has a place.
@@ -145,16 +142,9 @@ fn what_is_not_shown_has_no_coordinate_and_no_pose() {
     assert_eq!(motors, [Some(0), None, None, None]);
     let [_, big, _, bed] = Press::JOINTS;
     let anchors = big.anchors.expect("it has a place");
+    assert!(anchors.iter().all(|anchor| anchor.place(press.poses()).is_none()));
     assert!(
-        anchors
-            .iter()
-            .all(|anchor| anchor.place(press.poses()).is_none())
-    );
-    assert!(
-        bed.anchors
-            .expect("a line")
-            .iter()
-            .all(|anchor| anchor.place(press.poses()).is_some())
+        bed.anchors.expect("a line").iter().all(|anchor| anchor.place(press.poses()).is_some())
     );
 }
 

@@ -13,10 +13,7 @@ const MOST_LETS: usize = 512;
 fn longest(text: &str) -> (String, usize) {
     let tokens: TokenStream = text.parse().expect("tokens");
     let mut longest = (String::new(), 0);
-    lets(
-        mech_compiler::expand(quote::quote!(::mech_runtime; #tokens)),
-        &mut longest,
-    );
+    lets(mech_compiler::expand(quote::quote!(::mech_runtime; #tokens)), &mut longest);
     longest
 }
 
@@ -30,11 +27,8 @@ fn lets(tokens: TokenStream, longest: &mut (String, usize)) -> usize {
             }
             TokenTree::Ident(word) => {
                 assert_ne!(word, "compile_error");
-                let is_condition = || {
-                    ["if", "while", "&"]
-                        .iter()
-                        .any(|word| is_before(before.as_ref(), word))
-                };
+                let is_condition =
+                    || ["if", "while", "&"].iter().any(|word| is_before(before.as_ref(), word));
                 count += usize::from(word == "let" && !is_condition());
             }
             TokenTree::Group(group) => {
@@ -140,10 +134,7 @@ fn check(what: &str, text: &str) {
 fn no_function_is_long_whatever_the_method() {
     for loops in [10, 200] {
         for method in ["", "method linear;", "method newton(2);", "method newton;"] {
-            check(
-                &format!("{loops} loops, {method}"),
-                &(chain_text(loops) + method),
-            );
+            check(&format!("{loops} loops, {method}"), &(chain_text(loops) + method));
         }
     }
     check("600 loops", &(chain_text(600) + "method newton;"));
@@ -156,15 +147,9 @@ fn no_function_is_long_whatever_the_effects() {
     for loops in [10, 120] {
         let effects = [
             heavy(loops, "effects { velocity; }"),
-            heavy(
-                loops,
-                "effects { velocity; acceleration; overlay; trace rocker_0.far 100; }",
-            )
-            .replacen("link rocker_0 {", "link rocker_0 { point far = (1, 1);", 1),
-            heavy(
-                loops,
-                "effects { velocity; acceleration; force; dynamics; overlay; }",
-            ),
+            heavy(loops, "effects { velocity; acceleration; overlay; trace rocker_0.far 100; }")
+                .replacen("link rocker_0 {", "link rocker_0 { point far = (1, 1);", 1),
+            heavy(loops, "effects { velocity; acceleration; force; dynamics; overlay; }"),
             variable(loops, "effects { sensitivity; }"),
             chain_text(loops).replace("motor j0;", "motor j0 = 0.1 * sin(t);")
                 + "effects { velocity; acceleration; }",
@@ -179,10 +164,7 @@ fn no_function_is_long_whatever_the_effects() {
 /// ordinary stack; then they move as the interpreter does.
 #[test]
 fn large_ones_compile_in_debug() {
-    let forced = heavy(
-        60,
-        "effects { velocity; acceleration; force; dynamics; overlay; }",
-    );
+    let forced = heavy(60, "effects { velocity; acceleration; force; dynamics; overlay; }");
     let chains = [
         forced,
         chain_text(200),

@@ -179,12 +179,7 @@ fn is_led(model: &Model, at: [f64; 2], compiled: &Compiled, dice: &mut Dice) -> 
         let goal = place(model, at, &mechanism).map(|value| value + dice.between(-0.05, 0.05));
         let count = model.inverse.as_ref().expect("a point is led").motors.len();
         let mut other = Machine::<f64>::new(&inverted.compiled.program);
-        let done = lead(
-            model,
-            compiled,
-            (&mut mechanism, &mut other),
-            &goal[..count],
-        );
+        let done = lead(model, compiled, (&mut mechanism, &mut other), &goal[..count]);
         if done.is_err() {
             assert_eq!(*mechanism.position(), here);
             continue;

@@ -66,11 +66,7 @@ fn common_area(one: &[[f64; 2]], other: &[[f64; 2]]) -> f64 {
     let common = one.overlay(&other, OverlayRule::Intersect, FillRule::EvenOdd);
     let area = |ring: &Vec<[f64; 2]>| {
         let next = ring.iter().cycle().skip(1);
-        let twice: f64 = ring
-            .iter()
-            .zip(next)
-            .map(|(a, b)| a[0] * b[1] - b[0] * a[1])
-            .sum();
+        let twice: f64 = ring.iter().zip(next).map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum();
         0.5 * twice
     };
     common.iter().flatten().map(area).sum::<f64>().abs()
@@ -94,10 +90,7 @@ fn do_not_overlap(text: &str, turns: &[f64]) {
         );
         // They do touch: a little larger, they overlap.
         let nearer = larger(&all[small], 1.0 + 0.35 * module / reach(&all[small]));
-        assert!(
-            common_area(&nearer, &all[1 - small]) > 0.0,
-            "teeth do not mesh\n{text}"
-        );
+        assert!(common_area(&nearer, &all[1 - small]) > 0.0, "teeth do not mesh\n{text}");
     }
 }
 
@@ -117,24 +110,21 @@ fn module(looks: &Looks) -> f64 {
 fn middle(corners: &[[f64; 2]]) -> [f64; 2] {
     #[expect(clippy::cast_precision_loss, reason = "a few thousand corners")]
     let share = 1.0 / corners.len() as f64;
-    corners.iter().fold([0.0; 2], |sum, corner| {
-        [sum[0] + share * corner[0], sum[1] + share * corner[1]]
-    })
+    corners
+        .iter()
+        .fold([0.0; 2], |sum, corner| [sum[0] + share * corner[0], sum[1] + share * corner[1]])
 }
 
 fn reach(corners: &[[f64; 2]]) -> f64 {
     let [x, y] = middle(corners);
-    let away = corners
-        .iter()
-        .map(|corner| (corner[0] - x).hypot(corner[1] - y));
+    let away = corners.iter().map(|corner| (corner[0] - x).hypot(corner[1] - y));
     away.fold(0.0, f64::max)
 }
 
 fn larger(corners: &[[f64; 2]], times: f64) -> Vec<[f64; 2]> {
     let [x, y] = middle(corners);
-    let moved = corners
-        .iter()
-        .map(|corner| [x + times * (corner[0] - x), y + times * (corner[1] - y)]);
+    let moved =
+        corners.iter().map(|corner| [x + times * (corner[0] - x), y + times * (corner[1] - y)]);
     moved.collect()
 }
 
@@ -258,14 +248,9 @@ fn is_between(model: &Model, link: LinkId, pin: &Pin, plane: impl Fn(LinkId) -> 
             .filter(|member| *member != LinkId::GROUND && model.link(*member).die.is_none())
             .map(&plane)
     };
-    let back = if pin.axis_of(LinkId::GROUND).is_some() {
-        Some(0)
-    } else {
-        planes().min()
-    };
+    let back = if pin.axis_of(LinkId::GROUND).is_some() { Some(0) } else { planes().min() };
     let own = plane(link);
-    back.zip(planes().max())
-        .is_some_and(|(back, front)| own > back && own < front)
+    back.zip(planes().max()).is_some_and(|(back, front)| own > back && own < front)
 }
 
 /// All orders of some things.
@@ -317,10 +302,7 @@ fn no_bar_crosses_a_pin_that_it_does_not_carry() {
                 came
             });
             // What slides is elsewhere in the other sense.
-            let joints = model
-                .motors
-                .iter()
-                .map(|motor| model.joint(motor.joint).kind);
+            let joints = model.motors.iter().map(|motor| model.joint(motor.joint).kind);
             let mut slides = joints.filter(|kind| matches!(kind, JointKind::Prismatic(..)));
             if came && slides.next().is_none() {
                 break;
@@ -329,9 +311,7 @@ fn no_bar_crosses_a_pin_that_it_does_not_carry() {
         let crossings = crossings(&model, &compiled, &looks, &positions);
         let is_free = |plane: &dyn Fn(LinkId) -> usize| {
             let pins = &compiled.structure.pins;
-            crossings
-                .iter()
-                .all(|&(link, pin)| !is_between(&model, link, &pins[pin], plane))
+            crossings.iter().all(|&(link, pin)| !is_between(&model, link, &pins[pin], plane))
         };
         let has_order = orders(links.len()).iter().any(|order| {
             is_free(&|link| {
@@ -403,35 +383,21 @@ fn a_link_with_shapes_keeps_them() {
     let text = "struct Two; look machine; link a { point p = (0, 0); circle (0, 0) radius 1.5 color red; } link b { point p = (1, 0); } \
                 joint j = revolute(ground, a) at (0, 0); joint k = revolute(a, b) at (1, 0); motor j; motor k;";
     let (model, _, looks) = compiled(text);
-    let [a, b]: [LinkId; 2] = model
-        .declared_links()
-        .collect::<Vec<_>>()
-        .try_into()
-        .expect("two");
-    let of = |link| {
-        looks
-            .painted
-            .iter()
-            .filter(move |painted| painted.link == link)
-    };
+    let [a, b]: [LinkId; 2] = model.declared_links().collect::<Vec<_>>().try_into().expect("two");
+    let of = |link| looks.painted.iter().filter(move |painted| painted.link == link);
     let shape = |painted: &&Painted| painted.color == Palette::RED && painted.plane == 0;
     assert_eq!(of(a).filter(shape).count(), 1);
     let marks = of(a).filter(|painted| MARKS.contains(&painted.color));
-    assert_eq!(
-        (of(a).count(), marks.count()),
-        (6, 5),
-        "two eyes, and the ring of the motor"
-    );
+    assert_eq!((of(a).count(), marks.count()), (6, 5), "two eyes, and the ring of the motor");
     assert!(of(b).count() > 1 && of(LinkId::GROUND).count() > 1);
     let (_, _, beside) =
         compiled(&text.replace("circle (0, 0) radius 1.5", "circle (3, 3) radius 1.5"));
     assert_eq!(beside.painted.len(), looks.painted.len() + 2, "and a bar");
     let ground = "ground { circle (0, 0) radius 2; } link a";
     let drawn = text.replace("look machine; link a", ground);
-    let (_, _, drawn) = compiled(&drawn.replace(
-        "point p = (1, 0); }",
-        "point p = (1, 0); circle (1, 0) radius 1; }",
-    ));
+    let (_, _, drawn) = compiled(
+        &drawn.replace("point p = (1, 0); }", "point p = (1, 0); circle (1, 0) radius 1; }"),
+    );
     assert_eq!(drawn.painted.len(), 3);
 }
 
@@ -464,11 +430,7 @@ fn a_box_costs_little_however_small_the_pieces_of_a_move_are() {
         let begin = Instant::now();
         let _ = looks.extent(&model, &compiled);
         // Without a budget it takes minutes here.
-        assert!(
-            begin.elapsed() < Duration::from_secs(10),
-            "{:?}",
-            begin.elapsed()
-        );
+        assert!(begin.elapsed() < Duration::from_secs(10), "{:?}", begin.elapsed());
     }
 }
 

@@ -39,10 +39,7 @@ fn trouble(text: &str) -> Option<MeshTrouble> {
 /// Everything in backticks that is two sizes.
 fn offers(message: &str) -> Vec<String> {
     let quoted = message.split('`').skip(1).step_by(2);
-    quoted
-        .filter(|text| text.contains(" : "))
-        .map(str::to_owned)
-        .collect()
+    quoted.filter(|text| text.contains(" : ")).map(str::to_owned).collect()
 }
 
 /// How far the wheel turns with its pinion.

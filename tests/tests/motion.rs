@@ -23,13 +23,8 @@ const LIMIT: f64 = 4500.0;
 /// More failures than this are not reported.
 const MOST_REPORTED: usize = 100;
 
-const METHODS: [Method; 5] = [
-    Method::Exact,
-    Method::Newton,
-    Method::Exact,
-    Method::NewtonSteps(4),
-    Method::Linear,
-];
+const METHODS: [Method; 5] =
+    [Method::Exact, Method::Newton, Method::Exact, Method::NewtonSteps(4), Method::Linear];
 
 fn cases() -> u64 {
     mech_test_support::cases(1_000)
@@ -63,12 +58,7 @@ impl Subject {
         let program = compile(&model).ok()?.program;
         // The lengths of all links together.
         let size = lengths(&model).sum();
-        Some(Self {
-            model,
-            program,
-            dice,
-            size,
-        })
+        Some(Self { model, program, dice, size })
     }
 }
 
@@ -83,12 +73,7 @@ fn bits<T: Real>(position: &Position<T>) -> Vec<u64> {
     let numbers = numbers.chain(&position.motors).chain(&position.state);
     numbers
         .map(|number| number.to_f64().to_bits())
-        .chain(
-            position
-                .turns
-                .iter()
-                .map(|turns| u64::from(turns.unsigned_abs())),
-        )
+        .chain(position.turns.iter().map(|turns| u64::from(turns.unsigned_abs())))
         .collect()
 }
 
@@ -147,10 +132,7 @@ fn check_whole<T: Real>(subject: &Subject, position: &Position<T>) -> Result<(),
     };
     let stretch = worst_stretch(&poses);
     if stretch > most {
-        return Err(format!(
-            "a link is stretched by {:.1} eps",
-            stretch / T::EPSILON
-        ));
+        return Err(format!("a link is stretched by {:.1} eps", stretch / T::EPSILON));
     }
     let size = extent(subject, &poses);
     let gap = worst_gap(&subject.model, &poses);
@@ -166,18 +148,8 @@ fn check_whole<T: Real>(subject: &Subject, position: &Position<T>) -> Result<(),
 
 /// Values for the motors.
 fn target<T: Real>(dice: &mut Dice, segment: Segment, now: &[T], before: &[T]) -> Vec<T> {
-    const EXTREMES: [f64; 10] = [
-        0.0,
-        -0.0,
-        1e-300,
-        5e-324,
-        300.0,
-        -1e9,
-        1e15,
-        1e38,
-        -1e300,
-        f64::MAX,
-    ];
+    const EXTREMES: [f64; 10] =
+        [0.0, -0.0, 1e-300, 5e-324, 300.0, -1e9, 1e15, 1e38, -1e300, f64::MAX];
     let one = dice.below(now.len().max(1));
     let near =
         |dice: &mut Dice, value: &T, most: f64| *value + T::from_f64(dice.between(-most, most));
@@ -204,21 +176,13 @@ fn target<T: Real>(dice: &mut Dice, segment: Segment, now: &[T], before: &[T]) -
 /// Goes to these values in small steps; says whether it came there.
 fn in_small_steps<T: Real>(machine: &mut Machine<T>, motors: &[T]) -> Result<(), (u32, Stop)> {
     let start = machine.position().motors.clone();
-    let displacement = start
-        .iter()
-        .zip(motors)
-        .map(|(from, to)| (*to - *from).abs().to_f64())
-        .fold(0.0, f64::max);
-    let steps = (1_u32..400)
-        .find(|steps| f64::from(*steps) * 0.03 > displacement)
-        .unwrap_or(400);
+    let displacement =
+        start.iter().zip(motors).map(|(from, to)| (*to - *from).abs().to_f64()).fold(0.0, f64::max);
+    let steps = (1_u32..400).find(|steps| f64::from(*steps) * 0.03 > displacement).unwrap_or(400);
     for step in 1..steps {
         let part = T::from_f64(f64::from(step) / f64::from(steps));
-        let between: Vec<T> = start
-            .iter()
-            .zip(motors)
-            .map(|(from, to)| *from + (*to - *from) * part)
-            .collect();
+        let between: Vec<T> =
+            start.iter().zip(motors).map(|(from, to)| *from + (*to - *from) * part).collect();
         machine.move_to(&between).map_err(|stop| (step, stop))?;
     }
     machine.move_to(motors).map_err(|stop| (steps, stop))
@@ -350,10 +314,8 @@ fn move_in_segments<T: Real>(
             }
         }
         let end = machine.position().clone();
-        let leapt = matches!(
-            segment,
-            Segment::Leap | Segment::OneMotor | Segment::Back | Segment::Toward
-        );
+        let leapt =
+            matches!(segment, Segment::Leap | Segment::OneMotor | Segment::Back | Segment::Toward);
         if bits(&end) != bits(&start) {
             let found = match wanted {
                 Wanted::Sound => check_whole(subject, &end),
@@ -404,11 +366,8 @@ fn failures(precision: Precision, only: &[Method], wanted: Wanted) -> Vec<String
 fn assert_none(only: &[Method], wanted: Wanted) {
     let mut failures_of_both = failures(Precision::F64, only, wanted);
     failures_of_both.extend(failures(Precision::F32, only, wanted));
-    let first: Vec<&str> = failures_of_both
-        .iter()
-        .take(MOST_REPORTED)
-        .map(String::as_str)
-        .collect();
+    let first: Vec<&str> =
+        failures_of_both.iter().take(MOST_REPORTED).map(String::as_str).collect();
     assert!(
         failures_of_both.is_empty(),
         "{} failures:\n{}",

@@ -89,19 +89,10 @@ fn motions_are_their_segments_one_after_the_other() {
         for _ in 0..40 {
             let time = dice.between(-2.0, 3.0) * period;
             let expected = gone(&segments, time);
-            assert!(
-                (once.at(time, &[]) - expected).abs() < 1e-13,
-                "{text} at {time}"
-            );
-            assert!(
-                (from.at(time, &[]) + 0.5 - expected).abs() < 1e-13,
-                "{text} at {time}"
-            );
+            assert!((once.at(time, &[]) - expected).abs() < 1e-13, "{text} at {time}");
+            assert!((from.at(time, &[]) + 0.5 - expected).abs() < 1e-13, "{text} at {time}");
             let expected = gone_round(&segments, period, time);
-            assert!(
-                (round.at(time, &[]) - expected).abs() < 1e-12,
-                "{text} at {time}"
-            );
+            assert!((round.at(time, &[]) - expected).abs() < 1e-12, "{text} at {time}");
         }
     }
 }
@@ -109,11 +100,7 @@ fn motions_are_their_segments_one_after_the_other() {
 #[test]
 fn rates_of_motions_are_their_slopes() {
     const STEP: f64 = 1e-4;
-    let effects = Effects {
-        velocity: true,
-        acceleration: true,
-        ..Effects::default()
-    };
+    let effects = Effects { velocity: true, acceleration: true, ..Effects::default() };
     for seed in seeds(100) {
         let mut dice = Dice::new(seed);
         let (segments, text) = random(&mut dice, false);
@@ -129,11 +116,7 @@ fn rates_of_motions_are_their_slopes() {
                 let changes: Vec<f64> = law.changes().collect();
                 let mirrored = changes.iter().map(|change| 1.0 - change);
                 ends.extend(
-                    changes
-                        .iter()
-                        .copied()
-                        .chain(mirrored)
-                        .map(|change| begin + change * span),
+                    changes.iter().copied().chain(mirrored).map(|change| begin + change * span),
                 );
                 begin += span;
                 ends.push(begin);
@@ -145,10 +128,7 @@ fn rates_of_motions_are_their_slopes() {
             let at = |number: f64| gone_round(&segments, period, time + number * STEP);
             let [first, second] = differences([-2.0, -1.0, 0.0, 1.0, 2.0].map(at), STEP);
             let [_, rate, acceleration] = timing.at(time, &[])[0];
-            assert!(
-                (rate - first).abs() < 1e-8,
-                "{text} at {time}: {rate} {first}"
-            );
+            assert!((rate - first).abs() < 1e-8, "{text} at {time}: {rate} {first}");
             assert!(
                 (acceleration - second).abs() < 1e-4,
                 "{text} at {time}: {acceleration} {second}"
@@ -183,10 +163,7 @@ fn cams_by_segments_have_their_followers_where_they_say() {
                 .place_of(model.ends(mech_compiler::model::JointId::new(1)).1)
                 .expect("shown")][3];
             let expected = gone_round(&segments, TAU, angle);
-            assert!(
-                (found - expected).abs() < 1e-12,
-                "{text} at {angle}: {found} {expected}"
-            );
+            assert!((found - expected).abs() < 1e-12, "{text} at {angle}: {found} {expected}");
         }
     }
 }
@@ -195,9 +172,7 @@ fn cams_by_segments_have_their_followers_where_they_say() {
 fn generated_cams_are_where_their_segments_have_them() {
     let degrees = |list: &[(f64, f64, MotionLaw)]| -> Vec<Segment> {
         let segments = list.iter().copied();
-        segments
-            .map(|(span, height, law)| (span.to_radians(), height, law))
-            .collect()
+        segments.map(|(span, height, law)| (span.to_radians(), height, law)).collect()
     };
     let mut press = generated::Press::new();
     for lift in [9.0, 4.5] {
@@ -224,16 +199,9 @@ fn generated_cams_are_where_their_segments_have_them() {
             // The gear turns the wheel backwards at half the speed; mirrored, it and the lever count the other way round.
             let at = |angle: f64| -gone_round(&lever, TAU / 2.0, angle / 2.0);
             let found = press.left().swing();
-            assert!(
-                (found - at(angle)).abs() < 1e-12,
-                "{angle}: {found} {}",
-                at(angle)
-            );
+            assert!((found - at(angle)).abs() < 1e-12, "{angle}: {found} {}", at(angle));
             let [first, _] = around(at, angle);
-            assert!(
-                (press.left().swing_rate() - 1.5 * first).abs() < 1e-6,
-                "{angle}"
-            );
+            assert!((press.left().swing_rate() - 1.5 * first).abs() < 1e-6, "{angle}");
         }
     }
 }
@@ -241,18 +209,13 @@ fn generated_cams_are_where_their_segments_have_them() {
 /// First and second differences of a function round a place.
 fn around(at: impl Fn(f64) -> f64, place: f64) -> [f64; 2] {
     const STEP: f64 = 1e-4;
-    differences(
-        [-2.0, -1.0, 0.0, 1.0, 2.0].map(|number| at(place + number * STEP)),
-        STEP,
-    )
+    differences([-2.0, -1.0, 0.0, 1.0, 2.0].map(|number| at(place + number * STEP)), STEP)
 }
 
 #[test]
 fn a_motor_goes_on_by_a_step_in_each_round() {
-    let segments = [
-        (0.4, 60_f64.to_radians(), MotionLaw::Cycloidal),
-        (0.1, 0.0, MotionLaw::Linear),
-    ];
+    let segments =
+        [(0.4, 60_f64.to_radians(), MotionLaw::Cycloidal), (0.1, 0.0, MotionLaw::Linear)];
     let mut table = generated::Indexing::new();
     for step in 0..400 {
         let time = 0.011 * f64::from(step);
@@ -313,9 +276,6 @@ fn segments_are_what_a_stranger_spelt_out() {
     for step in -500..500 {
         let angle = 0.0217 * f64::from(step);
         let [found, expected] = [&said, &spelt_out].map(|law| law.at(angle, &[]));
-        assert!(
-            (found - expected).abs() < 1e-14,
-            "{angle}: {found} {expected}"
-        );
+        assert!((found - expected).abs() < 1e-14, "{angle}: {found} {expected}");
     }
 }

@@ -47,30 +47,18 @@ fn mangle(text: TokenStream, strange: &[TokenTree], dice: &mut Dice) -> TokenStr
 
 /// Tokens that stand in no text.
 fn strange() -> Vec<TokenTree> {
-    let words = [
-        "use", "fn", "self", "crate", "Self", "_", "r#fn", "struct", "part", "dyn", "other",
-    ];
+    let words =
+        ["use", "fn", "self", "crate", "Self", "_", "r#fn", "struct", "part", "dyn", "other"];
     let words = words.map(|word| word.parse::<TokenStream>().expect("a word"));
     let marks = "::;:#!$,.'=<>".chars().filter(|mark| *mark != '\'');
     let marks = marks.map(|mark| TokenTree::from(Punct::new(mark, Spacing::Alone)));
     let colons: TokenStream = quote!(::);
-    let groups = [
-        Delimiter::Brace,
-        Delimiter::Bracket,
-        Delimiter::Parenthesis,
-        Delimiter::None,
-    ];
+    let groups = [Delimiter::Brace, Delimiter::Bracket, Delimiter::Parenthesis, Delimiter::None];
     let groups = groups.map(|delimiter| {
         let inside = Ident::new("inside", Span::call_site());
         TokenTree::from(Group::new(delimiter, quote!(#inside ::)))
     });
-    words
-        .into_iter()
-        .flatten()
-        .chain(colons)
-        .chain(marks)
-        .chain(groups)
-        .collect()
+    words.into_iter().flatten().chain(colons).chain(marks).chain(groups).collect()
 }
 
 /// One of the texts, with up to so many tokens changed.
@@ -96,10 +84,7 @@ fn what_the_macro_makes_of_anything_is_rust() {
             let items =
                 items.unwrap_or_else(|wrong| panic!("seed {seed}: {wrong}\n{written}\n{made}"));
             let made = made.to_string();
-            assert!(
-                !made.contains("internal error"),
-                "seed {seed}: {made}\n{written}"
-            );
+            assert!(!made.contains("internal error"), "seed {seed}: {made}\n{written}");
             said += usize::from(made.contains("compile_error"));
             // A text without a single item is not even a message.
             assert!(!items.items.is_empty(), "seed {seed}: {written}");
@@ -118,39 +103,23 @@ fn what_is_read_of_anything_is_in_order() {
         let parsed = parse(text);
         for error in &parsed.errors {
             let said = &error.text;
-            assert!(
-                !said.is_empty() && !said.ends_with('.'),
-                "seed {seed}: {said}\n{written}"
-            );
+            assert!(!said.is_empty() && !said.ends_with('.'), "seed {seed}: {said}\n{written}");
         }
         assert!(names_are_distinct(&parsed.model), "seed {seed}: {written}");
         // Links that nobody declared come after those that somebody did.
         let links = &parsed.model.links;
-        assert!(
-            links.is_sorted_by_key(|link| link.die.is_some()),
-            "seed {seed}: {written}"
-        );
+        assert!(links.is_sorted_by_key(|link| link.die.is_some()), "seed {seed}: {written}");
     }
 }
 
 /// Whether all names of the model would make different methods.
 fn names_are_distinct(model: &Model) -> bool {
-    let links = model
-        .declared_links()
-        .map(|link| model.link(link).name.clone());
+    let links = model.declared_links().map(|link| model.link(link).name.clone());
     let joints = model.joints.iter().filter(|joint| !joint.hidden);
     let joints = joints.map(|joint| joint.name.clone());
-    let points = model
-        .axes
-        .iter()
-        .filter(|axis| axis.kind == AxisKind::Point);
-    let points = points.filter_map(|axis| {
-        Some(format!(
-            "{}_{}",
-            model.link(axis.link).name,
-            axis.name.as_ref()?
-        ))
-    });
+    let points = model.axes.iter().filter(|axis| axis.kind == AxisKind::Point);
+    let points = points
+        .filter_map(|axis| Some(format!("{}_{}", model.link(axis.link).name, axis.name.as_ref()?)));
     let mut methods: Vec<_> = links.chain(joints).chain(points).collect();
     let count = methods.len();
     methods.sort();
@@ -175,9 +144,8 @@ fn a_path_of_a_part_that_is_none() {
         ("self", "self", NAME),
         ("a:::Leg", ":", NAME),
     ] {
-        let text: TokenStream = format!("struct Elsewhere; use {path}; link a;")
-            .parse()
-            .expect("tokens");
+        let text: TokenStream =
+            format!("struct Elsewhere; use {path}; link a;").parse().expect("tokens");
         let import = mech_compiler::Import::first(&text).expect("an import");
         let fault = import.fault().unwrap_or_else(|| panic!("{path} is a path"));
         let found = format!("{said}, found `{place}`");
@@ -186,10 +154,7 @@ fn a_path_of_a_part_that_is_none() {
         let at = fault.place.start.source_text();
         assert_eq!(at.as_deref(), Some(place), "{path}");
         let made = mech_compiler::expand(quote!(::mech_runtime; #text)).to_string();
-        assert!(
-            made.contains("compile_error") && made.contains("struct Elsewhere"),
-            "{made}"
-        );
+        assert!(made.contains("compile_error") && made.contains("struct Elsewhere"), "{made}");
     }
     let right = "Leg ::legs::Leg crate::legs::Leg self::Leg super::super::Leg r#fn::Leg";
     for path in right.split(' ') {

@@ -29,11 +29,7 @@ impl FourBar {
         loop {
             let [p, r, s] = [0; 3].map(|_| 0.25 * dice.between(2.0, 14.0).round());
             let folded = dice.once_in(2);
-            let q = if folded {
-                p + (r - s).abs() + off
-            } else {
-                r + s - p + off
-            };
+            let q = if folded { p + (r - s).abs() + off } else { r + s - p + off };
             let (turn, angle) = (dice.between(-PI, PI), dice.between(0.5, 2.6));
             let at = |length: f64, angle: f64| [length * angle.cos(), length * angle.sin()];
             let (a, b) = (at(p, turn), at(q, turn + angle));
@@ -44,20 +40,14 @@ impl FourBar {
                 let [x, y] = [(b[0] - a[0]) / d, (b[1] - a[1]) / d];
                 let side = if dice.once_in(2) { height } else { -height };
                 let c = [a[0] + along * x - side * y, a[1] + along * y + side * x];
-                return Self {
-                    pins: [[0.0, 0.0], a, c, b],
-                    folded,
-                };
+                return Self { pins: [[0.0, 0.0], a, c, b], folded };
             }
         }
     }
 
     /// Anywhere, in any order, any link being the ground.
     fn text(&mut self, dice: &mut Dice) -> String {
-        let mut sketch = Sketch {
-            links: 4,
-            ..Sketch::default()
-        };
+        let mut sketch = Sketch { links: 4, ..Sketch::default() };
         for (number, pin) in self.pins.into_iter().enumerate() {
             sketch.join((number + 3) % 4, number, Bond::Pin(pin));
         }
@@ -76,17 +66,8 @@ impl FourBar {
     /// same of the squares of their distances: that is what rounding hides.
     fn gap(&self, folded: bool) -> [f64; 2] {
         let [o, a, c, b] = self.pins;
-        let [p, q, r, s] = [
-            distance(o, a),
-            distance(o, b),
-            distance(a, c),
-            distance(c, b),
-        ];
-        let (ends, arms) = if folded {
-            ((p - q).abs(), (r - s).abs())
-        } else {
-            (p + q, r + s)
-        };
+        let [p, q, r, s] = [distance(o, a), distance(o, b), distance(a, c), distance(c, b)];
+        let (ends, arms) = if folded { ((p - q).abs(), (r - s).abs()) } else { (p + q, r + s) };
         let size = distance(a, b) + r + s;
         let gap = (ends - arms) / size;
         [gap, gap * (ends + arms) / size]
@@ -182,10 +163,7 @@ fn decimals_hide_the_change_points_of_roberts() {
         // The ends of ground and leg are as far apart as those of plate and leg are near.
         let goal = height.hypot(3.0);
         let off = (2.0 * leg - 6.0) / (goal + 2.0 + leg);
-        assert!(
-            (miss.distance - off.abs()).abs() < 1e-4 * off.abs() + 1e-14,
-            "{miss:?}, {off:e}"
-        );
+        assert!((miss.distance - off.abs()).abs() < 1e-4 * off.abs() + 1e-14, "{miss:?}, {off:e}");
         assert!((miss.at + height.atan()).abs() < 1e-3, "{miss:?}");
         if decimals == 10 {
             let note = &compiled.notes[0];
@@ -221,24 +199,12 @@ fn notes_of_laws(time: &str, cam: &str) -> Vec<String> {
 fn laws_that_jump_are_told() {
     let none = "sin(q)";
     for (law, told) in [
-        (
-            "max(0, t - 1)",
-            "the rate of `a` jumps at t = 1, from 0 to 1",
-        ),
-        (
-            "abs(t - 20) - 20",
-            "the rate of `a` jumps at t = 20, from -1 to 1",
-        ),
+        ("max(0, t - 1)", "the rate of `a` jumps at t = 1, from 0 to 1"),
+        ("abs(t - 20) - 20", "the rate of `a` jumps at t = 20, from -1 to 1"),
         ("floor(t)", "`a` jumps at t = 1, from 0 to 1"),
         ("mod(3 * t, 6)", "`a` jumps at t = 2, from 6 to 0"),
-        (
-            "rise 2 over 0.5 with linear",
-            "the rate of `a` jumps at t = 0.5, from 4 to 0",
-        ),
-        (
-            "t + max(0, t - 0.002)",
-            "the rate of `a` jumps at t = 0.002, from 1 to 2",
-        ),
+        ("rise 2 over 0.5 with linear", "the rate of `a` jumps at t = 0.5, from 4 to 0"),
+        ("t + max(0, t - 0.002)", "the rate of `a` jumps at t = 0.002, from 1 to 2"),
     ] {
         let expected = format!("by its law {told}: nothing that has mass can follow");
         assert_eq!(notes_of_laws(law, none), [expected], "{law}");

@@ -16,16 +16,9 @@ fn outcome(model: &Model) -> Result<BTreeSet<(BTreeSet<String>, usize)>, String>
         text.split([' ', '{']).next().unwrap_or_default().to_owned()
     })?;
     let names = |joints: Vec<JointId>| {
-        joints
-            .into_iter()
-            .map(|joint| model.joint(joint).name.clone())
-            .collect()
+        joints.into_iter().map(|joint| model.joint(joint).name.clone()).collect()
     };
-    Ok(compiled
-        .plan
-        .loops()
-        .map(|closing| (names(closing.unknowns()), closing.level))
-        .collect())
+    Ok(compiled.plan.loops().map(|closing| (names(closing.unknowns()), closing.level)).collect())
 }
 
 /// Where every declared link is after some small moves, in the order of their names; less if it cannot be moved so far. Every joint is
@@ -112,14 +105,10 @@ fn shuffled_declarations_on_any_ground_driven_anywhere_make_the_same_mechanism()
 #[test]
 fn shuffled_declarations_of_what_is_solved_together_make_the_same_mechanism() {
     let mut compiled = 0;
-    for_all(
-        150,
-        &coupled_samples(1..=4),
-        |Sample { grown, mut dice }| {
-            let other = shuffled(&grown.model, &mut dice);
-            compiled += u64::from(are_the_same(&grown.model, &other, &mut dice));
-        },
-    );
+    for_all(150, &coupled_samples(1..=4), |Sample { grown, mut dice }| {
+        let other = shuffled(&grown.model, &mut dice);
+        compiled += u64::from(are_the_same(&grown.model, &other, &mut dice));
+    });
     println!("{compiled} compiled");
     assert!(4 * compiled > 3 * cases(150), "{compiled} compiled");
 }
@@ -142,12 +131,7 @@ fn texts_mean_the_same_in_any_order() {
             shuffle(&mut statements[1..], &mut dice);
             let other = model(&statements.concat());
             let found = outcome(&other);
-            assert_eq!(
-                found.as_ref().map(BTreeSet::len).ok(),
-                loops,
-                "{}: {found:?}",
-                case.name
-            );
+            assert_eq!(found.as_ref().map(BTreeSet::len).ok(), loops, "{}: {found:?}", case.name);
             assert_eq!(found.err().as_deref(), refused, "{}", case.name);
             assert_eq!(are_the_same(&declared, &other, &mut dice), loops.is_some());
         }
@@ -160,14 +144,10 @@ fn shuffled_declarations_of_what_is_broken_have_the_same_verdict() {
         let mut model = grown.model;
         // A joint too few, so that something stays free; or no motor.
         if dice.once_in(2) || model.joints.iter().any(|joint| joint.kind.rolls()) {
-            model
-                .motors
-                .remove(MotorId::new(dice.below(model.motors.len())).index());
+            model.motors.remove(MotorId::new(dice.below(model.motors.len())).index());
         } else {
-            let loose: Vec<JointId> = model
-                .joint_ids()
-                .filter(|&joint| model.motor_of(joint).is_none())
-                .collect();
+            let loose: Vec<JointId> =
+                model.joint_ids().filter(|&joint| model.motor_of(joint).is_none()).collect();
             if loose.is_empty() || model.links.iter().any(|link| link.die.is_some()) {
                 return;
             }

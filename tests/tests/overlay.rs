@@ -42,19 +42,13 @@ impl Moment {
         let poses = [-step, 0.0, step].map(|shift| {
             let mut machine = Machine::<f64>::new(program);
             let start = machine.position().motors.clone();
-            let motors: Vec<f64> = (0..)
-                .zip(&start)
-                .map(|(n, at)| at + shift * (1.0 + 0.3 * f64::from(n)))
-                .collect();
+            let motors: Vec<f64> =
+                (0..).zip(&start).map(|(n, at)| at + shift * (1.0 + 0.3 * f64::from(n))).collect();
             machine.move_to(&motors).expect("it moves");
             machine.position().poses.clone()
         });
         let stored = program.stored.clone();
-        Self {
-            stored,
-            poses,
-            step,
-        }
+        Self { stored, poses, step }
     }
 
     fn pose(&self, time: usize, link: LinkId) -> Pose<f64> {
@@ -99,23 +93,14 @@ fn gears_mesh(name: &str, moment: &Moment, wheels: [(Spot, f64); 2]) {
     let distance = dot(offset, offset).sqrt();
     let unit = offset.map(|part| part / distance);
     let inside = distance < first.max(second);
-    let touching = if inside {
-        (first - second).abs()
-    } else {
-        first + second
-    };
+    let touching = if inside { (first - second).abs() } else { first + second };
     near(touching, distance, name);
     let side = if inside && first < second { -1.0 } else { 1.0 };
     let contact = away(p, unit, side * first);
     let [u, v] = [a, b].map(|spot| moment.velocity(spot.link, contact));
     near(u[0], v[0], name);
     near(u[1], v[1], name);
-    let still = dot(u, u)
-        + moment
-            .velocity(a.link, p)
-            .iter()
-            .map(|part| part.abs())
-            .sum::<f64>();
+    let still = dot(u, u) + moment.velocity(a.link, p).iter().map(|part| part.abs()).sum::<f64>();
     assert!(still > 1e-6, "{name} stands still: this shows nothing");
 }
 
@@ -138,10 +123,8 @@ fn belts_run(name: &str, moment: &Moment, centers: [Spot; 2], radii: [f64; 2]) {
     let rims = [0, 1].map(|end| {
         let center = moment.place(centers[end]);
         let rim = away(center, [0.0, 1.0], radii[end]);
-        let (rim, hub) = (
-            moment.velocity(centers[end].link, rim),
-            moment.velocity(centers[end].link, center),
-        );
+        let (rim, hub) =
+            (moment.velocity(centers[end].link, rim), moment.velocity(centers[end].link, center));
         rim[0] - hub[0]
     });
     near(rims[0], rims[1], name);
@@ -157,10 +140,7 @@ fn what_rolls_in_a_diagram_does_not_slip() {
         let rolling: Vec<&Symbol> = symbols
             .iter()
             .filter(|symbol| {
-                matches!(
-                    symbol,
-                    Symbol::Wheel { .. } | Symbol::Belt { .. } | Symbol::Rack { .. }
-                )
+                matches!(symbol, Symbol::Wheel { .. } | Symbol::Belt { .. } | Symbol::Rack { .. })
             })
             .collect();
         let mut remaining = &rolling[..];
@@ -168,11 +148,7 @@ fn what_rolls_in_a_diagram_does_not_slip() {
             match (first, after) {
                 (
                     Symbol::Wheel { .. },
-                    [
-                        Symbol::Wheel { .. },
-                        Symbol::Belt { centers, radii },
-                        more @ ..,
-                    ],
+                    [Symbol::Wheel { .. }, Symbol::Belt { centers, radii }, more @ ..],
                 ) => {
                     belts_run(name, &moment, *centers, *radii);
                     belts += 1;
@@ -180,13 +156,7 @@ fn what_rolls_in_a_diagram_does_not_slip() {
                 }
                 (
                     Symbol::Wheel { center, radius },
-                    [
-                        Symbol::Wheel {
-                            center: other,
-                            radius: size,
-                        },
-                        more @ ..,
-                    ],
+                    [Symbol::Wheel { center: other, radius: size }, more @ ..],
                 ) => {
                     gears_mesh(name, &moment, [(*center, *radius), (*other, *size)]);
                     gears += 1;
@@ -194,15 +164,7 @@ fn what_rolls_in_a_diagram_does_not_slip() {
                 }
                 (
                     Symbol::Wheel { .. },
-                    [
-                        Symbol::Rack {
-                            pinion,
-                            radius,
-                            bar,
-                            along,
-                        },
-                        more @ ..,
-                    ],
+                    [Symbol::Rack { pinion, radius, bar, along }, more @ ..],
                 ) => {
                     racks_mesh(name, &moment, (*pinion, *radius), (*bar, *along));
                     racks += 1;
@@ -212,10 +174,7 @@ fn what_rolls_in_a_diagram_does_not_slip() {
             }
         }
     }
-    assert!(
-        gears >= 9 && racks >= 3 && belts >= 1,
-        "{gears}, {racks}, {belts}"
-    );
+    assert!(gears >= 9 && racks >= 3 && belts >= 1, "{gears}, {racks}, {belts}");
 }
 
 #[test]
@@ -256,9 +215,7 @@ fn every_pin_has_one_symbol_and_every_moving_one_an_arrow() {
             .iter()
             .filter(|symbol| matches!(symbol, Symbol::RotaryMotor(_) | Symbol::LinearMotor { .. }));
         assert_eq!(motors.count(), model.motors.len(), "{name}");
-        let slides = symbols
-            .iter()
-            .filter(|symbol| matches!(symbol, Symbol::Slide { .. }));
+        let slides = symbols.iter().filter(|symbol| matches!(symbol, Symbol::Slide { .. }));
         let prismatic = model
             .joints
             .iter()
@@ -273,19 +230,10 @@ fn blocks_lie_on_the_lines_of_their_guides() {
     for (model, compiled) in zoo() {
         let moment = Moment::of(&compiled);
         for symbol in diagram(&model, &compiled) {
-            if let Symbol::Slide {
-                guide,
-                along,
-                block,
-            } = symbol
-            {
+            if let Symbol::Slide { guide, along, block } = symbol {
                 let (from, to) = (moment.place(guide), moment.place(block));
                 let [u, v] = moment.direction(guide.link, along);
-                near(
-                    dot([to[0] - from[0], to[1] - from[1]], [-v, u]),
-                    0.0,
-                    &model.name,
-                );
+                near(dot([to[0] - from[0], to[1] - from[1]], [-v, u]), 0.0, &model.name);
                 count += 1;
             }
         }
@@ -333,25 +281,17 @@ impl Recorder {
 
 #[test]
 fn arrows_are_velocities_and_accelerations() {
-    let rates = |four_bar: &FourBar| {
-        [
-            four_bar.crank_pin_velocity(),
-            four_bar.coupler_tip_velocity(),
-        ]
-    };
+    let rates =
+        |four_bar: &FourBar| [four_bar.crank_pin_velocity(), four_bar.coupler_tip_velocity()];
     let mut four_bar = FourBar::new();
     let (turn, rate, second, step) = (0.7, 1.3, -0.4, 1e-5);
     let at = |time: f64| {
         let mut four_bar = FourBar::new();
         let angle = turn + rate * time + 0.5 * second * time * time;
-        four_bar
-            .move_with([angle], [rate + second * time], [second])
-            .expect("it turns");
+        four_bar.move_with([angle], [rate + second * time], [second]).expect("it turns");
         four_bar
     };
-    four_bar
-        .move_with([turn], [rate], [second])
-        .expect("it turns");
+    four_bar.move_with([turn], [rate], [second]).expect("it turns");
     let (before, after) = (at(-step), at(step));
     let (mut velocities, mut accelerations) = (Recorder::default(), Recorder::default());
     four_bar.draw_velocities(&mut velocities, &Arrows::new(0.5, 2));
@@ -369,9 +309,7 @@ fn arrows_are_velocities_and_accelerations() {
         let faster = (rates(&after)[number] - rates(&before)[number]) / (2.0 * step);
         for (tips, vector) in tips.iter().zip([moved * 0.5, faster * 0.25]) {
             let tip = point + vector;
-            let found = tips
-                .iter()
-                .any(|found| (found[0] - tip.x).hypot(found[1] - tip.y) < 1e-7);
+            let found = tips.iter().any(|found| (found[0] - tip.x).hypot(found[1] - tip.y) < 1e-7);
             assert!(found, "{tip} in {tips:?}");
         }
     }
@@ -385,11 +323,7 @@ fn what_is_not_shown_is_not_in_the_diagram() {
     part.draw_overlay(&mut recorder, &Overlay::new());
     let mut places = recorder.circles.clone();
     places.dedup();
-    assert_eq!(
-        places.len(),
-        3,
-        "the shafts of crank and rocker, the crank's pin: {places:?}"
-    );
+    assert_eq!(places.len(), 3, "the shafts of crank and rocker, the crank's pin: {places:?}");
     let mut arrows = Recorder::default();
     part.draw_velocities(&mut arrows, &Arrows::new(1.0, 2));
     assert_eq!(arrows.tips().len(), 1, "the coupler's points are not known");
@@ -418,19 +352,10 @@ fn springs_and_dampers_end_at_their_points_and_lie_side_by_side() {
         let between = |at: &&Vector| (10.0..1_000.0 * length - 10.0).contains(&at[0]);
         let beside: Vec<f64> = places.iter().filter(between).map(|at| at[1]).collect();
         let (left, right) = (
-            beside
-                .iter()
-                .filter(|side| (2.0..15.0).contains(*side))
-                .count(),
-            beside
-                .iter()
-                .filter(|side| (-15.0..-2.0).contains(*side))
-                .count(),
+            beside.iter().filter(|side| (2.0..15.0).contains(*side)).count(),
+            beside.iter().filter(|side| (-15.0..-2.0).contains(*side)).count(),
         );
-        assert!(
-            left >= 12 && right >= 8,
-            "a zigzag {left}, a cylinder {right}"
-        );
+        assert!(left >= 12 && right >= 8, "a zigzag {left}, a cylinder {right}");
         for end in [0.0, 1_000.0 * length] {
             let touching = places.iter().filter(|at| (at[0] - end).hypot(at[1]) < 1.5);
             assert!(touching.count() >= 2, "a spring and a damper at {end}");
@@ -446,10 +371,7 @@ fn a_diagram_has_a_circle_at_every_pin() {
     four_bar.draw_overlay(&mut recorder, &Overlay::new().links(true));
     let (pin, tip) = (four_bar.crank_pin(), four_bar.coupler_tip());
     for [x, y] in [[0.0, 0.0], [4.0, 0.0], [pin.x, pin.y], [tip.x, tip.y]] {
-        let found = recorder
-            .circles
-            .iter()
-            .any(|at| (at[0] - x).hypot(at[1] - y) < 1e-12);
+        let found = recorder.circles.iter().any(|at| (at[0] - x).hypot(at[1] - y) < 1e-12);
         assert!(found, "{x}, {y} in {:?}", recorder.circles);
     }
 }

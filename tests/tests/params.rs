@@ -75,43 +75,25 @@ fn places(
 
 /// All numbers in a row; of each, whether it is an angle.
 fn row(places: &Places, model: &Model, joints: &[JointId]) -> Vec<(f64, bool)> {
-    let links = places
-        .links
-        .iter()
-        .flat_map(|[angle, x, y]| [(*angle, true), (*x, false), (*y, false)]);
-    let points = places
-        .points
-        .iter()
-        .flatten()
-        .map(|&number| (number, false));
+    let links =
+        places.links.iter().flat_map(|[angle, x, y]| [(*angle, true), (*x, false), (*y, false)]);
+    let points = places.points.iter().flatten().map(|&number| (number, false));
     let turns = |joint: &JointId| matches!(model.joint(*joint).kind, JointKind::Revolute(..));
-    let joints = places
-        .joints
-        .iter()
-        .zip(joints)
-        .map(|(&number, joint)| (number, turns(joint)));
+    let joints = places.joints.iter().zip(joints).map(|(&number, joint)| (number, turns(joint)));
     links.chain(points).chain(joints).collect()
 }
 
 fn rates_in_a_row(followed: &ParamRates<f64>) -> Vec<f64> {
     let links = followed.links.iter().flatten();
     let points = followed.points.iter().flatten();
-    links
-        .chain(points)
-        .chain(&followed.joints)
-        .copied()
-        .collect()
+    links.chain(points).chain(&followed.joints).copied().collect()
 }
 
 /// First differences of fourth order; angles are followed over whole turns.
 fn difference(f: [(f64, bool); 5], step: f64) -> f64 {
     let middle = f[2].0;
     let f = f.map(|(value, is_angle)| {
-        let turns = if is_angle {
-            ((value - middle) / TAU).round()
-        } else {
-            0.0
-        };
+        let turns = if is_angle { ((value - middle) / TAU).round() } else { 0.0 };
         value - TAU * turns
     });
     differences(f, step)[0]
@@ -178,9 +160,7 @@ fn compare(model: &Model, dice: &mut Dice, seen: &mut Seen) -> Result<(), TestCa
                 continue;
             };
             let extent = size(model)
-                + fine[2]
-                    .iter()
-                    .fold(1.0, |most: f64, (number, _)| most.max(number.abs()));
+                + fine[2].iter().fold(1.0, |most: f64, (number, _)| most.max(number.abs()));
             for (index, exact) in rates_in_a_row(followed).into_iter().enumerate() {
                 let near = difference(fine.each_ref().map(|row| row[index]), STEP);
                 let far = difference(coarse.each_ref().map(|row| row[index]), 2.0 * STEP);
@@ -224,17 +204,12 @@ fn params_are_numbers_that_may_be_changed() {
         let (model, mut dice) = with_random_params(sample);
         let (Ok(with), Ok(without)) = (
             compile(&model),
-            compile(&with_params(
-                &model,
-                &model.params.values().collect::<Vec<_>>(),
-            )),
+            compile(&with_params(&model, &model.params.values().collect::<Vec<_>>())),
         ) else {
             return;
         };
-        let (mut own, mut other) = (
-            Machine::<f64>::new(&with.program),
-            Machine::<f64>::new(&without.program),
-        );
+        let (mut own, mut other) =
+            (Machine::<f64>::new(&with.program), Machine::<f64>::new(&without.program));
         let count = with.program.motors.len();
         for _ in 0..6 {
             let motors: Vec<f64> = own.position().motors[..count]
@@ -253,10 +228,7 @@ fn params_are_numbers_that_may_be_changed() {
         }
         let before = own.position().clone();
         let params = own.params().to_vec();
-        let wanted: Vec<f64> = params
-            .iter()
-            .map(|value| value * dice.between(0.7, 1.4))
-            .collect();
+        let wanted: Vec<f64> = params.iter().map(|value| value * dice.between(0.7, 1.4)).collect();
         if own.set_params(&wanted).is_err() {
             assert_eq!(*own.position(), before, "what fails leaves it as it was");
             blocked += 1;
@@ -265,9 +237,7 @@ fn params_are_numbers_that_may_be_changed() {
         let there = with_params(&model, &wanted);
         let poses = with_ground(&there, &own.position().poses);
         let extent = size(&there) + reach(&poses);
-        worst[1] = worst[1]
-            .max(worst_gap(&there, &poses) / extent)
-            .max(worst_stretch(&poses));
+        worst[1] = worst[1].max(worst_gap(&there, &poses) / extent).max(worst_stretch(&poses));
         if own.set_params(&params).is_ok() {
             worst[2] = worst[2].max(apart(&own.position().poses, &before.poses) / extent);
             changed += 1;
@@ -276,14 +246,8 @@ fn params_are_numbers_that_may_be_changed() {
     println!(
         "{moved} moves, {changed} changes, {blocked} blocked; apart, open and not back: {worst:?}"
     );
-    assert!(
-        moved > cases(CASES) && changed > cases(CASES) / 2,
-        "{moved} {changed}"
-    );
-    assert!(
-        worst[0] < 1e-11 && worst[1] < 1e-13 && worst[2] < 1e-11,
-        "{worst:?}"
-    );
+    assert!(moved > cases(CASES) && changed > cases(CASES) / 2, "{moved} {changed}");
+    assert!(worst[0] < 1e-11 && worst[1] < 1e-13 && worst[2] < 1e-11, "{worst:?}");
 }
 
 /// A value that is set is as good as one that is declared.
@@ -341,13 +305,8 @@ fn tolerances_follow_the_size() {
     for_all(CASES, &samples(1..=8), |Sample { grown, mut dice }| {
         let mut model = grown.model;
         let turns = |model: &Model| {
-            let joints = model
-                .motors
-                .iter()
-                .map(|motor| model.joint(motor.joint).kind);
-            joints
-                .into_iter()
-                .all(|kind| matches!(kind, JointKind::Revolute(..)))
+            let joints = model.motors.iter().map(|motor| model.joint(motor.joint).kind);
+            joints.into_iter().all(|kind| matches!(kind, JointKind::Revolute(..)))
         };
         if !turns(&model) {
             return;
@@ -359,9 +318,7 @@ fn tolerances_follow_the_size() {
         for factor in [0.1, 0.5, 2.0, 10.0] {
             let mut own = Machine::<f64>::new(&compiled.program);
             let mut large = Machine::<f64>::new(&compiled.program);
-            large
-                .set_params(&[factor])
-                .unwrap_or_else(|stop| panic!("{factor}: {stop:?}"));
+            large.set_params(&[factor]).unwrap_or_else(|stop| panic!("{factor}: {stop:?}"));
             let there = with_params(&model, &[factor]);
             for _ in 0..8 {
                 let motors: Vec<f64> = own.position().motors[..model.motors.len()]
@@ -378,9 +335,8 @@ fn tolerances_follow_the_size() {
                 }
                 let poses = with_ground(&there, &large.position().poses);
                 let extent = size(&there) + reach(&poses);
-                worst[0] = worst[0]
-                    .max(worst_gap(&there, &poses) / extent)
-                    .max(worst_stretch(&poses));
+                worst[0] =
+                    worst[0].max(worst_gap(&there, &poses) / extent).max(worst_stretch(&poses));
                 let same: Vec<[f64; 4]> = own
                     .position()
                     .poses
@@ -432,10 +388,8 @@ fn params_go_with_every_method() {
                 .collect();
             let _ = machine.move_to(&motors);
             let params: Vec<f64> = machine.params().to_vec();
-            let wanted: Vec<f64> = params
-                .iter()
-                .map(|value| value * dice.between(0.98, 1.02))
-                .collect();
+            let wanted: Vec<f64> =
+                params.iter().map(|value| value * dice.between(0.98, 1.02)).collect();
             if round % 2 == 0 && machine.set_params(&wanted).is_ok() {
                 changed += 1;
             }

@@ -78,10 +78,7 @@ fn a_part_is_what_is_typed_out_to_the_bit() {
                 *motor += dice.between(-0.05, 0.05);
             }
             let [first, second] = &mut machines;
-            assert_eq!(
-                first.move_to(&motors).is_ok(),
-                second.move_to(&motors).is_ok()
-            );
+            assert_eq!(first.move_to(&motors).is_ok(), second.move_to(&motors).is_ok());
             assert_eq!(first.position().poses, second.position().poses);
         }
     });
@@ -104,14 +101,14 @@ fn a_use_mirrors_scales_turns_and_moves_every_motion() {
             for motor in &mut motors {
                 *motor += dice.between(-0.02, 0.02);
             }
-            let theirs =
-                typed_out.motors.iter().zip(&motors).map(|(motor, value)| {
-                    match typed_out.joint(motor.joint).kind {
-                        JointKind::Revolute(..) if placement.is_mirrored => -value,
-                        JointKind::Revolute(..) => *value,
-                        _ => placement.scale * value,
-                    }
-                });
+            let theirs = typed_out.motors.iter().zip(&motors).map(|(motor, value)| match typed_out
+                .joint(motor.joint)
+                .kind
+            {
+                JointKind::Revolute(..) if placement.is_mirrored => -value,
+                JointKind::Revolute(..) => *value,
+                _ => placement.scale * value,
+            });
             let theirs: Vec<f64> = theirs.collect();
             if plain.move_to(&motors).is_err() {
                 break;
@@ -146,14 +143,10 @@ fn instances_do_not_disturb_each_other() {
         let motors: Vec<f64> = (0..3 * count).map(|_| dice.between(-0.03, 0.03)).collect();
         // Motors stand by joints, instances within.
         let of = |instance: usize| -> Vec<f64> {
-            (0..count)
-                .map(|motor| motors[3 * motor + instance])
-                .collect()
+            (0..count).map(|motor| motors[3 * motor + instance]).collect()
         };
-        let reached = alone
-            .iter_mut()
-            .enumerate()
-            .all(|(k, machine)| machine.move_to(&of(k)).is_ok());
+        let reached =
+            alone.iter_mut().enumerate().all(|(k, machine)| machine.move_to(&of(k)).is_ok());
         if !reached || machine.move_to(&motors).is_err() {
             return;
         }

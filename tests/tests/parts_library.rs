@@ -13,9 +13,7 @@ fn apart(a: Point2<f64>, b: [f64; 2]) -> f64 {
 fn the_inversor_draws_a_straight_line() {
     let mut inversor = Inversor::new();
     for step in -60..=30 {
-        inversor
-            .move_to([60_f64.to_radians() + f64::from(step).to_radians()])
-            .expect("it turns");
+        inversor.move_to([60_f64.to_radians() + f64::from(step).to_radians()]).expect("it turns");
         // (25 - 6.25) / 4, with arms of 5, sides of 2.5 and a crank of 2.
         let x = inversor.it().upper_far_tip().x;
         assert!((x - 4.6875).abs() < 1e-12, "{x}");
@@ -27,9 +25,7 @@ fn a_pantograph_copies() {
     let mut copier = Copier::new();
     for step in 0..20 {
         let swing = f64::from(step) * 0.05;
-        copier
-            .move_to([2.0 + swing, -2.0 + 1.2 * swing.sin()])
-            .expect("it moves");
+        copier.move_to([2.0 + swing, -2.0 + 1.2 * swing.sin()]).expect("it moves");
         let (tracer, guide) = (copier.it().follower_tracer(), copier.it().inner_guide());
         assert!(apart(tracer, [1.5 * guide.x, 1.5 * guide.y]) < 1e-12);
     }
@@ -52,20 +48,14 @@ fn legs_differ_in_phase_alone() {
     let mut legs = Legs::new();
     let mut feet = [Vec::new(), Vec::new()];
     for step in 0..24 {
-        legs.move_to([f64::from(step) * TAU / 24.0])
-            .expect("it walks");
+        legs.move_to([f64::from(step) * TAU / 24.0]).expect("it walks");
         let jansen: Vec<_> = (0..6).map(|k| legs.jansen(k).foot_tip()).collect();
         let klann: Vec<_> = (0..4).map(|k| legs.klann(k).leg_foot()).collect();
         feet[0].push(jansen);
         feet[1].push(klann);
         let (large, scaled) = (legs.large().leg_foot(), legs.scaled().leg_foot());
         assert!((large - scaled).norm() < 1e-12);
-        assert!(
-            (large - 10.0 * legs.klann(0).leg_foot().coords)
-                .coords
-                .norm()
-                < 1e-12
-        );
+        assert!((large - 10.0 * legs.klann(0).leg_foot().coords).coords.norm() < 1e-12);
     }
     for step in 0..24 {
         for k in 0..6 {
@@ -78,18 +68,12 @@ fn legs_differ_in_phase_alone() {
         }
     }
     // As published: the foot of Jansen's leg at the start, and Klann's stride.
-    assert!(
-        apart(feet[0][0][0], [-43.16, -91.757]) < 2e-3,
-        "{}",
-        feet[0][0][0]
-    );
+    assert!(apart(feet[0][0][0], [-43.16, -91.757]) < 2e-3, "{}", feet[0][0][0]);
     let x = |feet: &Vec<Point2<f64>>| feet[0].x;
     let (least, most) = feet[1]
         .iter()
         .map(x)
-        .fold((f64::MAX, f64::MIN), |(low, high), x| {
-            (low.min(x), high.max(x))
-        });
+        .fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
     assert!((most - least - 1.009).abs() < 0.02, "{}", most - least);
 }
 
@@ -173,9 +157,7 @@ fn pistons_follow_the_crank() {
 #[test]
 fn views_reach_everything() {
     let mut hands = Hands::new();
-    hands
-        .move_to([0.0, 0.3, 0.0, 0.1, 0.0, 0.2])
-        .expect("nothing is in the way");
+    hands.move_to([0.0, 0.3, 0.0, 0.1, 0.0, 0.2]).expect("nothing is in the way");
     let tip = hands.hand(1).finger(1).bone_tip();
     let (wrist, root) = (0.3_f64, 0.5_f64);
     let expected = [
@@ -186,24 +168,15 @@ fn views_reach_everything() {
     assert!((hands.hand(1).finger(1).root() - 0.2).abs() < 1e-15);
     // Loads belong to one finger each.
     let calm = hands.torques().expect("it is regular");
-    hands
-        .hand_mut(0)
-        .finger_mut(1)
-        .set_push([0.0, 3.0])
-        .expect("it is finite");
+    hands.hand_mut(0).finger_mut(1).set_push([0.0, 3.0]).expect("it is finite");
     assert_eq!(hands.hand(0).finger(1).push(), [0.0, 3.0]);
     assert_eq!(hands.hand(0).finger(0).push(), [0.0; 2]);
     let pushed = hands.torques().expect("it is regular");
     let changed: Vec<bool> = calm.iter().zip(&pushed).map(|(a, b)| a != b).collect();
     assert_eq!(changed, [true, false, false, true, false, false]);
     // What only some instances have is optional.
-    let traces = [0, 1].map(|k| {
-        hands
-            .hand(1)
-            .finger(k)
-            .bone_tip_trace()
-            .map(mech_runtime::Trace::len)
-    });
+    let traces =
+        [0, 1].map(|k| hands.hand(1).finger(k).bone_tip_trace().map(mech_runtime::Trace::len));
     assert_eq!(traces, [None, Some(1)]);
     assert_eq!(Hands::MOTORS[3], "hand[0].finger[1].root");
 }

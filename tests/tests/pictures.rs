@@ -39,10 +39,7 @@ fn compare(name: &str, file_of_it: &[u8], pixels: &[u8]) {
         std::fs::write(file(name), file_of_it).expect("the folder is there");
     }
     let expected = read(name);
-    let off = expected
-        .iter()
-        .zip(pixels)
-        .position(|(expected, is)| expected != is);
+    let off = expected.iter().zip(pixels).position(|(expected, is)| expected != is);
     if let Some(place) = off {
         let pixel = place / 3;
         let (x, y) = (pixel % W, pixel / W);
@@ -72,17 +69,9 @@ fn looks(name: &str, view: View, paint: &Paint<'_>) {
     heap.look_at(view);
     paint.on(&mut heap);
     assert!(heap.pixels() == smooth.pixels().as_flattened(), "{name}");
-    let pixels = smooth
-        .pixels()
-        .as_flattened()
-        .iter()
-        .flat_map(|[r, g, b, _]| [*r, *g, *b]);
+    let pixels = smooth.pixels().as_flattened().iter().flat_map(|[r, g, b, _]| [*r, *g, *b]);
     let pixels: Vec<u8> = pixels.collect();
-    compare(
-        &format!("{name}-smooth"),
-        &smooth.png().expect("a PNG"),
-        &pixels,
-    );
+    compare(&format!("{name}-smooth"), &smooth.png().expect("a PNG"), &pixels);
 }
 
 /// Something that can be painted on either canvas.
@@ -127,25 +116,13 @@ fn moved<M: Mechanism<Scalar = f64, Motors = [f64; 1]>>(angle: f64) -> M {
 #[test]
 fn pictures_are_as_they_were() {
     let piston: GearedPiston = moved(1.0);
-    looks(
-        "geared-piston",
-        GearedPiston::view(W, H),
-        &Paint::Piston(&piston),
-    );
+    looks("geared-piston", GearedPiston::view(W, H), &Paint::Piston(&piston));
     let four_bar: CrankRocker = moved(0.7);
-    looks(
-        "four-bar",
-        CrankRocker::view(W, H),
-        &Paint::FourBar(&four_bar),
-    );
+    looks("four-bar", CrankRocker::view(W, H), &Paint::FourBar(&four_bar));
     let watt: Watt = moved(0.3);
     looks("watt", Watt::view(W, H), &Paint::Watt(&watt));
     let squeezer: AndrewsSqueezer = moved(1.2);
-    looks(
-        "andrews",
-        AndrewsSqueezer::view(W, H),
-        &Paint::Andrews(&squeezer),
-    );
+    looks("andrews", AndrewsSqueezer::view(W, H), &Paint::Andrews(&squeezer));
     let leg: JansenLeg = moved(2.0);
     looks("jansen", JansenLeg::view(W, H), &Paint::Jansen(&leg));
     let crane: LuffingCrane = moved(0.2);

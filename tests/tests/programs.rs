@@ -14,11 +14,7 @@ fn programs_compile_and_run() {
         let parts = programs.chunks(programs.len().div_ceil(threads));
         let parts: Vec<_> = parts
             .map(|part| {
-                scope.spawn(|| {
-                    part.iter()
-                        .filter_map(|program| run(program).err())
-                        .collect()
-                })
+                scope.spawn(|| part.iter().filter_map(|program| run(program).err()).collect())
             })
             .collect();
         let wrong = parts.into_iter().map(|part| part.join().expect("no panic"));

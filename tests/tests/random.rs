@@ -20,9 +20,7 @@ fn is_closed(model: &Model, poses: &[[f64; 4]]) {
 }
 
 fn messages(diagnoses: &[Diagnosis], model: &Model) -> String {
-    let texts = diagnoses
-        .iter()
-        .map(|diagnosis| reporter::text(diagnosis, model));
+    let texts = diagnoses.iter().map(|diagnosis| reporter::text(diagnosis, model));
     texts.collect::<Vec<_>>().join("; ")
 }
 
@@ -50,11 +48,8 @@ fn what_is_coherent_by_construction_compiles_and_moves() {
         );
         for _ in 0..20 {
             let before = machine.position().clone();
-            let motors: Vec<f64> = before
-                .motors
-                .iter()
-                .map(|motor| motor + dice.between(-0.3, 0.4))
-                .collect();
+            let motors: Vec<f64> =
+                before.motors.iter().map(|motor| motor + dice.between(-0.3, 0.4)).collect();
             if machine.move_to(&motors).is_err() {
                 assert_eq!(machine.position(), &before, "a failed move changes nothing");
                 continue;
@@ -87,10 +82,7 @@ fn in_own_frames_it_has_the_same_assembly() {
         let start = with_ground(&model, &compiled.program.start.poses);
         let declared = 1 + model.declared_links().count();
         for (link, (is, should)) in start.iter().zip(&poses).enumerate().take(declared) {
-            assert!(
-                apart(&[*is], &[*should]) < 1e-8,
-                "link {link}: {is:?} instead of {should:?}"
-            );
+            assert!(apart(&[*is], &[*should]) < 1e-8, "link {link}: {is:?} instead of {should:?}");
         }
         is_closed(&model, &start);
     });

@@ -66,11 +66,7 @@ impl Digger {
 }
 
 fn diggers() -> impl Strategy<Value = Digger> {
-    let link = (
-        [1.0..4.0_f64, -1.5..1.5],
-        [0.2..0.8_f64, 0.0..0.6],
-        [0.3..1.5_f64, 0.2..1.0],
-    );
+    let link = ([1.0..4.0_f64, -1.5..1.5], [0.2..0.8_f64, 0.0..0.6], [0.3..1.5_f64, 0.2..1.0]);
     (any::<bool>(), prop::collection::vec(link, 2..=4))
         .prop_map(|(turret, links)| Digger { turret, links })
 }
@@ -147,13 +143,7 @@ fn what_a_proved_loop_makes_fast_is_not_leapt_over() {
 fn what_carries_a_loop_may_have_a_part_in_it() {
     let text = include_str!("ranges/chain.mech");
     let wrong = compile(&model(text)).expect_err("it is blocked within its range");
-    let [
-        Diagnosis::Range {
-            trouble: RangeTrouble::Blocked { limit, .. },
-            ..
-        },
-    ] = wrong[..]
-    else {
+    let [Diagnosis::Range { trouble: RangeTrouble::Blocked { limit, .. }, .. }] = wrong[..] else {
         panic!("{wrong:?}");
     };
     // Where it stops without a range.
@@ -187,11 +177,7 @@ fn offered(size: f64, [crank, rod, beside]: [f64; 3], start: f64, other: f64) ->
     let far = format!("{:?}", other * size);
     let is_up = other > start;
     let range = |end: &str| {
-        if is_up {
-            text(&start_text, end)
-        } else {
-            text(end, &start_text)
-        }
+        if is_up { text(&start_text, end) } else { text(end, &start_text) }
     };
     let wrong = model(&range(&far));
     let diagnoses = compile(&wrong).expect_err("it goes past a dead point");
@@ -208,16 +194,9 @@ fn offered(size: f64, [crank, rod, beside]: [f64; 3], start: f64, other: f64) ->
     // By Pythagoras.
     let reach = if is_up { crank + rod } else { rod - crank };
     let limit = size * (reach * reach - beside * beside).sqrt();
-    assert!(
-        (told - limit).abs() <= 1e-4 * size,
-        "{told}, not {limit}: {message}"
-    );
+    assert!((told - limit).abs() <= 1e-4 * size, "{told}, not {limit}: {message}");
     let offered: f64 = offer.parse().expect("a number");
-    let short = if is_up {
-        limit - offered
-    } else {
-        offered - limit
-    } / size;
+    let short = if is_up { limit - offered } else { offered - limit } / size;
     (short, offer.to_owned())
 }
 
@@ -229,10 +208,7 @@ fn a_range_that_is_offered_is_one_at_any_size() {
             let [crank, rod, _] = lengths;
             for other in [0.1, 5.0] {
                 let (short, offer) = offered(size, lengths, rod + 0.2 * crank, other);
-                assert!(
-                    (-1e-9..=1e-3).contains(&short),
-                    "{offer} at {size}: {short}"
-                );
+                assert!((-1e-9..=1e-3).contains(&short), "{offer} at {size}: {short}");
                 let digits = offer.trim_matches(['0', '.']).replace('.', "").len();
                 assert!(digits <= 4, "{offer} at {size}");
             }

@@ -72,12 +72,8 @@ fn compare(model: &Model, dice: &mut Dice, places: usize, seen: &mut Seen) {
     let mut machine = Machine::<f64>::new(&moving);
     let count = moving.motors.len();
     for _ in 0..places {
-        let motors: Vec<f64> = machine
-            .position()
-            .motors
-            .iter()
-            .map(|motor| motor + dice.between(-0.7, 0.7))
-            .collect();
+        let motors: Vec<f64> =
+            machine.position().motors.iter().map(|motor| motor + dice.between(-0.7, 0.7)).collect();
         let _ = machine.move_toward(&motors);
         let rates: Vec<f64> = (0..count).map(|_| dice.between(-1.0, 1.0)).collect();
         let seconds: Vec<f64> = (0..count).map(|_| dice.between(-1.0, 1.0)).collect();
@@ -99,14 +95,9 @@ fn compare(model: &Model, dice: &mut Dice, places: usize, seen: &mut Seen) {
         };
         let accelerations = moved.accelerations.expect("accelerations were asked for");
         for link in 0..moving.links.len() {
-            let (near, far) = (
-                by_differences(&fine, link, STEP),
-                by_differences(&coarse, link, 2.0 * STEP),
-            );
-            for (order, exact) in [moved.velocities[link], accelerations[link]]
-                .iter()
-                .enumerate()
-            {
+            let (near, far) =
+                (by_differences(&fine, link, STEP), by_differences(&coarse, link, 2.0 * STEP));
+            for (order, exact) in [moved.velocities[link], accelerations[link]].iter().enumerate() {
                 for part in 0..3 {
                     // The difference of two step lengths tells what the differences are worth, and rounding does.
                     let truncation = (near[order][part] - far[order][part]).abs();
@@ -134,11 +125,7 @@ fn compare(model: &Model, dice: &mut Dice, places: usize, seen: &mut Seen) {
 }
 
 fn with_effects(model: &mut Model) {
-    model.effects = Effects {
-        velocity: true,
-        acceleration: true,
-        ..Effects::default()
-    };
+    model.effects = Effects { velocity: true, acceleration: true, ..Effects::default() };
 }
 
 #[test]
@@ -160,17 +147,10 @@ fn rates_of_random_mechanisms_are_those_of_their_positions() {
 #[test]
 fn rates_of_what_is_solved_together_are_those_of_its_positions() {
     let mut seen = Seen::default();
-    for_all(
-        CASES / 2,
-        &coupled_samples(1..=3),
-        |Sample {
-             mut grown,
-             mut dice,
-         }| {
-            with_effects(&mut grown.model);
-            compare(&grown.model, &mut dice, 4, &mut seen);
-        },
-    );
+    for_all(CASES / 2, &coupled_samples(1..=3), |Sample { mut grown, mut dice }| {
+        with_effects(&mut grown.model);
+        compare(&grown.model, &mut dice, 4, &mut seen);
+    });
     println!("{seen:?}");
     assert!(seen.compared > 20 * cases(CASES / 2));
 }
@@ -226,10 +206,7 @@ fn what_is_shown_moves_as_it_does_in_the_whole() {
             let (a, b) = (place(&whole), place(&part));
             let orders = [
                 (expected.velocities[a], found.velocities[b]),
-                (
-                    expected.accelerations.expect("asked")[a],
-                    found.accelerations.expect("asked")[b],
-                ),
+                (expected.accelerations.expect("asked")[a], found.accelerations.expect("asked")[b]),
             ];
             for (expected, found) in orders {
                 for (expected, found) in expected.into_iter().zip(found) {

@@ -6,12 +6,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The library, without its tests.
-const LIBRARY: [&str; 4] = [
-    "mech-macros/compiler/src",
-    "mech-runtime/src",
-    "mech-runtime/core/src",
-    "studio/src",
-];
+const LIBRARY: [&str; 4] =
+    ["mech-macros/compiler/src", "mech-runtime/src", "mech-runtime/core/src", "studio/src"];
 
 /// `a/{b,c}.rs` written out.
 fn written_out(path: &str) -> Vec<String> {
@@ -20,9 +16,7 @@ fn written_out(path: &str) -> Vec<String> {
     };
     let (choices, after) = after.split_once('}').expect("a closing brace");
     let choices = choices.split(',');
-    choices
-        .flat_map(|choice| written_out(&[before, choice, after].concat()))
-        .collect()
+    choices.flat_map(|choice| written_out(&[before, choice, after].concat())).collect()
 }
 
 /// The files and folders that a recipe names, from the root of the repository.
@@ -67,9 +61,7 @@ fn with_word(is_it: impl Fn(&str) -> bool) -> Vec<PathBuf> {
     }
     all.retain(|path| {
         let text = fs::read_to_string(root().join(path)).expect("a file");
-        let lines = text
-            .lines()
-            .map(|line| line.split("//").next().unwrap_or(""));
+        let lines = text.lines().map(|line| line.split("//").next().unwrap_or(""));
         let mut words = lines.flat_map(|line| line.split(|letter: char| !letter.is_alphanumeric()));
         words.any(|word| is_it(&word.to_lowercase()))
     });
@@ -89,23 +81,15 @@ fn recipes_name_every_file_that_has_to_change() {
         .collect();
     assert!(recipes.len() >= 6, "{} recipes", recipes.len());
     for (title, is_it) in [
-        (
-            "a joint",
-            (|word| word == "rack" || word == "racks") as fn(&str) -> bool,
-        ),
+        ("a joint", (|word| word == "rack" || word == "racks") as fn(&str) -> bool),
         ("an effect", |word| word.starts_with("sensitivit")),
     ] {
         let recipe = recipes.iter().find(|(known, _)| *known == title);
         let (_, names) = recipe.unwrap_or_else(|| panic!("no recipe for {title}"));
         let known = with_word(is_it);
         assert!(known.len() > 15, "{title}: {} files", known.len());
-        let missing: Vec<&PathBuf> = known
-            .iter()
-            .filter(|path| !names.iter().any(|name| path.starts_with(name)))
-            .collect();
-        assert!(
-            missing.is_empty(),
-            "the recipe for {title} does not name {missing:?}"
-        );
+        let missing: Vec<&PathBuf> =
+            known.iter().filter(|path| !names.iter().any(|name| path.starts_with(name))).collect();
+        assert!(missing.is_empty(), "the recipe for {title} does not name {missing:?}");
     }
 }

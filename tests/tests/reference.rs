@@ -10,25 +10,14 @@ const TOLERANCE: f64 = 1e-12;
 
 #[track_caller]
 fn assert_point(found: Point2<f64>, x: f64, y: f64) {
-    assert!(
-        (found.x - x).abs() < TOLERANCE,
-        "x: {} instead of {x}",
-        found.x
-    );
-    assert!(
-        (found.y - y).abs() < TOLERANCE,
-        "y: {} instead of {y}",
-        found.y
-    );
+    assert!((found.x - x).abs() < TOLERANCE, "x: {} instead of {x}", found.x);
+    assert!((found.y - y).abs() < TOLERANCE, "y: {} instead of {y}", found.y);
 }
 
 #[track_caller]
 fn assert_turned(link: Isometry2<f64>, angle: f64) {
     let found = link.rotation.angle();
-    assert!(
-        (found - angle).abs() < TOLERANCE,
-        "{found} instead of {angle}"
-    );
+    assert!((found - angle).abs() < TOLERANCE, "{found} instead of {angle}");
 }
 
 #[test]
@@ -67,11 +56,7 @@ fn slider_crank_tracer() {
         assert_turned(mechanism.rod(), rod);
         // The tracer is (8, 2) from the end of the rod at the start, and turns with the rod.
         let (sin, cos) = rod.sin_cos();
-        assert_point(
-            mechanism.rod_tracer(),
-            x + 8.0 * cos - 2.0 * sin,
-            8.0 * sin + 2.0 * cos,
-        );
+        assert_point(mechanism.rod_tracer(), x + 8.0 * cos - 2.0 * sin, 8.0 * sin + 2.0 * cos);
     }
 }
 
@@ -86,9 +71,7 @@ fn andrews_squeezer_by_continuation_from_its_start() {
         let mut done = 0.0;
         while done < steps {
             done += 1.0;
-            mechanism
-                .move_to([from + (row[0] - from) * (done / steps)])
-                .unwrap();
+            mechanism.move_to([from + (row[0] - from) * (done / steps)]).unwrap();
         }
         let found = [
             mechanism.beta(),
@@ -112,13 +95,10 @@ fn jansens_foot() {
     let mut mechanism = JansenLeg::new();
     let drawn = f64::atan2(11.52, 9.61);
     let mut worst: f64 = 0.0;
-    for (degrees, x, y) in [
-        (0.0, -43.170_055_155, -91.753_225_905),
-        (45.0, -24.406_393_593, -91.789_596_143),
-    ] {
-        mechanism
-            .move_to([f64::to_radians(degrees) - drawn])
-            .unwrap();
+    for (degrees, x, y) in
+        [(0.0, -43.170_055_155, -91.753_225_905), (45.0, -24.406_393_593, -91.789_596_143)]
+    {
+        mechanism.move_to([f64::to_radians(degrees) - drawn]).unwrap();
         worst = worst.max((mechanism.lower_plate_foot() - Point2::new(x, y)).norm());
     }
     println!("Jansen: foot at most {worst:.1e} off");

@@ -99,23 +99,15 @@ fn repeats_itself(text: &str) -> bool {
         return true;
     }
     let lists = text.split("replace ").skip(1);
-    lists
-        .filter_map(|list| list.split_once(" by "))
-        .any(|(list, _)| {
-            let names: Vec<&str> = list
-                .split(", ")
-                .flat_map(|names| names.split(" or "))
-                .collect();
-            (1..names.len()).any(|number| names[..number].contains(&names[number]))
-        })
+    lists.filter_map(|list| list.split_once(" by ")).any(|(list, _)| {
+        let names: Vec<&str> = list.split(", ").flat_map(|names| names.split(" or ")).collect();
+        (1..names.len()).any(|number| names[..number].contains(&names[number]))
+    })
 }
 
 fn can_take_a_motor(model: &Model, id: JointId) -> bool {
     let joint = model.joint(id);
-    let moves = matches!(
-        joint.kind,
-        JointKind::Revolute(..) | JointKind::Prismatic(..)
-    );
+    let moves = matches!(joint.kind, JointKind::Revolute(..) | JointKind::Prismatic(..));
     moves && !joint.hidden && model.motor_of(id).is_none()
 }
 
@@ -136,10 +128,8 @@ fn ties_wheels(diagnoses: &[Diagnosis]) -> bool {
 
 /// Ties any two links of a text together by another, where they are; returns its name.
 fn brace(model: &Model, text: &mut String, dice: &mut Dice) -> String {
-    let mut ends: Vec<&str> = model
-        .declared_links()
-        .map(|link| &model.link(link).name[..])
-        .collect();
+    let mut ends: Vec<&str> =
+        model.declared_links().map(|link| &model.link(link).name[..]).collect();
     ends.push("ground");
     let first = ends.swap_remove(dice.below(ends.len()));
     let second = *dice.pick(&ends);
@@ -172,9 +162,7 @@ fn a_brace_too_many_is_found_and_can_be_removed() {
         }
         assert!(wrong.iter().all(is_held), "{wrong:?}");
         let found = assert_mended(&parsed, &wrong);
-        let link = model
-            .declared_links()
-            .find(|&link| model.link(link).name == brace);
+        let link = model.declared_links().find(|&link| model.link(link).name == brace);
         let removed = Repair::RemoveLink(link.expect("the brace"));
         let is_offered = found.iter().any(|offers| offers.single.contains(&removed));
         assert!(is_offered, "remove the brace: {wrong:?} {found:?}");
@@ -195,9 +183,7 @@ fn a_missing_motor_is_found_and_can_be_put_back() {
         };
         assert!(is_right, "{wrong:?}");
         let found = assert_mended(&parsed, &wrong);
-        let joint = model
-            .declared_joints()
-            .find(|&id| model.joint(id).name == *name);
+        let joint = model.declared_joints().find(|&id| model.joint(id).name == *name);
         let added = Repair::AddMotors(vec![joint.expect("the joint").into()]);
         assert!(found[0].single.contains(&added), "{found:?}");
     });
@@ -206,10 +192,8 @@ fn a_missing_motor_is_found_and_can_be_put_back() {
 #[test]
 fn a_motor_too_many_is_found_and_can_be_removed() {
     for_coherent(|whole, text, mut dice| {
-        let free: Vec<JointId> = whole
-            .joint_ids()
-            .filter(|&id| can_take_a_motor(&whole, id))
-            .collect();
+        let free: Vec<JointId> =
+            whole.joint_ids().filter(|&id| can_take_a_motor(&whole, id)).collect();
         if free.is_empty() {
             return;
         }
@@ -217,10 +201,7 @@ fn a_motor_too_many_is_found_and_can_be_removed() {
         let parsed = parsed(&format!("{text} motor {name};"));
         let wrong = diagnose(&parsed.model);
         let right = |diagnosis: &Diagnosis| {
-            matches!(
-                diagnosis,
-                Diagnosis::TooManyMotors { .. } | Diagnosis::Blocked { .. }
-            )
+            matches!(diagnosis, Diagnosis::TooManyMotors { .. } | Diagnosis::Blocked { .. })
         };
         assert!(wrong.len() == 1 && wrong.iter().all(right), "{wrong:?}");
         let found = assert_mended(&parsed, &wrong);
@@ -283,10 +264,7 @@ fn two_braces_too_many_are_found_and_can_be_removed() {
         }
         assert!(wrong.iter().all(is_held), "{wrong:?}");
         let found = assert_mended(&parsed, &wrong);
-        assert!(
-            found.iter().any(|offers| !offers.is_empty()),
-            "{wrong:?} {found:?}"
-        );
+        assert!(found.iter().any(|offers| !offers.is_empty()), "{wrong:?} {found:?}");
     });
 }
 
@@ -302,11 +280,7 @@ fn of_a_large_mechanism_not_all_repairs_are_tried() {
     assert_eq!(found[0].search, Search::Bounded);
     assert!(!found[0].single.is_empty());
     let messages = reporter::messages(&wrong, &found, &parsed.model, &Places::default());
-    assert!(
-        messages[0]
-            .text
-            .ends_with("note: not all possible changes were tried")
-    );
+    assert!(messages[0].text.ends_with("note: not all possible changes were tried"));
     assert_eq!(found, offers(&parsed.model, &parsed.source, &wrong));
 }
 
@@ -337,10 +311,8 @@ fn one_choice_of_several_motors_is_offered_beside_something_else() {
     let diagnoses = diagnose(&parsed.model);
     let found = assert_mended(&parsed, &diagnoses);
     let adds = |repair: &&Repair| matches!(repair, Repair::AddMotors(_));
-    let added: Vec<usize> = found
-        .iter()
-        .map(|offers| offers.partial.iter().filter(adds).count())
-        .collect();
+    let added: Vec<usize> =
+        found.iter().map(|offers| offers.partial.iter().filter(adds).count()).collect();
     assert_eq!(added, [0, 1]);
 }
 
@@ -380,9 +352,7 @@ fn what_moves_by_its_lengths_is_offered_what_it_lacks() {
         let moves = |joint: &JointId| {
             !matches!(&still.joint(*joint).name[..], "e" | "f") || text.contains("push")
         };
-        let drivable = still
-            .joint_ids()
-            .filter(|joint| can_take_a_motor(&still, *joint));
+        let drivable = still.joint_ids().filter(|joint| can_take_a_motor(&still, *joint));
         // More would only take longer.
         for joint in drivable.filter(moves).take(6) {
             for allowed in 0..4 {
@@ -404,10 +374,7 @@ fn what_moves_by_its_lengths_is_offered_what_it_lacks() {
                     } else if lacks(&found[0].single, Repair::AllowCoupled) {
                         model.allow.coupled = true;
                     }
-                    assert_ne!(
-                        model.allow, before,
-                        "{name}: nothing is offered for {wrong:?}"
-                    );
+                    assert_ne!(model.allow, before, "{name}: nothing is offered for {wrong:?}");
                 }
                 assert!(model.allow.redundant, "{name}: it is held twice");
                 let compiled = compile(&model).unwrap_or_else(|found| panic!("{name}: {found:?}"));
@@ -442,9 +409,8 @@ fn dixon(dice: &mut Dice) -> String {
         _ => format!("bar{a}{b}"),
     };
     let (sin, cos) = turned.sin_cos();
-    let mut statements: Vec<String> = (1..9)
-        .map(|number| format!("link {};", bar(number / 3, number % 3)))
-        .collect();
+    let mut statements: Vec<String> =
+        (1..9).map(|number| format!("link {};", bar(number / 3, number % 3))).collect();
     for pin in 0..3 {
         let mut order = [0, 1, 2];
         shuffle(&mut order, dice);
@@ -452,23 +418,16 @@ fn dixon(dice: &mut Dice) -> String {
             let [u, v] = [along[pin], across[pin]];
             let (x, y) = (u * cos, u * sin);
             let [a, b] = [bar(pin, pair[0]), bar(pin, pair[1])];
-            statements.push(format!(
-                "joint a{pin}{} = revolute({a}, {b}) at ({x:?}, {y:?});",
-                pair[1]
-            ));
+            statements
+                .push(format!("joint a{pin}{} = revolute({a}, {b}) at ({x:?}, {y:?});", pair[1]));
             let (x, y) = (-v * sin, v * cos);
             let [a, b] = [bar(pair[0], pin), bar(pair[1], pin)];
-            statements.push(format!(
-                "joint b{pin}{} = revolute({a}, {b}) at ({x:?}, {y:?});",
-                pair[1]
-            ));
+            statements
+                .push(format!("joint b{pin}{} = revolute({a}, {b}) at ({x:?}, {y:?});", pair[1]));
         }
     }
     shuffle(&mut statements, dice);
-    format!(
-        "struct Dixon; {} allow redundant; allow coupled;",
-        statements.concat()
-    )
+    format!("struct Dixon; {} allow redundant; allow coupled;", statements.concat())
 }
 
 #[test]

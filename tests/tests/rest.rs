@@ -167,8 +167,7 @@ macro_rules! at_rest {
                     let mut dice = Dice::new(seed);
                     let push = dice.between(-50.0, 50.0);
                     let mut bob = Bob::new();
-                    bob.move_to([real(dice.between(-7.0, 7.0))])
-                        .expect("it turns");
+                    bob.move_to([real(dice.between(-7.0, 7.0))]).expect("it turns");
                     bob.set_push(real(push)).expect("finite");
                     assert_eq!(bob.come_to_rest([true]).expect("it rests"), [0.0]);
                     // 2 · 10 · √10 is the torque of the weight across gravity.
@@ -178,12 +177,10 @@ macro_rules! at_rest {
                 }
                 // Where it stands upright, and after so many turns that their sum has lost its fraction.
                 let mut bob = Bob::new();
-                bob.move_to([real(down - arm - std::f64::consts::PI)])
-                    .expect("it turns");
+                bob.move_to([real(down - arm - std::f64::consts::PI)]).expect("it turns");
                 assert_eq!(bob.come_to_rest([true]).expect("it rests"), [0.0]);
                 assert!(apart(bob.motors()[0].to_f64(), down - arm) < $near);
-                bob.turn_to([Phase::new(200_000_000, 1 << 62)])
-                    .expect("it turns");
+                bob.turn_to([Phase::new(200_000_000, 1 << 62)]).expect("it turns");
                 bob.come_to_rest([true]).expect("it rests");
                 let found = bob.bob().rotation;
                 assert!(apart(angle([found.re.to_f64(), found.im.to_f64()]), down - arm) < $near);
@@ -199,11 +196,8 @@ macro_rules! at_rest {
                     let [torque] = bob.come_to_rest([true]).expect("it rests");
                     assert!(apart(bob.motors()[0].to_f64(), end) < $near);
                     let [x, y] = turned(end, [3.0, 1.0]);
-                    let expected = if end == free {
-                        0.0
-                    } else {
-                        -push - 2.0 * (x * 8.0 - y * 6.0)
-                    };
+                    let expected =
+                        if end == free { 0.0 } else { -push - 2.0 * (x * 8.0 - y * 6.0) };
                     assert!(
                         (torque.to_f64() - expected).abs() <= $near * expected.abs(),
                         "{torque}"
@@ -238,10 +232,7 @@ macro_rules! at_rest {
                     assert_eq!(arms.come_to_rest([true; 2]).expect("it rests"), [0.0; 2]);
                     let [a, b] = arms.motors().map(Real::to_f64);
                     let errors = [apart(a, angle(whole)), apart(a + b, angle(carried))];
-                    assert!(
-                        errors.iter().all(|error| *error < $near),
-                        "seed {seed}: {errors:?}"
-                    );
+                    assert!(errors.iter().all(|error| *error < $near), "seed {seed}: {errors:?}");
                     // It stays there.
                     assert_eq!(arms.rates(), [0.0; 2]);
                     for _ in 0..10 {
@@ -262,10 +253,7 @@ macro_rules! at_rest {
                     assert!(apart(a, expected) < $near, "seed {seed}");
                     let [x, y] = turned(a + elbow, [0.9, 0.0]);
                     let error = held.to_f64() + x * carried[1] - y * carried[0];
-                    assert!(
-                        idle == 0.0 && error.abs() < 30.0 * $near,
-                        "seed {seed}: {error:e}"
-                    );
+                    assert!(idle == 0.0 && error.abs() < 30.0 * $near, "seed {seed}: {error:e}");
                 }
             }
 
@@ -294,10 +282,7 @@ macro_rules! at_rest {
                     flat.move_to([real(start)]).expect("it turns");
                     assert_eq!(flat.come_to_rest([true]).expect("it rests"), [0.0]);
                     let errors = [flat.a(), flat.d()].map(|found| apart(found.to_f64(), 0.0));
-                    assert!(
-                        errors.iter().all(|error| *error < $near),
-                        "{start}: {errors:?}"
-                    );
+                    assert!(errors.iter().all(|error| *error < $near), "{start}: {errors:?}");
                 }
             }
 

@@ -36,10 +36,7 @@ fn check(text: &str) {
     let seen = looks.extent(&model, &compiled);
     for line in text.lines() {
         let (report, seen) = (&compiled.report, seen.as_flattened());
-        assert!(
-            is_true(line, report, seen),
-            "{line}\n{text}\n{report}{seen:?}"
-        );
+        assert!(is_true(line, report, seen), "{line}\n{text}\n{report}{seen:?}");
     }
     let tokens: proc_macro2::TokenStream = text.parse().expect("tokens");
     let expansion = mech_compiler::expand(quote::quote!(::mech_runtime; #tokens));

@@ -10,12 +10,7 @@ use mech_test_support::model;
 /// A mechanism as a function of its unit, and whether its motor turns.
 type Kind = (fn(&str) -> String, bool);
 
-const KINDS: [Kind; 4] = [
-    (four_bar, true),
-    (slider_crank, true),
-    (ram, false),
-    (six_bar, true),
-];
+const KINDS: [Kind; 4] = [(four_bar, true), (slider_crank, true), (ram, false), (six_bar, true)];
 
 fn four_bar(unit: &str) -> String {
     format!(
@@ -89,21 +84,12 @@ fn places<T: Real>(model: &Model, displacements: &[f64]) -> Result<Vec<[f64; 4]>
 
 fn check<T: Real>((kind, turns): (fn(&str) -> String, bool), exponent: i32, precision: Precision) {
     let displacements = |unit: f64| {
-        [0.1, 0.3, -0.2].map(|displacement| {
-            if turns {
-                displacement
-            } else {
-                displacement * unit
-            }
-        })
+        [0.1, 0.3, -0.2].map(|displacement| if turns { displacement } else { displacement * unit })
     };
     let whole = model(&kind("1"));
     let expected = places::<f64>(&whole, &displacements(1.0)).expect("it moves");
     let unit: f64 = format!("1e{exponent}").parse().expect("a number");
-    let model = Model {
-        precision,
-        ..model(&kind(&format!("{unit:e}")))
-    };
+    let model = Model { precision, ..model(&kind(&format!("{unit:e}"))) };
     let what = format!("{} {precision:?} of 1e{exponent}", model.name);
     let [least, most] = precision.lengths();
     match places::<T>(&model, &displacements(unit)) {

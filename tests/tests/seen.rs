@@ -36,19 +36,9 @@ impl Picture<'_> {
         match &painted.outline {
             Outline::Polygon(corners) if corners.wheel.is_some() => {
                 let outline = Outline::Polygon(corners.to_vec().into());
-                covers(
-                    &Painted {
-                        outline,
-                        ..painted.clone()
-                    },
-                    own,
-                )
+                covers(&Painted { outline, ..painted.clone() }, own)
             }
-            Outline::Ring {
-                center,
-                radius,
-                hole,
-            } => {
+            Outline::Ring { center, radius, hole } => {
                 let away = (own - Point2::from(center.map(Measure::at_start))).norm();
                 away < radius.at_start() && away > hole.at_start()
             }
@@ -68,9 +58,7 @@ impl Picture<'_> {
     /// The numbers of outlines of a kind.
     fn numbers(&self, is: impl Fn(&Painted) -> bool) -> Vec<usize> {
         let all = self.looks.painted.iter().enumerate();
-        all.filter(|(_, painted)| is(painted))
-            .map(|(number, _)| number)
-            .collect()
+        all.filter(|(_, painted)| is(painted)).map(|(number, _)| number).collect()
     }
 }
 
@@ -86,31 +74,20 @@ fn disc(center: Point2<f64>, radius: f64) -> Vec<Point2<f64>> {
 
 /// What is declared and not seen, in words.
 fn hidden(model: &Model, compiled: &Compiled, looks: &Looks) -> Vec<String> {
-    let picture = Picture {
-        model,
-        compiled,
-        looks,
-    };
+    let picture = Picture { model, compiled, looks };
     let pins = compiled.structure.pins.iter().enumerate();
     let pins = pins.filter(|(_, pin)| !picture.shows_pin(pin));
     let pins = pins.map(|(number, _)| format!("pin {number}"));
-    let joints = model
-        .joint_ids()
-        .filter(|&joint| !picture.shows_joint(joint));
-    pins.chain(joints.map(|joint| format!("joint {}", model.joint(joint).name)))
-        .collect()
+    let joints = model.joint_ids().filter(|&joint| !picture.shows_joint(joint));
+    pins.chain(joints.map(|joint| format!("joint {}", model.joint(joint).name))).collect()
 }
 
 impl Picture<'_> {
     /// Whether the eye of a pin is seen.
     fn shows_pin(&self, pin: &Pin) -> bool {
-        let seen = pin
-            .members
-            .iter()
-            .filter(|member| self.model.link(member.0).die.is_none());
-        let place = seen
-            .clone()
-            .find_map(|&(link, axis)| self.place(link, self.model.axis(axis).at));
+        let seen = pin.members.iter().filter(|member| self.model.link(member.0).die.is_none());
+        let place =
+            seen.clone().find_map(|&(link, axis)| self.place(link, self.model.axis(axis).at));
         let Some(place) = place else { return true };
         let eye = |painted: &Painted| match &painted.outline {
             Outline::Circle { center, radius }
@@ -123,12 +100,7 @@ impl Picture<'_> {
             _ => None,
         };
         let numbers = self.numbers(|painted| eye(painted).is_some());
-        let radius = self
-            .looks
-            .painted
-            .iter()
-            .filter_map(eye)
-            .fold(0.0, f64::max);
+        let radius = self.looks.painted.iter().filter_map(eye).fold(0.0, f64::max);
         self.is_seen(&numbers, &disc(place, radius))
     }
 
@@ -150,10 +122,7 @@ impl Picture<'_> {
                 let own = |rolling: &&Rolling| rolling.joint == joint;
                 let rolling = self.compiled.structure.rollings.iter().find(own);
                 rolling.is_none_or(|rolling| {
-                    rolling
-                        .ends
-                        .iter()
-                        .all(|(end, _)| self.shows_teeth(end.link()))
+                    rolling.ends.iter().all(|(end, _)| self.shows_teeth(end.link()))
                 })
             }
             _ => true,
@@ -225,10 +194,7 @@ impl Picture<'_> {
             Outline::Polygon(points) | Outline::Line { points, .. } => points.at_start(),
             Outline::Circle { center, radius } => {
                 let [x, y] = center.map(Measure::at_start);
-                disc(Point2::new(x, y), radius.at_start())
-                    .into_iter()
-                    .map(Into::into)
-                    .collect()
+                disc(Point2::new(x, y), radius.at_start()).into_iter().map(Into::into).collect()
             }
             _ => return Vec::new(),
         };
@@ -240,9 +206,7 @@ impl Picture<'_> {
                 [0, 1].map(|axis| a[axis] + part * (b[axis] - a[axis]))
             })
         });
-        within
-            .filter_map(|place| self.place(painted.link, place))
-            .collect()
+        within.filter_map(|place| self.place(painted.link, place)).collect()
     }
 }
 
@@ -266,10 +230,7 @@ fn rails(looks: &Looks, line: &Axis) -> Vec<Rail> {
             let [from, to, below] = [0, 1, 2].map(|corner| from_line(&corners[corner]));
             let width = (to[1] - below[1]).abs() / 0.24;
             let is_along = (from[1] - to[1]).abs() < 1e-4 * width;
-            let way = [
-                from[0].min(to[0]) + 1.7 * width,
-                from[0].max(to[0]) - 1.7 * width,
-            ];
+            let way = [from[0].min(to[0]) + 1.7 * width, from[0].max(to[0]) - 1.7 * width];
             let is_beside = to[1].abs() < width;
             (is_along && is_beside).then_some(Rail { way, width })
         }
@@ -291,9 +252,8 @@ fn rails_are_as_long_as_their_slides_go() {
             let way = [low, high].map(|end| end.parse::<f64>().expect("a number"));
             let (model, _, looks) = compiled(&case.text);
             let slide = model.joint_ids().find(|id| model.joint(*id).name == joint);
-            let [guide, _] = slide
-                .and_then(|slide| model.guide_and_block(slide))
-                .expect("it slides");
+            let [guide, _] =
+                slide.and_then(|slide| model.guide_and_block(slide)).expect("it slides");
             let rails = rails(&looks, model.axis(guide));
             let is_right = |rail: &Rail| {
                 let mut pairs = rail.way.iter().zip(&way);

@@ -77,11 +77,7 @@ fn welded_links_share_their_shafts() {
         let before = angles(&machine);
         let (a, b) = model.ends(model.motors[0].joint);
         let number = |link: LinkId| {
-            model
-                .link(link)
-                .name
-                .strip_prefix('l')
-                .map(|n| n.parse::<usize>().expect("a number"))
+            model.link(link).name.strip_prefix('l').map(|n| n.parse::<usize>().expect("a number"))
         };
         let turn = |link| number(link).map_or(0.0, |number| turns[number]);
         let by = dice.between(-9.0, 9.0);
@@ -147,16 +143,9 @@ fn welded_links_carry_wheels_and_bars_as_one() {
             let model = model(&train(in_parts, motor));
             let compiled = compile(&model).unwrap_or_else(|wrong| panic!("{wrong:?}"));
             let mut machine = Machine::<f64>::new(&compiled.program);
-            machine
-                .move_to(&[machine.position().motors[0] + 0.7])
-                .expect("it turns");
-            let mut there = Machine::new(
-                compiled
-                    .forced
-                    .inverse_dynamics
-                    .as_ref()
-                    .expect("asked for"),
-            );
+            machine.move_to(&[machine.position().motors[0] + 0.7]).expect("it turns");
+            let mut there =
+                Machine::new(compiled.forced.inverse_dynamics.as_ref().expect("asked for"));
             there.put_back(machine.position().clone());
             let Ok(Forces::InverseDynamics(forces)) = there.forces(&[0.7], &[0.4], &[]) else {
                 panic!("no forces");
@@ -186,10 +175,7 @@ fn a_shaft_of_a_part_is_that_of_its_user() {
         let [x, y, u, v] = [0; 4].map(|_| dice.between(-3.0, 3.0));
         let (angle, scale) = (dice.between(-3.0, 3.0), dice.between(0.3, 3.0));
         let (sin, cos) = angle.sin_cos();
-        let place = [
-            x + scale * (cos * u - sin * v),
-            y + scale * (sin * u + cos * v),
-        ];
+        let place = [x + scale * (cos * u - sin * v), y + scale * (sin * u + cos * v)];
         let text = format!(
             "struct Staged;
             part Stage {{
@@ -224,11 +210,7 @@ fn a_shaft_of_a_part_is_that_of_its_user() {
         machine.move_to(&[0.1]).expect("it turns");
         for (number, turn) in [1.0, 0.3, -0.75].into_iter().enumerate() {
             let off = angle(&machine, names[number]) - before[number] - 0.1 * turn;
-            assert!(
-                (0.5 * off).sin().abs() < 1e-13,
-                "{}: {off:e}\n{text}",
-                names[number]
-            );
+            assert!((0.5 * off).sin().abs() < 1e-13, "{}: {off:e}\n{text}", names[number]);
         }
     }
 }

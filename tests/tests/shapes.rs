@@ -10,39 +10,16 @@ include!(concat!(env!("OUT_DIR"), "/shapes.rs"));
 fn a_table_has_every_kind_of_outline() {
     const WHEEL: [[f64; 2]; 3] = [[0.0, 1.0], [2.0, 3.0], [4.0, 5.0]];
     const POINTS: &[[f64; 2]] = &[[1.0, 2.0], [3.0, 4.0], [5.0, 6.0], [7.0, 8.0]];
-    let rows = [
-        [1, 2, 3, 1],
-        [0, 3, 0, 0],
-        [2, 4, 2, 3],
-        [3, 5, 1, 0],
-        [4, 6, 5, 0],
-        [5, 255, 4, 0],
-    ];
-    let numbers = [
-        0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0,
-    ];
+    let rows =
+        [[1, 2, 3, 1], [0, 3, 0, 0], [2, 4, 2, 3], [3, 5, 1, 0], [4, 6, 5, 0], [5, 255, 4, 0]];
+    let numbers = [0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0];
     let expected = [
-        Outline::Line {
-            points: &[[1.0, 2.0]],
-            width: 0.5,
-        },
-        Outline::Circle {
-            center: [1.0, 2.0],
-            radius: 3.0,
-        },
+        Outline::Line { points: &[[1.0, 2.0]], width: 0.5 },
+        Outline::Circle { center: [1.0, 2.0], radius: 3.0 },
         Outline::Polygon(&POINTS[1..]),
-        Outline::Ring {
-            center: [4.0, 5.0],
-            radius: 6.0,
-            hole: 7.0,
-        },
+        Outline::Ring { center: [4.0, 5.0], radius: 6.0, hole: 7.0 },
         Outline::Polygon(&WHEEL),
-        Outline::Arc {
-            center: [8.0, 9.0],
-            start: [10.0, 11.0],
-            angle: 12.0,
-            width: 13.0,
-        },
+        Outline::Arc { center: [8.0, 9.0], start: [10.0, 11.0], angle: 12.0, width: 13.0 },
     ];
     let found = mech_runtime::generated::shapes(rows, &numbers, POINTS, &[&WHEEL]);
     for ((shape, row), outline) in found.iter().zip(rows).zip(expected) {
@@ -59,39 +36,13 @@ fn a_bar_is_painted_as_textbooks_do() {
     barred.draw(&mut declared);
     let mut painted = Barred::picture::<160, 120>();
     let identity = Pose::identity();
-    painted.fill(
-        Outline::Ring {
-            center: [0.0, 0.0],
-            radius: 0.5,
-            hole: 0.3,
-        },
-        identity,
-        1,
-    );
+    painted.fill(Outline::Ring { center: [0.0, 0.0], radius: 0.5, hole: 0.3 }, identity, 1);
     let [crank, arm] = *barred.poses();
-    painted.fill(
-        Outline::Ring {
-            center: [1.0, 0.0],
-            radius: 0.75,
-            hole: 0.5,
-        },
-        arm,
-        5,
-    );
-    raster::bar(
-        &mut painted,
-        &[[0.0, 0.0], [2.0, 0.0], [2.0, 1.0]],
-        crank,
-        0.5,
-        2,
-    );
+    painted.fill(Outline::Ring { center: [1.0, 0.0], radius: 0.75, hole: 0.5 }, arm, 5);
+    raster::bar(&mut painted, &[[0.0, 0.0], [2.0, 0.0], [2.0, 1.0]], crank, 0.5, 2);
     assert!(declared == painted);
     let seen = |color: u8| declared.pixels().as_flattened().contains(&color);
-    assert!(
-        [1, 2, 5, Palette::darker(2), Palette::INK, Palette::EYE]
-            .into_iter()
-            .all(seen)
-    );
+    assert!([1, 2, 5, Palette::darker(2), Palette::INK, Palette::EYE].into_iter().all(seen));
 }
 
 #[test]
@@ -107,10 +58,7 @@ fn a_picture_is_of_the_quality_that_is_declared() {
 #[test]
 fn the_extent_is_that_of_the_motion() {
     let expected = [[-1.0, 0.0], [6.0, 4.0]];
-    let off = SoftCrank::EXTENT
-        .as_flattened()
-        .iter()
-        .zip(expected.as_flattened());
+    let off = SoftCrank::EXTENT.as_flattened().iter().zip(expected.as_flattened());
     let mut off = off.map(|(is, should)| (f64::from(*is) - should).abs());
     assert!(off.all(|off| off < 1e-6), "{:?}", SoftCrank::EXTENT);
 }

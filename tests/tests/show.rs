@@ -22,10 +22,7 @@ fn case(dice: &mut Dice, method: Method) -> Option<(Model, Plan)> {
 }
 
 fn showing(model: &Model, shown: Vec<Shown>) -> Model {
-    Model {
-        show: Some(shown),
-        ..model.clone()
-    }
+    Model { show: Some(shown), ..model.clone() }
 }
 
 /// The loops that a program closes, by their numbers.
@@ -44,9 +41,7 @@ struct Carried {
 impl Carried {
     fn through(model: &Model, plan: &Plan) -> Self {
         let mut carried = Self {
-            links: (0..model.links.len())
-                .map(|link| (link, BTreeSet::new()))
-                .collect(),
+            links: (0..model.links.len()).map(|link| (link, BTreeSet::new())).collect(),
             sources: vec![None; plan.sources.len()],
         };
         let mut loops = 0..;
@@ -205,9 +200,7 @@ fn same_motion(dice: &mut Dice, (whole, part): (&Program, &Program), what: &str)
     for _ in 0..20 {
         let reach = *dice.pick(&[0.02, 0.02, 0.3, 3.0]);
         let motors = everything.position().motors.iter();
-        let motors: Vec<f64> = motors
-            .map(|motor| motor + dice.between(-reach, reach))
-            .collect();
+        let motors: Vec<f64> = motors.map(|motor| motor + dice.between(-reach, reach)).collect();
         let before = shown.position().clone();
         if everything.move_to(&motors).is_err() {
             // What does not move may still move in part.
@@ -300,18 +293,11 @@ fn an_iteration_begins_where_the_last_position_was() {
 #[test]
 fn what_is_left_out_does_not_block() {
     // The arm and the lever do not let the crank turn round; the rod does.
-    let [whole, part] = ["", "show block;"].map(|show| {
-        compile(&model(HEADS[0], show))
-            .expect("it is coherent")
-            .program
-    });
+    let [whole, part] = ["", "show block;"]
+        .map(|show| compile(&model(HEADS[0], show)).expect("it is coherent").program);
     let goes_round = |program: &Program| {
         let mut machine = Machine::<f64>::new(program);
-        (1..=12).all(|twelfth| {
-            machine
-                .move_to(&[f64::from(twelfth) * TAU / 12.0, 0.0])
-                .is_ok()
-        })
+        (1..=12).all(|twelfth| machine.move_to(&[f64::from(twelfth) * TAU / 12.0, 0.0]).is_ok())
     };
     assert!(!goes_round(&whole));
     assert!(goes_round(&part));
@@ -335,11 +321,7 @@ fn a_range_is_proved_of_what_is_shown() {
     let ranged = |show: &str| {
         let mut model = model(HEADS[0], show);
         for motor in &mut model.motors {
-            motor.range = Some(Range {
-                low: 0.0,
-                high: TAU,
-                origin: motor.origin,
-            });
+            motor.range = Some(Range { low: 0.0, high: TAU, origin: motor.origin });
         }
         compile(&model)
     };

@@ -34,11 +34,7 @@ struct Network {
 impl Network {
     fn random(dice: &mut Dice) -> Self {
         let bodies = 2 + dice.below(5);
-        let turned = if dice.once_in(2) {
-            0.0
-        } else {
-            dice.between(0.0, 6.3)
-        };
+        let turned = if dice.once_in(2) { 0.0 } else { dice.between(0.0, 6.3) };
         let directions = &[[1.0, 0.0], [0.0, 1.0], [0.6, 0.8]][..=dice.below(3)];
         let mut slides: Vec<Slide> = Vec::new();
         let mut add = |dice: &mut Dice, mut ends: [usize; 2]| {
@@ -66,11 +62,7 @@ impl Network {
         shuffle(&mut slides, dice);
         let pinions = (0..dice.below(3)).filter_map(|_| pinion(dice, bodies, &slides));
         let pinions = pinions.collect();
-        Self {
-            bodies,
-            slides,
-            pinions,
-        }
+        Self { bodies, slides, pinions }
     }
 
     fn unknowns(&self) -> usize {
@@ -127,18 +119,9 @@ impl Network {
             0 => "ground".to_owned(),
             body => format!("body{body}"),
         };
-        let mut lines: Vec<String> = (1..self.bodies)
-            .map(|body| format!("link body{body};"))
-            .collect();
-        for (
-            number,
-            Slide {
-                from,
-                to,
-                along: [x, y],
-            },
-        ) in self.slides.iter().enumerate()
-        {
+        let mut lines: Vec<String> =
+            (1..self.bodies).map(|body| format!("link body{body};")).collect();
+        for (number, Slide { from, to, along: [x, y] }) in self.slides.iter().enumerate() {
             let (from, to) = (name(*from), name(*to));
             let [u, v, long] = [0, 1, 2].map(|_| dice.between(0.1, 3.0));
             let (x, y) = (x * long, y * long);
@@ -150,9 +133,7 @@ impl Network {
             let carrier = name(*carrier);
             let joint = self.slides.len() + number;
             lines.push(format!("link pinion{number};"));
-            lines.push(format!(
-                "joint j{joint} = revolute({carrier}, pinion{number}) at (1, 2);"
-            ));
+            lines.push(format!("joint j{joint} = revolute({carrier}, pinion{number}) at (1, 2);"));
             for (slide, bar, radius) in bars {
                 let bar = name(*bar);
                 lines.push(format!(
@@ -181,9 +162,8 @@ fn pinion(dice: &mut Dice, bodies: usize, slides: &[Slide]) -> Option<Pinion> {
         guided.iter().filter(|(_, other)| *other == bar).count() == 1
     };
     let bars = guided.iter().filter(once).take(2);
-    let bars: Vec<_> = bars
-        .map(|&(slide, bar)| (slide, bar, *dice.pick(&[1.0, -1.0, 0.5, -2.0])))
-        .collect();
+    let bars: Vec<_> =
+        bars.map(|&(slide, bar)| (slide, bar, *dice.pick(&[1.0, -1.0, 0.5, -2.0]))).collect();
     (bars.len() == 2).then_some(Pinion { carrier, bars })
 }
 
@@ -202,10 +182,7 @@ fn allowing_redundant(model: &Model) -> Model {
 }
 
 #[test]
-#[expect(
-    clippy::too_many_lines,
-    reason = "one case from its text to all that is compared"
-)]
+#[expect(clippy::too_many_lines, reason = "one case from its text to all that is compared")]
 fn networks_of_slides_move_as_linear_algebra_says() {
     let (mut moved, mut redundant, mut wrong) = (0, 0, 0);
     for seed in seeds(cases(400)) {
@@ -258,34 +235,19 @@ fn networks_of_slides_move_as_linear_algebra_says() {
             wrong += 1;
             continue;
         }
-        let program = compiled
-            .unwrap_or_else(|found| panic!("{found:?}: {text}"))
-            .program;
+        let program = compiled.unwrap_or_else(|found| panic!("{found:?}: {text}")).program;
         let mut machine = Machine::<f64>::new(&program);
         let mut values = vec![0.0; rows.len()];
-        let wanted: Vec<f64> = model
-            .motors
-            .iter()
-            .map(|_| dice.between(-2.0, 2.0))
-            .collect();
+        let wanted: Vec<f64> = model.motors.iter().map(|_| dice.between(-2.0, 2.0)).collect();
         // The text has its motors in another order.
         let value = |joint: &usize| {
-            let mut names = model
-                .motors
-                .iter()
-                .map(|motor| &model.joint(motor.joint).name);
-            wanted[names
-                .position(|name| *name == format!("j{joint}"))
-                .expect("it is declared")]
+            let mut names = model.motors.iter().map(|motor| &model.joint(motor.joint).name);
+            wanted[names.position(|name| *name == format!("j{joint}")).expect("it is declared")]
         };
         values.extend(motors.iter().map(value));
-        machine
-            .move_to(&wanted)
-            .unwrap_or_else(|stop| panic!("{stop:?}: {text}"));
+        machine.move_to(&wanted).unwrap_or_else(|stop| panic!("{stop:?}: {text}"));
         let svd = matrix(&driven).svd(true, true);
-        let should = svd
-            .solve(&DVector::from_vec(values), 1e-9)
-            .expect("both bases are there");
+        let should = svd.solve(&DVector::from_vec(values), 1e-9).expect("both bases are there");
         for (link, pose) in model.moving_links().zip(&machine.position().poses) {
             let name = &model.link(link).name;
             let (at, turn) = match (name.strip_prefix("body"), name.strip_prefix("pinion")) {
@@ -308,13 +270,8 @@ fn networks_of_slides_move_as_linear_algebra_says() {
         match compile(&model) {
             Ok(_) => assert!(!is_redundant, "{text}"),
             Err(diagnoses) => {
-                let is_mobile = matches!(
-                    diagnoses[..],
-                    [Diagnosis::Overdetermined {
-                        is_mobile: true,
-                        ..
-                    }]
-                );
+                let is_mobile =
+                    matches!(diagnoses[..], [Diagnosis::Overdetermined { is_mobile: true, .. }]);
                 assert!(is_redundant && is_mobile, "{diagnoses:?}: {text}");
                 let found = offers(&model, &source, &diagnoses);
                 assert!(found[0].single.contains(&Repair::AllowRedundant), "{text}");
@@ -323,24 +280,16 @@ fn networks_of_slides_move_as_linear_algebra_says() {
         }
     }
     println!("{moved} moved, of which {redundant} are redundant; {wrong} are rightly refused");
-    assert!(
-        moved > 100 && redundant > 30 && wrong > 20,
-        "{moved} {redundant} {wrong}"
-    );
+    assert!(moved > 100 && redundant > 30 && wrong > 20, "{moved} {redundant} {wrong}");
 }
 
 /// The load of a sheave goes half as far as both strands together, however it is turned and whatever drives it.
 #[test]
 fn two_strands_over_a_sheave_carry_it_half_as_far() {
     for (x, y) in [(0.0, 1.0), (1.0, 0.0), (3.0, 4.0), (-0.7, 0.2)] {
-        for (first, second) in [
-            ("s", "t"),
-            ("t", "b"),
-            ("b", "s"),
-            ("s", "h"),
-            ("h", "b"),
-            ("u", "t"),
-        ] {
+        for (first, second) in
+            [("s", "t"), ("t", "b"), ("b", "s"), ("s", "h"), ("h", "b"), ("u", "t")]
+        {
             let mut text =
                 "struct Sheave; link block; link left; link right; link sheave; allow redundant;"
                     .to_owned();
@@ -366,9 +315,7 @@ fn two_strands_over_a_sheave_carry_it_half_as_far() {
             machine.move_to(&[0.7, -0.4]).expect("nothing stops it");
             let at = |name: &str| {
                 let mut links = model.moving_links();
-                let place = links
-                    .position(|link| model.link(link).name == name)
-                    .expect("a link");
+                let place = links.position(|link| model.link(link).name == name).expect("a link");
                 let [.., u, v] = machine.position().poses[place];
                 (u * x + v * y) / f64::hypot(x, y)
             };
@@ -382,10 +329,7 @@ fn two_strands_over_a_sheave_carry_it_half_as_far() {
                 _ => (at("left") - at("block")) / 2.0,
             };
             let driven = [value(first) - 0.7, value(second) + 0.4];
-            assert!(
-                driven.iter().all(|off| off.abs() < 1e-13),
-                "{first} {second}: {driven:?}"
-            );
+            assert!(driven.iter().all(|off| off.abs() < 1e-13), "{first} {second}: {driven:?}");
         }
     }
 }

@@ -18,10 +18,7 @@ fn a_press_needs_the_torque_that_textbooks_say() {
         // Norton, Design of Machinery: F r (sin θ + (r / l) sin θ cos θ / cos φ).
         let lean = (0.5 * angle.sin() / 2.0).asin();
         let expected = -100.0 * 0.5 * (angle.sin() + 0.25 * angle.sin() * angle.cos() / lean.cos());
-        assert!(
-            (torque - expected).abs() < 1e-12 * 100.0,
-            "{degrees}: {torque}, not {expected}"
-        );
+        assert!((torque - expected).abs() < 1e-12 * 100.0, "{degrees}: {torque}, not {expected}");
         let forces = press.forces([0.0], [0.0]).expect("it is regular");
         assert!((forces.torques[0] - torque).abs() < 1e-12 * 100.0);
         // The rod is a strut: what it carries points along it, and the bed takes what is across.
@@ -33,20 +30,11 @@ fn a_press_needs_the_torque_that_textbooks_say() {
             "{bed:?}"
         );
         // Between the rod and the normal of the slide.
-        assert!(
-            (forces.transmission[0] - (FRAC_PI_2 - lean.abs())).abs() < 1e-12,
-            "{forces:?}"
-        );
+        assert!((forces.transmission[0] - (FRAC_PI_2 - lean.abs())).abs() < 1e-12, "{forces:?}");
         let [advantage] = press.work_advantage([1.0, 0.0]).expect("it is regular");
-        assert!(
-            (advantage * torque + 100.0).abs() < 1e-9 * 100.0,
-            "{advantage}"
-        );
+        assert!((advantage * torque + 100.0).abs() < 1e-9 * 100.0, "{advantage}");
     }
-    assert_eq!(
-        Press::JOINTS.map(|joint| joint.name),
-        ["turn", "big", "small", "bed"]
-    );
+    assert_eq!(Press::JOINTS.map(|joint| joint.name), ["turn", "big", "small", "bed"]);
 }
 
 #[test]
@@ -55,9 +43,7 @@ fn at_the_dead_centre_the_advantage_is_infinite_and_no_torque_is_needed() {
     press.set_work([-100.0, 0.0]).expect("finite");
     let [torque] = press.hold_at([0.0]).expect("it turns");
     assert!(torque.abs() < 1e-13, "{torque}");
-    let [advantage] = press
-        .work_advantage([1.0, 0.0])
-        .expect("the crank is the motor");
+    let [advantage] = press.work_advantage([1.0, 0.0]).expect("the crank is the motor");
     assert!(advantage.abs() > 1e14, "{advantage}");
 }
 
@@ -66,10 +52,7 @@ fn at_a_dead_point_forces_are_an_error() {
     let mut engine = Engine::new();
     let _ = engine.move_toward([3.0]).expect("finite");
     assert!((engine.motors()[0] - 2.5).abs() < 1e-9);
-    assert_eq!(
-        engine.torques().map_err(|blocked| blocked.cause),
-        Err(Cause::Singular)
-    );
+    assert_eq!(engine.torques().map_err(|blocked| blocked.cause), Err(Cause::Singular));
     assert!(engine.forces([0.0], [0.0]).is_err());
     assert!(engine.motor_accelerations([0.0]).is_err());
     let before = engine;
@@ -88,10 +71,7 @@ fn gears_pass_torque_by_their_ratio_and_push_their_shafts_apart() {
     let forces = hoist.forces([0.0], [0.0]).expect("regular");
     // Teeth push with torque over pitch radius, 1 and 2, across the line of centres; the pinion's bearing pushes back.
     let [bearing, axle, mesh] = forces.reactions;
-    assert!(
-        (mesh.y.abs() - weight / 2.0).abs() < 1e-4 && mesh.x.abs() < 1e-5,
-        "{mesh:?}"
-    );
+    assert!((mesh.y.abs() - weight / 2.0).abs() < 1e-4 && mesh.x.abs() < 1e-5, "{mesh:?}");
     assert!((bearing.y - mesh.y).abs() < 1e-4, "{bearing:?}");
     assert!((axle.y + mesh.y - 40.0).abs() < 1e-3, "{axle:?}");
     let [advantage] = hoist.brake_advantage().expect("regular");
@@ -137,9 +117,7 @@ fn generated_code_finds_what_the_interpreter_finds() {
             panic!("it is regular");
         };
         assert_eq!(found.torques[..], expected.torques[..]);
-        let reactions = found
-            .reactions
-            .map(|reaction| [reaction.x, reaction.y, reaction.torque]);
+        let reactions = found.reactions.map(|reaction| [reaction.x, reaction.y, reaction.torque]);
         assert_eq!(reactions[..], expected.reactions[..]);
         assert_eq!(found.transmission[..], expected.transmission[..]);
         let value = 2.0 + 0.4 * (angle / PI).sin();

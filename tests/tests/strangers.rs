@@ -26,9 +26,8 @@ fn said(text: &str) -> Vec<String> {
 fn of_many_faults_the_first_are_told_and_the_others_counted() {
     let count = 2500;
     let loose = many(count, |number| format!("link a{number};"));
-    let unknown = many(count, |number| {
-        format!("joint j{number} = revolute(ground, a{number}) at (0, 0);")
-    });
+    let unknown =
+        many(count, |number| format!("joint j{number} = revolute(ground, a{number}) at (0, 0);"));
     let empty = many(count, |_| ";".to_owned());
     for text in [loose, unknown, empty] {
         let said = said(&text);
@@ -46,18 +45,13 @@ fn a_mechanism_beyond_a_limit_is_told_so_and_nothing_else() {
     // Each part uses the one before twice.
     let parts = many(40, |number| match number {
         0 => "part P0() { link x; }".to_owned(),
-        _ => format!(
-            "part P{number}() {{ use u: P{0}() {{ }}; use v: P{0}() {{ }}; }}",
-            number - 1
-        ),
+        _ => {
+            format!("part P{number}() {{ use u: P{0}() {{ }}; use v: P{0}() {{ }}; }}", number - 1)
+        }
     });
     let doubled = said(&(parts + "use all: P39() { };"));
     assert_eq!(doubled.len(), 1);
-    assert!(
-        doubled[0].starts_with(&Limit::Instances.to_string()),
-        "{}",
-        doubled[0]
-    );
+    assert!(doubled[0].starts_with(&Limit::Instances.to_string()), "{}", doubled[0]);
 }
 
 #[test]

@@ -25,16 +25,10 @@ fn snake_with(a: f64, near: [f64; 3], [x, y]: [f64; 2]) -> Option<[f64; 3]> {
     let solutions = [bend, -bend].map(|bend| {
         let second = y.atan2(x) - (last * bend.sin()).atan2(1.0 + last * bend.cos());
         let near_to = |value: f64, other: f64| value + TAU * ((other - value) / TAU).round();
-        [
-            a,
-            near_to(second - a, near[1]),
-            near_to(PI / 4.0 - bend, near[2]),
-        ]
+        [a, near_to(second - a, near[1]), near_to(PI / 4.0 - bend, near[2])]
     });
     let far = |one: &[f64; 3]| (one[1] - near[1]).abs() + (one[2] - near[2]).abs();
-    solutions
-        .into_iter()
-        .min_by(|one, other| far(one).total_cmp(&far(other)))
+    solutions.into_iter().min_by(|one, other| far(one).total_cmp(&far(other)))
 }
 
 #[test]
@@ -63,10 +57,7 @@ fn more_motors_than_needed_go_as_little_as_they_can() {
         arrived += 1;
         let after = angles(&snake);
         let tip = snake_tip(after);
-        assert!(
-            (tip[0] - goal[0]).hypot(tip[1] - goal[1]) < 1e-13,
-            "{goal:?}"
-        );
+        assert!((tip[0] - goal[0]).hypot(tip[1] - goal[1]) < 1e-13, "{goal:?}");
         // Where it is nearly stretched out, a way is made in pieces.
         if far > 1.0 || goal[0].hypot(goal[1]) > 4.0 {
             continue;
@@ -82,10 +73,7 @@ fn more_motors_than_needed_go_as_little_as_they_can() {
             let Some(other) = snake_with(a, after, goal) else {
                 continue;
             };
-            assert!(
-                length(other) > least - 1e-9,
-                "{goal:?}: {other:?}, not {after:?}"
-            );
+            assert!(length(other) > least - 1e-9, "{goal:?}: {other:?}, not {after:?}");
         }
     }
     assert!(10 * arrived > 8 * cases(400), "{arrived}");
@@ -95,10 +83,7 @@ fn more_motors_than_needed_go_as_little_as_they_can() {
 fn the_least_rates_are_those_of_the_pseudoinverse() {
     const STEP: f64 = 1e-6;
     let mut snake = Snake::new();
-    assert_eq!(
-        snake.reach_with([2.5, 2.0], [0.3, -0.4], [0.1, 0.2]),
-        Ok(())
-    );
+    assert_eq!(snake.reach_with([2.5, 2.0], [0.3, -0.4], [0.1, 0.2]), Ok(()));
     let (velocity, acceleration) = (snake.third_tip_velocity(), snake.third_tip_acceleration());
     assert!((velocity.x - 0.3).hypot(velocity.y + 0.4) < 1e-13);
     assert!((acceleration.x - 0.1).hypot(acceleration.y - 0.2) < 1e-12);
@@ -116,10 +101,7 @@ fn the_least_rates_are_those_of_the_pseudoinverse() {
     let rates = inverse * nalgebra::Vector2::new(0.3, -0.4);
     let found = [snake.a_rate(), snake.b_rate(), snake.c_rate()];
     for motor in 0..3 {
-        assert!(
-            (rates[motor] - found[motor]).abs() < 1e-8,
-            "{rates} {found:?}"
-        );
+        assert!((rates[motor] - found[motor]).abs() < 1e-8, "{rates} {found:?}");
     }
 }
 
@@ -134,10 +116,7 @@ fn a_motor_at_the_end_of_its_range_lets_others_go_on() {
         assert_eq!(reached, Ok(()), "{far}");
         let pose = gantry.hand();
         let off = (pose.translation.x - far).hypot(pose.translation.y - 0.1 * far);
-        assert!(
-            off.max(pose.rotation.angle().abs()) < 1e-13,
-            "{far}: {off:e}"
-        );
+        assert!(off.max(pose.rotation.angle().abs()) < 1e-13, "{far}: {off:e}");
         let [slide, _, elbow, _] = gantry.motors();
         assert!((-0.5..=0.5).contains(&slide), "{slide}");
         assert!((-30_f64.to_radians()..=100_f64.to_radians()).contains(&elbow));

@@ -31,9 +31,7 @@ fn hold(model: &Model, dice: &mut Dice) -> u64 {
             return looked;
         }
         let poses = all(&machine);
-        let reach = poses
-            .iter()
-            .fold(size(model), |most, [_, _, x, y]| most.max(x.hypot(*y)));
+        let reach = poses.iter().fold(size(model), |most, [_, _, x, y]| most.max(x.hypot(*y)));
         let gap = worst_gap(model, &poses);
         assert!(gap <= 1e-11 * reach, "{gap:e} of {reach} at {motors:?}");
         for (rolling, slipped) in rollings.iter().zip(&mut slipped) {
@@ -51,13 +49,9 @@ fn hold(model: &Model, dice: &mut Dice) -> u64 {
 #[test]
 fn what_rolls_in_random_loops_keeps_its_ratio() {
     let mut looked = 0;
-    for_all(
-        CASES,
-        &coupled_samples(1..=3),
-        |Sample { grown, mut dice }| {
-            looked += hold(&grown.model, &mut dice);
-        },
-    );
+    for_all(CASES, &coupled_samples(1..=3), |Sample { grown, mut dice }| {
+        looked += hold(&grown.model, &mut dice);
+    });
     println!("{looked} positions");
     assert!(looked > 10 * cases(CASES));
 }
@@ -118,9 +112,7 @@ fn strays<T: Real>(model: &Model, displacements: &[f64]) -> (f64, Vec<Stop>) {
     let mut refused = Vec::new();
     for displacement in displacements {
         let mut go = |displacement: f64| {
-            machine
-                .move_to(&[T::from_f64(motor + displacement)])
-                .map(|()| displacement)
+            machine.move_to(&[T::from_f64(motor + displacement)]).map(|()| displacement)
         };
         match go(*displacement).or_else(|stop| go(displacement + HAIR).map_err(|_| stop)) {
             Ok(displacement) => motor += displacement,

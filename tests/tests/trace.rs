@@ -13,10 +13,7 @@ fn places<const N: usize>(trace: &Trace<f64, N>) -> Vec<Point2<f64>> {
 #[test]
 fn every_method_that_moves_leaves_a_trace_and_none_that_fails() {
     let mut four_bar = FourBar::new();
-    assert!(
-        four_bar.coupler_tip_trace().is_empty(),
-        "the start is no move"
-    );
+    assert!(four_bar.coupler_tip_trace().is_empty(), "the start is no move");
     four_bar.move_within(FourBar::range([0.5]).expect("within"));
     let first = four_bar.coupler_tip();
     Mechanism::move_to(&mut four_bar, [0.6]).expect("it turns");
@@ -47,11 +44,7 @@ fn many_instances_leave_a_trace_each() {
     }
     for (many, one) in many.iter().zip(&one) {
         assert_eq!(many.coupler_tip_trace().len(), 5);
-        for (many, one) in many
-            .coupler_tip_trace()
-            .iter()
-            .zip(one.coupler_tip_trace().iter())
-        {
+        for (many, one) in many.coupler_tip_trace().iter().zip(one.coupler_tip_trace().iter()) {
             assert!((many - one).norm() < 1e-14, "{many} and {one}");
         }
     }
@@ -69,9 +62,7 @@ fn what_is_traced_is_solved_though_it_is_not_shown() {
     let middle = slider.rod_middle_trace().iter().next().expect("a place");
     assert!((f64::from(middle.x) - f64::midpoint(x, block)).abs() < 1e-6);
     assert!((f64::from(middle.y) - y / 2.0).abs() < 1e-6);
-    let stopped = slider
-        .move_toward([9.0])
-        .expect("it slides as far as it can");
+    let stopped = slider.move_toward([9.0]).expect("it slides as far as it can");
     assert!(matches!(stopped, Reached::Limit(_)));
     assert_eq!(slider.rod_middle_trace().len(), 2);
     assert!(slider.move_to([9.0]).is_err());

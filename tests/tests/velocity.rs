@@ -33,10 +33,7 @@ fn a_four_bar_has_the_rates_that_three_programs_agree_on() {
     for [degrees, expected @ ..] in rows::<9>(include_str!("literature/four-bar-rates.txt")) {
         let turn = f64::to_radians(degrees);
         four_bar.move_with([turn], [RATE], [0.0]).expect("it turns");
-        let (v, a) = (
-            four_bar.coupler_end_velocity(),
-            four_bar.coupler_end_acceleration(),
-        );
+        let (v, a) = (four_bar.coupler_end_velocity(), four_bar.coupler_end_acceleration());
         let turns = [
             four_bar.coupler_velocity().angular,
             four_bar.coupler_acceleration().angular,
@@ -65,10 +62,7 @@ fn slider_cranks_have_the_rates_that_three_programs_agree_on() {
         let (v, a) = (slider.rod_end_velocity(), slider.rod_end_acceleration());
         all_near([v[0], v[1]], [velocity, 0.0]);
         all_near([a[0], a[1]], [acceleration, 0.0]);
-        all_near(
-            [slider.x_rate(), slider.x_acceleration()],
-            [velocity, acceleration],
-        );
+        all_near([slider.x_rate(), slider.x_acceleration()], [velocity, acceleration]);
         let turns = (slider.rod_velocity(), slider.rod_acceleration());
         all_near([turns.0.angular, turns.1.angular], rod);
     }
@@ -92,9 +86,7 @@ fn andrews_squeezer_has_the_rates_of_the_literature() {
     let table = rows::<7>(include_str!("literature/andrews-rates.txt"));
     let [positions, rates, accelerations] = [table[0], table[1], table[2]];
     let mut andrews = Andrews::new();
-    andrews
-        .move_with([positions[0]], [rates[0]], [accelerations[0]])
-        .expect("it turns");
+    andrews.move_with([positions[0]], [rates[0]], [accelerations[0]]).expect("it turns");
     let found = [
         andrews.beta(),
         andrews.theta(),
@@ -142,9 +134,7 @@ fn after_a_move_without_rates_it_rests() {
     four_bar.move_to([0.3]).expect("it is there");
     assert_eq!(*four_bar.velocities(), [Velocity::ZERO; 3]);
     four_bar.move_with([0.3], [2.0], [1.0]).expect("it turns");
-    four_bar
-        .turn_to([mech_runtime::Phase::from_turns(0.1).expect("a tenth")])
-        .expect("it turns");
+    four_bar.turn_to([mech_runtime::Phase::from_turns(0.1).expect("a tenth")]).expect("it turns");
     assert_eq!(*four_bar.velocities(), [Velocity::ZERO; 3]);
 }
 
@@ -159,18 +149,12 @@ fn bad_rates_are_refused_and_leave_it_as_it_was() {
             four_bar.move_with([0.4], [bad], [0.0]),
             four_bar.move_with([0.4], [1.0], [bad]),
         ] {
-            assert_eq!(
-                refused.expect_err("it is not finite").cause,
-                Cause::NotFinite
-            );
+            assert_eq!(refused.expect_err("it is not finite").cause, Cause::NotFinite);
             assert_eq!(four_bar, before);
         }
     }
     let overflown = four_bar.move_with([0.4], [1e308], [0.0]);
-    assert_eq!(
-        overflown.expect_err("its square overflows").cause,
-        Cause::Overflow
-    );
+    assert_eq!(overflown.expect_err("its square overflows").cause, Cause::Overflow);
     assert_eq!(four_bar, before);
 }
 
@@ -180,24 +164,14 @@ fn at_a_dead_point_rates_are_an_error_and_not_a_large_number() {
     let _ = rocker.move_toward([3.0]).expect("finite");
     let limit = rocker.motors();
     let before = rocker;
-    let singular = rocker
-        .move_with(limit, [1.0])
-        .expect_err("it is at its dead point");
+    let singular = rocker.move_with(limit, [1.0]).expect_err("it is at its dead point");
     assert_eq!(singular.cause, Cause::Singular);
     assert_eq!(singular.place, "`jb`, `jc`, `jd`");
     assert_eq!(singular.reached, limit);
     assert_eq!(rocker, before);
-    assert_eq!(
-        rocker
-            .influence_coefficients()
-            .expect_err("there too")
-            .cause,
-        Cause::Singular
-    );
+    assert_eq!(rocker.influence_coefficients().expect_err("there too").cause, Cause::Singular);
     // A thousandth before it they are determined, and large.
-    rocker
-        .move_with([limit[0] - 1e-3], [1.0])
-        .expect("before the dead point");
+    rocker.move_with([limit[0] - 1e-3], [1.0]).expect("before the dead point");
     assert!(rocker.rocker_velocity().angular.abs() > 10.0);
 }
 

@@ -16,10 +16,7 @@ impl Line {
 
     /// An empty one.
     pub const fn new() -> Self {
-        Self {
-            text: [0; Self::MOST],
-            length: 0,
-        }
+        Self { text: [0; Self::MOST], length: 0 }
     }
 
     fn push(&mut self, byte: u8) {
@@ -71,11 +68,7 @@ impl Line {
         self.push(b' ');
         for digit in (0..16).rev() {
             let digit = (bits >> (4 * digit)) as u8 & 15;
-            self.push(if digit < 10 {
-                b'0' + digit
-            } else {
-                b'a' - 10 + digit
-            });
+            self.push(if digit < 10 { b'0' + digit } else { b'a' - 10 + digit });
         }
         self
     }

@@ -70,11 +70,7 @@ struct Window {
 
 impl Window {
     const fn new() -> Self {
-        Self {
-            columns: Cell::new([0; 2]),
-            rows: Cell::new([0; 2]),
-            at: Cell::new([0; 2]),
-        }
+        Self { columns: Cell::new([0; 2]), rows: Cell::new([0; 2]), at: Cell::new([0; 2]) }
     }
 
     fn begin(&self) {
@@ -297,8 +293,7 @@ impl Ssd1306 {
 
     fn take(&self, message: &[u8]) {
         let count = u32::try_from(message.len()).unwrap_or(u32::MAX);
-        self.sent
-            .set(self.sent.get().wrapping_add(count).wrapping_add(1));
+        self.sent.set(self.sent.get().wrapping_add(count).wrapping_add(1));
         match *message {
             [Self::COMMAND, Self::COLUMNS, first, last] => {
                 self.window.columns.set([first, last].map(u16::from));

@@ -34,19 +34,13 @@ fn folder(name: &str) -> PathBuf {
 fn pictures(showcase: &Showcase<FourBar>) -> Vec<Picture> {
     let film = showcase.film().expect("it turns");
     let mut easel = Easel::for_film(&film).expect("it is seen");
-    film.scenes()
-        .iter()
-        .map(|scene| easel.paint(scene))
-        .collect()
+    film.scenes().iter().map(|scene| easel.paint(scene)).collect()
 }
 
 /// All frames of a GIF as they are seen, and its number of repetitions.
 fn decode(bytes: &[u8]) -> (Vec<Picture>, gif::Repeat) {
     let mut decoder = gif::DecodeOptions::new().read_info(bytes).expect("a GIF");
-    let table = decoder
-        .global_palette()
-        .expect("one table for all")
-        .to_vec();
+    let table = decoder.global_palette().expect("one table for all").to_vec();
     let (table, _) = table.as_chunks::<3>();
     let [width, height] = [decoder.width(), decoder.height()];
     let mut pixels = vec![[0; 4]; usize::from(width) * usize::from(height)];
@@ -62,11 +56,7 @@ fn decode(bytes: &[u8]) -> (Vec<Picture>, gif::Repeat) {
                 }
             }
         }
-        pictures.push(Picture {
-            width,
-            height,
-            pixels: pixels.clone(),
-        });
+        pictures.push(Picture { width, height, pixels: pixels.clone() });
     }
     (pictures, decoder.repeat())
 }
@@ -97,10 +87,7 @@ fn files_and_page() {
     let moving = fs::read_to_string(folder.join("four-bar-moving.svg")).expect("an SVG");
     assert!(moving.contains(".move{animation:linear 2.7s infinite}"));
     for element in ["<circle", "<polygon"] {
-        assert_eq!(
-            moving.matches(element).count(),
-            still.matches(element).count()
-        );
+        assert_eq!(moving.matches(element).count(), still.matches(element).count());
     }
 
     let painted = pictures(&showcase());
@@ -119,10 +106,7 @@ fn files_and_page() {
     for (seen, painted) in seen.iter().zip(&painted) {
         assert_eq!((seen.width, seen.height), (painted.width, painted.height));
         for (seen, painted) in seen.pixels.iter().zip(&painted.pixels) {
-            let far = seen
-                .iter()
-                .zip(painted)
-                .any(|(seen, painted)| seen.abs_diff(*painted) > 16);
+            let far = seen.iter().zip(painted).any(|(seen, painted)| seen.abs_diff(*painted) > 16);
             assert!(!far, "{painted:?} is seen as {seen:?}");
         }
     }
@@ -143,12 +127,7 @@ fn graphs_hang_below() {
         }";
     let folder = folder("graphs").join("gallery");
     let studio = folder.join("../page/index.html");
-    let showcase = Showcase {
-        file: Some("four_bar.rs"),
-        source,
-        frames: 2,
-        ..showcase()
-    };
+    let showcase = Showcase { file: Some("four_bar.rs"), source, frames: 2, ..showcase() };
     let curator = Curator::new(vec![Box::new(showcase)], folder.clone());
     let page = || {
         curator.serve([]).expect("all goes well");
@@ -193,24 +172,15 @@ fn strips_do_not_show() {
     assert_eq!(size, [WIDTH, HEIGHT]);
     for (one, other) in picture.pixels.iter().zip(at_once.expect("painted")) {
         // Places are rounded where they are: a pixel may be covered by one part in 255 more.
-        let far = one
-            .iter()
-            .zip(other)
-            .any(|(one, other)| one.abs_diff(other) > 2);
+        let far = one.iter().zip(other).any(|(one, other)| one.abs_diff(other) > 2);
         assert!(!far, "{one:?} in place of {other:?}");
     }
 }
 
 #[test]
 fn a_few_colors_stay_exact() {
-    let pixels: Vec<_> = (0..=254)
-        .map(|level| [level, 0, 255 - level, 255])
-        .collect();
-    let picture = Picture {
-        width: 255,
-        height: 1,
-        pixels,
-    };
+    let pixels: Vec<_> = (0..=254).map(|level| [level, 0, 255 - level, 255]).collect();
+    let picture = Picture { width: 255, height: 1, pixels };
     let swatches = Swatches::for_pictures(std::slice::from_ref(&picture));
     for &[red, green, blue, _] in &picture.pixels {
         let color = [red, green, blue];
@@ -221,11 +191,7 @@ fn a_few_colors_stay_exact() {
 
 #[test]
 fn a_picture_that_does_not_change_keeps_its_time() {
-    let picture = Picture {
-        width: 3,
-        height: 2,
-        pixels: vec![[9, 9, 9, 255]; 6],
-    };
+    let picture = Picture { width: 3, height: 2, pixels: vec![[9, 9, 9, 255]; 6] };
     let (seen, _) = decode(&animation(&vec![picture.clone(); 5]).expect("a GIF"));
     assert_eq!(seen, vec![picture; 5]);
 }
@@ -234,21 +200,14 @@ fn a_picture_that_does_not_change_keeps_its_time() {
 fn nothing_to_show() {
     assert!(Easel::for_film(&mech_gallery::Film::new(1.0)).is_none());
     assert!(matches!(animation(&[]), Err(FileError::Empty)));
-    let torn = Picture {
-        width: 3,
-        height: 2,
-        pixels: vec![[9, 9, 9, 255]; 5],
-    };
+    let torn = Picture { width: 3, height: 2, pixels: vec![[9, 9, 9, 255]; 5] };
     assert!(matches!(torn.png(), Err(FileError::Torn { .. })));
     assert!(matches!(animation(&[torn]), Err(FileError::Torn { .. })));
 }
 
 #[test]
 fn a_blocked_mechanism_is_reported() {
-    let beyond = Showcase {
-        motion: |phase| [phase * 14.0],
-        ..showcase()
-    };
+    let beyond = Showcase { motion: |phase| [phase * 14.0], ..showcase() };
     let stuck = beyond.film().expect_err("it is blocked half way");
     assert_eq!(
         stuck.to_string(),
@@ -258,14 +217,8 @@ fn a_blocked_mechanism_is_reported() {
     let others = showcase();
     let curator = Curator::new(
         vec![
-            Box::new(Showcase {
-                slug: "beyond",
-                ..beyond
-            }),
-            Box::new(Showcase {
-                frames: 2,
-                ..others
-            }),
+            Box::new(Showcase { slug: "beyond", ..beyond }),
+            Box::new(Showcase { frames: 2, ..others }),
         ],
         folder.clone(),
     );
@@ -279,13 +232,8 @@ fn a_blocked_mechanism_is_reported() {
 #[test]
 fn an_unknown_name_is_reported() {
     let curator = Curator::new(vec![Box::new(showcase())], folder("unknown"));
-    let error = curator
-        .serve(["five-bar".to_owned()])
-        .expect_err("there is none");
+    let error = curator.serve(["five-bar".to_owned()]).expect_err("there is none");
     assert!(matches!(error, Error::Unknown { .. }));
-    assert_eq!(
-        error.to_string(),
-        "no exhibit is called `five-bar`; there are `four-bar`"
-    );
+    assert_eq!(error.to_string(), "no exhibit is called `five-bar`; there are `four-bar`");
     curator.serve(["--help".to_owned()]).expect("help is there");
 }

@@ -62,11 +62,7 @@ fn geared_piston() {
         m.move_to([d]).expect("it turns");
         let (sin, cos) = (-d / 2.0).sin_cos();
         near(m.rod_big_end(), [cos, sin], 1e-12);
-        near(
-            m.rod_small_end(),
-            [cos + (16.0 - sin * sin).sqrt(), 0.0],
-            1e-12,
-        );
+        near(m.rod_small_end(), [cos + (16.0 - sin * sin).sqrt(), 0.0], 1e-12);
     }
 }
 
@@ -91,8 +87,7 @@ fn watt() {
     let mut m = Watt::new();
     let mut rocker = (f64::MAX, f64::MIN);
     for degrees in 0..360 {
-        m.move_to([f64::from(degrees).to_radians()])
-            .expect("it turns");
+        m.move_to([f64::from(degrees).to_radians()]).expect("it turns");
         rocker = (rocker.0.min(m.g()), rocker.1.max(m.g()));
     }
     assert_eq!((rocker.1 - rocker.0).to_degrees().round(), 138.0);

@@ -95,11 +95,7 @@ fn both_precisions_are_of_the_same_mechanisms() {
             (double.slug, double.name, double.source),
             (single.slug, single.name, single.source)
         );
-        assert!(
-            slugs.insert(double.slug),
-            "two are called `{}`",
-            double.slug
-        );
+        assert!(slugs.insert(double.slug), "two are called `{}`", double.slug);
         let declaration = format!("pub struct {};", double.name);
         assert!(double.source.contains(&declaration), "{}", double.slug);
     }

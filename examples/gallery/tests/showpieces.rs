@@ -18,17 +18,9 @@ fn declaration(source: &str) -> usize {
 
 #[test]
 fn each_is_declared_in_sixty_lines() {
-    let lines = [
-        Walker::SOURCE,
-        Excavator::SOURCE,
-        Antikythera::SOURCE,
-        Skeleton::SOURCE,
-    ]
-    .map(declaration);
-    assert!(
-        lines.iter().all(|lines| (10..=60).contains(lines)),
-        "{lines:?}"
-    );
+    let lines =
+        [Walker::SOURCE, Excavator::SOURCE, Antikythera::SOURCE, Skeleton::SOURCE].map(declaration);
+    assert!(lines.iter().all(|lines| (10..=60).contains(lines)), "{lines:?}");
 }
 
 /// The periods of Freeth and others, Nature 444 (2006), in turns a year.
@@ -44,10 +36,7 @@ fn the_computer_has_the_periods_of_the_sky() {
         "carrier.turn by -477/4237 · year.turn",
     ] {
         let line = format!("  moved     {period}");
-        assert!(
-            Antikythera::REPORT.lines().any(|other| other == line),
-            "{period}"
-        );
+        assert!(Antikythera::REPORT.lines().any(|other| other == line), "{period}");
     }
 }
 
@@ -57,17 +46,13 @@ fn the_moon_is_faster_and_slower() {
     let mut m = Antikythera::new();
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
     for step in 0..=4000 {
-        m.move_to([TAU * f64::from(step) / 4000.0])
-            .expect("it turns");
+        m.move_to([TAU * f64::from(step) / 4000.0]).expect("it turns");
         let ahead = (m.true_moon().turn() - m.mean_moon().turn()).sin().asin();
         (low, high) = (low.min(ahead), high.max(ahead));
     }
     let amplitude = (high - low) / 2.0;
     let expected = (1.1_f64 / 9.6).asin();
-    assert!(
-        (amplitude - expected).abs() < 1e-4 * expected,
-        "{amplitude} {expected}"
-    );
+    assert!((amplitude - expected).abs() < 1e-4 * expected, "{amplitude} {expected}");
     // After 19 years moon and sun are where they were, and nothing is lost.
     m.move_to([19.0 * TAU]).expect("it turns");
     assert!((m.mean_moon().turn() + 254.0 * TAU).abs() < 1e-11);
@@ -96,17 +81,10 @@ fn all_strokes_of_the_excavator_are_free() {
 #[test]
 fn the_skeleton_has_two_hundred_freedoms_and_eight_motors() {
     assert!(Skeleton::MOTORS.len() <= 8);
-    let free = Skeleton::JOINTS
-        .iter()
-        .filter(|joint| joint.links.len() > 1);
+    let free = Skeleton::JOINTS.iter().filter(|joint| joint.links.len() > 1);
     assert!(free.count() >= 200);
-    let line = Skeleton::REPORT
-        .lines()
-        .find_map(|line| line.strip_prefix("  freedoms  "));
-    assert_eq!(
-        line,
-        Some("232 of joints: 8 by motors, 223 by gears, belts and racks, 1 by cams")
-    );
+    let line = Skeleton::REPORT.lines().find_map(|line| line.strip_prefix("  freedoms  "));
+    assert_eq!(line, Some("232 of joints: 8 by motors, 223 by gears, belts and racks, 1 by cams"));
 }
 
 /// While a foot carries, it stands: the ankle's path along the ground is what the law of the leg leaves of 100 a stride.

@@ -67,10 +67,7 @@ impl Analysis {
             offers
         });
         let faults = faults(&self.parsed, offers.collect(), unmet);
-        Self {
-            result: Err(faults),
-            ..self
-        }
+        Self { result: Err(faults), ..self }
     }
 }
 
@@ -106,20 +103,14 @@ fn nearest_limit(parsed: &Parsed, compiled: &Compiled, diagnosis: &Diagnosis) ->
     let (model, source) = (&parsed.model, &parsed.source);
     repair::nearest_limit(model, source, requirement, witness, |changed| {
         let requirements = changed.requirements.get(requirement).cloned();
-        let alone = Model {
-            requirements: requirements.into_iter().collect(),
-            ..changed.clone()
-        };
+        let alone = Model { requirements: requirements.into_iter().collect(), ..changed.clone() };
         requirement::unmet(&alone, compiled).is_empty()
     })
 }
 
 /// The effects that are not declared, and by which the mechanism computes what a requirement measures.
 fn missing_effects(parsed: &Parsed, diagnosis: &Diagnosis) -> Option<Repair> {
-    let Diagnosis::Unmet {
-        trouble: RequirementTrouble::NoEffect { effects },
-        ..
-    } = diagnosis
+    let Diagnosis::Unmet { trouble: RequirementTrouble::NoEffect { effects }, .. } = diagnosis
     else {
         return None;
     };

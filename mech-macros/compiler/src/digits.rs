@@ -13,10 +13,7 @@ pub(crate) fn significant(value: f64, digits: i32, upwards: Option<bool>) -> f64
     if value == 0.0 || !value.is_finite() {
         return value;
     }
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "a power of ten that numbers have"
-    )]
+    #[expect(clippy::cast_possible_truncation, reason = "a power of ten that numbers have")]
     let power = value.abs().log10().floor().clamp(-250.0, 250.0) as i32;
     let places = (digits - 1 - power).max(0);
     let scale = 10_f64.powi(places);

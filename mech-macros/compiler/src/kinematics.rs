@@ -14,10 +14,7 @@ pub(crate) struct LinkFrames<'m> {
 impl<'m> LinkFrames<'m> {
     /// The frames of links with these poses: cosine, sine, x and y of every link, the ground first.
     pub(crate) fn new(model: &'m Model, poses: &[[f64; 4]]) -> Self {
-        let frames = poses
-            .iter()
-            .map(|pose| Pose::from(*pose).isometry())
-            .collect();
+        let frames = poses.iter().map(|pose| Pose::from(*pose).isometry()).collect();
         Self { model, frames }
     }
 

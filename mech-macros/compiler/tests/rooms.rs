@@ -46,9 +46,7 @@ fn room_of(path: &Path, root: &Path) -> Option<String> {
 
 /// The names that follow `crate::` in a text, those in braces too.
 fn imported(text: &str) -> Vec<String> {
-    let code = text
-        .lines()
-        .filter(|line| !line.trim_start().starts_with("//"));
+    let code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
     let code: String = code.collect::<Vec<_>>().join("\n");
     let mut names = Vec::new();
     for after in code.split("crate::").skip(1) {
@@ -78,9 +76,7 @@ fn imported(text: &str) -> Vec<String> {
 /// The identifier at the beginning of a text.
 fn leading_name(text: &str) -> String {
     let text = text.trim_start();
-    text.chars()
-        .take_while(|&letter| letter == '_' || letter.is_alphanumeric())
-        .collect()
+    text.chars().take_while(|&letter| letter == '_' || letter.is_alphanumeric()).collect()
 }
 
 #[test]

@@ -36,10 +36,7 @@ loops! {
 }
 
 /// The best of several times, in nanoseconds for one of `COUNT`.
-#[allow(
-    clippy::cast_precision_loss,
-    reason = "it is printed with three digits"
-)]
+#[allow(clippy::cast_precision_loss, reason = "it is printed with three digits")]
 fn time(mut run: impl FnMut()) -> f64 {
     let per_run = |run: &mut dyn FnMut()| {
         let start = Instant::now();
@@ -60,10 +57,7 @@ fn main() {
     let scattered = |i| (i * 40_503 % 65_536) as f64 / 128.0 - 256.0;
     let wide: Vec<f64> = (0..COUNT).map(scattered).collect();
     let narrow: Vec<f32> = wide.iter().map(|x| *x as f32).collect();
-    let phases: Vec<Phase> = wide
-        .iter()
-        .filter_map(|x| Phase::from_radians(*x))
-        .collect();
+    let phases: Vec<Phase> = wide.iter().filter_map(|x| Phase::from_radians(*x)).collect();
     let (mut sines, mut cosines) = (wide.clone(), wide.clone());
     let (mut sines_f32, mut cosines_f32) = (narrow.clone(), narrow.clone());
 

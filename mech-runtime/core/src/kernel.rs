@@ -93,10 +93,7 @@ fn rotate_f64((sine, cosine): (f64, f64), quadrant: u64) -> (f64, f64) {
     let swap = (sine ^ cosine) & (quadrant & 1).wrapping_neg();
     let sine_sign = (quadrant & 2) << 62;
     let cosine_sign = (quadrant.wrapping_add(1) & 2) << 62;
-    (
-        f64::from_bits(sine ^ swap ^ sine_sign),
-        f64::from_bits(cosine ^ swap ^ cosine_sign),
-    )
+    (f64::from_bits(sine ^ swap ^ sine_sign), f64::from_bits(cosine ^ swap ^ cosine_sign))
 }
 
 /// Rotates a direction by `quadrant` right angles, modulo four, without a branch.
@@ -106,8 +103,5 @@ fn rotate_f32((sine, cosine): (f32, f32), quadrant: u32) -> (f32, f32) {
     let swap = (sine ^ cosine) & (quadrant & 1).wrapping_neg();
     let sine_sign = (quadrant & 2) << 30;
     let cosine_sign = (quadrant.wrapping_add(1) & 2) << 30;
-    (
-        f32::from_bits(sine ^ swap ^ sine_sign),
-        f32::from_bits(cosine ^ swap ^ cosine_sign),
-    )
+    (f32::from_bits(sine ^ swap ^ sine_sign), f32::from_bits(cosine ^ swap ^ cosine_sign))
 }

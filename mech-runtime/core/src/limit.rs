@@ -79,11 +79,7 @@ pub fn rates<T: Real, S: Surroundings<T>>(around: &S, here: &S::Position) -> Opt
                 continue;
             };
             is_open = true;
-            let nodes = Nodes {
-                input,
-                width,
-                nearest: [behind, ahead],
-            };
+            let nodes = Nodes { input, width, nearest: [behind, ahead] };
             match nodes.rates(around) {
                 Some((rates, roughness)) if roughness <= smooth => return Some(rates),
                 Some((rates, roughness)) if roughness <= rough && spare.is_none() => {
@@ -122,11 +118,7 @@ fn clear<T: Real, S: Surroundings<T>>(
         }
         let slope = (sine - before.1) / (by - before.0);
         // Where it becomes less it goes through zero.
-        let rest = if slope > T::ZERO {
-            width - sine
-        } else {
-            width + sine
-        };
+        let rest = if slope > T::ZERO { width - sine } else { width + sine };
         before = (by, sine);
         let [least, most] = LONGER.map(|longer| by * T::from_f64(longer));
         let next = by + T::from_f64(BEYOND) * rest / slope.abs();
@@ -152,10 +144,7 @@ impl<P, T: Real> Nodes<P, T> {
     /// The rates here, and how far they are from smooth.
     fn rates<S: Surroundings<T, Position = P>>(&self, around: &S) -> Option<(S::Rates, T)> {
         let [behind, ahead] = &self.nearest;
-        let (middle, unit) = (
-            (ahead.1 + behind.1) * T::HALF,
-            (ahead.1 - behind.1) * T::HALF,
-        );
+        let (middle, unit) = ((ahead.1 + behind.1) * T::HALF, (ahead.1 - behind.1) * T::HALF);
         let next = |from: &P, place: f64| {
             let by = middle + unit * T::from_f64(place);
             let position = around.moved(from, self.input, by)?;
@@ -207,9 +196,7 @@ fn weights<T: Real>(at: T) -> [T; NODES] {
 
 /// The greatest size of numbers.
 fn size<T: Real>(numbers: &[T; NODES]) -> T {
-    numbers
-        .iter()
-        .fold(T::ZERO, |size, number| size.max(number.abs()))
+    numbers.iter().fold(T::ZERO, |size, number| size.max(number.abs()))
 }
 
 /// By how much numbers are not smooth. A pole, or what jumps, is left of their odd part without its line and its cubic. What the outer nodes

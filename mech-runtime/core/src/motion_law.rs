@@ -38,11 +38,7 @@ struct Piece {
 }
 
 const fn piece(until: f64, polynomial: &'static [f64], wave: [f64; 3]) -> Piece {
-    Piece {
-        until,
-        polynomial,
-        wave,
-    }
+    Piece { until, polynomial, wave }
 }
 
 /// A polynomial until the middle.
@@ -63,11 +59,7 @@ const SINE: f64 = PI / (4.0 + PI);
 const QUICK: f64 = 1.0 / (4.0 * (4.0 + PI));
 static MODIFIED_SINE: [Piece; 2] = [
     piece(0.125, &[0.0, SINE], [-QUICK, 4.0 * PI, 0.0]),
-    piece(
-        0.5,
-        &[2.0 / (4.0 + PI), SINE],
-        [-9.0 * QUICK, 4.0 * PI / 3.0, PI / 3.0],
-    ),
+    piece(0.5, &[2.0 / (4.0 + PI), SINE], [-9.0 * QUICK, 4.0 * PI / 3.0, PI / 3.0]),
 ];
 
 /// The number by which all numbers of the modified trapezoid are divided.
@@ -78,18 +70,10 @@ static MODIFIED_TRAPEZOID: [Piece; 3] = [
     piece(0.125, &[0.0, 2.0 / TRAPEZOID], [-WAVE, 4.0 * PI, 0.0]),
     piece(
         0.375,
-        &[
-            (PI / 16.0 - 1.0 / TAU) / TRAPEZOID,
-            (2.0 - PI) / TRAPEZOID,
-            4.0 * PI / TRAPEZOID,
-        ],
+        &[(PI / 16.0 - 1.0 / TAU) / TRAPEZOID, (2.0 - PI) / TRAPEZOID, 4.0 * PI / TRAPEZOID],
         [0.0; 3],
     ),
-    piece(
-        0.5,
-        &[-FRAC_PI_2 / TRAPEZOID, (2.0 + TAU) / TRAPEZOID],
-        [WAVE, 4.0 * PI, 0.0],
-    ),
+    piece(0.5, &[-FRAC_PI_2 / TRAPEZOID, (2.0 + TAU) / TRAPEZOID], [WAVE, 4.0 * PI, 0.0]),
 ];
 
 impl MotionLaw {
@@ -179,9 +163,8 @@ impl MotionLaw {
             return T::ZERO;
         };
         let coefficients = differentiated(piece.polynomial, order);
-        let sum = coefficients.fold(T::ZERO, |sum, coefficient| {
-            sum * time + T::from_f64(coefficient)
-        });
+        let sum =
+            coefficients.fold(T::ZERO, |sum, coefficient| sum * time + T::from_f64(coefficient));
         let [amplitude, frequency, phase] = piece.wave;
         if amplitude == 0.0 {
             return sum;
@@ -223,30 +206,19 @@ impl Staircase {
     /// The staircase that has a step at each whole number.
     #[must_use]
     pub const fn endless(law: MotionLaw, order: u8) -> Self {
-        Self {
-            law,
-            repeats: true,
-            order,
-        }
+        Self { law, repeats: true, order }
     }
 
     /// The staircase of one step.
     #[must_use]
     pub const fn single(law: MotionLaw, order: u8) -> Self {
-        Self {
-            law,
-            repeats: false,
-            order,
-        }
+        Self { law, repeats: false, order }
     }
 
     /// Its slope, times the share of a step.
     #[must_use]
     pub const fn slope(self) -> Self {
-        Self {
-            order: self.order.saturating_add(1),
-            ..self
-        }
+        Self { order: self.order.saturating_add(1), ..self }
     }
 
     /// The height, in steps, at a place of which each step takes this share: more than 0, and 1 at most.
@@ -275,11 +247,7 @@ impl Staircase {
         if time >= T::ONE {
             return of_step(step + T::ONE);
         }
-        if self.order == 0 {
-            step + self.law.at(0, time)
-        } else {
-            self.law.at(self.order, time)
-        }
+        if self.order == 0 { step + self.law.at(0, time) } else { self.law.at(self.order, time) }
     }
 }
 

@@ -40,10 +40,7 @@ pub fn turned<T: Real>(turns: i32, numerator: i64, denominator: i64) -> T {
     // Nearly every ratio is so small that one division of a processor of 32 bits does it.
     let (remainder, denominator) = if let (Ok(numerator), Ok(denominator)) = small {
         let remainder = small_remainder(turns, numerator, denominator);
-        (
-            T::from_i32(remainder.into()),
-            T::from_i32(denominator.into()),
-        )
+        (T::from_i32(remainder.into()), T::from_i32(denominator.into()))
     } else {
         let remainder = remainder(turns, numerator, denominator);
         (T::from_i64(remainder), T::from_i64(denominator))
@@ -53,10 +50,7 @@ pub fn turned<T: Real>(turns: i32, numerator: i64, denominator: i64) -> T {
 
 /// `turns * numerator` less whole multiples of the denominator, which is greater than the numerator.
 #[inline]
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "what is left is less than the denominator"
-)]
+#[expect(clippy::cast_possible_truncation, reason = "what is left is less than the denominator")]
 fn small_remainder(turns: i32, numerator: u16, denominator: u16) -> u16 {
     let turns = turns.checked_rem_euclid(denominator.into()).unwrap_or(0);
     let product = turns.unsigned_abs().wrapping_mul(numerator.into());
@@ -75,20 +69,14 @@ fn remainder(turns: i32, numerator: i64, denominator: i64) -> i64 {
             remainder = less(remainder - back);
         }
     }
-    if turns < 0 && remainder > 0 {
-        denominator - remainder
-    } else {
-        remainder
-    }
+    if turns < 0 && remainder > 0 { denominator - remainder } else { remainder }
 }
 
 /// By how much a quantity changes at most whose rates with the motors are no greater than these.
 #[inline]
 pub fn change<T: Real>(rates: impl IntoIterator<Item = T>, displacements: &[T]) -> T {
     let parts = rates.into_iter().zip(displacements);
-    parts.fold(T::ZERO, |change, (rate, displacement)| {
-        change + rate * displacement.abs()
-    })
+    parts.fold(T::ZERO, |change, (rate, displacement)| change + rate * displacement.abs())
 }
 
 /// Positive if the motors that a quantity follows go on with these signs of motion, negative if they go back.
@@ -98,9 +86,7 @@ pub fn along<T: Real>(
     motion_signs: &[T],
 ) -> T {
     let parts = rates.into_iter().zip(displacements).zip(motion_signs);
-    parts.fold(T::ZERO, |along, ((rate, displacement), sign)| {
-        along + rate * *displacement * *sign
-    })
+    parts.fold(T::ZERO, |along, ((rate, displacement), sign)| along + rate * *displacement * *sign)
 }
 
 /// Records the sign of motion of every motor that goes: one, or minus one.
@@ -124,9 +110,7 @@ pub fn in_one_piece<T: Real>(max_steps: impl IntoIterator<Item = T>, displacemen
 #[inline]
 pub fn pieces<T: Real>(max_steps: impl IntoIterator<Item = T>, displacements: &[T]) -> T {
     let parts = max_steps.into_iter().zip(displacements);
-    parts.fold(T::ONE, |most, (max_step, displacement)| {
-        most.max(displacement.abs() / max_step)
-    })
+    parts.fold(T::ONE, |most, (max_step, displacement)| most.max(displacement.abs() / max_step))
 }
 
 /// Returns the number that lies as far beyond `at` as `before` lies before it.
@@ -144,11 +128,8 @@ pub fn mirror_state<T: Real>(
     motion_signs: Option<usize>,
     watched: &(impl Iterator<Item = [usize; 2]> + Clone),
 ) {
-    let is_watched = |index: usize| {
-        watched
-            .clone()
-            .any(|[sine, square]| index == sine || index == square)
-    };
+    let is_watched =
+        |index: usize| watched.clone().any(|[sine, square]| index == sine || index == square);
     let angles = motion_signs.unwrap_or(state.len());
     let all = state.iter_mut().zip(before).enumerate().take(angles);
     for (_, (at, before)) in all.filter(|(index, _)| !is_watched(*index)) {

@@ -75,34 +75,20 @@ impl<T: Copy, P> Outline<T, P> {
         points: impl FnOnce(&'s P) -> Q,
     ) -> Outline<U, Q> {
         match self {
-            Self::Circle { center, radius } => Outline::Circle {
-                center: center.map(&number),
-                radius: number(*radius),
-            },
-            Self::Ring {
-                center,
-                radius,
-                hole,
-            } => Outline::Ring {
+            Self::Circle { center, radius } => {
+                Outline::Circle { center: center.map(&number), radius: number(*radius) }
+            }
+            Self::Ring { center, radius, hole } => Outline::Ring {
                 center: center.map(&number),
                 radius: number(*radius),
                 hole: number(*hole),
             },
             Self::Polygon(corners) => Outline::Polygon(points(corners)),
             Self::Winding(corners) => Outline::Winding(points(corners)),
-            Self::Line {
-                points: places,
-                width,
-            } => Outline::Line {
-                points: points(places),
-                width: number(*width),
-            },
-            Self::Arc {
-                center,
-                start,
-                angle,
-                width,
-            } => Outline::Arc {
+            Self::Line { points: places, width } => {
+                Outline::Line { points: points(places), width: number(*width) }
+            }
+            Self::Arc { center, start, angle, width } => Outline::Arc {
                 center: center.map(&number),
                 start: start.map(&number),
                 angle: number(*angle),
@@ -115,19 +101,14 @@ impl<T: Copy, P> Outline<T, P> {
     pub fn numbers(&self) -> impl Iterator<Item = T> + use<T, P> {
         let (places, lengths) = match *self {
             Self::Circle { center, radius } => ([Some(center), None], [Some(radius), None]),
-            Self::Ring {
-                center,
-                radius,
-                hole,
-            } => ([Some(center), None], [Some(radius), Some(hole)]),
+            Self::Ring { center, radius, hole } => {
+                ([Some(center), None], [Some(radius), Some(hole)])
+            }
             Self::Polygon(_) | Self::Winding(_) => ([None; 2], [None; 2]),
             Self::Line { width, .. } => ([None; 2], [Some(width), None]),
-            Self::Arc {
-                center,
-                start,
-                angle,
-                width,
-            } => ([center, start].map(Some), [angle, width].map(Some)),
+            Self::Arc { center, start, angle, width } => {
+                ([center, start].map(Some), [angle, width].map(Some))
+            }
         };
         let places = places.into_iter().flatten().flatten();
         places.chain(lengths.into_iter().flatten())
@@ -172,12 +153,7 @@ impl<T: Real, P: AsRef<[[T; 2]]>> Outline<T, P> {
                 let (low, high) = around(points.as_ref(), pose);
                 (low.map(|part| part - reach), high.map(|part| part + reach))
             }
-            Self::Arc {
-                center,
-                start,
-                width,
-                ..
-            } => {
+            Self::Arc { center, start, width, .. } => {
                 let [x, y] = [start[0] - center[0], start[1] - center[1]];
                 round(center, (x * x + y * y).sqrt() + T::HALF * width)
             }
@@ -190,10 +166,7 @@ fn around<T: Real>(points: &[[T; 2]], pose: Pose<T>) -> ([T; 2], [T; 2]) {
     let mut points = points.iter().map(|&point| pose.apply(point));
     let first = points.next().unwrap_or([pose.x, pose.y]);
     points.fold((first, first), |(low, high), [x, y]| {
-        (
-            [min(low[0], x), min(low[1], y)],
-            [high[0].max(x), high[1].max(y)],
-        )
+        ([min(low[0], x), min(low[1], y)], [high[0].max(x), high[1].max(y)])
     })
 }
 

@@ -36,10 +36,7 @@ impl<T: Real> Pose<T> {
     /// The place in the scene of a point of the link, in scene units.
     #[must_use]
     pub fn apply(self, [x, y]: [T; 2]) -> [T; 2] {
-        [
-            self.x + self.cos * x - self.sin * y,
-            self.y + self.sin * x + self.cos * y,
-        ]
+        [self.x + self.cos * x - self.sin * y, self.y + self.sin * x + self.cos * y]
     }
 
     /// The direction in the scene of a direction of the link.
@@ -89,10 +86,7 @@ impl<T: Real> From<Pose<T>> for Isometry2<T> {
 /// The pose of an isometry, with the same bits.
 impl<T: Real> From<Isometry2<T>> for Pose<T> {
     fn from(isometry: Isometry2<T>) -> Self {
-        let Isometry2 {
-            rotation,
-            translation,
-        } = isometry;
+        let Isometry2 { rotation, translation } = isometry;
         Self {
             cos: rotation.as_ref().re,
             sin: rotation.as_ref().im,

@@ -116,10 +116,7 @@ macro_rules! real {
             }
 
             #[inline]
-            #[allow(
-                clippy::cast_possible_truncation,
-                reason = "it saturates, and NaN gives zero"
-            )]
+            #[allow(clippy::cast_possible_truncation, reason = "it saturates, and NaN gives zero")]
             fn to_i32(self) -> i32 {
                 self as i32
             }
@@ -180,23 +177,5 @@ macro_rules! real {
     };
 }
 
-real!(
-    f32,
-    sin_cos_f32,
-    root::sqrt_f32,
-    atan2f,
-    expf,
-    roundf,
-    split_f32,
-    whole_turns_f32
-);
-real!(
-    f64,
-    sin_cos_f64,
-    libm::sqrt,
-    atan2,
-    exp,
-    round,
-    split_f64,
-    whole_turns_f64
-);
+real!(f32, sin_cos_f32, root::sqrt_f32, atan2f, expf, roundf, split_f32, whole_turns_f32);
+real!(f64, sin_cos_f64, libm::sqrt, atan2, exp, round, split_f64, whole_turns_f64);

@@ -62,11 +62,7 @@ const RIGHT_ANGLES_F32: [u32; 7] = {
 pub(crate) fn reduce_large_f32(x: f32) -> ReducedAngle<f32, u32> {
     const HIDDEN: u32 = 1 << 23;
     if !x.is_finite() {
-        return ReducedAngle {
-            high: f32::NAN,
-            low: 0.0,
-            quadrant: 0,
-        };
+        return ReducedAngle { high: f32::NAN, low: 0.0, quadrant: 0 };
     }
     let bits = x.to_bits();
     let whole = bits & (HIDDEN - 1) | HIDDEN;
@@ -87,11 +83,7 @@ pub(crate) fn reduce_large_f32(x: f32) -> ReducedAngle<f32, u32> {
     let minor =
         upper * (TAIL_F32 * power_f32(-19)) + lower * (core::f32::consts::TAU * power_f32(-32));
     let high = main + minor;
-    ReducedAngle {
-        high,
-        low: (main - high) + minor,
-        quadrant,
-    }
+    ReducedAngle { high, low: (main - high) + minor, quadrant }
 }
 
 /// Reduces an angle in radians of at least 2^-10, with a relative error of 2^-61. Infinity and NaN give NaN.
@@ -106,11 +98,7 @@ pub(crate) fn reduce_large_f64(x: f64) -> ReducedAngle<f64, u64> {
     // pi/2 in units of 2^-63.
     const RIGHT_ANGLE: u64 = 0xC90F_DAA2_2168_C235;
     if !x.is_finite() {
-        return ReducedAngle {
-            high: f64::NAN,
-            low: 0.0,
-            quadrant: 0,
-        };
+        return ReducedAngle { high: f64::NAN, low: 0.0, quadrant: 0 };
     }
     let bits = x.to_bits();
     let whole = bits & (HIDDEN - 1) | HIDDEN;
@@ -132,20 +120,12 @@ pub(crate) fn reduce_large_f64(x: f64) -> ReducedAngle<f64, u64> {
     let head = radians.wrapping_add(1 << 10) & !0x7FF;
     let tail = radians.wrapping_sub(head).cast_signed() as i32;
     let unit = power_f64(-61 - shift.cast_signed());
-    let unit = if (remainder < 0) == (x < 0.0) {
-        unit
-    } else {
-        -unit
-    };
+    let unit = if (remainder < 0) == (x < 0.0) { unit } else { -unit };
     let quadrant = quadrant as u64;
     ReducedAngle {
         high: head as f64 * unit,
         low: f64::from(tail) * unit,
-        quadrant: if x < 0.0 {
-            quadrant.wrapping_neg()
-        } else {
-            quadrant
-        },
+        quadrant: if x < 0.0 { quadrant.wrapping_neg() } else { quadrant },
     }
 }
 

@@ -67,10 +67,7 @@ pub fn fall<T: Real, F: Falling<T>>(
         level: root * root.sqrt(),
         scale: T::ONE,
         steepest: T::ZERO,
-        inverse: Inverse {
-            rows,
-            is_known: false,
-        },
+        inverse: Inverse { rows, is_known: false },
     };
     descent.inverse.forget();
     for _ in 0..MOST_STEPS {

@@ -135,71 +135,39 @@ impl<T, L> Symbol<T, L> {
         let spot = |spot: Spot<T, L>| spot.try_map(&number, &link);
         let both = |[a, b]: [Spot<T, L>; 2]| Some([spot(a)?, spot(b)?]);
         Some(match self {
-            Self::Bar { link: side, ends } => Symbol::Bar {
-                link: link(side)?,
-                ends: ends.map(pair),
-            },
+            Self::Bar { link: side, ends } => {
+                Symbol::Bar { link: link(side)?, ends: ends.map(pair) }
+            }
             Self::Mark(at) => Symbol::Mark(spot(at)?),
-            Self::Wheel { center, radius } => Symbol::Wheel {
-                center: spot(center)?,
-                radius: number(radius),
-            },
-            Self::Belt { centers, radii } => Symbol::Belt {
-                centers: both(centers)?,
-                radii: pair(radii),
-            },
-            Self::Rack {
-                pinion,
-                radius,
-                bar,
-                along,
-            } => Symbol::Rack {
+            Self::Wheel { center, radius } => {
+                Symbol::Wheel { center: spot(center)?, radius: number(radius) }
+            }
+            Self::Belt { centers, radii } => {
+                Symbol::Belt { centers: both(centers)?, radii: pair(radii) }
+            }
+            Self::Rack { pinion, radius, bar, along } => Symbol::Rack {
                 pinion: spot(pinion)?,
                 radius: number(radius),
                 bar: spot(bar)?,
                 along: pair(along),
             },
-            Self::Line { at, along } => Symbol::Line {
-                at: spot(at)?,
-                along: pair(along),
-            },
+            Self::Line { at, along } => Symbol::Line { at: spot(at)?, along: pair(along) },
             Self::Point(at) => Symbol::Point(spot(at)?),
-            Self::Slide {
-                guide,
-                along,
-                block,
-            } => Symbol::Slide {
-                guide: spot(guide)?,
-                along: pair(along),
-                block: spot(block)?,
-            },
+            Self::Slide { guide, along, block } => {
+                Symbol::Slide { guide: spot(guide)?, along: pair(along), block: spot(block)? }
+            }
             Self::Weld(at) => Symbol::Weld(spot(at)?),
             Self::Pivot(at) => Symbol::Pivot(spot(at)?),
-            Self::Spring { ends, beside } => Symbol::Spring {
-                ends: both(ends)?,
-                beside,
-            },
-            Self::Damper { ends, beside } => Symbol::Damper {
-                ends: both(ends)?,
-                beside,
-            },
+            Self::Spring { ends, beside } => Symbol::Spring { ends: both(ends)?, beside },
+            Self::Damper { ends, beside } => Symbol::Damper { ends: both(ends)?, beside },
             Self::TorsionSpring(at) => Symbol::TorsionSpring(spot(at)?),
             Self::TorsionDamper(at) => Symbol::TorsionDamper(spot(at)?),
             Self::Cam(at) => Symbol::Cam(spot(at)?),
-            Self::Wedge { at, along } => Symbol::Wedge {
-                at: spot(at)?,
-                along: pair(along),
-            },
+            Self::Wedge { at, along } => Symbol::Wedge { at: spot(at)?, along: pair(along) },
             Self::RotaryMotor(at) => Symbol::RotaryMotor(spot(at)?),
-            Self::LinearMotor {
-                block,
-                guide,
-                along,
-            } => Symbol::LinearMotor {
-                block: spot(block)?,
-                guide: link(guide)?,
-                along: pair(along),
-            },
+            Self::LinearMotor { block, guide, along } => {
+                Symbol::LinearMotor { block: spot(block)?, guide: link(guide)?, along: pair(along) }
+            }
         })
     }
 }

@@ -36,11 +36,7 @@ pub const LIMIT_F32: f32 = 8192.0 * core::f32::consts::FRAC_PI_2;
 #[inline]
 #[must_use]
 pub fn sin_cos_f64(x: f64) -> (f64, f64) {
-    let remainder = if x.abs() <= LIMIT_F64 {
-        reduce_within_f64(x)
-    } else {
-        reduce_large_f64(x)
-    };
+    let remainder = if x.abs() <= LIMIT_F64 { reduce_within_f64(x) } else { reduce_large_f64(x) };
     remainder.sin_cos()
 }
 
@@ -55,11 +51,7 @@ pub fn sin_cos_f64(x: f64) -> (f64, f64) {
 #[inline]
 #[must_use]
 pub fn sin_cos_f32(x: f32) -> (f32, f32) {
-    let remainder = if x.abs() <= LIMIT_F32 {
-        reduce_within_f32(x)
-    } else {
-        reduce_large_f32(x)
-    };
+    let remainder = if x.abs() <= LIMIT_F32 { reduce_within_f32(x) } else { reduce_large_f32(x) };
     remainder.sin_cos()
 }
 
@@ -92,11 +84,7 @@ fn reduce_within_f64(x: f64) -> ReducedAngle<f64, u64> {
     let lost = (first - second) - middle;
     // This is at most 2^-54, so it need not be added to the high part.
     let low = lost - count * TAIL;
-    ReducedAngle {
-        high: second,
-        low,
-        quadrant: sum.to_bits(),
-    }
+    ReducedAngle { high: second, low, quadrant: sum.to_bits() }
 }
 
 /// The same bits as [`sin_cos_f32`] for |x| <= [`LIMIT_F32`]. Beyond the limit the numbers are arbitrary, without a panic.
@@ -124,9 +112,5 @@ fn reduce_within_f32(x: f32) -> ReducedAngle<f32, u32> {
     let remainder = count * TAIL;
     let high = second - remainder;
     let low = (second - high) - remainder;
-    ReducedAngle {
-        high,
-        low,
-        quadrant: sum.to_bits(),
-    }
+    ReducedAngle { high, low, quadrant: sum.to_bits() }
 }

@@ -17,10 +17,7 @@ pub(crate) fn whole_turns_f64(x: f64) -> Option<(i32, f64)> {
     }
     // Both differences are exact: the remainder has fewer bits than `x` and the product together.
     let remainder = (x - count * HEAD) - count * MIDDLE;
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "a whole number within the range"
-    )]
+    #[expect(clippy::cast_possible_truncation, reason = "a whole number within the range")]
     let turns = count as i32;
     Some((turns, remainder - count * TAIL))
 }
@@ -56,9 +53,5 @@ pub(crate) fn whole_turns_f32(x: f32) -> Option<(i32, f32)> {
     let remainder = (product >> (UNIT - FRACTION)) as i64 - ((nearest as i64) << FRACTION);
     let remainder = remainder as f32 * (core::f32::consts::TAU / 2_147_483_648.0);
     let turns = nearest as i32;
-    Some(if x < 0.0 {
-        (-turns, -remainder)
-    } else {
-        (turns, remainder)
-    })
+    Some(if x < 0.0 { (-turns, -remainder) } else { (turns, remainder) })
 }

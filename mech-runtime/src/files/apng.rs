@@ -65,10 +65,7 @@ impl<W: Write> Apng<W> {
         let [width, height] = first.size_within(MOST)?;
         let mut clock = Clock::new(delay, Duration::from_millis(1))?;
         if frames == 0 {
-            return Err(FileError::OtherCount {
-                announced: frames,
-                found: 1,
-            });
+            return Err(FileError::OtherCount { announced: frames, found: 1 });
         }
         let mut encoder = png::Encoder::new(writer, width, height);
         compress(&mut encoder, first.pixels);
@@ -92,14 +89,7 @@ impl<W: Write> Apng<W> {
             Last::Indexed(_, entries) => writer.write_image_data(entries)?,
             Last::Rgba(pixels) => writer.write_image_data(pixels.as_flattened())?,
         }
-        Ok(Self {
-            writer,
-            size: first.size(),
-            announced: frames,
-            written: 1,
-            clock,
-            last,
-        })
+        Ok(Self { writer, size: first.size(), announced: frames, written: 1, clock, last })
     }
 
     /// Adds a frame.
@@ -157,10 +147,7 @@ impl<W: Write> Apng<W> {
     /// [`FileError::OtherCount`] if there are fewer frames than announced, [`FileError::Write`] if the writer fails.
     pub fn finish(self) -> Result<(), FileError> {
         if self.written != self.announced {
-            return Err(FileError::OtherCount {
-                announced: self.announced,
-                found: self.written,
-            });
+            return Err(FileError::OtherCount { announced: self.announced, found: self.written });
         }
         Ok(self.writer.finish()?)
     }
@@ -171,11 +158,7 @@ impl<W: Write> Apng<W> {
         writer.reset_frame_position()?;
         writer.set_frame_dimension(narrow(patch.width), narrow(patch.height))?;
         writer.set_frame_position(narrow(patch.left), narrow(patch.top))?;
-        writer.set_blend_op(if blend {
-            png::BlendOp::Over
-        } else {
-            png::BlendOp::Source
-        })?;
+        writer.set_blend_op(if blend { png::BlendOp::Over } else { png::BlendOp::Source })?;
         writer.set_frame_delay(self.clock.next(), MILLISECONDS)?;
         writer.write_image_data(bytes)?;
         self.written += 1;

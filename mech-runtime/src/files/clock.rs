@@ -17,11 +17,7 @@ impl Clock {
         if delay.as_nanos() / unit.as_nanos().max(1) >= u128::from(u16::MAX) {
             return Err(FileError::TooLong);
         }
-        Ok(Self {
-            delay,
-            unit,
-            frames: 0,
-        })
+        Ok(Self { delay, unit, frames: 0 })
     }
 
     /// The number of units for which the next frame is shown.

@@ -52,18 +52,12 @@ impl fmt::Display for FileError {
         match self {
             Self::Empty => f.write_str("the picture has no pixels"),
             Self::Torn { expected, found } => {
-                write!(
-                    f,
-                    "there are {found} pixels, where its size takes {expected}"
-                )
+                write!(f, "there are {found} pixels, where its size takes {expected}")
             }
             Self::TooLarge { most } => {
                 write!(f, "the picture is more than {most} pixels wide or high")
             }
-            Self::OtherSize {
-                expected: [width, height],
-                found,
-            } => write!(
+            Self::OtherSize { expected: [width, height], found } => write!(
                 f,
                 "the frame is {} × {} pixels, where the first one is {width} × {height}",
                 found[0], found[1]

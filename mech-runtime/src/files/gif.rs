@@ -61,13 +61,7 @@ impl<W: Write> Gif<W> {
         let table = Table::of(palette);
         let mut encoder = gif::Encoder::new(writer, size[0], size[1], table.bytes())?;
         encoder.set_repeat(gif::Repeat::Infinite)?;
-        let mut gif = Self {
-            encoder,
-            size: first.size(),
-            table,
-            clock,
-            before: Vec::new(),
-        };
+        let mut gif = Self { encoder, size: first.size(), table, clock, before: Vec::new() };
         gif.write(entries, palette)?;
         Ok(gif)
     }
@@ -139,9 +133,7 @@ impl<W: Write> Gif<W> {
 /// The size, without pixels.
 impl<W: Write> fmt::Debug for Gif<W> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Gif")
-            .field("size", &self.size)
-            .finish_non_exhaustive()
+        f.debug_struct("Gif").field("size", &self.size).finish_non_exhaustive()
     }
 }
 

@@ -12,12 +12,7 @@ pub(super) struct Patch {
 impl Patch {
     /// A whole picture of this size.
     pub(super) const fn whole([width, height]: [usize; 2]) -> Self {
-        Self {
-            left: 0,
-            top: 0,
-            width,
-            height,
-        }
+        Self { left: 0, top: 0, width, height }
     }
 
     /// The smallest rectangle of all pixels in which two pictures of this width differ. Without any it is the first pixel, because a frame
@@ -36,12 +31,7 @@ impl Patch {
             [left.min(first), right.max(last), top, y]
         };
         let [left, right, top, bottom] = changes.reduce(around).unwrap_or_default();
-        Self {
-            left,
-            top,
-            width: right - left + 1,
-            height: bottom - top + 1,
-        }
+        Self { left, top, width: right - left + 1, height: bottom - top + 1 }
     }
 
     /// Its pixels of a picture of this width.

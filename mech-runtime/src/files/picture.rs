@@ -71,10 +71,7 @@ impl<'a> Picture<'a> {
         if self.size == expected {
             Ok(self)
         } else {
-            Err(FileError::OtherSize {
-                expected,
-                found: self.size,
-            })
+            Err(FileError::OtherSize { expected, found: self.size })
         }
     }
 
@@ -84,11 +81,7 @@ impl<'a> Picture<'a> {
         if width == 0 || height == 0 {
             return Err(FileError::Empty);
         }
-        match (
-            width.max(height) <= most,
-            N::try_from(width),
-            N::try_from(height),
-        ) {
+        match (width.max(height) <= most, N::try_from(width), N::try_from(height)) {
             (true, Ok(width), Ok(height)) => Ok([width, height]),
             _ => Err(FileError::TooLarge { most }),
         }
@@ -98,19 +91,13 @@ impl<'a> Picture<'a> {
 impl<'a, M: Memory> From<&'a Indexed<M>> for Picture<'a> {
     fn from(frame: &'a Indexed<M>) -> Self {
         let grid = frame.grid();
-        Self {
-            size: grid.size(),
-            pixels: Pixels::Indexed(grid.all(), frame.palette()),
-        }
+        Self { size: grid.size(), pixels: Pixels::Indexed(grid.all(), frame.palette()) }
     }
 }
 
 impl<'a, M: Memory> From<&'a Soft<M>> for Picture<'a> {
     fn from(picture: &'a Soft<M>) -> Self {
         let grid = picture.grid();
-        Self {
-            size: grid.size(),
-            pixels: Pixels::Rgba(grid.all()),
-        }
+        Self { size: grid.size(), pixels: Pixels::Rgba(grid.all()) }
     }
 }

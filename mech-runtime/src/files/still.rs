@@ -50,9 +50,7 @@ impl Picture<'_> {
             }
             Pixels::Rgba(pixels) if pixels.iter().all(|pixel| pixel[3] == u8::MAX) => {
                 encoder.set_color(png::ColorType::Rgb);
-                let colors = pixels
-                    .iter()
-                    .map(|&[red, green, blue, _]| [red, green, blue]);
+                let colors = pixels.iter().map(|&[red, green, blue, _]| [red, green, blue]);
                 opaque = colors.flatten().collect();
                 &opaque
             }

@@ -40,10 +40,7 @@ impl Table {
         if has_as_before {
             colors.insert(usize::from(Self::AS_BEFORE), [0; 3]);
         }
-        Self {
-            colors,
-            has_as_before,
-        }
+        Self { colors, has_as_before }
     }
 
     /// Whether it has an entry that means "as before".
@@ -69,9 +66,8 @@ impl Table {
     /// The first colour that the table lacks.
     pub(super) fn entries(&self, pixels: &[u8], palette: &Palette) -> Result<Vec<u8>, [u8; 3]> {
         let entries: [Option<u8>; 256] = palette.entries().map(|color| self.entry(color));
-        let entries = pixels
-            .iter()
-            .map(|&pixel| entries[usize::from(pixel)].ok_or(palette.rgb(pixel)));
+        let entries =
+            pixels.iter().map(|&pixel| entries[usize::from(pixel)].ok_or(palette.rgb(pixel)));
         entries.collect()
     }
 }

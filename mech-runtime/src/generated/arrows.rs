@@ -27,11 +27,9 @@ pub fn draw_accelerations<T: Scalar, const LINKS: usize>(
     canvas: &mut impl Canvas<T>,
 ) {
     for (index, point) in on_links(points) {
-        if let (Some(&pose), Some(velocity), Some(acceleration)) = (
-            poses.get(index),
-            velocities.get(index),
-            accelerations.get(index),
-        ) {
+        if let (Some(&pose), Some(velocity), Some(acceleration)) =
+            (poses.get(index), velocities.get(index), accelerations.get(index))
+        {
             let vector = acceleration.of_point(pose, velocity.angular, point);
             arrows.draw(canvas, pose.apply(point), vector);
         }
@@ -68,7 +66,5 @@ pub fn draw_force<T: Scalar, const LINKS: usize>(
 
 /// The places of points among poses and rates, and where they are in their links.
 fn on_links<T: Scalar>(points: &[Spot<T>]) -> impl Iterator<Item = (usize, [T; 2])> + '_ {
-    points
-        .iter()
-        .filter_map(|point| Some((point.link.checked_sub(1)?, point.at)))
+    points.iter().filter_map(|point| Some((point.link.checked_sub(1)?, point.at)))
 }

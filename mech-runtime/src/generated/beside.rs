@@ -40,13 +40,7 @@ where
     T: Scalar,
     R: Interpolated<T>,
 {
-    let beside = Beside {
-        limits,
-        here,
-        step_full,
-        step,
-        rates: PhantomData,
-    };
+    let beside = Beside { limits, here, step_full, step, rates: PhantomData };
     limit::rates(&beside, here)
 }
 
@@ -70,11 +64,7 @@ where
         let sines = sines.filter_map(|watched| position.state.get(watched.sine));
         // No sine is greater.
         let least = |least, sine: &T| {
-            if Real::abs(*sine) < least {
-                Real::abs(*sine)
-            } else {
-                least
-            }
+            if Real::abs(*sine) < least { Real::abs(*sine) } else { least }
         };
         sines.fold(T::ONE, least)
     }

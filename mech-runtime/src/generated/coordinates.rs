@@ -66,10 +66,7 @@ pub fn slide_rate<T: Scalar>(
     at_end: Velocity<T>,
 ) -> T {
     let ([x, y], [p, q]) = (heading(from), span(from, to));
-    let ([a, b], [c, d]) = (
-        at_start.of_point(from.0, from.1),
-        at_end.of_point(to.0, to.1),
-    );
+    let ([a, b], [c, d]) = (at_start.of_point(from.0, from.1), at_end.of_point(to.0, to.1));
     (c - a) * x + (d - b) * y + at_start.angular * (q * x - p * y)
 }
 
@@ -82,14 +79,9 @@ pub fn slide_acceleration<T: Scalar>(
 ) -> T {
     let ([x, y], [p, q]) = (heading(from), span(from, to));
     let turning = start_rate.angular;
-    let ([a, b], [c, d]) = (
-        start_rate.of_point(from.0, from.1),
-        end_rate.of_point(to.0, to.1),
-    );
-    let ([e, f], [g, h]) = (
-        start.of_point(from.0, turning, from.1),
-        end.of_point(to.0, end_rate.angular, to.1),
-    );
+    let ([a, b], [c, d]) = (start_rate.of_point(from.0, from.1), end_rate.of_point(to.0, to.1));
+    let ([e, f], [g, h]) =
+        (start.of_point(from.0, turning, from.1), end.of_point(to.0, end_rate.angular, to.1));
     let across = (d - b) * x - (c - a) * y;
     (g - e) * x + (h - f) * y + turning * (across + across) + start.angular * (q * x - p * y)
         - turning * turning * (p * x + q * y)

@@ -68,12 +68,9 @@ struct Tableau<T> {
 impl<T: Scalar> Tableau<T> {
     fn of(method: GaussLegendre) -> Self {
         let (count, times, weights, rates) = match method {
-            GaussLegendre::Order2 => (
-                1,
-                [0.5, 0.0, 0.0],
-                [1.0, 0.0, 0.0],
-                [[0.5, 0.0, 0.0], [0.0; 3], [0.0; 3]],
-            ),
+            GaussLegendre::Order2 => {
+                (1, [0.5, 0.0, 0.0], [1.0, 0.0, 0.0], [[0.5, 0.0, 0.0], [0.0; 3], [0.0; 3]])
+            }
             GaussLegendre::Order4 => {
                 // √3 / 6
                 let part = 0.288_675_134_594_812_9;
@@ -126,9 +123,7 @@ impl<T: Scalar> Tableau<T> {
     fn stages(&self) -> impl Iterator<Item = (T, [T; STAGES], [T; STAGES])> + '_ {
         let shares = self.places.iter().zip(&self.rates);
         let stages = self.times.iter().zip(shares);
-        stages
-            .map(|(at, (places, rates))| (*at, *places, *rates))
-            .take(self.count)
+        stages.map(|(at, (places, rates))| (*at, *places, *rates)).take(self.count)
     }
 }
 
@@ -160,21 +155,11 @@ where
     let tableau = Tableau::<T>::of(method);
     let mut position = *start;
     let inertia = to(&mut position, start.motors, moment.rates)?;
-    let accelerations = inertia
-        .accelerations(moment.torques, inputs)
-        .map_err(refuse)?;
-    let mut now = Simulated {
-        position,
-        rates: moment.rates,
-        accelerations,
-    };
+    let accelerations = inertia.accelerations(moment.torques, inputs).map_err(refuse)?;
+    let mut now = Simulated { position, rates: moment.rates, accelerations };
     let (mut done, mut part, mut halvings) = (T::ZERO, T::ONE, 0);
     while done < T::ONE {
-        let rest = Moment {
-            rates: now.rates,
-            time: moment.time * part,
-            ..*moment
-        };
+        let rest = Moment { rates: now.rates, time: moment.time * part, ..*moment };
         match step(&now, &rest, &tableau, &to) {
             Ok(there) => {
                 now = there;
@@ -231,13 +216,7 @@ fn step<T, const I: usize, const M: usize, const L: usize, const K: usize>(
 where
     T: Scalar,
 {
-    let Moment {
-        rates,
-        torques,
-        time,
-        inputs,
-        ..
-    } = *moment;
+    let Moment { rates, torques, time, inputs, .. } = *moment;
     let mut position = start.position;
     let motors = position.motors;
     let refuse = |stop| start.position.refuse(stop, inputs);
@@ -266,16 +245,8 @@ where
         // To rounding, or as near as possible: where forces cancel each other, until nothing is displaced.
         let is_near = change.of_rates <= near || change.of_places <= hidden;
         let is_exact = change.of_rates <= <T as Real>::from_f64(T::EPSILON);
-        stalled = if change.of_rates < least {
-            0
-        } else {
-            stalled + 1
-        };
-        least = if change.of_rates < least {
-            change.of_rates
-        } else {
-            least
-        };
+        stalled = if change.of_rates < least { 0 } else { stalled + 1 };
+        least = if change.of_rates < least { change.of_rates } else { least };
         let is_stalled = stalled >= STALLED && change.of_rates <= small;
         settled = is_exact || (change.of_rates >= before && is_near) || is_stalled;
         if settled || stalled >= HOPELESS {
@@ -293,21 +264,15 @@ where
     let inertia = to(&mut position, displace(motors, displacement), speed)?;
     let accelerations = inertia.accelerations(torques, inputs).map_err(refuse)?;
     super::finite(speed, inputs).map_err(|_| refuse(Stop::new("", Cause::Overflow)))?;
-    Ok(Simulated {
-        position,
-        rates: speed,
-        accelerations,
-    })
+    Ok(Simulated { position, rates: speed, accelerations })
 }
 
 /// An iteration that diverges means that the step is too long.
 fn too_long<M>(blocked: Blocked<M>) -> Blocked<M> {
     match blocked.cause {
-        Cause::Overflow | Cause::TooFar => Blocked {
-            place: "",
-            cause: Cause::StepTooLong,
-            ..blocked
-        },
+        Cause::Overflow | Cause::TooFar => {
+            Blocked { place: "", cause: Cause::StepTooLong, ..blocked }
+        }
         _ => blocked,
     }
 }
@@ -377,9 +342,6 @@ impl<T: Scalar> Change<T> {
                 }
             }
         }
-        Self {
-            of_rates,
-            of_places,
-        }
+        Self { of_rates, of_places }
     }
 }

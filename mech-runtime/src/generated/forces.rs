@@ -22,9 +22,7 @@ impl<T: Scalar, const MOTORS: usize> Rates for Holding<T, MOTORS> {
 
 impl<T: Scalar, const MOTORS: usize> Interpolated<T> for Holding<T, MOTORS> {
     fn interpolate(nodes: [&Self; NODES], by: &mut impl FnMut([T; NODES]) -> T) -> Self {
-        Self {
-            torques: row(nodes.map(|node| &node.torques), by),
-        }
+        Self { torques: row(nodes.map(|node| &node.torques), by) }
     }
 }
 
@@ -49,12 +47,10 @@ impl<T: Scalar, const M: usize, const J: usize, const L: usize, const D: usize> 
     fn interpolate(nodes: [&Self; NODES], by: &mut impl FnMut([T; NODES]) -> T) -> Self {
         Self {
             torques: row(nodes.map(|node| &node.torques), by),
-            reactions: array(nodes.map(|node| &node.reactions), Reaction::NONE, |nodes| {
-                Reaction {
-                    x: by(nodes.map(|reaction| reaction.x)),
-                    y: by(nodes.map(|reaction| reaction.y)),
-                    torque: by(nodes.map(|reaction| reaction.torque)),
-                }
+            reactions: array(nodes.map(|node| &node.reactions), Reaction::NONE, |nodes| Reaction {
+                x: by(nodes.map(|reaction| reaction.x)),
+                y: by(nodes.map(|reaction| reaction.y)),
+                torque: by(nodes.map(|reaction| reaction.torque)),
             }),
             velocity_ratios: rows(nodes.map(|node| &node.velocity_ratios), by),
             // It is not smooth where it is zero; its square is.
@@ -143,11 +139,7 @@ impl<T: Scalar, const MOTORS: usize> Inertia<T, MOTORS> {
             }
             sums[pivot] = sum / rows[pivot][pivot];
         }
-        if all_finite(&sums) {
-            Ok(sums)
-        } else {
-            Err(Stop::new("", Cause::Overflow))
-        }
+        if all_finite(&sums) { Ok(sums) } else { Err(Stop::new("", Cause::Overflow)) }
     }
 }
 

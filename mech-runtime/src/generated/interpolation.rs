@@ -36,9 +36,8 @@ pub(super) fn array<E: Copy, const COUNT: usize>(
 /// Whether numbers are so small that their products with other rates and lengths are finite.
 #[inline]
 fn leave_room<T: Scalar>(rates: impl Iterator<Item = [T; 3]>) -> bool {
-    let sum = rates.fold(T::ZERO, |sum, [a, b, c]| {
-        sum + (Real::abs(a) + Real::abs(b) + Real::abs(c))
-    });
+    let sum =
+        rates.fold(T::ZERO, |sum, [a, b, c]| sum + (Real::abs(a) + Real::abs(b) + Real::abs(c)));
     Real::is_finite(sum * sum * sum)
 }
 

@@ -89,12 +89,7 @@ pub fn reach<
     if let Some((_, input)) = named.find(|(number, _)| !Real::is_finite(**number)) {
         return Err(led.blocked(Stop::new(input.name(), Cause::NotFinite), led.here));
     }
-    let mut way = Way {
-        mechanism,
-        inverse,
-        led,
-        coordinates,
-    };
+    let mut way = Way { mechanism, inverse, led, coordinates };
     if way.led.agree(way.mechanism.position, way.inverse.position) {
         let end = way.led.nearest(place, &way.inverse.position.motors);
         if way.go_at_once(end)?.is_none() {
@@ -150,12 +145,7 @@ where
     /// # Errors
     /// If a loop cannot be closed on the way.
     fn go_at_once(&mut self, place: [T; N]) -> Result<Option<Stop>, Blocked<[T; N]>> {
-        let Self {
-            mechanism,
-            inverse,
-            led,
-            coordinates,
-        } = self;
+        let Self { mechanism, inverse, led, coordinates } = self;
         let start = *inverse.position;
         let (target, limits) = (led.inputs(&start.motors, place), inverse.limits);
         let at = &mut *inverse.position;
@@ -360,11 +350,8 @@ impl<T: Scalar, const N: usize> Led<T, N> {
             if is_turning {
                 // Both count whole turns from a beginning of their own.
                 let apart = value - before;
-                let apart = if apart.abs() <= T::HALF * T::TURN {
-                    0
-                } else {
-                    apart.whole_turns()?.0
-                };
+                let apart =
+                    if apart.abs() <= T::HALF * T::TURN { 0 } else { apart.whole_turns()?.0 };
                 let (value, turns) = motors::reduced(after, turns.checked_add(apart)?);
                 motors.set(motor, value, turns);
             } else {
@@ -394,10 +381,7 @@ where
         });
         // Two links turn, and an arc is a little longer than its chord.
         let lost = turned * T::from_f64(2.1);
-        if !self
-            .limits
-            .are_far(self.position, T::from_f64(LEAST_SINE) + lost)
-        {
+        if !self.limits.are_far(self.position, T::from_f64(LEAST_SINE) + lost) {
             return false;
         }
         let position = &mut *self.position;
@@ -456,11 +440,7 @@ where
         self.limits.stand_away(&mut from);
         let going = Move::new(self.limits, self.position, motors, &self.step);
         let goal = (motors, poses, size);
-        let mut nearest = Nearest {
-            from,
-            found: None,
-            apart: usize::MAX,
-        };
+        let mut nearest = Nearest { from, found: None, apart: usize::MAX };
         nearest.consider(&going, goal, from.state);
         for watched in &self.limits.watched {
             let mut state = nearest.from.state;
@@ -526,11 +506,7 @@ impl<T: Scalar, const M: usize, const L: usize, const K: usize> Nearest<T, M, L,
         let apart = apart(&found.poses, poses, size);
         let is_nearer = apart < self.apart;
         if is_nearer {
-            *self = Self {
-                from,
-                found: Some(found),
-                apart,
-            };
+            *self = Self { from, found: Some(found), apart };
         }
         is_nearer
     }
@@ -539,9 +515,7 @@ impl<T: Scalar, const M: usize, const L: usize, const K: usize> Nearest<T, M, L,
 /// The number of links that are elsewhere, by more than rounding tears loops that are nearly straight.
 fn apart<T: Scalar>(poses: &[Pose<T>], wanted: &[Pose<T>], size: T) -> usize {
     let rounding = T::from_f64(16.0 * Real::sqrt(T::EPSILON));
-    let size = wanted
-        .iter()
-        .fold(size, |size, pose| size.max(pose.x.abs()).max(pose.y.abs()));
+    let size = wanted.iter().fold(size, |size, pose| size.max(pose.x.abs()).max(pose.y.abs()));
     let is_apart = |(a, b): &(&Pose<T>, &Pose<T>)| {
         let turned = (a.cos - b.cos).abs().max((a.sin - b.sin).abs());
         let moved = (a.x - b.x).abs().max((a.y - b.y).abs());

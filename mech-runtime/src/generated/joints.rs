@@ -21,10 +21,7 @@ pub const fn pins<T: Copy, const N: usize>(
     let mut row = 0;
     while row < N {
         let (name, [a, b], [at, other]) = rows[row];
-        let anchors = [
-            Anchor::new(Some(a), at, along),
-            Anchor::new(Some(b), other, along),
-        ];
+        let anchors = [Anchor::new(Some(a), at, along), Anchor::new(Some(b), other, along)];
         joints[row] = JointInfo::new(
             name,
             JointKind::Revolute,

@@ -35,13 +35,7 @@ where
         target: Motors<T, M>,
         step: &'a S,
     ) -> Self {
-        Self {
-            displacements: start.motors.displacement_to(&target),
-            limits,
-            start,
-            target,
-            step,
-        }
+        Self { displacements: start.motors.displacement_to(&target), limits, start, target, step }
     }
 
     #[inline]
@@ -130,8 +124,7 @@ where
 
     #[inline]
     fn sine(&self, position: &Self::Position, index: usize) -> T {
-        self.state(position, index, |watched| watched.sine)
-            .unwrap_or(T::ONE)
+        self.state(position, index, |watched| watched.sine).unwrap_or(T::ONE)
     }
 
     #[inline]
@@ -165,27 +158,17 @@ where
 
     #[inline]
     fn turn_growth(&self, index: usize) -> impl Iterator<Item = Growth<T>> {
-        let growth = self
-            .limits
-            .follows
-            .get(index)
-            .map(|followed| followed.growth);
+        let growth = self.limits.follows.get(index).map(|followed| followed.growth);
         growth.into_iter().flatten().copied()
     }
 
     #[inline]
     fn input(&self, position: &Self::Position, input: usize) -> T {
-        position
-            .motors
-            .total()
-            .get(input)
-            .copied()
-            .unwrap_or(T::ZERO)
+        position.motors.total().get(input).copied().unwrap_or(T::ZERO)
     }
 
     fn rounding_square(&self, position: &Self::Position, index: usize) -> T {
-        self.state(position, index, |watched| watched.rounding_square)
-            .unwrap_or(T::ZERO)
+        self.state(position, index, |watched| watched.rounding_square).unwrap_or(T::ZERO)
     }
 
     fn turn_over(&self, position: &mut Self::Position, index: usize) {
@@ -216,12 +199,7 @@ where
         }
         let watched = self.limits.watched.iter();
         let watched = watched.map(|watched| [watched.sine, watched.rounding_square]);
-        motors::mirror_state(
-            &mut beyond.state,
-            &before.state,
-            self.limits.motion_signs,
-            &watched,
-        );
+        motors::mirror_state(&mut beyond.state, &before.state, self.limits.motion_signs, &watched);
         beyond
     }
 
@@ -256,18 +234,12 @@ where
 
     #[inline]
     fn pieces(&self) -> T {
-        motors::pieces(
-            self.limits.max_steps.into_iter().flatten(),
-            &self.displacements,
-        )
+        motors::pieces(self.limits.max_steps.into_iter().flatten(), &self.displacements)
     }
 
     #[inline]
     fn is_one_piece(&self) -> bool {
-        motors::in_one_piece(
-            self.limits.max_steps.into_iter().flatten(),
-            &self.displacements,
-        )
+        motors::in_one_piece(self.limits.max_steps.into_iter().flatten(), &self.displacements)
     }
 
     fn subdivides(&self) -> bool {

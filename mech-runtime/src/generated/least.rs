@@ -54,11 +54,7 @@ pub fn reach_least<
     given: impl Fn(&Position<T, M, L, K>) -> [T; G],
     influence: impl Fn(&Position<T, M, L, K>, [T; RATES]) -> Result<[T; G], Stop>,
 ) -> Result<(), Blocked<[T; G]>> {
-    let Mover {
-        position,
-        limits,
-        step,
-    } = mechanism;
+    let Mover { position, limits, step } = mechanism;
     let start = *position;
     let here = given(&start);
     let blocked =
@@ -168,10 +164,8 @@ impl<T: Scalar, const N: usize, const G: usize> Surplus<T, N, G> {
         influence: &impl Fn(&Position<T, M, L, K>, [T; RATES]) -> Result<[T; G], Stop>,
         go: impl Fn(&Position<T, M, L, K>, super::Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
     ) -> Result<Position<T, M, L, K>, Stop> {
-        let chosen = |all: [T; M]| {
-            self.motors
-                .map(|motor| all.get(motor).copied().unwrap_or(T::ZERO))
-        };
+        let chosen =
+            |all: [T; M]| self.motors.map(|motor| all.get(motor).copied().unwrap_or(T::ZERO));
         let origin = chosen(from.motors.total());
         let (mut at, mut held, mut settles) = (*from, [None; N], false);
         for _ in 0..MOST_ROUNDS {

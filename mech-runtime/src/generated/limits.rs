@@ -97,9 +97,7 @@ impl<T: Scalar, const MOTORS: usize, const WATCHED: usize> MoveLimits<T, MOTORS,
         &self,
         position: &Position<T, MOTORS, L, K>,
     ) -> bool {
-        let mut sines = self
-            .passing()
-            .filter_map(|watched| position.state.get(watched.sine));
+        let mut sines = self.passing().filter_map(|watched| position.state.get(watched.sine));
         sines.any(|sine| limit::is_near(*sine))
     }
 
@@ -199,11 +197,7 @@ impl<T: Scalar, const MOTORS: usize, const WATCHED: usize> MoveLimits<T, MOTORS,
         let mut reached = start;
         for (index, (value, displacement)) in reached.iter_mut().zip(displacements).enumerate() {
             // Rounding must not carry the motor beyond the end of its range.
-            *value = if index == motor {
-                bound
-            } else {
-                *value + displacement * part
-            };
+            *value = if index == motor { bound } else { *value + displacement * part };
         }
         let stop = Stop::new(input.name(), Cause::OutOfRange);
         Some((stop, Motors::new(reached)))

@@ -59,14 +59,7 @@ pub fn closed<T: Scalar, const N: usize>(
     if is_closed && det >= floor {
         Ok(())
     } else {
-        Err(Stop::new(
-            place,
-            if is_closed {
-                Cause::DeadPoint
-            } else {
-                Cause::Open
-            },
-        ))
+        Err(Stop::new(place, if is_closed { Cause::DeadPoint } else { Cause::Open }))
     }
 }
 

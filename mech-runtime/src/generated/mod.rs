@@ -123,9 +123,6 @@ pub fn paint_symbols<T: Scalar>(
 #[track_caller]
 #[must_use]
 pub fn instance_number(name: &str, k: usize, count: usize) -> usize {
-    assert!(
-        k < count,
-        "`{name}` has {count} instances; there is no `{name}({k})`"
-    );
+    assert!(k < count, "`{name}` has {count} instances; there is no `{name}({k})`");
     k
 }

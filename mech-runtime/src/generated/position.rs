@@ -18,10 +18,7 @@ impl<T: Scalar, const MOTORS: usize> Motors<T, MOTORS> {
     #[must_use]
     #[inline]
     pub const fn new(values: [T; MOTORS]) -> Self {
-        Self {
-            values,
-            turns: [0; MOTORS],
-        }
+        Self { values, turns: [0; MOTORS] }
     }
 
     /// The values in radians or scene units, whole turns among them.
@@ -51,11 +48,7 @@ impl<T: Scalar, const MOTORS: usize> Motors<T, MOTORS> {
     /// If it is beyond 2³¹ turns.
     pub fn turn(&mut self, motor: usize, phase: Phase, name: &'static str) -> Result<(), Stop> {
         let (turns, remainder) = <T as Real>::of_phase(phase);
-        match (
-            i32::try_from(turns),
-            self.values.get_mut(motor),
-            self.turns.get_mut(motor),
-        ) {
+        match (i32::try_from(turns), self.values.get_mut(motor), self.turns.get_mut(motor)) {
             (Ok(turns), Some(value), Some(whole)) => {
                 (*value, *whole) = (remainder, turns);
                 Ok(())

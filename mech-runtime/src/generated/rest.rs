@@ -54,10 +54,7 @@ pub fn come_to_rest<
 where
     T: Scalar,
 {
-    let mut falling = Falling {
-        position: *position,
-        to,
-    };
+    let mut falling = Falling { position: *position, to };
     let infinity = <T as Real>::from_f64(f64::INFINITY);
     let mut ends = [[-infinity, infinity]; M];
     if let Some(range) = &limits.range {

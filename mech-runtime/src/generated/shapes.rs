@@ -14,11 +14,7 @@ pub const fn shapes<T: Copy, const N: usize>(
     points: &'static [[T; 2]],
     wheels: &[&'static [[T; 2]]],
 ) -> [Shape<T>; N] {
-    let nothing = Shape {
-        link: 0,
-        outline: Outline::Polygon(&[]),
-        color: 0,
-    };
+    let nothing = Shape { link: 0, outline: Outline::Polygon(&[]), color: 0 };
     let mut shapes = [nothing; N];
     let (mut numbers, mut points) = (numbers, points);
     let mut row = 0;
@@ -33,11 +29,7 @@ pub const fn shapes<T: Copy, const N: usize>(
             1 => {
                 let [x, y, radius, hole] = take(&mut numbers);
                 let center = [x, y];
-                Outline::Ring {
-                    center,
-                    radius,
-                    hole,
-                }
+                Outline::Ring { center, radius, hole }
             }
             2 => Outline::Polygon(take_points(&mut points, count)),
             3 => {
@@ -47,12 +39,7 @@ pub const fn shapes<T: Copy, const N: usize>(
             }
             4 => {
                 let [x, y, u, v, angle, width] = take(&mut numbers);
-                Outline::Arc {
-                    center: [x, y],
-                    start: [u, v],
-                    angle,
-                    width,
-                }
+                Outline::Arc { center: [x, y], start: [u, v], angle, width }
             }
             _ => Outline::Polygon(wheels[count]),
         };
@@ -61,11 +48,7 @@ pub const fn shapes<T: Copy, const N: usize>(
             reason = "an entry of the palette, which has 256 at most"
         )]
         let color = color as u8;
-        shapes[row] = Shape {
-            link,
-            outline,
-            color,
-        };
+        shapes[row] = Shape { link, outline, color };
         row += 1;
     }
     shapes

@@ -35,10 +35,7 @@ pub const fn rounded_f64<const ALL: usize>(corners: [[f64; 2]; ALL]) -> [[f64; 2
 
 /// The corners in single precision.
 #[must_use]
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "rounding is what is asked for"
-)]
+#[expect(clippy::cast_possible_truncation, reason = "rounding is what is asked for")]
 pub const fn rounded_f32<const ALL: usize>(corners: [[f64; 2]; ALL]) -> [[f32; 2]; ALL] {
     let mut rounded = [[0.0; 2]; ALL];
     let mut corner = 0;

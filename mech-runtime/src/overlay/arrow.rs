@@ -20,11 +20,7 @@ impl<T: Scalar> Arrows<T> {
     #[must_use]
     pub const fn new(length: T, color: u8) -> Self {
         let size = 1.0;
-        Self {
-            length,
-            color,
-            size,
-        }
+        Self { length, color, size }
     }
 
     /// Sets the thickness relative to the usual one, 1. A size that is not finite and positive becomes 1.
@@ -99,9 +95,7 @@ pub(super) fn turn<T: Scalar>(
     let shorter = side * <T as Real>::from_f64(f64::from(0.8 * HEAD[0] / radius));
     pen.arc(canvas, spot, [[T::ZERO; 2], start], angle - shorter, MEDIUM);
     // A tangent at the end would point out of the circle: half of the head's angle is taken back.
-    let (sin, cos) = Real::sin_cos(<T as Real>::from_f64(
-        LOW + 0.5 * f64::from(HEAD[0] / radius),
-    ));
+    let (sin, cos) = Real::sin_cos(<T as Real>::from_f64(LOW + 0.5 * f64::from(HEAD[0] / radius)));
     let own = looking(end, [side * sin, -cos]);
     head(pen, canvas, Spot { own, ..spot }, 1.0);
 }

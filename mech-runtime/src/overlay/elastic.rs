@@ -61,21 +61,9 @@ pub(super) fn damper<T: Scalar>(
     let (open, closed) = (middle - half, middle + half);
     let [left, right] = [beside + width, beside - width];
     pen.path(canvas, spot, [[0.0, 0.0], [lead, beside], [middle, beside]]);
-    pen.path(
-        canvas,
-        spot,
-        [[middle, beside - PISTON], [middle, beside + PISTON]],
-    );
-    pen.path(
-        canvas,
-        spot,
-        [[open, left], [closed, left], [closed, right], [open, right]],
-    );
-    pen.path(
-        canvas,
-        spot,
-        [[closed, beside], [length - lead, beside], [length, 0.0]],
-    );
+    pen.path(canvas, spot, [[middle, beside - PISTON], [middle, beside + PISTON]]);
+    pen.path(canvas, spot, [[open, left], [closed, left], [closed, right], [open, right]]);
+    pen.path(canvas, spot, [[closed, beside], [length - lead, beside], [length, 0.0]]);
 }
 
 /// A spiral about a pin.
@@ -113,12 +101,7 @@ pub(super) fn torsion_damper<T: Scalar>(pen: &Pen<T>, canvas: &mut dyn Canvas<T>
     arc(BEGIN, RADIUS + HALF, 60.0, MEDIUM);
     arc([1.0, 0.0], RADIUS, 90.0, THIN);
     arc(END, RADIUS, 60.0, THIN);
-    let across = |direction, half| {
-        [
-            away(direction, RADIUS - half),
-            away(direction, RADIUS + half),
-        ]
-    };
+    let across = |direction, half| [away(direction, RADIUS - half), away(direction, RADIUS + half)];
     pen.path(canvas, spot, across(END, HALF));
     pen.path(canvas, spot, across(MIDDLE, 0.6 * HALF));
 }

@@ -71,14 +71,9 @@ impl Overlay {
     /// The symbols of joints and motors in ink, for a mechanism whose links have shapes.
     #[must_use]
     pub const fn new() -> Self {
-        Self {
-            wanted: [false; 4],
-            size: 1.0,
-            ink: Palette::INK,
-            paper: Palette::EYE,
-        }
-        .joints(true)
-        .motors(true)
+        Self { wanted: [false; 4], size: 1.0, ink: Palette::INK, paper: Palette::EYE }
+            .joints(true)
+            .motors(true)
     }
 
     /// Chooses whether links are drawn as bars between their joints and gears as pitch circles, for a diagram without shapes.
@@ -148,9 +143,5 @@ impl Default for Overlay {
 
 /// The size, or 1 if it is not finite and positive.
 const fn usable(size: f32) -> f32 {
-    if size.is_finite() && size > 0.0 {
-        size
-    } else {
-        1.0
-    }
+    if size.is_finite() && size > 0.0 { size } else { 1.0 }
 }

@@ -54,11 +54,7 @@ impl<T: Scalar> Spot<T> {
 
 impl<T: Scalar> Pen<T> {
     pub(super) fn new(canvas: &dyn Canvas<T>, size: f32, ink: u8, paper: u8) -> Self {
-        Self {
-            pixel: T::from_f32(size) / canvas.scale(),
-            ink,
-            paper,
-        }
+        Self { pixel: T::from_f32(size) / canvas.scale(), ink, paper }
     }
 
     /// Converts pixels to scene units.
@@ -144,10 +140,8 @@ impl<T: Scalar> Pen<T> {
     }
 
     fn disc(&self, canvas: &mut dyn Canvas<T>, spot: Spot<T>, radius: f32, color: u8) {
-        let circle = Outline::Circle {
-            center: [spot.own.x, spot.own.y],
-            radius: self.pixels(radius),
-        };
+        let circle =
+            Outline::Circle { center: [spot.own.x, spot.own.y], radius: self.pixels(radius) };
         canvas.fill(circle, spot.pose, color);
     }
 

@@ -94,12 +94,7 @@ pub(super) fn draw<T: Scalar>(
             let [a, b] = centers;
             belt(pen, canvas, [place(a, poses)?, place(b, poses)?], radii);
         }
-        Symbol::Rack {
-            pinion,
-            radius,
-            bar,
-            along,
-        } => {
+        Symbol::Rack { pinion, radius, bar, along } => {
             let bar = pose(bar, along, poses)?;
             rack(pen, canvas, place(pinion, poses)?, radius, bar);
         }
@@ -117,11 +112,7 @@ pub(super) fn draw<T: Scalar>(
             pen.stroke(canvas, spot, [[-7.0, 0.0], [7.0, 0.0]], THIN);
             pen.stroke(canvas, spot, [[0.0, -7.0], [0.0, 7.0]], THIN);
         }
-        Symbol::Slide {
-            guide,
-            along,
-            block,
-        } => {
+        Symbol::Slide { guide, along, block } => {
             let (rail, at) = (pose(guide, along, poses)?, place(block, poses)?);
             let line = directed(guide, along, poses)?;
             slide(pen, canvas, rail, at, (guide.link > 0).then_some(line));
@@ -138,14 +129,12 @@ pub(super) fn draw<T: Scalar>(
             }
             pen.eye(canvas, at, PIVOT);
         }
-        Symbol::Spring {
-            ends: [a, b],
-            beside,
-        } => elastic::spring(pen, canvas, [place(a, poses)?, place(b, poses)?], beside),
-        Symbol::Damper {
-            ends: [a, b],
-            beside,
-        } => elastic::damper(pen, canvas, [place(a, poses)?, place(b, poses)?], beside),
+        Symbol::Spring { ends: [a, b], beside } => {
+            elastic::spring(pen, canvas, [place(a, poses)?, place(b, poses)?], beside)
+        }
+        Symbol::Damper { ends: [a, b], beside } => {
+            elastic::damper(pen, canvas, [place(a, poses)?, place(b, poses)?], beside)
+        }
         Symbol::TorsionSpring(spot) => elastic::torsion_spring(pen, canvas, place(spot, poses)?),
         Symbol::TorsionDamper(spot) => elastic::torsion_damper(pen, canvas, place(spot, poses)?),
         Symbol::Cam(spot) => {
@@ -156,18 +145,10 @@ pub(super) fn draw<T: Scalar>(
             let spot = directed(at, along, poses)?;
             let [half, height] = WEDGE;
             let first = [-half, -height];
-            pen.path(
-                canvas,
-                spot,
-                [first, [half, -height], [half, height], first],
-            );
+            pen.path(canvas, spot, [first, [half, -height], [half, height], first]);
         }
         Symbol::RotaryMotor(spot) => turn(pen, canvas, place(spot, poses)?, true, 16.0),
-        Symbol::LinearMotor {
-            block,
-            guide,
-            along,
-        } => {
+        Symbol::LinearMotor { block, guide, along } => {
             let along = Pose::of_link(guide, poses)?.turn(along);
             let at = place(block, poses)?;
             slide_arrow(pen, canvas, looking(at, along));
@@ -179,16 +160,9 @@ pub(super) fn draw<T: Scalar>(
 /// The triangle and the hatched base of a fixed pivot.
 fn stand<T: Scalar>(pen: &Pen<T>, canvas: &mut dyn Canvas<T>, spot: pen::Spot<T>) {
     let [height, half, base] = STAND;
-    pen.figure(
-        canvas,
-        spot,
-        [[0.0, 0.0], [half, -height], [-half, -height]],
-    );
+    pen.figure(canvas, spot, [[0.0, 0.0], [half, -height], [-half, -height]]);
     pen.stroke(canvas, spot, [[-base, -height], [base, -height]], MEDIUM);
-    let own = looking(
-        spot.own.apply([T::ZERO, -pen.pixels(height)]),
-        [T::ONE, T::ZERO],
-    );
+    let own = looking(spot.own.apply([T::ZERO, -pen.pixels(height)]), [T::ONE, T::ZERO]);
     let floor = pen::Spot { own, ..spot };
     pen.hatch(canvas, floor, (HATCH - base, HATCH, 5), -1.0);
 }
@@ -208,16 +182,8 @@ fn slide<T: Scalar>(
     let [offset, _] = guide.relative(at);
     if let Some(line) = line {
         let reach = pen.pixels(2.0 * half);
-        let least = if offset < reach {
-            offset - reach
-        } else {
-            T::ZERO
-        };
-        let most = if offset > -reach {
-            offset + reach
-        } else {
-            T::ZERO
-        };
+        let least = if offset < reach { offset - reach } else { T::ZERO };
+        let most = if offset > -reach { offset + reach } else { T::ZERO };
         pen.line(canvas, line, [[least, T::ZERO], [most, T::ZERO]], BOLD);
     } else {
         // The rail lies below, or to the right where it is upright.
@@ -231,23 +197,14 @@ fn slide<T: Scalar>(
         let floor = pen::Spot::at(looking(at, along));
         pen.hatch(canvas, floor, (HATCH - RAIL, HATCH, 14), side);
     }
-    let corners = [
-        [-half, -height],
-        [half, -height],
-        [half, height],
-        [-half, height],
-    ];
+    let corners = [[-half, -height], [half, -height], [half, height], [-half, height]];
     pen.figure(canvas, block, corners);
 }
 
 /// The fractional part of a number, above the whole number below it; of a number that is not finite, zero.
 fn fraction<T: Scalar>(number: T) -> f32 {
     let remainder = number - Scalar::floor(number);
-    if Real::is_finite(remainder) {
-        remainder.to_f32()
-    } else {
-        0.0
-    }
+    if Real::is_finite(remainder) { remainder.to_f32() } else { 0.0 }
 }
 
 /// A pitch circle, with a tick by which it is seen to turn.

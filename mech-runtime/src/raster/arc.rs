@@ -81,11 +81,9 @@ impl<T: Scalar> Iterator for Arc<T> {
             (self.section, self.left, self.aside) = match self.section {
                 Section::Outer => (Section::End, self.around.corners(), self.direction),
                 Section::End => (Section::Inner, self.along.corners(), self.direction),
-                Section::Inner => (
-                    Section::Beginning,
-                    self.around.corners(),
-                    self.direction.map(|part| -part),
-                ),
+                Section::Inner => {
+                    (Section::Beginning, self.around.corners(), self.direction.map(|part| -part))
+                }
                 _ => (Section::Done, 0, self.direction),
             };
         }

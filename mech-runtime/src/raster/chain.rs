@@ -14,11 +14,7 @@ pub(super) struct Chain<'c, T, F> {
 impl<'c, T: Scalar, F: Fn(usize) -> [T; 2]> Chain<'c, T, F> {
     /// Goes down on a tour from the highest corner, in a picture of so many rows.
     pub(super) const fn new(tour: Tour<'c, T, F>, height: usize) -> Self {
-        Self {
-            tour,
-            height,
-            side: None,
-        }
+        Self { tour, height, side: None }
     }
 
     /// The side that crosses a row. Rows are asked for from the top.
@@ -42,13 +38,7 @@ pub(super) struct Directions<N> {
 
 impl<N: Copy + PartialOrd> Directions<N> {
     pub(super) const fn new() -> Self {
-        Self {
-            first: None,
-            last: None,
-            first_direction: None,
-            direction: None,
-            turns: 0,
-        }
+        Self { first: None, last: None, first_direction: None, direction: None, turns: 0 }
     }
 
     /// Goes to the next corner, which is at this depth.

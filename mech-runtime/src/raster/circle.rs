@@ -14,18 +14,11 @@ pub(super) fn fill<T: Scalar>(
     hole: T,
     color: u8,
 ) {
-    let is_finite = [x, y, radius, hole]
-        .iter()
-        .all(|&number| Real::is_finite(number));
+    let is_finite = [x, y, radius, hole].iter().all(|&number| Real::is_finite(number));
     if !(is_finite && radius > T::ZERO && hole < radius) {
         return;
     }
-    let Clip {
-        left,
-        top,
-        right,
-        bottom,
-    } = surface.clip();
+    let Clip { left, top, right, bottom } = surface.clip();
     let within = |radius: T, row: usize| -> Option<Range<usize>> {
         let rise = fixed::center::<T>(row) - y;
         let square = (radius - rise) * (radius + rise);
@@ -41,11 +34,7 @@ pub(super) fn fill<T: Scalar>(
         let Some(outer) = within(radius, row) else {
             continue;
         };
-        let inner = if hole > T::ZERO {
-            within(hole, row)
-        } else {
-            None
-        };
+        let inner = if hole > T::ZERO { within(hole, row) } else { None };
         match inner {
             None => surface.fill(row, outer, color),
             Some(inner) => {

@@ -36,10 +36,7 @@ type Crossing = u32;
 
 impl Row {
     const fn new() -> Self {
-        Self {
-            crossings: [0; MOST],
-            count: 0,
-        }
+        Self { crossings: [0; MOST], count: 0 }
     }
 
     /// Adds a crossing, in order.
@@ -60,18 +57,12 @@ impl Row {
 
 impl Crossings {
     pub(super) const fn new() -> Self {
-        Self {
-            band: Clip::all(0, 0),
-            rows: [Row::new(); ROWS],
-        }
+        Self { band: Clip::all(0, 0), rows: [Row::new(); ROWS] }
     }
 
     /// Forgets all crossings, and begins with the first of these rows: those are given back that are looked at.
     pub(super) fn begin(&mut self, rows: Clip) -> Clip {
-        self.band = Clip {
-            bottom: rows.bottom.min(rows.top + ROWS),
-            ..rows
-        };
+        self.band = Clip { bottom: rows.bottom.min(rows.top + ROWS), ..rows };
         for row in &mut self.rows {
             row.count = 0;
         }
@@ -162,13 +153,7 @@ struct Filling {
 
 impl Filling {
     const fn new(rule: Rule, row: usize, color: u8) -> Self {
-        Self {
-            rule,
-            row,
-            color,
-            winding: 0,
-            start: 0,
-        }
+        Self { rule, row, color, winding: 0, start: 0 }
     }
 
     const fn is_inside(&self) -> bool {

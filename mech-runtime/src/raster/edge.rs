@@ -36,11 +36,8 @@ impl Edge {
         let (run, drop) = (lower[0] - upper[0], lower[1] - upper[1]);
         // Multiplied before it is divided: exact wherever the result is a number that can be written down.
         let at = upper[0] + (fixed::center::<T>(first) - upper[1]) * run / drop;
-        let [left, right] = if run >= T::ZERO {
-            [upper[0], lower[0]]
-        } else {
-            [lower[0], upper[0]]
-        };
+        let [left, right] =
+            if run >= T::ZERO { [upper[0], lower[0]] } else { [lower[0], upper[0]] };
         let at = Real::max(at, left).min(right);
         Some(Self {
             first,

@@ -133,10 +133,7 @@ impl<M: Memory> Indexed<M> {
 
     /// Some of its pixels, to be filled.
     pub(super) const fn part(&mut self, clip: Clip) -> Part<'_, M> {
-        Part {
-            pixels: &mut self.pixels,
-            clip,
-        }
+        Part { pixels: &mut self.pixels, clip }
     }
 
     /// Copies some pixels of another.

@@ -15,10 +15,7 @@ use crate::{Outline, Pose, Real, Scalar};
 /// ```
 pub fn line<T: Scalar>(canvas: &mut impl Canvas<T>, ends: [[T; 2]; 2], width: T, color: u8) {
     let width = width / canvas.scale();
-    let line = Outline::Line {
-        points: &ends,
-        width,
-    };
+    let line = Outline::Line { points: &ends, width };
     canvas.fill(line, Pose::identity(), color);
 }
 

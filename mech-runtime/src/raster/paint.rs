@@ -74,11 +74,7 @@ pub(super) fn outline<T: Scalar>(
             let radius = projection.length(radius);
             surface.ring(place.point(center), radius, T::ZERO, color);
         }
-        Outline::Ring {
-            center,
-            radius,
-            hole,
-        } => {
+        Outline::Ring { center, radius, hole } => {
             let [radius, hole] = [radius, hole].map(|length| projection.length(length));
             surface.ring(place.point(center), radius, hole, color);
         }
@@ -92,12 +88,7 @@ pub(super) fn outline<T: Scalar>(
             let half = <T as Real>::HALF * projection.length(width);
             line(surface, place, points, half, color);
         }
-        Outline::Arc {
-            center,
-            start,
-            angle,
-            width,
-        } => {
+        Outline::Arc { center, start, angle, width } => {
             let half = <T as Real>::HALF * projection.length(width);
             let ends = [center, start].map(|point| place.point(point));
             // The picture's y axis points down.

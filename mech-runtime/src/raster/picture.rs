@@ -45,9 +45,7 @@ macro_rules! picture {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 let [width, height] = self.pixels.size();
                 write!(f, "{}{}<{width}, {height}>", M::PREFIX, $name)?;
-                f.debug_struct("")
-                    .field("view", &self.view)
-                    .finish_non_exhaustive()
+                f.debug_struct("").field("view", &self.view).finish_non_exhaustive()
             }
         }
     };

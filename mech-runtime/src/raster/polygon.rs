@@ -21,18 +21,11 @@ pub(super) fn fill<T: Scalar>(
 ) {
     let clip = surface.clip();
     match shape(corner, count, clip) {
-        Some(PolygonExtent {
-            top,
-            bottom,
-            highest,
-            is_simple: true,
-        }) => between_chains(surface, corner, count, highest, top..bottom, color),
+        Some(PolygonExtent { top, bottom, highest, is_simple: true }) => {
+            between_chains(surface, corner, count, highest, top..bottom, color)
+        }
         Some(PolygonExtent { top, bottom, .. }) => {
-            let rows = Clip {
-                top,
-                bottom,
-                ..clip
-            };
+            let rows = Clip { top, bottom, ..clip };
             outline(surface, &(0..count).map(corner), rows, rule, color);
         }
         None => {}
@@ -55,11 +48,7 @@ pub(super) fn fill_path<T: Scalar>(
         let row = fixed::first_from(y, clip.bottom).max(clip.top);
         rows = rows.start.min(row)..rows.end.max(row);
     }
-    let rows = Clip {
-        top: rows.start,
-        bottom: rows.end,
-        ..clip
-    };
+    let rows = Clip { top: rows.start, bottom: rows.end, ..clip };
     outline(surface, corners, rows, rule, color);
 }
 
@@ -80,12 +69,8 @@ fn shape<T: Scalar>(
     count: usize,
     clip: Clip,
 ) -> Option<PolygonExtent> {
-    let mut seen = PolygonExtent {
-        top: clip.bottom,
-        bottom: clip.top,
-        highest: 0,
-        is_simple: true,
-    };
+    let mut seen =
+        PolygonExtent { top: clip.bottom, bottom: clip.top, highest: 0, is_simple: true };
     let mut directions = Directions::new();
     for index in 0..count {
         let [x, y] = corner(index);
@@ -179,7 +164,5 @@ fn all_sides<T: Scalar>(
     height: usize,
 ) -> impl Iterator<Item = super::edge::Edge> {
     let tails = core::iter::once(last).chain(corners.clone());
-    tails
-        .zip(corners.clone())
-        .flat_map(move |(tail, head)| sides(tail, head, height))
+    tails.zip(corners.clone()).flat_map(move |(tail, head)| sides(tail, head, height))
 }

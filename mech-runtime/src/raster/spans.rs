@@ -23,12 +23,7 @@ pub(super) struct Clip {
 impl Clip {
     /// All of a picture.
     pub(super) const fn all(width: usize, height: usize) -> Self {
-        Self {
-            left: 0,
-            top: 0,
-            right: width,
-            bottom: height,
-        }
+        Self { left: 0, top: 0, right: width, bottom: height }
     }
 
     /// No pixel.
@@ -69,10 +64,6 @@ impl Clip {
 
     /// The number of its pixels.
     pub(super) const fn area(self) -> usize {
-        if self.is_empty() {
-            0
-        } else {
-            (self.right - self.left) * (self.bottom - self.top)
-        }
+        if self.is_empty() { 0 } else { (self.right - self.left) * (self.bottom - self.top) }
     }
 }

@@ -51,12 +51,7 @@ impl<T: Scalar, P: Fn(usize) -> [T; 2]> Stroke<T, P> {
             parts,
             half,
             turn,
-            first: Part {
-                number: 0,
-                from: at,
-                to: at,
-                along: [T::ONE, T::ZERO],
-            },
+            first: Part { number: 0, from: at, to: at, along: [T::ONE, T::ZERO] },
             next: Step::Done,
         };
         if let Some(first) = stroke.part_after(2 * parts) {
@@ -70,9 +65,7 @@ impl<T: Scalar, P: Fn(usize) -> [T; 2]> Stroke<T, P> {
     fn part_after(&self, number: usize) -> Option<Part<T>> {
         let all = 2 * self.parts;
         let next = number.saturating_add(1);
-        (next..all)
-            .chain(0..all.min(next))
-            .find_map(|number| self.part(number))
+        (next..all).chain(0..all.min(next)).find_map(|number| self.part(number))
     }
 
     fn part(&self, number: usize) -> Option<Part<T>> {
@@ -85,12 +78,7 @@ impl<T: Scalar, P: Fn(usize) -> [T; 2]> Stroke<T, P> {
         let (from, to) = ((self.point)(from), (self.point)(to));
         let [x, y] = [to[0] - from[0], to[1] - from[1]];
         let length = Real::sqrt(x * x + y * y);
-        (length > T::ZERO).then(|| Part {
-            number,
-            from,
-            to,
-            along: [x / length, y / length],
-        })
+        (length > T::ZERO).then(|| Part { number, from, to, along: [x / length, y / length] })
     }
 
     /// The step after the end of a part.
@@ -98,11 +86,7 @@ impl<T: Scalar, P: Fn(usize) -> [T; 2]> Stroke<T, P> {
         let Some(next) = self.part_after(part.number) else {
             // The outline of a dot has two halves.
             let along = part.along.map(|part| -part);
-            let other = Part {
-                number: 1 - part.number.min(1),
-                along,
-                ..part
-            };
+            let other = Part { number: 1 - part.number.min(1), along, ..part };
             return Step::Around(other, aside(part.along), self.turn.corners());
         };
         let ([a, b], [c, d]) = (part.along, next.along);
@@ -144,11 +128,7 @@ impl<T: Scalar, P: Fn(usize) -> [T; 2]> Iterator for Stroke<T, P> {
                         }
                         _ => {
                             let is_done = part.number == self.first.number;
-                            self.next = if is_done {
-                                Step::Done
-                            } else {
-                                Step::Begin(part)
-                            };
+                            self.next = if is_done { Step::Done } else { Step::Begin(part) };
                             continue;
                         }
                     }

@@ -17,14 +17,7 @@ pub(super) struct Tour<'c, T, F> {
 impl<'c, T: Scalar, F: Fn(usize) -> [T; 2]> Tour<'c, T, F> {
     /// A tour from a corner, in rising or falling order of the numbers.
     pub(super) fn new(corner: &'c F, count: usize, first: usize, is_onward: bool) -> Self {
-        Self {
-            corner,
-            count,
-            index: first,
-            place: corner(first),
-            is_onward,
-            left: count,
-        }
+        Self { corner, count, index: first, place: corner(first), is_onward, left: count }
     }
 
     pub(super) const fn is_onward(&self) -> bool {

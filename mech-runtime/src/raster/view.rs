@@ -18,16 +18,8 @@ impl View {
     #[must_use]
     pub const fn new(center: [f64; 2], scale: f64) -> Self {
         let [x, y] = center;
-        let center = if x.is_finite() && y.is_finite() {
-            center
-        } else {
-            [0.0, 0.0]
-        };
-        let scale = if scale.is_finite() && scale > 0.0 {
-            scale
-        } else {
-            1.0
-        };
+        let center = if x.is_finite() && y.is_finite() { center } else { [0.0, 0.0] };
+        let scale = if scale.is_finite() && scale > 0.0 { scale } else { 1.0 };
         Self { center, scale }
     }
 
@@ -47,11 +39,7 @@ impl View {
         };
         // A division by 0 is infinite: that side does not limit the scale.
         let scale = (room(width) / x_half).min(room(height) / y_half) / 2.0;
-        let scale = if scale == f64::INFINITY {
-            room(width).min(room(height))
-        } else {
-            scale
-        };
+        let scale = if scale == f64::INFINITY { room(width).min(room(height)) } else { scale };
         Self::new([x_middle, y_middle], scale)
     }
 

@@ -44,12 +44,8 @@ pub(crate) fn draw<D: DrawTarget<Color = Entry>>(target: &mut D) -> Result<(), D
         .build();
     let box_at = |x, y, width, height| Rectangle::new(Point::new(x, y), Size::new(width, height));
     target.clear(Entry(200))?;
-    Circle::new(Point::new(-6, 5), 20)
-        .into_styled(framed)
-        .draw(target)?;
-    Ellipse::new(Point::new(40, 25), Size::new(40, 30))
-        .into_styled(filled(5))
-        .draw(target)?;
+    Circle::new(Point::new(-6, 5), 20).into_styled(framed).draw(target)?;
+    Ellipse::new(Point::new(40, 25), Size::new(40, 30)).into_styled(filled(5)).draw(target)?;
     RoundedRectangle::with_equal_corners(box_at(20, -3, 21, 13), Size::new(4, 4))
         .into_styled(framed)
         .draw(target)?;
@@ -65,8 +61,7 @@ pub(crate) fn draw<D: DrawTarget<Color = Entry>>(target: &mut D) -> Result<(), D
     let pixels: Vec<u8> = (100..180).collect();
     let raw = ImageRaw::<Entry>::new(&pixels, 10);
     Image::new(&raw, Point::new(54, 34)).draw(target)?;
-    raw.sub_image(&box_at(2, 1, 5, 5))
-        .draw(&mut target.translated(Point::new(-2, 1)))
+    raw.sub_image(&box_at(2, 1, 5, 5)).draw(&mut target.translated(Point::new(-2, 1)))
 }
 
 #[test]
@@ -86,10 +81,7 @@ fn a_frame_is_as_large_as_it_is() {
         Frame::<60, 40>::new().bounding_box(),
         Rectangle::new(Point::zero(), Size::new(60, 40))
     );
-    assert_eq!(
-        Frame::<0, { usize::MAX }>::new().size(),
-        Size::new(0, 0x7FFF_FFFF)
-    );
+    assert_eq!(Frame::<0, { usize::MAX }>::new().size(), Size::new(0, 0x7FFF_FFFF));
 }
 
 #[test]

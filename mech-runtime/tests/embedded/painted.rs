@@ -85,13 +85,7 @@ fn a_mechanism_looks_as_it_does_on_a_frame() {
 #[test]
 fn displays_may_begin_anywhere() {
     let far = i32::MAX - 240;
-    for corner in [
-        [0, 0],
-        [-100, 17],
-        [i32::MIN, i32::MIN],
-        [far, far],
-        [far, -1],
-    ] {
+    for corner in [[0, 0], [-100, 17], [i32::MIN, i32::MIN], [far, far], [far, -1]] {
         for (slider_crank, frame) in poses().step_by(5) {
             let mut panel = Panel::at(Point::new(corner[0], corner[1]));
             paint_on(&mut panel, &slider_crank);
@@ -155,10 +149,8 @@ fn palettes_and_views_can_be_changed() {
 fn colours_are_those_of_the_palette() {
     let mut display = MockDisplay::<Rgb888>::new();
     display.set_allow_overdraw(true);
-    let palette = Palette::TEXTBOOK
-        .with(1, [255, 0, 0])
-        .with(2, [0, 0, 255])
-        .with(3, [255, 255, 255]);
+    let palette =
+        Palette::TEXTBOOK.with(1, [255, 0, 0]).with(2, [0, 0, 255]).with(3, [255, 255, 255]);
     let mut screen = Screen::new(&mut display, PIXELWISE, rgb);
     screen.set_palette(&palette);
     let below = [[1.0_f32, -1.0], [9.0, -1.0], [9.0, -4.0], [1.0, -4.0]];
@@ -182,12 +174,7 @@ fn colours_are_those_of_the_palette() {
 fn a_rectangle_is_one_call_and_so_is_a_bar_of_a_letter() {
     let mut panel = Panel::new();
     let mut screen = Screen::new(&mut panel, View::new([120.0, -120.0], 1.0), rgb);
-    let corners = [
-        [10.0, -20.0],
-        [210.0, -20.0],
-        [210.0, -120.0],
-        [10.0, -120.0],
-    ];
+    let corners = [[10.0, -20.0], [210.0, -20.0], [210.0, -120.0], [10.0, -120.0]];
     screen.fill(Outline::Polygon(&corners), Pose::<f64>::identity(), 1);
     screen.text([20.0, -207.0], "I", 1);
     assert_eq!(screen.finish(), Ok(()));

@@ -35,12 +35,7 @@ proptest! {
 
 #[test]
 fn an_area_larger_than_displays_are_is_cut() {
-    let area = Area {
-        x: usize::MAX,
-        y: 3,
-        width: usize::MAX,
-        height: 5,
-    };
+    let area = Area { x: usize::MAX, y: 3, width: usize::MAX, height: 5 };
     let cut = Rectangle::new(Point::new(i32::MAX, 3), Size::new(u32::MAX, 5));
     assert_eq!(Rectangle::from(area), cut);
 }

@@ -41,10 +41,7 @@ fn a_frame_larger_or_smaller_than_the_display() {
     let mut panel = Panel::new();
     assert_eq!(large.show(&mut panel, rgb), Ok(()));
     assert_eq!(small.show(&mut panel, rgb), Ok(()));
-    assert_eq!(
-        panel.contiguous,
-        [area(0, 0, 240, 240), area(0, 0, 100, 30)]
-    );
+    assert_eq!(panel.contiguous, [area(0, 0, 240, 240), area(0, 0, 100, 30)]);
     for y in 0..SIDE {
         for x in 0..SIDE {
             let expected = small.rgb(x, y).or_else(|| large.rgb(x, y));
@@ -58,14 +55,7 @@ fn two_tones() {
     let mut frame = Frame::<8, 8>::new();
     frame.look_at(View::new([4.0, -4.0], 1.0));
     let center = [4.0_f32, -4.0];
-    frame.fill(
-        Outline::Circle {
-            center,
-            radius: 3.0,
-        },
-        Pose::identity(),
-        Palette::INK,
-    );
+    frame.fill(Outline::Circle { center, radius: 3.0 }, Pose::identity(), Palette::INK);
     let mut display = MockDisplay::<BinaryColor>::new();
     let Ok(()) = frame.show(&mut display, |[red, ..]| BinaryColor::from(red < 128));
     display.assert_pattern(&[
@@ -82,19 +72,10 @@ fn an_image_has_its_place() {
     let frame = motley::<50, 20>();
     let picture = frame.image(rgb::<Rgb565>);
     let mut panel = Panel::new();
-    assert_eq!(
-        Image::new(&picture, Point::new(30, 40)).draw(&mut panel),
-        Ok(())
-    );
+    assert_eq!(Image::new(&picture, Point::new(30, 40)).draw(&mut panel), Ok(()));
     let part = picture.sub_image(&area(10, 5, 8, 4));
-    assert_eq!(
-        Image::new(&part, Point::new(100, 100)).draw(&mut panel),
-        Ok(())
-    );
-    assert_eq!(
-        panel.contiguous,
-        [area(30, 40, 50, 20), area(100, 100, 8, 4)]
-    );
+    assert_eq!(Image::new(&part, Point::new(100, 100)).draw(&mut panel), Ok(()));
+    assert_eq!(panel.contiguous, [area(30, 40, 50, 20), area(100, 100, 8, 4)]);
     for y in 0..SIDE {
         for x in 0..SIDE {
             let from = |x0: usize, y0: usize| frame.rgb(x.checked_sub(x0)?, y.checked_sub(y0)?);

@@ -11,21 +11,10 @@ use proptest::prelude::*;
 
 fn shapes() -> [Any; 4] {
     [
-        Any::Outline(OwnedOutline::Ring {
-            center: [0.0, 0.0],
-            radius: 60.0,
-            hole: 30.0,
-        }),
-        Any::Outline(OwnedOutline::Polygon(vec![
-            [-90.0, -90.0],
-            [0.0, 80.0],
-            [70.0, -60.0],
-        ])),
+        Any::Outline(OwnedOutline::Ring { center: [0.0, 0.0], radius: 60.0, hole: 30.0 }),
+        Any::Outline(OwnedOutline::Polygon(vec![[-90.0, -90.0], [0.0, 80.0], [70.0, -60.0]])),
         Any::Text([-50.0, 10.0], "what fails".to_string()),
-        Any::Outline(OwnedOutline::Line {
-            points: vec![[-90.0, 50.0], [80.0, 70.0]],
-            width: 5.0,
-        }),
+        Any::Outline(OwnedOutline::Line { points: vec![[-90.0, 50.0], [80.0, 70.0]], width: 5.0 }),
     ]
 }
 
@@ -127,10 +116,8 @@ proptest! {
 fn displays_without_end() {
     let corners = [i32::MIN, -1, 0, i32::MAX - 5, i32::MAX];
     for (x, y) in corners.into_iter().flat_map(|x| corners.map(|y| (x, y))) {
-        let mut bounds = Bounds::new(Rectangle::new(
-            Point::new(x, y),
-            Size::new(u32::MAX, u32::MAX),
-        ));
+        let mut bounds =
+            Bounds::new(Rectangle::new(Point::new(x, y), Size::new(u32::MAX, u32::MAX)));
         let mut screen = Screen::new(&mut bounds, View::default(), rgb);
         for shape in shapes() {
             shape.draw(&mut screen, 1);
@@ -143,9 +130,6 @@ fn displays_without_end() {
         let Ok(()) = frame.image(rgb).draw_sub_image(&mut bounds, &part);
         let mut display = Bounds::new(Rectangle::new(Point::zero(), Size::new(9, 9)));
         let Ok(()) = frame.image(rgb).draw_sub_image(&mut display, &part);
-        assert_eq!(
-            display.calls,
-            usize::from([-1, 0].contains(&x) && [-1, 0].contains(&y))
-        );
+        assert_eq!(display.calls, usize::from([-1, 0].contains(&x) && [-1, 0].contains(&y)));
     }
 }

@@ -52,10 +52,7 @@ pub(crate) fn check(film: &seen::Film, expected: &[Vec<[u8; 4]>], delay_in_units
         assert_eq!(seen, expected, "frame {index}");
         #[expect(clippy::cast_precision_loss, reason = "a few")]
         let exact = index as f64 * delay_in_units;
-        assert!(
-            (f64::from(begin) - exact).abs() <= 0.5 + 1e-6,
-            "{begin}, not {exact}"
-        );
+        assert!((f64::from(begin) - exact).abs() <= 0.5 + 1e-6, "{begin}, not {exact}");
         begin += delay;
     }
 }
@@ -131,11 +128,7 @@ fn only_what_changes_is_written() {
             frame.clear();
             let center = [f64::from(u32::try_from(index % 2).expect("a bit")), 0.0];
             let radius = 3.0;
-            frame.fill(
-                Outline::Circle { center, radius },
-                Pose::identity(),
-                Palette::RED,
-            );
+            frame.fill(Outline::Circle { center, radius }, Pose::identity(), Palette::RED);
             gif.add(&frame).expect("a frame");
             apng.add(&frame).expect("a frame");
         }

@@ -21,13 +21,7 @@ struct Unsteady {
 
 impl Unsteady {
     const fn new(most: usize, fails_at: Option<usize>, stays_broken: bool) -> Self {
-        Self {
-            bytes: Vec::new(),
-            most,
-            fails_at,
-            stays_broken,
-            is_interrupted: false,
-        }
+        Self { bytes: Vec::new(), most, fails_at, stays_broken, is_interrupted: false }
     }
 
     fn fail_there(&mut self) -> io::Result<()> {

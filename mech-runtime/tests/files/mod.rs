@@ -16,9 +16,7 @@ fn palette(colors: usize) -> impl Strategy<Value = Palette> {
     let distinct = prop::collection::hash_set(any::<[u8; 3]>(), colors..=colors);
     distinct.prop_map(|distinct| {
         let distinct: Vec<_> = distinct.into_iter().collect();
-        Palette::new(std::array::from_fn(|entry| {
-            distinct[entry % distinct.len()]
-        }))
+        Palette::new(std::array::from_fn(|entry| distinct[entry % distinct.len()]))
     })
 }
 

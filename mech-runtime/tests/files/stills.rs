@@ -20,46 +20,32 @@ fn decode(bytes: &[u8]) -> (png::OutputInfo, Option<Vec<u8>>, Vec<u8>) {
 fn a_frame() {
     let mut frame = Frame::<33, 21>::new();
     frame.set_palette(Palette::NIGHT);
-    let circle = Outline::Circle {
-        center: [0.0, 1.0],
-        radius: 8.5,
-    };
+    let circle = Outline::Circle { center: [0.0, 1.0], radius: 8.5 };
     frame.fill(circle, Pose::identity(), Palette::TEAL);
     let (info, palette, pixels) = decode(&frame.png().expect("a file"));
     assert_eq!((info.width, info.height), (33, 21));
     assert_eq!(info.color_type, png::ColorType::Indexed);
     assert_eq!(pixels, frame.pixels().as_flattened());
     let used = usize::from(Palette::TEAL) + 1;
-    assert_eq!(
-        palette.expect("a palette"),
-        Palette::NIGHT.entries()[..used].as_flattened()
-    );
+    assert_eq!(palette.expect("a palette"), Palette::NIGHT.entries()[..used].as_flattened());
 }
 
 #[test]
 fn a_smooth_picture() {
     let mut picture = Smooth::<33, 21>::new();
-    let circle = Outline::Circle {
-        center: [0.0, 1.0],
-        radius: 8.4,
-    };
+    let circle = Outline::Circle { center: [0.0, 1.0], radius: 8.4 };
     picture.fill(circle, Pose::identity(), Palette::TEAL);
     let (info, _, pixels) = decode(&picture.png().expect("a file"));
     assert_eq!((info.width, info.height), (33, 21));
     assert_eq!(info.color_type, png::ColorType::Rgb);
-    let opaque = pixels
-        .chunks(3)
-        .map(|pixel| [pixel[0], pixel[1], pixel[2], 255]);
+    let opaque = pixels.chunks(3).map(|pixel| [pixel[0], pixel[1], pixel[2], 255]);
     assert!(opaque.eq(picture.pixels().as_flattened().iter().copied()));
 }
 
 #[test]
 fn a_large_picture_on_the_heap_is_saved() {
     let mut picture = HeapSmooth::new(1920, 1080).expect("there is memory");
-    let circle = Outline::Circle {
-        center: [960.0, 540.0],
-        radius: 400.3,
-    };
+    let circle = Outline::Circle { center: [960.0, 540.0], radius: 400.3 };
     picture.fill(circle, Pose::identity(), Palette::TEAL);
     let path = std::env::temp_dir().join(format!("mech-stills-{}.png", std::process::id()));
     picture.save(&path).expect("a file");
@@ -67,9 +53,7 @@ fn a_large_picture_on_the_heap_is_saved() {
     std::fs::remove_file(&path).expect("the file");
     let (info, _, pixels) = decode(&bytes);
     assert_eq!((info.width, info.height), (1920, 1080));
-    let opaque = pixels
-        .chunks(3)
-        .map(|pixel| [pixel[0], pixel[1], pixel[2], 255]);
+    let opaque = pixels.chunks(3).map(|pixel| [pixel[0], pixel[1], pixel[2], 255]);
     assert!(opaque.eq(picture.pixels().iter().copied()));
 }
 

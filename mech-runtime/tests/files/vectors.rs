@@ -27,11 +27,7 @@ fn number() -> impl Strategy<Value = f64> + Clone {
 }
 
 fn drawings() -> impl Strategy<Value = Vec<Drawn>> {
-    let one = (
-        any::<u8>(),
-        prop::collection::vec(number(), 11..18),
-        any::<u8>(),
-    );
+    let one = (any::<u8>(), prop::collection::vec(number(), 11..18), any::<u8>());
     prop::collection::vec(one, 0..6)
 }
 
@@ -40,37 +36,20 @@ fn draw(canvas: &mut impl Canvas<f64>, drawn: &[Drawn]) {
         let [a, b, c, d, cos, sin, x, y] = std::array::from_fn(|index| numbers[index]);
         let points: Vec<[f64; 2]> = numbers[8..].chunks_exact(2).map(|p| [p[0], p[1]]).collect();
         let outline = match kind % 7 {
-            0 => Outline::Circle {
-                center: [a, b],
-                radius: c,
-            },
-            1 => Outline::Ring {
-                center: [a, b],
-                radius: c,
-                hole: d,
-            },
+            0 => Outline::Circle { center: [a, b], radius: c },
+            1 => Outline::Ring { center: [a, b], radius: c, hole: d },
             2 => Outline::Polygon(&points),
             3 => Outline::Winding(&points),
-            4 => Outline::Line {
-                points: &points,
-                width: a,
-            },
-            5 => Outline::Arc {
-                center: [a, b],
-                start: [c, d],
-                angle: numbers[8],
-                width: numbers[9],
-            },
+            4 => Outline::Line { points: &points, width: a },
+            5 => {
+                Outline::Arc { center: [a, b], start: [c, d], angle: numbers[8], width: numbers[9] }
+            }
             _ => {
                 canvas.text([a, b], "<\u{1}a & \"b\">", *color);
                 continue;
             }
         };
-        let pose = if kind & 128 == 0 {
-            Pose::identity()
-        } else {
-            Pose { cos, sin, x, y }
-        };
+        let pose = if kind & 128 == 0 { Pose::identity() } else { Pose { cos, sin, x, y } };
         canvas.fill(outline, pose, *color);
     }
 }

@@ -60,13 +60,7 @@ fn are_alike<const W: usize, const H: usize>(things: &[Thing], view: View, palet
     paint(&mut array, things);
     paint(&mut heap, things);
     assert_eq!(heap.pixels(), array.pixels().as_flattened());
-    for (x, y) in [
-        (0, 0),
-        (W / 2, H / 2),
-        (W, 0),
-        (0, H),
-        (usize::MAX, usize::MAX),
-    ] {
+    for (x, y) in [(0, 0), (W / 2, H / 2), (W, 0), (0, H), (usize::MAX, usize::MAX)] {
         assert_eq!(heap.pixel(x, y), array.pixel(x, y));
     }
 }

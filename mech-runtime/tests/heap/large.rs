@@ -11,10 +11,7 @@ use std::thread;
 const STACK: usize = 256 * 1024;
 const SIZES: [[usize; 2]; 2] = [[1920, 1080], [3840, 2160]];
 const RADIUS: f64 = 500.25;
-const DISC: Outline<'static, f64> = Outline::Circle {
-    center: [0.0, 0.0],
-    radius: RADIUS,
-};
+const DISC: Outline<'static, f64> = Outline::Circle { center: [0.0, 0.0], radius: RADIUS };
 
 fn on_a_small_stack(work: impl FnOnce() + Send + 'static) {
     let thread = thread::Builder::new().stack_size(STACK);
@@ -33,18 +30,12 @@ fn a_large_frame_is_painted() {
         for [width, height] in SIZES {
             let mut frame = HeapFrame::new(width, height).expect("there is memory");
             frame.fill(DISC, Pose::identity(), Palette::INK);
-            let painted = frame
-                .pixels()
-                .iter()
-                .filter(|&&entry| entry == Palette::INK);
+            let painted = frame.pixels().iter().filter(|&&entry| entry == Palette::INK);
             assert!(is_a_disc(painted.map(|_| 1.0).sum()));
             assert_eq!(frame.pixel(width / 2, height / 2), Some(Palette::INK));
             assert_eq!(frame.pixel(width - 1, height - 1), Some(Palette::PAPER));
             frame.clear();
-            assert_eq!(
-                frame,
-                HeapFrame::new(width, height).expect("there is memory")
-            );
+            assert_eq!(frame, HeapFrame::new(width, height).expect("there is memory"));
         }
     });
 }
@@ -58,18 +49,11 @@ fn a_large_smooth_picture_is_painted() {
             picture.clear();
             picture.fill(DISC, Pose::identity(), 1);
             let shares = picture.pixels().iter().map(|pixel| 255 - pixel[0]);
-            assert!(is_a_disc(
-                shares.map(|share| f64::from(share) / 255.0).sum()
-            ));
+            assert!(is_a_disc(shares.map(|share| f64::from(share) / 255.0).sum()));
             let copy = picture.clone();
             assert_eq!(copy, picture);
             // Sides that cross each other, in more than one row.
-            let corners = [
-                [-900.0, -500.0],
-                [900.0, 500.0],
-                [900.0, -500.0],
-                [-900.0, 500.0],
-            ];
+            let corners = [[-900.0, -500.0], [900.0, 500.0], [900.0, -500.0], [-900.0, 500.0]];
             picture.fill(Outline::Polygon(&corners), Pose::identity(), 2);
             assert_ne!(copy, picture);
         }

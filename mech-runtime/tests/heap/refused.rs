@@ -55,10 +55,7 @@ fn what_memory_does_not_hold_is_refused() {
 
 #[test]
 fn the_longest_sides_are_painted_to_their_ends() {
-    let disc = Outline::Circle {
-        center: [0.0, 0.0],
-        radius: 1.9,
-    };
+    let disc = Outline::Circle { center: [0.0, 0.0], radius: 1.9 };
     let half = 0.5 * 2_097_152.0;
     let mut wide = HeapFrame::new(MOST, 1).expect("there is memory");
     wide.look_at(View::new([1.0 - half, 0.0], 1.0));

@@ -40,10 +40,7 @@ fn files_are_the_same() {
     arm.draw(&mut heap);
     assert_eq!(heap.png().expect("a PNG"), array.png().expect("a PNG"));
     assert_eq!(Picture::from(&heap).size(), [64, 48]);
-    assert_eq!(
-        format!("{:?}", Sheet::from(&heap)),
-        format!("{:?}", Sheet::from(&array))
-    );
+    assert_eq!(format!("{:?}", Sheet::from(&heap)), format!("{:?}", Sheet::from(&array)));
     let mut array = Smooth::<64, 48>::new();
     array.look_at(heap.view());
     let mut heap = HeapSmooth::of::<Arm>(64, 48).expect("it is small");
@@ -51,10 +48,7 @@ fn files_are_the_same() {
     arm.draw(&mut heap);
     assert_eq!(heap.png().expect("a PNG"), array.png().expect("a PNG"));
     assert_eq!(Picture::from(&heap).size(), [64, 48]);
-    assert_eq!(
-        format!("{:?}", Sheet::from(&heap)),
-        format!("{:?}", Sheet::from(&array))
-    );
+    assert_eq!(format!("{:?}", Sheet::from(&heap)), format!("{:?}", Sheet::from(&array)));
 }
 
 #[test]

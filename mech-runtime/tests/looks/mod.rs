@@ -10,12 +10,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// The pose of link 1 everywhere.
-pub(crate) const TURNED: Pose<f64> = Pose {
-    cos: 0.8,
-    sin: 0.6,
-    x: 0.0,
-    y: 0.0,
-};
+pub(crate) const TURNED: Pose<f64> = Pose { cos: 0.8, sin: 0.6, x: 0.0, y: 0.0 };
 
 pub(crate) const fn on(link: usize, at: [f64; 2]) -> Spot<f64> {
     Spot { link, at }
@@ -69,37 +64,17 @@ pub(crate) fn symbols<const W: usize, const H: usize>(symbols: &[Symbol<f64>]) -
     })
 }
 
-const STAR: [[f64; 2]; 5] = [
-    [9.5, 15.5],
-    [15.0, 0.5],
-    [1.0, 10.0],
-    [18.0, 10.0],
-    [4.0, 0.5],
-];
+const STAR: [[f64; 2]; 5] = [[9.5, 15.5], [15.0, 0.5], [1.0, 10.0], [18.0, 10.0], [4.0, 0.5]];
 
-const RING: Outline<'_, f64> = Outline::Ring {
-    center: [7.5, 6.5],
-    radius: 6.0,
-    hole: 3.0,
-};
+const RING: Outline<'_, f64> = Outline::Ring { center: [7.5, 6.5], radius: 6.0, hole: 3.0 };
 
-const LINE: Outline<'_, f64> = Outline::Line {
-    points: &[[4.0, 4.0], [22.0, 4.0], [13.0, 15.0]],
-    width: 5.0,
-};
+const LINE: Outline<'_, f64> =
+    Outline::Line { points: &[[4.0, 4.0], [22.0, 4.0], [13.0, 15.0]], width: 5.0 };
 
-const DOT: Outline<'_, f64> = Outline::Line {
-    points: &[[3.5, 3.5]],
-    width: 5.0,
-};
+const DOT: Outline<'_, f64> = Outline::Line { points: &[[3.5, 3.5]], width: 5.0 };
 
 const fn arc(angle: f64) -> Outline<'static, f64> {
-    Outline::Arc {
-        center: [10.0, 8.0],
-        start: [17.0, 8.0],
-        angle,
-        width: 3.0,
-    }
+    Outline::Arc { center: [10.0, 8.0], start: [17.0, 8.0], angle, width: 3.0 }
 }
 
 fn bar() -> String {
@@ -120,13 +95,7 @@ fn letters() -> String {
 }
 
 fn signs() -> String {
-    text([
-        ";<=>?@[\\]^_`{|}~",
-        "°±²·×−Δαβγδθλμπφ",
-        "ψω é",
-        "60° 3 × 10² ΔT",
-        "h = −0.5",
-    ])
+    text([";<=>?@[\\]^_`{|}~", "°±²·×−Δαβγδθλμπφ", "ψω é", "60° 3 × 10² ΔT", "h = −0.5"])
 }
 
 fn letters_at_the_margins() -> String {
@@ -138,25 +107,14 @@ fn letters_at_the_margins() -> String {
 
 const ENDS: [Spot<f64>; 2] = [on(0, [-32.0, 0.0]), on(0, [32.0, 0.0])];
 
-const SPRING: Symbol<f64> = Symbol::Spring {
-    ends: ENDS,
-    beside: 0.0,
-};
+const SPRING: Symbol<f64> = Symbol::Spring { ends: ENDS, beside: 0.0 };
 
-const DAMPER: Symbol<f64> = Symbol::Damper {
-    ends: ENDS,
-    beside: 8.0,
-};
+const DAMPER: Symbol<f64> = Symbol::Damper { ends: ENDS, beside: 8.0 };
 
-const GEAR: Symbol<f64> = Symbol::Wheel {
-    center: on(1, [0.0, 0.0]),
-    radius: 16.0,
-};
+const GEAR: Symbol<f64> = Symbol::Wheel { center: on(1, [0.0, 0.0]), radius: 16.0 };
 
-const BELT: Symbol<f64> = Symbol::Belt {
-    centers: [on(0, [-14.0, 0.0]), on(0, [12.0, 0.0])],
-    radii: [4.0, 8.0],
-};
+const BELT: Symbol<f64> =
+    Symbol::Belt { centers: [on(0, [-14.0, 0.0]), on(0, [12.0, 0.0])], radii: [4.0, 8.0] };
 
 const RACK: Symbol<f64> = Symbol::Rack {
     pinion: on(0, [0.0, 8.0]),
@@ -165,32 +123,17 @@ const RACK: Symbol<f64> = Symbol::Rack {
     along: [1.0, 0.0],
 };
 
-const AXIS: Symbol<f64> = Symbol::Line {
-    at: on(0, [0.0, 0.0]),
-    along: [1.0, 0.0],
-};
+const AXIS: Symbol<f64> = Symbol::Line { at: on(0, [0.0, 0.0]), along: [1.0, 0.0] };
 
-const LINK: [Symbol<f64>; 2] = [
-    Symbol::Bar {
-        link: 1,
-        ends: [[-15.0, 0.0], [15.0, 0.0]],
-    },
-    Symbol::Mark(on(1, [15.0, 0.0])),
-];
+const LINK: [Symbol<f64>; 2] =
+    [Symbol::Bar { link: 1, ends: [[-15.0, 0.0], [15.0, 0.0]] }, Symbol::Mark(on(1, [15.0, 0.0]))];
 
 const fn slide(guide: Spot<f64>) -> Symbol<f64> {
-    Symbol::Slide {
-        guide,
-        along: [1.0, 0.0],
-        block: on(1, [0.0, 0.0]),
-    }
+    Symbol::Slide { guide, along: [1.0, 0.0], block: on(1, [0.0, 0.0]) }
 }
 
-const LINEAR_MOTOR: Symbol<f64> = Symbol::LinearMotor {
-    block: on(1, [0.0, 0.0]),
-    guide: 0,
-    along: [1.0, 0.0],
-};
+const LINEAR_MOTOR: Symbol<f64> =
+    Symbol::LinearMotor { block: on(1, [0.0, 0.0]), guide: 0, along: [1.0, 0.0] };
 
 /// A long arrow, one shorter than its head, and one too short to be seen.
 fn arrows() -> String {
@@ -237,40 +180,22 @@ const PICTURES: &[Named] = &[
     ("letters-at-the-margins", letters_at_the_margins),
     ("spring", || symbols::<71, 17>(&[SPRING])),
     ("damper", || symbols::<71, 37>(&[DAMPER])),
-    ("torsional-spring", || {
-        symbols::<41, 31>(&[Symbol::TorsionSpring(on(1, [0.0, 0.0]))])
-    }),
-    ("torsional-damper", || {
-        symbols::<41, 37>(&[Symbol::TorsionDamper(on(1, [0.0, 0.0]))])
-    }),
+    ("torsional-spring", || symbols::<41, 31>(&[Symbol::TorsionSpring(on(1, [0.0, 0.0]))])),
+    ("torsional-damper", || symbols::<41, 37>(&[Symbol::TorsionDamper(on(1, [0.0, 0.0]))])),
     ("gear", || symbols::<35, 35>(&[GEAR])),
     ("belt", || symbols::<41, 21>(&[BELT])),
     ("rack", || symbols::<47, 21>(&[RACK])),
-    ("axes-of-a-point", || {
-        symbols::<17, 17>(&[Symbol::Point(on(1, [0.0, 0.0]))])
-    }),
+    ("axes-of-a-point", || symbols::<17, 17>(&[Symbol::Point(on(1, [0.0, 0.0]))])),
     ("axis-of-a-line", || symbols::<75, 5>(&[AXIS])),
     ("link", || symbols::<33, 29>(&LINK)),
     ("arrows", arrows),
     ("trace", trace),
-    ("pivot", || {
-        symbols::<13, 11>(&[Symbol::Pivot(on(1, [0.0, 0.0]))])
-    }),
-    ("fixed-pivot", || {
-        symbols::<37, 41>(&[Symbol::Pivot(on(0, [0.0, 5.0]))])
-    }),
-    ("slide-on-the-ground", || {
-        symbols::<81, 31>(&[slide(on(0, [-100.0, 0.0]))])
-    }),
-    ("slide-of-moving-links", || {
-        symbols::<61, 47>(&[slide(on(1, [-10.0, 0.0]))])
-    }),
-    ("weld", || {
-        symbols::<17, 17>(&[Symbol::Weld(on(1, [0.0, 0.0]))])
-    }),
-    ("rotary-motor", || {
-        symbols::<43, 33>(&[Symbol::RotaryMotor(on(1, [0.0, -5.0]))])
-    }),
+    ("pivot", || symbols::<13, 11>(&[Symbol::Pivot(on(1, [0.0, 0.0]))])),
+    ("fixed-pivot", || symbols::<37, 41>(&[Symbol::Pivot(on(0, [0.0, 5.0]))])),
+    ("slide-on-the-ground", || symbols::<81, 31>(&[slide(on(0, [-100.0, 0.0]))])),
+    ("slide-of-moving-links", || symbols::<61, 47>(&[slide(on(1, [-10.0, 0.0]))])),
+    ("weld", || symbols::<17, 17>(&[Symbol::Weld(on(1, [0.0, 0.0]))])),
+    ("rotary-motor", || symbols::<43, 33>(&[Symbol::RotaryMotor(on(1, [0.0, -5.0]))])),
     ("linear-motor", || symbols::<45, 39>(&[LINEAR_MOTOR])),
 ];
 
@@ -298,10 +223,6 @@ fn everything_looks_as_it_did() {
 
 #[test]
 fn an_arc_of_a_whole_turn_is_a_ring() {
-    let ring = Outline::Ring {
-        center: [10.0, 8.0],
-        radius: 8.5,
-        hole: 5.5,
-    };
+    let ring = Outline::Ring { center: [10.0, 8.0], radius: 8.5, hole: 5.5 };
     assert_eq!(shape::<20, 18>(arc(7.0)), shape::<20, 18>(ring));
 }

@@ -33,12 +33,7 @@ impl Page {
             None => first_example()?,
         };
         let editor = Editor::remote(workspace, Box::new(worker));
-        Ok(Self {
-            studio: Studio::new(editor),
-            context,
-            is_announced: false,
-            announced: None,
-        })
+        Ok(Self { studio: Studio::new(editor), context, is_announced: false, announced: None })
     }
 
     /// Gives the editor a file that the user has chosen.

@@ -61,10 +61,7 @@ impl Analyst {
     /// Does the piece that was taken up. Gives what the page is to be told.
     pub fn go_on(&mut self) -> Vec<Uint8Array> {
         let replies = self.0.go_on();
-        replies
-            .iter()
-            .map(|reply| Uint8Array::from(&**reply))
-            .collect()
+        replies.iter().map(|reply| Uint8Array::from(&**reply)).collect()
     }
 }
 

@@ -72,18 +72,12 @@ impl<'t> Chart<'t> {
             let unit = &table.columns[number].1;
             match panels.iter_mut().find(|panel| panel.unit == unit) {
                 Some(panel) => panel.columns.push(number),
-                None => panels.push(Panel {
-                    unit,
-                    columns: vec![number],
-                    is_path: table.is_path(unit),
-                }),
+                None => {
+                    panels.push(Panel { unit, columns: vec![number], is_path: table.is_path(unit) })
+                }
             }
         }
-        Self {
-            title,
-            table,
-            panels,
-        }
+        Self { title, table, panels }
     }
 
     pub(crate) fn svg(&self) -> Result<String, Failure> {
@@ -239,8 +233,7 @@ impl<'t> Chart<'t> {
         let point = |row: &Vec<Option<f64>>| row[self.table.across].zip(row[column]);
         let points: Vec<Option<(f64, f64)>> = self.table.rows.iter().map(point).collect();
         let runs = points.split(Option::is_none).filter(|run| !run.is_empty());
-        runs.map(|run| run.iter().flatten().copied().collect())
-            .collect()
+        runs.map(|run| run.iter().flatten().copied().collect()).collect()
     }
 }
 

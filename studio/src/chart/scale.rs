@@ -14,11 +14,7 @@ pub(super) struct Scale<'u> {
 impl<'u> Scale<'u> {
     /// A scale from the least value to the greatest, with about so many numbers.
     pub(super) fn exact(values: impl Iterator<Item = f64>, unit: &'u str, count: u32) -> Self {
-        Self {
-            range: range_of(values),
-            unit,
-            count,
-        }
+        Self { range: range_of(values), unit, count }
     }
 
     /// The same with some room at both ends.
@@ -98,9 +94,7 @@ fn ticks(range: &Range<f64>, unit: &str, count: u32) -> Vec<f64> {
     let step = round_step(range, unit, count);
     let first = (range.start / step - 1e-9).ceil();
     let ticks = (0..=2 * count).map(|number| (first + f64::from(number)) * step);
-    ticks
-        .take_while(|tick| *tick <= range.end + 1e-9 * step)
-        .collect()
+    ticks.take_while(|tick| *tick <= range.end + 1e-9 * step).collect()
 }
 
 #[cfg(test)]

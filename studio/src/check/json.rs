@@ -92,13 +92,7 @@ pub(crate) fn to_json(source: &Source, verdicts: &[Verdict]) -> String {
     let mechanisms: Vec<Mechanism<'_>> = verdicts
         .iter()
         .map(|verdict| match verdict {
-            Verdict::Moves {
-                name,
-                place,
-                motors,
-                notes,
-                ..
-            } => Mechanism {
+            Verdict::Moves { name, place, motors, notes, .. } => Mechanism {
                 name: Some(name),
                 moves: true,
                 place: in_file(source, place),
@@ -107,13 +101,7 @@ pub(crate) fn to_json(source: &Source, verdicts: &[Verdict]) -> String {
                 repairs: Vec::new(),
                 witnesses: Vec::new(),
             },
-            Verdict::Faulty {
-                name,
-                place,
-                messages,
-                repairs,
-                witnesses,
-            } => Mechanism {
+            Verdict::Faulty { name, place, messages, repairs, witnesses } => Mechanism {
                 name: name.as_deref(),
                 moves: false,
                 place: in_file(source, place),
@@ -154,12 +142,7 @@ fn message<'a>(source: &Source, message: &'a document::Message) -> Message<'a> {
 }
 
 fn note<'a>(source: &Source, text: &'a str, place: &Range<usize>) -> Message<'a> {
-    Message {
-        level: "note",
-        text,
-        notes: Vec::new(),
-        place: in_file(source, place),
-    }
+    Message { level: "note", text, notes: Vec::new(), place: in_file(source, place) }
 }
 
 fn witness(found: &super::Witness) -> Witness<'_> {
@@ -174,10 +157,8 @@ fn witness(found: &super::Witness) -> Witness<'_> {
 
 fn repair<'a>(source: &Source, mending: &'a Mending) -> Repair<'a> {
     let edits = differences(source.text(), &mending.text).into_iter();
-    let edits = edits.map(|Replacement { range, text }| Edit {
-        place: in_file(source, &range),
-        text,
-    });
+    let edits =
+        edits.map(|Replacement { range, text }| Edit { place: in_file(source, &range), text });
     Repair {
         text: &mending.words,
         remainder: match mending.remainder {
@@ -194,10 +175,5 @@ fn in_file(source: &Source, range: &Range<usize>) -> Place {
         let document::Spot { line, column } = source.spot(byte);
         Spot { line, column }
     };
-    Place {
-        start: range.start,
-        end: range.end,
-        from: spot(range.start),
-        to: spot(range.end),
-    }
+    Place { start: range.start, end: range.end, from: spot(range.start), to: spot(range.end) }
 }

@@ -11,11 +11,7 @@ const WIDTH: usize = DEFAULT_TERM_WIDTH;
 
 /// Messages with the lines they are about, each followed by an empty line. Nothing but our colours commands a terminal.
 pub(crate) fn render(source: &Source, messages: &[Message], has_colors: bool) -> String {
-    let renderer = if has_colors {
-        Renderer::styled()
-    } else {
-        Renderer::plain()
-    };
+    let renderer = if has_colors { Renderer::styled() } else { Renderer::plain() };
     let renderer = renderer.decor_style(DecorStyle::Ascii).term_width(WIDTH);
     let path = source.path().to_string_lossy();
     let path = masked(&path);
@@ -31,10 +27,8 @@ pub(crate) fn render(source: &Source, messages: &[Message], has_colors: bool) ->
         });
         let annotation = AnnotationKind::Primary.span(start..end);
         let text = masked(text);
-        let snippet = Snippet::source(&*text)
-            .line_start(line)
-            .path(path.as_ref())
-            .annotation(annotation);
+        let snippet =
+            Snippet::source(&*text).line_start(line).path(path.as_ref()).annotation(annotation);
         let group: Group<'_> = title.element(snippet);
         renderer.render(&[group]) + "\n\n"
     });

@@ -89,10 +89,7 @@ fn unchecked(declaration: &Declaration) -> Verdict {
     Verdict::Faulty {
         name: declaration.name.clone(),
         place: declaration.whole.clone(),
-        messages: vec![Message {
-            place: declaration.whole.clone(),
-            text,
-        }],
+        messages: vec![Message { place: declaration.whole.clone(), text }],
         repairs: Vec::new(),
         witnesses: Vec::new(),
     }
@@ -104,11 +101,8 @@ fn verdict(
     reading: Reading,
     are_repairs_asked: bool,
 ) -> Result<Verdict, Failure> {
-    let repairs = if are_repairs_asked {
-        mendings(document, declaration, &reading)?
-    } else {
-        Vec::new()
-    };
+    let repairs =
+        if are_repairs_asked { mendings(document, declaration, &reading)? } else { Vec::new() };
     let Reading { model, result, .. } = reading;
     let place = declaration.whole.clone();
     Ok(match result {
@@ -146,15 +140,8 @@ fn witnesses(model: &Model, diagnoses: &[Diagnosis]) -> Vec<Witness> {
     let mut all = Vec::new();
     for (requirement, found) in diagnoses.iter().filter_map(Diagnosis::witness) {
         let requirement = &model.requirements[requirement];
-        let is_angle = matches!(
-            requirement.condition,
-            Condition::Bounds { is_angle: true, .. }
-        );
-        let value = if is_angle {
-            found.value.to_degrees()
-        } else {
-            found.value
-        };
+        let is_angle = matches!(requirement.condition, Condition::Bounds { is_angle: true, .. });
+        let value = if is_angle { found.value.to_degrees() } else { found.value };
         for place in &found.places {
             let at = place.motors.iter().map(|(motor, value)| {
                 let joint = model.motor(*motor).joint;

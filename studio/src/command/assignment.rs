@@ -21,10 +21,7 @@ impl FromStr for Assignment {
         let (name, value) = text
             .split_once('=')
             .ok_or("expected a constant or a param and its value, as `size=2`")?;
-        Ok(Self {
-            name: name.trim().to_owned(),
-            value: value.trim().to_owned(),
-        })
+        Ok(Self { name: name.trim().to_owned(), value: value.trim().to_owned() })
     }
 }
 

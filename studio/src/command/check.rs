@@ -36,12 +36,7 @@ impl Check {
         } else {
             for verdict in &verdicts {
                 match verdict {
-                    Verdict::Moves {
-                        line,
-                        motors,
-                        notes,
-                        ..
-                    } => {
+                    Verdict::Moves { line, motors, notes, .. } => {
                         let motors = motors.iter().map(|range| format!("motor {range}\n"));
                         let notes = notes.iter().map(|note| format!("note: {note}\n"));
                         let more: String = motors.chain(notes).collect();

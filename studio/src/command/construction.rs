@@ -6,10 +6,7 @@ use clap::Args;
 
 /// What is constructed over a picture, as a motor moves at a rate of 1: the first in drawings, in films the one that moves.
 #[derive(Args, Clone, Debug)]
-#[expect(
-    clippy::struct_excessive_bools,
-    reason = "each is asked for or not, whatever the others"
-)]
+#[expect(clippy::struct_excessive_bools, reason = "each is asked for or not, whatever the others")]
 pub(super) struct Constructions {
     /// Paints the instant centres of its links, with the lines on which Kennedy has them.
     #[arg(long)]
@@ -30,12 +27,7 @@ pub(super) struct Constructions {
     #[arg(long, value_name = "LINK")]
     inflection: Vec<String>,
     /// Puts a load on it for `--forces`: the parts of a force, as `--load push=-100,0`, or a torque, as `--load brake=5`.
-    #[arg(
-        long,
-        value_name = "NAME=VALUE",
-        allow_negative_numbers = true,
-        requires = "forces"
-    )]
+    #[arg(long, value_name = "NAME=VALUE", allow_negative_numbers = true, requires = "forces")]
     pub(super) load: Vec<Load>,
 }
 
@@ -51,11 +43,7 @@ impl Constructions {
         let wanted = all.into_iter().filter(|(is_wanted, _)| *is_wanted);
         let wanted = wanted.map(|(_, construction)| construction);
         let centrodes = self.centrodes.iter().cloned().map(Construction::Centrodes);
-        let inflection = self
-            .inflection
-            .iter()
-            .cloned()
-            .map(Construction::Inflection);
+        let inflection = self.inflection.iter().cloned().map(Construction::Inflection);
         wanted.chain(centrodes).chain(inflection).collect()
     }
 }

@@ -39,11 +39,7 @@ impl Draw {
         let analysed = self.target.coherent_with(&self.picture.set, console)?;
         let picture = self.picture.job();
         let reach = self.reach.clone();
-        let job = Job::Draw(job::Draw {
-            picture,
-            reach,
-            kind,
-        });
+        let job = Job::Draw(job::Draw { picture, reach, kind });
         let bytes = job.run(analysed, console)?;
         let replacing = self.picture.replacing;
         writer.write(replacing.output(path, kind.file(), bytes, &self.target))

@@ -59,10 +59,7 @@ impl Film {
             picture: self.picture.job(),
             kind,
             motor: self.motor.clone(),
-            span: Span {
-                from: self.from,
-                to: self.to,
-            },
+            span: Span { from: self.from, to: self.to },
             seconds: self.seconds,
             rate: self.rate,
         });

@@ -116,8 +116,7 @@ impl Import {
         }
         let path = Path::new(&self.from);
         let name = |part: Option<&std::ffi::OsStr>| {
-            part.map(|part| part.to_string_lossy().into_owned())
-                .unwrap_or_default()
+            part.map(|part| part.to_string_lossy().into_owned()).unwrap_or_default()
         };
         Ok(Origin {
             source: Source::read_foreign(path)?,
@@ -130,19 +129,16 @@ impl Import {
     /// What a mechanism is called whose origin has no name.
     fn stem_of_output(&self) -> String {
         let stem = self.output.as_deref().and_then(Path::file_stem);
-        stem.map_or_else(
-            || "Imported".to_owned(),
-            |stem| stem.to_string_lossy().into_owned(),
-        )
+        stem.map_or_else(|| "Imported".to_owned(), |stem| stem.to_string_lossy().into_owned())
     }
 
     fn name(&self, wish: &str) -> Result<String, Failure> {
         match &self.mechanism {
             None => import::type_name(wish),
             Some(name) if import::is_type(name)? => Ok(name.clone()),
-            Some(name) => Err(Failure::usage(format!(
-                "`{name}` cannot be the name of a mechanism"
-            ))),
+            Some(name) => {
+                Err(Failure::usage(format!("`{name}` cannot be the name of a mechanism")))
+            }
         }
     }
 

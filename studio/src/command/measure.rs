@@ -87,19 +87,13 @@ impl Measure {
             quantities: self.quantities.clone(),
             over: self.over.clone(),
             motor: self.motor.clone(),
-            span: Span {
-                from: self.from,
-                to: self.to,
-            },
+            span: Span { from: self.from, to: self.to },
             steps: self.steps,
             rate: self.rate,
             at: self.at.clone(),
             reach: None,
             loads: self.load.clone(),
-            units: Units {
-                length: self.length.clone(),
-                force: self.force.clone(),
-            },
+            units: Units { length: self.length.clone(), force: self.force.clone() },
             dwell: None,
         }
     }

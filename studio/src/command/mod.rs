@@ -91,11 +91,7 @@ pub fn run(words: impl IntoIterator<Item = OsString>, console: &mut Console) -> 
 }
 
 fn obey(words: impl IntoIterator<Item = OsString>, console: &mut Console) -> Result<(), Failure> {
-    let Some(CommandLine {
-        command,
-        allow_write,
-    }) = parse(words, console)?
-    else {
+    let Some(CommandLine { command, allow_write }) = parse(words, console)? else {
         return Ok(());
     };
     match command {

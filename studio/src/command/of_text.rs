@@ -67,9 +67,8 @@ pub(crate) fn obey_within(
     console: &mut Console,
 ) -> Result<(), Failure> {
     let mut all: Vec<OsString> = vec!["mech".into()];
-    let (name, others) = words
-        .split_first()
-        .ok_or_else(|| Failure::internal("a command without a word"))?;
+    let (name, others) =
+        words.split_first().ok_or_else(|| Failure::internal("a command without a word"))?;
     all.push(name.into());
     // The file is given below; this only fills its place.
     all.push("-".into());

@@ -60,19 +60,11 @@ const MOST: usize = 16_384;
 fn read_size(text: &str) -> Result<Size, String> {
     let side = |text: &str| match text.parse() {
         Ok(side @ 1..=MOST) => Ok(side),
-        _ => Err(format!(
-            "`{text}` is not a number of pixels from 1 to {MOST}"
-        )),
+        _ => Err(format!("`{text}` is not a number of pixels from 1 to {MOST}")),
     };
     Ok(match text.split_once('x') {
-        None => Size {
-            width: side(text)?,
-            height: None,
-        },
-        Some((width, height)) => Size {
-            width: side(width)?,
-            height: Some(side(height)?),
-        },
+        None => Size { width: side(text)?, height: None },
+        Some((width, height)) => Size { width: side(width)?, height: Some(side(height)?) },
     })
 }
 
@@ -98,16 +90,11 @@ impl Picture {
 
 /// The kind of a file by its ending, one of these.
 pub(super) fn kind_of<K: Copy>(path: &Path, kinds: &[(&str, K)]) -> Result<K, Failure> {
-    let ending = path
-        .extension()
-        .map(|ending| ending.to_string_lossy().to_lowercase());
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
     let ending = ending.unwrap_or_default();
     let found = kinds.iter().find(|(known, _)| *known == ending);
     found.map(|(_, kind)| *kind).ok_or_else(|| {
-        let endings: Vec<String> = kinds
-            .iter()
-            .map(|(known, _)| format!("`.{known}`"))
-            .collect();
+        let endings: Vec<String> = kinds.iter().map(|(known, _)| format!("`.{known}`")).collect();
         Failure::usage(format!(
             "`{}` does not say what to write; its name has to end in {}",
             path.display(),

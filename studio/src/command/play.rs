@@ -58,9 +58,7 @@ fn long_help() -> String {
 fn read_seconds(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(seconds) if (0.0..=3600.0).contains(&seconds) => Ok(seconds),
-        _ => Err(format!(
-            "`{text}` is not a number of seconds from 0 to 3600"
-        )),
+        _ => Err(format!("`{text}` is not a number of seconds from 0 to 3600")),
     }
 }
 
@@ -136,9 +134,9 @@ impl Play {
         let has_any = documents.iter().any(|one| !self.wanted(one).is_empty());
         match &self.mechanism {
             _ if has_any => Ok(documents),
-            Some(name) => Err(Failure::usage(format!(
-                "none of these files has a mechanism `{name}`"
-            ))),
+            Some(name) => {
+                Err(Failure::usage(format!("none of these files has a mechanism `{name}`")))
+            }
             None => Err(Failure::file("none of these files has a mechanism")),
         }
     }
@@ -179,9 +177,7 @@ fn in_window(stage: Stage) -> Result<(), Failure> {
 
 #[cfg(not(feature = "editor"))]
 fn in_window(_: Stage) -> Result<(), Failure> {
-    Err(Failure::usage(format!(
-        "this `mech` was built without its feature `editor`; {INSTEAD}"
-    )))
+    Err(Failure::usage(format!("this `mech` was built without its feature `editor`; {INSTEAD}")))
 }
 
 /// Says why there is no window, and asks whether the terminal will do.

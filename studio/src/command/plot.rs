@@ -43,11 +43,8 @@ impl Plot {
         let kinds = [("svg", StillKind::Svg), ("png", StillKind::Png)];
         let kind = kind_of(&self.output, &kinds)?;
         let analysed = self.target.coherent_with(&self.measure.set, console)?;
-        let job = Job::Plot(job::Plot {
-            measure: self.measure.job(),
-            kind,
-            title: self.title.clone(),
-        });
+        let job =
+            Job::Plot(job::Plot { measure: self.measure.job(), kind, title: self.title.clone() });
         let bytes = job.run(analysed, console)?;
         let (path, replacing) = (&self.output, self.replacing);
         writer.write(replacing.output(path, kind.file(), bytes, &self.target))

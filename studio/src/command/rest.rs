@@ -33,10 +33,7 @@ Examples:
 impl Rest {
     pub(super) fn run(&self, console: &mut Console) -> Result<(), Failure> {
         let analysed = self.target.coherent(console)?;
-        let job = Job::Rest(job::Rest {
-            at: self.at.clone(),
-            loads: self.load.clone(),
-        });
+        let job = Job::Rest(job::Rest { at: self.at.clone(), loads: self.load.clone() });
         let text = job.run(analysed, console)?;
         console.deliver(text)
     }

@@ -49,16 +49,9 @@ impl Table {
         if self.dwell.is_some_and(|width| width < 0.0) {
             return Err(Failure::usage("the width of a dwell is not negative"));
         }
-        let measure = job::Measure {
-            dwell: self.dwell,
-            reach: self.reach.clone(),
-            ..self.measure.job()
-        };
-        let job = if self.summary {
-            Job::Summary(measure)
-        } else {
-            Job::Table(measure)
-        };
+        let measure =
+            job::Measure { dwell: self.dwell, reach: self.reach.clone(), ..self.measure.job() };
+        let job = if self.summary { Job::Summary(measure) } else { Job::Table(measure) };
         let text = job.run(analysed, console)?;
         match &self.output {
             Some(path) => {

@@ -69,15 +69,13 @@ impl Console {
 
     fn write(&mut self, bytes: &[u8]) -> Result<(), Failure> {
         let written = self.answers.write_all(bytes);
-        written
-            .and_then(|()| self.answers.flush())
-            .map_err(|error| {
-                if error.kind() == ErrorKind::BrokenPipe {
-                    Failure::unread()
-                } else {
-                    Failure::file(format!("cannot write the answer: {error}"))
-                }
-            })
+        written.and_then(|()| self.answers.flush()).map_err(|error| {
+            if error.kind() == ErrorKind::BrokenPipe {
+                Failure::unread()
+            } else {
+                Failure::file(format!("cannot write the answer: {error}"))
+            }
+        })
     }
 
     /// Writes a complaint. What would command a terminal is masked. Where it cannot be written, only the exit code is left to say it.

@@ -53,13 +53,7 @@ impl Rolling {
         let Ok(drive) = drive.map(|drive| drive.completed(model, compiled)) else {
             return Vec::new();
         };
-        let of = Filmed {
-            model,
-            drive: &drive,
-            whole: &drive,
-            parts: &[],
-            loads: &[],
-        };
+        let of = Filmed { model, drive: &drive, whole: &drive, parts: &[], loads: &[] };
         let links = self.links.iter();
         let found = links.filter_map(|link| centrodes(&of, link, self.extent).ok());
         found.collect()
@@ -78,10 +72,7 @@ pub(crate) struct Board {
 impl Board {
     /// Nothing, for pictures of this box.
     pub(crate) fn empty(extent: [Place; 2]) -> Self {
-        Self {
-            extent,
-            ..Self::default()
-        }
+        Self { extent, ..Self::default() }
     }
 
     /// Constructs, for pictures of this box.
@@ -101,9 +92,8 @@ impl Board {
         for construction in constructions {
             if let Construction::Centrodes(name) = construction {
                 let centrodes = centrodes(of, name, extent)?;
-                let drawn = drawn(&survey.positions, NO_VELOCITIES, &|at| {
-                    centrodes.drawn(subject, at)
-                });
+                let drawn =
+                    drawn(&survey.positions, NO_VELOCITIES, &|at| centrodes.drawn(subject, at));
                 board.add(drawn?);
             } else {
                 board.construct(construction, subject, (&survey.positions, of.drive.motor()))?;
@@ -172,8 +162,7 @@ impl Board {
     }
 
     fn add(&mut self, marks: Vec<Vec<Mark>>) {
-        self.marks
-            .resize_with(self.marks.len().max(marks.len()), Vec::new);
+        self.marks.resize_with(self.marks.len().max(marks.len()), Vec::new);
         for (all, more) in self.marks.iter_mut().zip(marks) {
             all.extend(more);
         }

@@ -39,19 +39,13 @@ pub(super) fn bodies(
             "forces are not determined here: it is at a dead point or a change point; put a motor elsewhere with `--at`",
         ));
     }
-    let all = || {
-        pushed
-            .iter()
-            .map(|pushes| pushes.as_deref().unwrap_or_default())
-    };
+    let all = || pushed.iter().map(|pushes| pushes.as_deref().unwrap_or_default());
     let most = |size: fn(&Push) -> f64| {
         let greatest = |pushes: &[Push]| pushes.iter().map(size).fold(0.0, f64::max);
         usual(all().map(greatest))
     };
-    let [force, torque] = [
-        most(|push| push.force[0].hypot(push.force[1])),
-        most(|push| push.torque.abs()),
-    ];
+    let [force, torque] =
+        [most(|push| push.force[0].hypot(push.force[1])), most(|push| push.torque.abs())];
     if force == 0.0 && torque == 0.0 {
         return Err(Failure::mechanism(
             "nothing pushes its links: give a load by `--load`, or declare `gravity` and masses, or springs",
@@ -121,26 +115,13 @@ struct Outline {
 
 impl Outline {
     fn of(survey: Surveyed<'_>, at: &Position, link: LinkId) -> Self {
-        let spots: Vec<Place> = Spot::of(survey, at, link)
-            .iter()
-            .map(|spot| spot.at)
-            .collect();
+        let spots: Vec<Place> = Spot::of(survey, at, link).iter().map(|spot| spot.at).collect();
         let ends = |part: usize| {
-            let low = spots
-                .iter()
-                .map(|at| at[part])
-                .fold(f64::INFINITY, f64::min);
-            let high = spots
-                .iter()
-                .map(|at| at[part])
-                .fold(f64::NEG_INFINITY, f64::max);
+            let low = spots.iter().map(|at| at[part]).fold(f64::INFINITY, f64::min);
+            let high = spots.iter().map(|at| at[part]).fold(f64::NEG_INFINITY, f64::max);
             f64::midpoint(low, high)
         };
-        let middle = if spots.is_empty() {
-            [0.0; 2]
-        } else {
-            [ends(0), ends(1)]
-        };
+        let middle = if spots.is_empty() { [0.0; 2] } else { [ends(0), ends(1)] };
         Self { spots, middle }
     }
 
@@ -155,15 +136,9 @@ impl Outline {
     fn drawn<'p>(&self, pushes: impl Iterator<Item = &'p Push>, scale: &Scale) -> Vec<Mark> {
         let to = |place: Place| [0, 1].map(|part| scale.length * (place[part] - self.middle[part]));
         let color = INK;
-        let line = |from: Place, to: Place| Mark::Line {
-            ends: [from, to],
-            color,
-        };
+        let line = |from: Place, to: Place| Mark::Line { ends: [from, to], color };
         let spots: Vec<Place> = self.spots.iter().copied().map(to).collect();
-        let mut marks: Vec<Mark> = spots
-            .windows(2)
-            .map(|pair| line(pair[0], pair[1]))
-            .collect();
+        let mut marks: Vec<Mark> = spots.windows(2).map(|pair| line(pair[0], pair[1])).collect();
         if let [first, _, .., last] = spots[..] {
             marks.push(line(last, first));
         }
@@ -201,11 +176,7 @@ impl Outline {
                 marks.push(Mark::Text {
                     at,
                     away: BESIDE,
-                    text: format!(
-                        "{} torque {}",
-                        push.name,
-                        tick(four_digits(push.torque.abs()))
-                    ),
+                    text: format!("{} torque {}", push.name, tick(four_digits(push.torque.abs()))),
                 });
             }
         }

@@ -15,9 +15,7 @@ const BELOW: Place = [5.0, -13.0];
 
 /// The instant centres of a mechanism where it is, each with the names of both links; none where its velocities are not determined.
 pub(super) fn centres(survey: Surveyed<'_>, at: &Position) -> Option<Vec<Mark>> {
-    let Surveyed {
-        model, compiled, ..
-    } = survey;
+    let Surveyed { model, compiled, .. } = survey;
     at.rates.as_ref()?;
     let links = [LinkId::GROUND].into_iter().chain(model.declared_links());
     let links = links.filter_map(|link| Some((link, at.motion(compiled, link)?)));
@@ -61,10 +59,11 @@ pub(super) fn centres(survey: Surveyed<'_>, at: &Position) -> Option<Vec<Mark>> 
             for &(third, between) in &links {
                 if joined(first, third) && joined(third, second) {
                     let ends = [centre(motion, between), centre(between, other)];
-                    marks.extend(ends.into_iter().flatten().map(|end| Mark::Line {
-                        ends: [at, end],
-                        color: INK,
-                    }));
+                    marks.extend(
+                        ends.into_iter()
+                            .flatten()
+                            .map(|end| Mark::Line { ends: [at, end], color: INK }),
+                    );
                 }
             }
         }
@@ -72,11 +71,7 @@ pub(super) fn centres(survey: Surveyed<'_>, at: &Position) -> Option<Vec<Mark>> 
     for (at, text) in dots {
         marks.push(Mark::Dot(at));
         if !text.is_empty() {
-            marks.push(Mark::Text {
-                at,
-                away: BELOW,
-                text,
-            });
+            marks.push(Mark::Text { at, away: BELOW, text });
         }
     }
     Some(marks)

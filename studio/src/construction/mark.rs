@@ -63,11 +63,7 @@ impl Mark {
         #[expect(clippy::cast_precision_loss, reason = "no text has 2⁵² letters")]
         let width = LETTER[0] * text.chars().count() as f64;
         let x = if right < 0.0 { -BESIDE - width } else { BESIDE };
-        let y = if up < 0.0 {
-            -BESIDE - LETTER[1]
-        } else {
-            BESIDE
-        };
+        let y = if up < 0.0 { -BESIDE - LETTER[1] } else { BESIDE };
         let away = [x, y];
         Self::Text { at, away, text }
     }
@@ -76,29 +72,11 @@ impl Mark {
     pub(super) fn map(&self, to: impl Fn(Place) -> Place) -> Self {
         match self.clone() {
             same @ (Self::Curve { .. } | Self::Circle { .. }) => same,
-            Self::Line { ends, color } => Self::Line {
-                ends: ends.map(to),
-                color,
-            },
-            Self::Arrow { ends, color } => Self::Arrow {
-                ends: ends.map(to),
-                color,
-            },
-            Self::Turn {
-                at,
-                to_the_left,
-                color,
-            } => Self::Turn {
-                at: to(at),
-                to_the_left,
-                color,
-            },
+            Self::Line { ends, color } => Self::Line { ends: ends.map(to), color },
+            Self::Arrow { ends, color } => Self::Arrow { ends: ends.map(to), color },
+            Self::Turn { at, to_the_left, color } => Self::Turn { at: to(at), to_the_left, color },
             Self::Dot(at) => Self::Dot(to(at)),
-            Self::Text { at, away, text } => Self::Text {
-                at: to(at),
-                away,
-                text,
-            },
+            Self::Text { at, away, text } => Self::Text { at: to(at), away, text },
         }
     }
 
@@ -125,35 +103,20 @@ impl Mark {
         match self {
             Self::Line { ends, color } => {
                 // No trace: that would stay where it was in a moving picture.
-                let line = Outline::Line {
-                    points: &ends[..],
-                    width: pixel,
-                };
+                let line = Outline::Line { points: &ends[..], width: pixel };
                 canvas.fill(line, Pose::identity(), *color);
             }
-            Self::Curve {
-                places,
-                pose,
-                color,
-            } => {
-                let curve = Outline::Line {
-                    points: &places[..],
-                    width: CURVE * pixel,
-                };
+            Self::Curve { places, pose, color } => {
+                let curve = Outline::Line { points: &places[..], width: CURVE * pixel };
                 canvas.fill(curve, *pose, *color);
             }
             Self::Circle { ends, color } => circle(*ends, pixel, *color, canvas),
             Self::Arrow { ends, color } => arrow(canvas, *ends, SIZE, *color),
-            Self::Turn {
-                at,
-                to_the_left,
-                color,
-            } => moment(canvas, *at, *to_the_left, TURN, SIZE, *color),
+            Self::Turn { at, to_the_left, color } => {
+                moment(canvas, *at, *to_the_left, TURN, SIZE, *color)
+            }
             Self::Dot(at) => {
-                let dot = Outline::Circle {
-                    center: *at,
-                    radius: DOT * pixel,
-                };
+                let dot = Outline::Circle { center: *at, radius: DOT * pixel };
                 canvas.fill(dot, Pose::identity(), INK);
             }
             Self::Text { at, away, text } => {

@@ -32,11 +32,7 @@ impl Panel {
         } else {
             1 + usize::from(count > 1) + usize::from(count > 4)
         };
-        let long = if is_wide {
-            width.max(0.6 * height)
-        } else {
-            height.max(0.6 * width)
-        };
+        let long = if is_wide { width.max(0.6 * height) } else { height.max(0.6 * width) };
         #[expect(clippy::cast_precision_loss, reason = "no mechanism has 2⁵² links")]
         let side = long / along as f64;
         let mut whole = extent;
@@ -74,10 +70,7 @@ impl Inset {
     /// Drawings in a unit of their own, which fill a field.
     pub(super) fn filling(title: String, unit: &'static str, drawings: &[Vec<Mark>]) -> Self {
         let reach = usual(drawings.iter().map(|marks| {
-            let lengths = marks
-                .iter()
-                .flat_map(Mark::places)
-                .map(|[x, y]| x.hypot(*y));
+            let lengths = marks.iter().flat_map(Mark::places).map(|[x, y]| x.hypot(*y));
             lengths.fold(0.0, f64::max)
         }));
         let [mut low, mut high] = [[0.0; 2]; 2];
@@ -95,12 +88,7 @@ impl Inset {
         };
         let all = drawings.iter();
         let drawings = all.map(|marks| marks.iter().map(|mark| mark.map(to)).collect());
-        Self {
-            title,
-            unit,
-            scale,
-            drawings: drawings.collect(),
-        }
+        Self { title, unit, scale, drawings: drawings.collect() }
     }
 
     /// The same in a field, each with its title and its scale.
@@ -109,17 +97,10 @@ impl Inset {
         let length = round_step(&(0.0..0.15 / self.scale), self.unit, 1);
         let from = [low[0] + 0.05 * side, low[1]];
         let to = [from[0] + side * self.scale * length, low[1]];
-        let text = |at, up, text| Mark::Text {
-            at,
-            away: [0.0, up],
-            text,
-        };
+        let text = |at, up, text| Mark::Text { at, away: [0.0, up], text };
         let frame = [
             text([low[0], low[1] + side], TITLE, self.title),
-            Mark::Line {
-                ends: [from, to],
-                color: INK,
-            },
+            Mark::Line { ends: [from, to], color: INK },
             Mark::Dot(from),
             Mark::Dot(to),
             text(from, SCALE, format!("{} {}", tick(length), self.unit)),
@@ -138,8 +119,5 @@ pub(super) fn usual(numbers: impl Iterator<Item = f64>) -> f64 {
     let mut numbers: Vec<f64> = numbers.filter(|number| number.is_finite()).collect();
     numbers.sort_by(f64::total_cmp);
     let most = GREAT * numbers.get(numbers.len() / 2).copied().unwrap_or(0.0);
-    numbers
-        .into_iter()
-        .filter(|number| *number <= most)
-        .fold(0.0, f64::max)
+    numbers.into_iter().filter(|number| *number <= most).fold(0.0, f64::max)
 }

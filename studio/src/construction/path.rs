@@ -59,12 +59,7 @@ impl Centrodes {
             last = found.map(|(centre, _)| centre);
         }
         let name = survey.model.link(link).name.clone();
-        (!fixed.is_empty()).then_some(Self {
-            link,
-            fixed,
-            moving,
-            name,
-        })
+        (!fixed.is_empty()).then_some(Self { link, fixed, moving, name })
     }
 
     /// Both curves where a mechanism is, and the instant centre, at which the one rolls on the other.
@@ -76,11 +71,8 @@ impl Centrodes {
         ];
         let mut marks = Vec::new();
         for (kind, pieces, pose, color) in both {
-            let curves = pieces.iter().map(|places| Mark::Curve {
-                places: places.clone(),
-                pose,
-                color,
-            });
+            let curves =
+                pieces.iter().map(|places| Mark::Curve { places: places.clone(), pose, color });
             marks.extend(curves);
             let longest = pieces.iter().max_by_key(|places| places.len());
             let middle = longest.and_then(|places| places.get(places.len() / 2));
@@ -106,10 +98,7 @@ pub(super) fn inflection(survey: Surveyed<'_>, at: &Position, link: LinkId) -> O
     let name = format!("inflection circle of {}", survey.model.link(link).name);
     is_finite.then(|| {
         vec![
-            Mark::Circle {
-                ends: [centre, pole],
-                color: Palette::GREEN,
-            },
+            Mark::Circle { ends: [centre, pole], color: Palette::GREEN },
             Mark::Dot(centre),
             Mark::Dot(pole),
             Mark::name(pole, diameter, name),
@@ -119,8 +108,6 @@ pub(super) fn inflection(survey: Surveyed<'_>, at: &Position, link: LinkId) -> O
 
 /// The instant centre of a link and the ground; none if the link turns by rounding alone.
 fn centre(survey: Surveyed<'_>, at: &Position, link: LinkId) -> Option<Place> {
-    let found = at
-        .motion(survey.compiled, link)?
-        .centre(PlaneMotion::default())?;
+    let found = at.motion(survey.compiled, link)?.centre(PlaneMotion::default())?;
     is_near(survey.model, found).then_some(found)
 }

@@ -16,9 +16,7 @@ const POLE: &str = "pole";
 ///
 /// Of accelerations, each image begins with what its link's turning makes of it: first along the line between two spots, then across it.
 pub(super) fn polygon(survey: Surveyed<'_>, at: &Position, rate: Rate) -> Option<Vec<Mark>> {
-    let Surveyed {
-        model, compiled, ..
-    } = survey;
+    let Surveyed { model, compiled, .. } = survey;
     let mut ends: Vec<(Place, Vec<String>)> = vec![([0.0; 2], vec![POLE.to_owned()])];
     let mut marks = Vec::new();
     let links = [LinkId::GROUND].into_iter().chain(model.declared_links());
@@ -58,16 +56,11 @@ pub(super) fn polygon(survey: Surveyed<'_>, at: &Position, rate: Rate) -> Option
     }
     // From the one link of a slide to the other.
     for joint in model.declared_joints() {
-        if let Some(Pair {
-            links, at: place, ..
-        }) = Pair::of(survey, at, joint)
+        if let Some(Pair { links, at: place, .. }) = Pair::of(survey, at, joint)
             && !links.contains(&LinkId::GROUND)
         {
             let [begin, end] = links.map(|link| at.vector(compiled, link, place, rate));
-            marks.push(Mark::Line {
-                ends: [begin?, end?],
-                color: INK,
-            });
+            marks.push(Mark::Line { ends: [begin?, end?], color: INK });
         }
     }
     let color = match rate {
@@ -75,10 +68,7 @@ pub(super) fn polygon(survey: Surveyed<'_>, at: &Position, rate: Rate) -> Option
         Rate::Velocity => Palette::BLUE,
     };
     for (end, names) in ends {
-        marks.push(Mark::Arrow {
-            ends: [[0.0; 2], end],
-            color,
-        });
+        marks.push(Mark::Arrow { ends: [[0.0; 2], end], color });
         marks.push(Mark::Dot(end));
         marks.push(Mark::name(end, end, names.join(", ")));
     }

@@ -19,12 +19,7 @@ pub(super) struct Push {
 
 /// All pushes on all links where a mechanism is; none where they are not determined. Where motors rest, dampers do not push.
 pub(super) fn pushes(survey: Surveyed<'_>, at: &Position, rests: bool) -> Option<Vec<Push>> {
-    let Surveyed {
-        model,
-        compiled,
-        loads,
-        ..
-    } = survey;
+    let Surveyed { model, compiled, loads, .. } = survey;
     let actions = &model.actions;
     let mut all = Vec::new();
     let reactions = &at.forces.as_ref()?.reactions;
@@ -93,13 +88,7 @@ pub(super) fn pushes(survey: Surveyed<'_>, at: &Position, rests: bool) -> Option
             }
             LoadKind::Torque(link) => (link, None, [0.0; 2], loads[number]),
         };
-        all.push(Push {
-            link,
-            at: place,
-            force,
-            torque,
-            name: load.name.clone(),
-        });
+        all.push(Push { link, at: place, force, torque, name: load.name.clone() });
     }
     let is_finite =
         |push: &Push| push.force.iter().all(|part| part.is_finite()) && push.torque.is_finite();
@@ -115,9 +104,7 @@ fn reaction(
     (force, torque): (Place, f64),
     name: &str,
 ) -> Option<Vec<Push>> {
-    let Surveyed {
-        model, compiled, ..
-    } = survey;
+    let Surveyed { model, compiled, .. } = survey;
     let push = |link, at, side: f64, torque| Push {
         link,
         at,
@@ -132,10 +119,7 @@ fn reaction(
         let arm = [0, 1].map(|part| there[part] - pair.at[part]);
         let torque = torque + arm[0] * force[1] - arm[1] * force[0];
         let ([first, second], place) = (pair.links, Some(pair.at));
-        return Some(vec![
-            push(second, place, 1.0, torque),
-            push(first, place, -1.0, -torque),
-        ]);
+        return Some(vec![push(second, place, 1.0, torque), push(first, place, -1.0, -torque)]);
     }
     let (first, second) = model.ends(joint);
     if torque == 0.0 {
@@ -154,14 +138,8 @@ fn reaction(
         Factor::Whole(teeth) => teeth as f64,
         Factor::Float(radius) => radius,
     });
-    let shares = [
-        (second, 1.0),
-        (first, p / q),
-        (rolling.carrier, -1.0 - p / q),
-    ];
-    Some(Vec::from(
-        shares.map(|(link, share)| push(link, None, 0.0, share * torque)),
-    ))
+    let shares = [(second, 1.0), (first, p / q), (rolling.carrier, -1.0 - p / q)];
+    Some(Vec::from(shares.map(|(link, share)| push(link, None, 0.0, share * torque))))
 }
 
 /// A pull of the first point towards the second, and back.

@@ -29,11 +29,7 @@ impl Spot {
             if link == model.axis(pin).link || (links.contains(&link) && !is_slide) {
                 add(&mut spots, at, name);
             } else if links.contains(&link) && link != LinkId::GROUND {
-                add(
-                    &mut spots,
-                    at,
-                    &format!("{name} on {}", model.link(link).name),
-                );
+                add(&mut spots, at, &format!("{name} on {}", model.link(link).name));
             }
         }
         let points = model.axes.iter().filter(|axis| axis.link == link);
@@ -79,10 +75,7 @@ impl Pair {
 fn add(spots: &mut Vec<Spot>, at: Place, name: &str) {
     match spots.iter_mut().find(|spot| is_same(spot.at, at)) {
         Some(spot) => spot.names.push(name.to_owned()),
-        None => spots.push(Spot {
-            at,
-            names: vec![name.to_owned()],
-        }),
+        None => spots.push(Spot { at, names: vec![name.to_owned()] }),
     }
 }
 

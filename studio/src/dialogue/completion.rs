@@ -26,12 +26,7 @@ pub(crate) fn complete(line: &str, listing: &Listing) -> (usize, Vec<String>) {
                 continue;
             };
             if misfit.at == before.len() {
-                all.extend(
-                    misfit
-                        .wants
-                        .iter()
-                        .flat_map(|want| words_for(want, listing)),
-                );
+                all.extend(misfit.wants.iter().flat_map(|want| words_for(want, listing)));
             }
         }
     }
@@ -56,9 +51,7 @@ fn words_for(element: &Element, listing: &Listing) -> Vec<String> {
     let names = |is_it: fn(Noun) -> bool| {
         let declared = listing.names.iter();
         let declared = declared.filter(|one| one.is_declared && one.part.is_none());
-        let names = declared
-            .filter(|one| is_it(one.noun))
-            .map(|one| one.path.clone());
+        let names = declared.filter(|one| is_it(one.noun)).map(|one| one.path.clone());
         names.collect::<Vec<_>>()
     };
     let with_ground = |mut all: Vec<String>| {
@@ -67,10 +60,9 @@ fn words_for(element: &Element, listing: &Listing) -> Vec<String> {
     };
     match element {
         Element::Word(word) => vec![(*word).to_owned()],
-        Element::Optional(inner) => inner
-            .first()
-            .map(|first| words_for(first, listing))
-            .unwrap_or_default(),
+        Element::Optional(inner) => {
+            inner.first().map(|first| words_for(first, listing)).unwrap_or_default()
+        }
         Element::Slot { what, .. } => match what {
             What::Link => with_ground(names(|noun| noun == Noun::Body)),
             What::Joint => names(|noun| noun == Noun::Joint),
@@ -91,9 +83,7 @@ mod tests {
         let text = "struct A; link crank { point pin = (1, 0); } joint a = revolute(ground, crank) at (0, 0);";
         let document = Document::of(Source::new("a.mech", text));
         let listing = document.listing(&document.declarations()[0]);
-        listing
-            .expect("the compiler works")
-            .expect("it can be read")
+        listing.expect("the compiler works").expect("it can be read")
     }
 
     #[track_caller]

@@ -35,11 +35,7 @@ fn without_comment(line: &str) -> &str {
 
 /// Why no row fits a line.
 fn complaint(line: &str, words: &[Word], misfits: &[(&Row, Misfit)]) -> String {
-    let farthest = misfits
-        .iter()
-        .map(|(_, misfit)| misfit.at)
-        .max()
-        .unwrap_or(0);
+    let farthest = misfits.iter().map(|(_, misfit)| misfit.at).max().unwrap_or(0);
     let first = words.first().map_or("", |word| word.of(line));
     if farthest == 0 {
         return match nearest(first) {
@@ -56,19 +52,14 @@ fn complaint(line: &str, words: &[Word], misfits: &[(&Row, Misfit)]) -> String {
             wants.push(want);
         }
     }
-    let wanted = if wants.is_empty() {
-        "the end of the line".to_owned()
-    } else {
-        wants.join(" or ")
-    };
+    let wanted =
+        if wants.is_empty() { "the end of the line".to_owned() } else { wants.join(" or ") };
     let found = match words.get(farthest) {
         Some(word) => format!(", found `{}`", word.of(line)),
         None => String::new(),
     };
-    let patterns: Vec<String> = nearest
-        .iter()
-        .map(|(row, _)| format!("`{}`", shown(&read(row.pattern))))
-        .collect();
+    let patterns: Vec<String> =
+        nearest.iter().map(|(row, _)| format!("`{}`", shown(&read(row.pattern)))).collect();
     format!("expected {wanted}{found}; say {}", patterns.join(" or "))
 }
 
@@ -100,10 +91,7 @@ pub(super) fn beginnings() -> Vec<&'static str> {
     for row in ROWS {
         match read(row.pattern).into_iter().next() {
             Some(Element::Word(word)) => all.push(word),
-            Some(Element::Slot {
-                what: What::One(words),
-                ..
-            }) => all.extend(words),
+            Some(Element::Slot { what: What::One(words), .. }) => all.extend(words),
             _ => {}
         }
     }
@@ -118,9 +106,7 @@ fn nearest(word: &str) -> Option<&'static str> {
         return None;
     }
     let likeness = |known: &str| similar::TextDiff::from_chars(known, word).ratio();
-    let all = beginnings()
-        .into_iter()
-        .map(|known| (likeness(known), known));
+    let all = beginnings().into_iter().map(|known| (likeness(known), known));
     let best = all.max_by(|a, b| a.0.total_cmp(&b.0))?;
     (best.0 > 0.6).then_some(best.1)
 }
@@ -135,12 +121,7 @@ pub(crate) fn help(topic: Option<&str>) -> Result<String, Failure> {
     let rows: Vec<_> = rows.filter(|(pattern, _)| is_asked(pattern)).collect();
     if rows.is_empty() {
         let topic = topic.unwrap_or_default();
-        return Err(Failure::usage(format!(
-            "there is no command `{topic}`; `help` lists all"
-        )));
+        return Err(Failure::usage(format!("there is no command `{topic}`; `help` lists all")));
     }
-    Ok(rows
-        .iter()
-        .map(|(pattern, help)| format!("{pattern}\n    {help}\n"))
-        .collect())
+    Ok(rows.iter().map(|(pattern, help)| format!("{pattern}\n    {help}\n")).collect())
 }

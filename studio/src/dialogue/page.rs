@@ -15,7 +15,5 @@ pub(super) fn obey_within(
 ) -> Result<(), Failure> {
     let name = words.first();
     let name = name.ok_or_else(|| Failure::internal("a command without a word"))?;
-    Err(Failure::usage(format!(
-        "`{name}` is not there in a browser; say it to the command `mech`"
-    )))
+    Err(Failure::usage(format!("`{name}` is not there in a browser; say it to the command `mech`")))
 }

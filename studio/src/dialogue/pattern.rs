@@ -62,10 +62,7 @@ pub(super) fn read(pattern: &'static str) -> Vec<Element> {
         } else {
             inner.strip_suffix(']').unwrap_or(inner)
         };
-        let element = match bare
-            .strip_prefix('<')
-            .and_then(|slot| slot.strip_suffix('>'))
-        {
+        let element = match bare.strip_prefix('<').and_then(|slot| slot.strip_suffix('>')) {
             Some(slot) => {
                 let (name, what) = slot.split_once(':').unwrap_or((slot, slot));
                 let what = what_of(what);
@@ -118,13 +115,7 @@ pub(super) fn shown(elements: &[Element]) -> String {
 }
 
 pub(super) fn fit(elements: &[Element], line: &str, words: &[Word]) -> Result<Found, Misfit> {
-    let mut fitting = Fitting {
-        line,
-        words,
-        at: 0,
-        found: Found::new(),
-        skipped: Vec::new(),
-    };
+    let mut fitting = Fitting { line, words, at: 0, found: Found::new(), skipped: Vec::new() };
     fitting.all(elements, &[])?;
     if fitting.at < words.len() {
         return Err(fitting.misfit(&[]));
@@ -148,10 +139,7 @@ impl Fitting<'_> {
 
     fn misfit(&self, wants: &[Element]) -> Misfit {
         let skipped = self.skipped.iter().chain(wants);
-        Misfit {
-            at: self.at,
-            wants: skipped.cloned().collect(),
-        }
+        Misfit { at: self.at, wants: skipped.cloned().collect() }
     }
 
     fn all(&mut self, elements: &[Element], after: &[Element]) -> Result<(), Misfit> {
@@ -199,10 +187,7 @@ impl Fitting<'_> {
             _ => usize::from(self.word(self.at).is_some_and(|word| is_a(word, what))),
         };
         let last = (self.at + length).checked_sub(1);
-        let ends = self
-            .words
-            .get(self.at)
-            .zip(last.and_then(|last| self.words.get(last)));
+        let ends = self.words.get(self.at).zip(last.and_then(|last| self.words.get(last)));
         let Some((first, last)) = ends.filter(|_| length > 0) else {
             return Err(self.misfit(std::slice::from_ref(element)));
         };
@@ -261,10 +246,7 @@ mod tests {
     fn fitted(pattern: &'static str, line: &str) -> Result<Vec<(String, String)>, usize> {
         let found = fit(&read(pattern), line, &words(line).expect("brackets match"));
         let found = found.map_err(|misfit| misfit.at)?;
-        Ok(found
-            .into_iter()
-            .map(|(name, text)| (name.to_owned(), text))
-            .collect())
+        Ok(found.into_iter().map(|(name, text)| (name.to_owned(), text)).collect())
     }
 
     #[test]

@@ -22,11 +22,7 @@ const GREETING: &str = "`help` lists what can be said, `quit` ends.\n";
 
 /// Talks until the user ends it.
 pub(crate) fn converse(allow_write: &[PathBuf], console: &mut Console) -> Result<(), Failure> {
-    if io::stdin().is_terminal() {
-        at_terminal(console)
-    } else {
-        from_lines(allow_write, console)
-    }
+    if io::stdin().is_terminal() { at_terminal(console) } else { from_lines(allow_write, console) }
 }
 
 /// The longest line that is read, in bytes.

@@ -58,17 +58,13 @@ impl Taken {
 
     pub(super) fn number(&mut self, name: &str) -> Result<usize, Failure> {
         let text = self.text(name);
-        text.parse()
-            .map_err(|_| Failure::usage(format!("`{text}` is too large")))
+        text.parse().map_err(|_| Failure::usage(format!("`{text}` is too large")))
     }
 }
 
 /// The two numbers of `(x, y)`.
 fn pair(text: &str) -> Result<Pair, Failure> {
-    let inner = text
-        .trim()
-        .strip_prefix('(')
-        .and_then(|text| text.strip_suffix(')'));
+    let inner = text.trim().strip_prefix('(').and_then(|text| text.strip_suffix(')'));
     let inner = inner.unwrap_or_default();
     let mut depth = 0_usize;
     let comma = inner.char_indices().find(|(_, letter)| {
@@ -80,10 +76,7 @@ fn pair(text: &str) -> Result<Pair, Failure> {
         depth == 0 && *letter == ','
     });
     let (comma, _) = comma.ok_or_else(|| {
-        Failure::usage(format!(
-            "expected a place as `(1, 2)`, found `{}`",
-            text.trim()
-        ))
+        Failure::usage(format!("expected a place as `(1, 2)`, found `{}`", text.trim()))
     })?;
     let [x, y] = [&inner[..comma], &inner[comma + 1..]].map(|part| part.trim().to_owned());
     Ok([x, y])
@@ -127,11 +120,7 @@ pub(super) fn ask(
 }
 
 pub(super) fn constant(mut taken: Taken, is_param: bool) -> Result<Request, Failure> {
-    edit(Command::Constant {
-        name: taken.text("name"),
-        value: taken.text("value"),
-        is_param,
-    })
+    edit(Command::Constant { name: taken.text("name"), value: taken.text("value"), is_param })
 }
 
 pub(super) fn join(mut taken: Taken, kind: JointForm) -> Result<Request, Failure> {
@@ -155,17 +144,9 @@ pub(super) fn rolling(mut taken: Taken) -> Result<Request, Failure> {
 }
 
 pub(super) fn action(mut taken: Taken, kind: ActionKind) -> Result<Request, Failure> {
-    edit(Command::Action {
-        kind,
-        name: taken.text("name"),
-        body: taken.text("body"),
-    })
+    edit(Command::Action { kind, name: taken.text("name"), body: taken.text("body") })
 }
 
 pub(super) fn start(mut taken: Taken, is_near: bool) -> Result<Request, Failure> {
-    edit(Command::Start {
-        name: taken.text("name"),
-        is_near,
-        value: taken.text("value"),
-    })
+    edit(Command::Start { name: taken.text("name"), is_near, value: taken.text("value") })
 }

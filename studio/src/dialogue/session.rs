@@ -41,19 +41,13 @@ impl Session {
     /// An empty text, without a file.
     #[cfg(not(target_arch = "wasm32"))]
     pub(crate) fn new(writer: Writer) -> Self {
-        Self {
-            workspace: Workspace::default(),
-            writer,
-        }
+        Self { workspace: Workspace::default(), writer }
     }
 
     /// A session that goes on with this text. It writes files at once.
     #[cfg(feature = "editor")]
     pub(crate) fn of(workspace: Workspace) -> Self {
-        Self {
-            workspace,
-            writer: Writer::default(),
-        }
+        Self { workspace, writer: Writer::default() }
     }
 
     pub(crate) fn obey(&mut self, line: &str, console: &mut Console) -> Result<Turn, Failure> {
@@ -79,11 +73,8 @@ impl Session {
             }
             Request::Steps => {
                 let steps = self.workspace.history().made().iter();
-                console.answer(
-                    steps
-                        .map(|step| format!("{}\n", step.title))
-                        .collect::<String>(),
-                )?;
+                console
+                    .answer(steps.map(|step| format!("{}\n", step.title)).collect::<String>())?;
             }
             Request::Text => console.deliver(self.workspace.text())?,
             Request::Numbers(owner) => console.answer(self.numbers(owner.as_deref())?)?,
@@ -106,9 +97,7 @@ impl Session {
 
     pub(crate) fn open(&mut self, path: &Path, mechanism: Option<&str>) -> Result<(), Failure> {
         if self.workspace.has_work() {
-            return Err(Failure::usage(
-                "the text has changes; `save` or `undo` them first",
-            ));
+            return Err(Failure::usage("the text has changes; `save` or `undo` them first"));
         }
         self.workspace = Workspace::open(path, mechanism)?;
         Ok(())
@@ -217,9 +206,7 @@ pub(crate) fn state(reading: &Reading) -> String {
 pub(crate) fn hear(line: &str, session: &mut Session) -> (String, Result<Turn, Failure>) {
     let heard = Heard::default();
     let done = session.obey(line, &mut Console::to(heard.clone(), heard.clone()));
-    let said = String::from_utf8_lossy(&heard.0.borrow())
-        .trim_end()
-        .to_owned();
+    let said = String::from_utf8_lossy(&heard.0.borrow()).trim_end().to_owned();
     (said, done)
 }
 

@@ -28,20 +28,12 @@ pub(super) const ROWS: &[Row] = &[
     Row {
         pattern: "mechanism <name:new>",
         help: "begins a mechanism in an empty text",
-        request: |mut taken| {
-            edit(Command::Mechanism {
-                name: taken.text("name"),
-            })
-        },
+        request: |mut taken| edit(Command::Mechanism { name: taken.text("name") }),
     },
     Row {
         pattern: "link <name:new>",
         help: "declares a link",
-        request: |mut taken| {
-            edit(Command::Link {
-                name: taken.text("name"),
-            })
-        },
+        request: |mut taken| edit(Command::Link { name: taken.text("name") }),
     },
     Row {
         pattern: "point <path:new> at <at:place>",
@@ -69,10 +61,7 @@ pub(super) const ROWS: &[Row] = &[
         pattern: "shape <link:link> <shape:rest>",
         help: "fixes a shape to a link: `shape crank circle (0, 0) radius 0.2 color teal`",
         request: |mut taken| {
-            edit(Command::Shape {
-                link: taken.text("link"),
-                shape: taken.text("shape"),
-            })
+            edit(Command::Shape { link: taken.text("link"), shape: taken.text("shape") })
         },
     },
     Row {
@@ -172,20 +161,13 @@ pub(super) const ROWS: &[Row] = &[
     Row {
         pattern: "use <body:rest>",
         help: "uses a part: `use left: Leg(size = 2) { frame = ground }`",
-        request: |mut taken| {
-            edit(Command::Use {
-                body: taken.text("body"),
-            })
-        },
+        request: |mut taken| edit(Command::Use { body: taken.text("body") }),
     },
     Row {
         pattern: "trace <point:end> <length:value>",
         help: "records the path of a point",
         request: |mut taken| {
-            edit(Command::Trace {
-                point: taken.text("point"),
-                length: taken.text("length"),
-            })
+            edit(Command::Trace { point: taken.text("point"), length: taken.text("length") })
         },
     },
     Row {
@@ -255,20 +237,14 @@ pub(super) const ROWS: &[Row] = &[
         pattern: "rename <path:any> <name:new>",
         help: "gives something another name, wherever it is used",
         request: |mut taken| {
-            edit(Command::Rename {
-                path: taken.text("path"),
-                name: taken.text("name"),
-            })
+            edit(Command::Rename { path: taken.text("path"), name: taken.text("name") })
         },
     },
     Row {
         pattern: "remove shape <link:link> <shape:number>",
         help: "takes a shape of a link out",
         request: |mut taken| {
-            edit(Command::RemoveShape {
-                link: taken.text("link"),
-                shape: taken.number("shape")?,
-            })
+            edit(Command::RemoveShape { link: taken.text("link"), shape: taken.number("shape")? })
         },
     },
     Row {
@@ -278,29 +254,19 @@ pub(super) const ROWS: &[Row] = &[
             let word = taken.text("kind");
             let kind = KINDS.iter().find(|(known, _)| *known == word);
             let (_, kind) = kind.ok_or_else(|| Failure::internal("a kind without a word"))?;
-            edit(Command::Remove {
-                kind: *kind,
-                name: taken.text("name"),
-            })
+            edit(Command::Remove { kind: *kind, name: taken.text("name") })
         },
     },
     Row {
         pattern: "mirror <name:link>",
         help: "mirrors what is fixed to a link about its x axis; or a use of a part",
-        request: |mut taken| {
-            edit(Command::Mirror {
-                name: taken.text("name"),
-            })
-        },
+        request: |mut taken| edit(Command::Mirror { name: taken.text("name") }),
     },
     Row {
         pattern: "duplicate <name:link> as <copy:new>",
         help: "declares a link or a use once more",
         request: |mut taken| {
-            edit(Command::Duplicate {
-                name: taken.text("name"),
-                copy: taken.text("copy"),
-            })
+            edit(Command::Duplicate { name: taken.text("name"), copy: taken.text("copy") })
         },
     },
     Row {
@@ -311,32 +277,16 @@ pub(super) const ROWS: &[Row] = &[
     Row {
         pattern: "repair <number:number>",
         help: "makes one of these repairs",
-        request: |mut taken| {
-            edit(Command::Repair {
-                number: taken.number("number")?,
-            })
-        },
+        request: |mut taken| edit(Command::Repair { number: taken.number("number")? }),
     },
-    Row {
-        pattern: "undo",
-        help: "undoes the last step",
-        request: |_| Ok(Request::Undo),
-    },
-    Row {
-        pattern: "redo",
-        help: "makes it again",
-        request: |_| Ok(Request::Redo),
-    },
+    Row { pattern: "undo", help: "undoes the last step", request: |_| Ok(Request::Undo) },
+    Row { pattern: "redo", help: "makes it again", request: |_| Ok(Request::Redo) },
     Row {
         pattern: "steps",
         help: "lists the steps that can be undone",
         request: |_| Ok(Request::Steps),
     },
-    Row {
-        pattern: "text",
-        help: "shows the text",
-        request: |_| Ok(Request::Text),
-    },
+    Row { pattern: "text", help: "shows the text", request: |_| Ok(Request::Text) },
     Row {
         pattern: "numbers [<owner:any>]",
         help: "lists the numbers of something, with their roles",
@@ -362,10 +312,7 @@ pub(super) const ROWS: &[Row] = &[
         pattern: "open <file:rest> [as <mechanism:new>]",
         help: "reads a file; of several mechanisms, the one of this name",
         request: |mut taken| {
-            Ok(Request::Open {
-                file: taken.text("file"),
-                mechanism: taken.optional("mechanism"),
-            })
+            Ok(Request::Open { file: taken.text("file"), mechanism: taken.optional("mechanism") })
         },
     },
     Row {
@@ -378,9 +325,5 @@ pub(super) const ROWS: &[Row] = &[
         help: "lists what can be said",
         request: |mut taken| Ok(Request::Help(taken.optional("topic"))),
     },
-    Row {
-        pattern: "quit",
-        help: "ends the dialogue",
-        request: |_| Ok(Request::Quit),
-    },
+    Row { pattern: "quit", help: "ends the dialogue", request: |_| Ok(Request::Quit) },
 ];

@@ -38,14 +38,9 @@ pub(super) fn words(line: &str) -> Result<Vec<Word>, Failure> {
             _ => Some(mark.map_or(first.len_utf8(), |mark| mark.len())),
         };
         let length = length.ok_or_else(|| {
-            Failure::usage(format!(
-                "`{first}` is not closed in `{}`",
-                remaining.trim_end()
-            ))
+            Failure::usage(format!("`{first}` is not closed in `{}`", remaining.trim_end()))
         })?;
-        found.push(Word {
-            range: at..at + length,
-        });
+        found.push(Word { range: at..at + length });
         at += length;
     }
     Ok(found)
@@ -106,30 +101,11 @@ mod tests {
         );
         assert_eq!(
             split("join x = gear left[2].foot.tip b 20:40"),
-            [
-                "join",
-                "x",
-                "=",
-                "gear",
-                "left[2].foot.tip",
-                "b",
-                "20",
-                ":",
-                "40"
-            ]
+            ["join", "x", "=", "gear", "left[2].foot.tip", "b", "20", ":", "40"]
         );
         assert_eq!(
             split("point a.b at (1, (2 - 1)) \"a b\" -> -3"),
-            [
-                "point",
-                "a.b",
-                "at",
-                "(1, (2 - 1))",
-                "\"a b\"",
-                "->",
-                "-",
-                "3"
-            ]
+            ["point", "a.b", "at", "(1, (2 - 1))", "\"a b\"", "->", "-", "3"]
         );
         assert!(words("point a at (1, 2").is_err());
         assert!(words("text \"a").is_err());

@@ -99,27 +99,17 @@ impl Document {
             } else {
                 vec![Declaration::new(text, whole.clone(), Some(whole))]
             };
-            return Self {
-                source,
-                declarations,
-                parts: Vec::new(),
-            };
+            return Self { source, declarations, parts: Vec::new() };
         }
         let calls = scanner::calls(text, &[MECHANISM, PART]);
         let (mechanisms, parts): (Vec<_>, Vec<_>) =
             calls.into_iter().partition(|call| call.name == MECHANISM);
         let declared = |calls: Vec<scanner::Call<'_>>| {
             let calls = calls.into_iter();
-            calls
-                .map(|call| Declaration::new(text, call.whole, call.body))
-                .collect()
+            calls.map(|call| Declaration::new(text, call.whole, call.body)).collect()
         };
         let (declarations, parts) = (declared(mechanisms), declared(parts));
-        Self {
-            source,
-            declarations,
-            parts,
-        }
+        Self { source, declarations, parts }
     }
 
     /// Its text.
@@ -149,9 +139,7 @@ impl Document {
         let path = self.source.path().display();
         match (name, &self.declarations[..]) {
             (None, [only]) => Ok(only),
-            (None, []) => Err(Failure::file(format!(
-                "`{path}` has no mechanism, only parts"
-            ))),
+            (None, []) => Err(Failure::file(format!("`{path}` has no mechanism, only parts"))),
             (None, _) => {
                 let names = self.names();
                 Err(Failure::usage(format!(
@@ -162,9 +150,7 @@ impl Document {
                 let is_it = |one: &&Declaration| one.name.as_deref() == Some(name);
                 all.iter().find(is_it).ok_or_else(|| {
                     let names = self.names();
-                    Failure::usage(format!(
-                        "`{path}` has no mechanism `{name}`; it has {names}"
-                    ))
+                    Failure::usage(format!("`{path}` has no mechanism `{name}`; it has {names}"))
                 })
             }
         }
@@ -174,10 +160,9 @@ impl Document {
     fn names(&self) -> String {
         let name = |one: &Declaration| match &one.name {
             Some(name) => format!("`{name}`"),
-            None => format!(
-                "one without a name in line {}",
-                self.source.spot(one.whole.start).line
-            ),
+            None => {
+                format!("one without a name in line {}", self.source.spot(one.whole.start).line)
+            }
         };
         let names: Vec<String> = self.declarations.iter().map(name).collect();
         names.join(", ")
@@ -193,11 +178,7 @@ impl Declaration {
     fn new(text: &str, whole: Range<usize>, body: Option<Range<usize>>) -> Self {
         let inside = body.clone().unwrap_or_else(|| whole.clone());
         let name = scanner::word_after(&text[inside], "struct");
-        Self {
-            name: name.map(ToOwned::to_owned),
-            whole,
-            body,
-        }
+        Self { name: name.map(ToOwned::to_owned), whole, body }
     }
 }
 

@@ -16,9 +16,7 @@ pub(crate) struct PartOffer {
 impl PartOffer {
     /// All parts of the runtime.
     pub(crate) fn all() -> Vec<Self> {
-        PartText::all(parts::SOURCE)
-            .map(|part| Self::of(&part))
-            .collect()
+        PartText::all(parts::SOURCE).map(|part| Self::of(&part)).collect()
     }
 
     fn of(part: &PartText) -> Self {
@@ -33,11 +31,7 @@ impl PartOffer {
                 _ => {}
             }
         }
-        Self {
-            name: part.name.to_string(),
-            numbers,
-            ports,
-        }
+        Self { name: part.name.to_string(), numbers, ports }
     }
 
     /// The body of a use of it under a name, with a link for each port.
@@ -45,15 +39,8 @@ impl PartOffer {
         let missing = ["LINK".to_owned()];
         let links = links.iter().chain(missing.iter().cycle());
         let lent = self.ports.iter().zip(links);
-        let lent: Vec<String> = lent
-            .map(|(port, link)| format!("{port} = {link}"))
-            .collect();
-        format!(
-            "{name}: {}{} {{ {} }}",
-            self.name,
-            self.numbers,
-            lent.join(", ")
-        )
+        let lent: Vec<String> = lent.map(|(port, link)| format!("{port} = {link}")).collect();
+        format!("{name}: {}{} {{ {} }}", self.name, self.numbers, lent.join(", "))
     }
 }
 
@@ -82,9 +69,6 @@ mod tests {
         let cylinder = find("Cylinder").use_as("ram", &links);
         assert_eq!(cylinder, "ram: Cylinder { base = ground, load = boom }");
         let pantograph = find("Pantograph").use_as("copier", &[]);
-        assert_eq!(
-            pantograph,
-            "copier: Pantograph(arm = 4, ratio = 2) { frame = LINK }"
-        );
+        assert_eq!(pantograph, "copier: Pantograph(arm = 4, ratio = 2) { frame = LINK }");
     }
 }

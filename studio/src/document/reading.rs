@@ -101,11 +101,7 @@ impl Document {
             Err(messages) => {
                 return Ok(Reading {
                     model: Model::new("", Origin::default()),
-                    result: Err(Faults {
-                        messages,
-                        diagnoses: Vec::new(),
-                        offers: Vec::new(),
-                    }),
+                    result: Err(Faults { messages, diagnoses: Vec::new(), offers: Vec::new() }),
                     places: Vec::new(),
                     whole: whole.clone(),
                 });
@@ -119,12 +115,7 @@ impl Document {
             offers: faults.offers,
         });
         let places = parsed.places.all().map(|place| range_of(place, whole));
-        Ok(Reading {
-            places: places.collect(),
-            model: parsed.model,
-            result,
-            whole: whole.clone(),
-        })
+        Ok(Reading { places: places.collect(), model: parsed.model, result, whole: whole.clone() })
     }
 
     /// Reads the model from the text of one of its mechanisms, even if that is no mechanism; none if the text is wrong.
@@ -163,9 +154,7 @@ impl Document {
 
     /// The tokens of a mechanism, with all parts that it takes from elsewhere.
     pub(super) fn text_of(&self, declaration: &Declaration) -> Result<TokenStream, Vec<Message>> {
-        let text = self
-            .tokens_of(declaration)
-            .map_err(|message| vec![message])?;
+        let text = self.tokens_of(declaration).map_err(|message| vec![message])?;
         self.with_parts(declaration, text)
     }
 
@@ -208,8 +197,7 @@ impl Document {
     }
 
     pub(super) fn tokens_of(&self, declaration: &Declaration) -> Result<TokenStream, Message> {
-        self.lexed(declaration)
-            .map_err(|Unlexed { place, text, .. }| Message { place, text })
+        self.lexed(declaration).map_err(|Unlexed { place, text, .. }| Message { place, text })
     }
 
     /// The tokens of a mechanism, or what keeps it from having any.
@@ -276,9 +264,7 @@ impl Document {
         let at = error.span().byte_range().start;
         unlexed::slip(self.source(), body, at, &|text| {
             let tokens: TokenStream = text.parse().ok()?;
-            let text = self
-                .with_parts(declaration, tokens.clone())
-                .unwrap_or(tokens);
+            let text = self.with_parts(declaration, tokens.clone()).unwrap_or(tokens);
             let parsed = catch(|| syntax::parse(text)).ok()?;
             Some(parsed.errors.len())
         })
@@ -294,9 +280,7 @@ impl Document {
             return Ok(None);
         };
         let found = catch(|| syntax::listing(tokens)).map_err(Failure::internal)?;
-        Ok(Some(
-            found.map_places(|place| range_of(place, &declaration.whole)),
-        ))
+        Ok(Some(found.map_places(|place| range_of(place, &declaration.whole))))
     }
 }
 
@@ -421,9 +405,7 @@ mod tests {
         let parts: Vec<&str> = declared.filter(|word| *word != "const").collect();
         assert_eq!(parts.len(), 11);
         for name in parts {
-            let text = library_part(&Ident::new(name, Span::call_site()))
-                .expect(name)
-                .to_string();
+            let text = library_part(&Ident::new(name, Span::call_site())).expect(name).to_string();
             assert!(text.starts_with(name), "{text}");
         }
     }

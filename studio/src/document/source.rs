@@ -75,10 +75,7 @@ impl Source {
 
     /// A text that was not read from a file.
     pub fn new(path: impl Into<PathBuf>, text: impl Into<String>) -> Self {
-        Self {
-            path: path.into(),
-            text: text.into(),
-        }
+        Self { path: path.into(), text: text.into() }
     }
 
     /// Where it was read.
@@ -102,10 +99,7 @@ impl Source {
         }
         let before = &self.text[..end];
         let start = before.rfind('\n').map_or(0, |newline| newline + 1);
-        Spot {
-            line: before.matches('\n').count() + 1,
-            column: before[start..].chars().count() + 1,
-        }
+        Spot { line: before.matches('\n').count() + 1, column: before[start..].chars().count() + 1 }
     }
 
     /// The same text with everything but some ranges blank, so that what stands there keeps its place in bytes.

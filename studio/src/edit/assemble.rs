@@ -31,13 +31,7 @@ pub(super) fn join(scene: &Scene, assembly: &Assembly) -> Result<Change, Refusal
 }
 
 fn statement(assembly: &Assembly) -> Result<String, Refusal> {
-    let Assembly {
-        name,
-        kind,
-        ends: [first, second],
-        at,
-        along,
-    } = assembly;
+    let Assembly { name, kind, ends: [first, second], at, along } = assembly;
     let mut roller = "";
     let (numbers, carrier) = match kind {
         JointForm::Gear { sizes: [a, b], on } | JointForm::Belt { sizes: [a, b], on } => {
@@ -106,10 +100,7 @@ fn holder<'s>(scene: &'s Scene, assembly: &Assembly, links: [LinkId; 2]) -> Opti
         if let JointKind::Weld(..) = model.joint(joint).kind {
             let (a, b) = model.ends(joint);
             let (to, from) = (bodies[a.index()], bodies[b.index()]);
-            bodies
-                .iter_mut()
-                .filter(|body| **body == from)
-                .for_each(|body| *body = to);
+            bodies.iter_mut().filter(|body| **body == from).for_each(|body| *body = to);
         }
     }
     let [first, second] = links.map(|link| bodies[link.index()]);
@@ -150,10 +141,7 @@ pub(super) fn judge(scene: &Scene, assembly: &Assembly, after: &Reading) -> Resu
     let known = before.result.as_ref().err();
     let known = known.into_iter().flat_map(|faults| &faults.diagnoses);
     let known: Vec<Rule> = known.filter_map(|one| rule_of(one, assembly)).collect();
-    let broken = faults
-        .diagnoses
-        .iter()
-        .filter_map(|one| rule_of(one, assembly));
+    let broken = faults.diagnoses.iter().filter_map(|one| rule_of(one, assembly));
     for rule in broken {
         if !known.contains(&rule) {
             let messages = faults.messages.iter().map(|message| message.text.clone());
@@ -166,9 +154,7 @@ pub(super) fn judge(scene: &Scene, assembly: &Assembly, after: &Reading) -> Resu
 /// The rule that is broken by what is wrong; none if it may be put right by going on.
 fn rule_of(diagnosis: &Diagnosis, assembly: &Assembly) -> Option<Rule> {
     Some(match diagnosis {
-        Diagnosis::Overdetermined {
-            is_mobile: false, ..
-        } => Rule::HeldOnce,
+        Diagnosis::Overdetermined { is_mobile: false, .. } => Rule::HeldOnce,
         Diagnosis::Blocked { .. } => Rule::Freedom,
         // Links are welded before others are joined to them.
         Diagnosis::Rigid if assembly.kind != JointForm::Weld => Rule::Freedom,
@@ -183,21 +169,12 @@ fn rule_of(diagnosis: &Diagnosis, assembly: &Assembly) -> Option<Rule> {
 /// Where the second link of an assembly has come to stand: `rod stands at (1, 0), turned 30 deg`.
 pub(super) fn stand(assembly: &Assembly, after: &Reading) -> Option<String> {
     let compiled = after.result.as_ref().ok()?;
-    let joint = after
-        .model
-        .joints
-        .iter()
-        .position(|one| one.name == assembly.name)?;
+    let joint = after.model.joints.iter().position(|one| one.name == assembly.name)?;
     let (_, link) = after.model.ends(mech_compiler::model::JointId::new(joint));
     let [cos, sin, x, y] = pose::start_of(compiled, link)?;
     let rounded = |value: f64| (value * 1e4).round() / 1e4 + 0.0;
     let turned = rounded(sin.atan2(cos).to_degrees());
     let name = &after.model.link(link).name;
-    (link != LinkId::GROUND).then(|| {
-        format!(
-            "{name} stands at ({}, {}), turned {turned} deg",
-            rounded(x),
-            rounded(y)
-        )
-    })
+    (link != LinkId::GROUND)
+        .then(|| format!("{name} stands at ({}, {}), turned {turned} deg", rounded(x), rounded(y)))
 }

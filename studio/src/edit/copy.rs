@@ -69,10 +69,7 @@ fn negative(text: &str) -> String {
         return format!("-{text}");
     }
     // A second mirroring gives the first text again.
-    match text
-        .strip_prefix("-(")
-        .and_then(|inner| inner.strip_suffix(')'))
-    {
+    match text.strip_prefix("-(").and_then(|inner| inner.strip_suffix(')')) {
         Some(inner) if !inner.contains(['(', ')']) => inner.to_owned(),
         _ => match text.strip_prefix('-') {
             Some(word) if is_word(word) => word.to_owned(),
@@ -91,12 +88,7 @@ pub(super) fn duplicate(scene: &Scene, name: &str, copy: &str) -> Result<Change,
     let (text, tree) = (scene.text(), scene.tree()?);
     let whole = tree.bytes(&known.range());
     let word = tree.bytes(&(known.token(1)..known.token(2)));
-    let statement = [
-        &text[whole.start..word.start],
-        copy,
-        &text[word.end..whole.end],
-    ]
-    .concat();
+    let statement = [&text[whole.start..word.start], copy, &text[word.end..whole.end]].concat();
     rewriter.edits.add(known.range(), statement);
     Change::of(scene, &rewriter)
 }

@@ -10,18 +10,12 @@ const NUMBERS: [&str; 2] = ["const", "param"];
 const LINKS: [&str; 6] = ["link", "ground", "param", "const", "look", "use"];
 const JOINTS: [&str; 3] = ["joint", "link", "ground"];
 const MOTORS: [&str; 4] = ["motor", "joint", "link", "ground"];
-const OTHERS: [&str; 7] = [
-    "effects", "start", "motor", "joint", "link", "ground", "const",
-];
+const OTHERS: [&str; 7] = ["effects", "start", "motor", "joint", "link", "ground", "const"];
 
 pub(super) fn declare(scene: &Scene, command: &Command) -> Result<Change, Refusal> {
     let mut rewriter = scene.rewriter()?;
     match command {
-        Command::Constant {
-            name,
-            value,
-            is_param,
-        } => {
+        Command::Constant { name, value, is_param } => {
             if scene.listing.number(name, "value").is_some() && !is_param {
                 return set(scene, name, "value", value);
             }
@@ -52,12 +46,7 @@ pub(super) fn declare(scene: &Scene, command: &Command) -> Result<Change, Refusa
             check_fragment(shape)?;
             add_item(&mut rewriter, link, &format!("{shape};"))?;
         }
-        Command::Mass {
-            link,
-            mass,
-            at,
-            inertia,
-        } => {
+        Command::Mass { link, mass, at, inertia } => {
             check_expression(mass)?;
             let mut item = format!("mass {mass}");
             if let Some(at) = at {
@@ -73,26 +62,15 @@ pub(super) fn declare(scene: &Scene, command: &Command) -> Result<Change, Refusa
                 None => add_item(&mut rewriter, link, &item)?,
             }
         }
-        Command::Motor {
-            joint,
-            law,
-            range,
-            step,
-        } => motor(scene, &mut rewriter, joint, [law, step], range.as_ref())?,
-        Command::Start {
-            name,
-            is_near,
-            value,
-        } => start(&mut rewriter, name, *is_near, value)?,
+        Command::Motor { joint, law, range, step } => {
+            motor(scene, &mut rewriter, joint, [law, step], range.as_ref())?
+        }
+        Command::Start { name, is_near, value } => start(&mut rewriter, name, *is_near, value)?,
         Command::Action { kind, name, body } => {
             check_name(name)?;
             check_fragment(body)?;
             let statement = format!("{} {name} = {body};", kind.word());
-            add(
-                &mut rewriter,
-                &statement,
-                &[kind.word(), "start", "motor", "joint", "link"],
-            )?;
+            add(&mut rewriter, &statement, &[kind.word(), "start", "motor", "joint", "link"])?;
             if let ActionKind::Load = kind {
                 rewriter.ask_for_forces().ok_or_else(unwritten)?;
             }
@@ -100,11 +78,7 @@ pub(super) fn declare(scene: &Scene, command: &Command) -> Result<Change, Refusa
         Command::Use { body } => {
             let shown = body.trim().trim_end_matches(';');
             check_brackets(shown)?;
-            add(
-                &mut rewriter,
-                &format!("use {shown};"),
-                &["use", "joint", "link", "ground"],
-            )?;
+            add(&mut rewriter, &format!("use {shown};"), &["use", "joint", "link", "ground"])?;
         }
         Command::Trace { point, length } => {
             check_path(point)?;
@@ -121,9 +95,7 @@ pub(super) fn set(scene: &Scene, owner: &str, role: &str, value: &str) -> Result
     let Some(number) = scene.listing.number(owner, role) else {
         let roles = scene.listing.numbers_of(owner).map(|one| &one.role);
         let roles = quoted(roles);
-        return Err(Refusal::of(format!(
-            "`{owner}` has no number `{role}`; it has {roles}"
-        )));
+        return Err(Refusal::of(format!("`{owner}` has no number `{role}`; it has {roles}")));
     };
     if number.is_pair || role == "color" || role.ends_with(" color") {
         check_fragment(value)?;
@@ -162,9 +134,7 @@ fn motor(
     if let Some(law) = law.clone().or_else(|| text_of("motor law")) {
         statement += &format!(" = {law}");
     }
-    let declared = text_of("low")
-        .zip(text_of("high"))
-        .map(|(low, high)| [low, high]);
+    let declared = text_of("low").zip(text_of("high")).map(|(low, high)| [low, high]);
     if let Some([low, high]) = range.cloned().or(declared) {
         statement += &format!(" in {low} ..= {high}");
     }
@@ -209,9 +179,7 @@ fn trace(rewriter: &mut Rewriter<'_>, point: &str, length: &str) -> Result<(), R
     if effects.clauses().iter().any(is_it) {
         return Err(Refusal::of(format!("`{point}` is traced already")));
     }
-    rewriter
-        .add_clause("effects", &clause)
-        .ok_or_else(unwritten)
+    rewriter.add_clause("effects", &clause).ok_or_else(unwritten)
 }
 
 /// Says something of the whole mechanism, in place of what was said.
@@ -266,9 +234,7 @@ pub(super) fn add(
     statement: &str,
     siblings: &[&str],
 ) -> Result<(), Refusal> {
-    rewriter
-        .add_beside(statement, siblings)
-        .ok_or_else(unwritten)
+    rewriter.add_beside(statement, siblings).ok_or_else(unwritten)
 }
 
 fn add_item(rewriter: &mut Rewriter<'_>, link: &str, item: &str) -> Result<(), Refusal> {
@@ -288,9 +254,7 @@ pub(super) fn unwritten() -> Refusal {
 /// A link, and the name of something fixed to it.
 fn split(path: &str) -> Result<(&str, &str), Refusal> {
     path.rsplit_once('.').ok_or_else(|| {
-        Refusal::of(format!(
-            "`{path}` names no point of a link; write `link.{path}`"
-        ))
+        Refusal::of(format!("`{path}` names no point of a link; write `link.{path}`"))
     })
 }
 
@@ -318,15 +282,11 @@ pub(super) fn check_name(name: &str) -> Result<(), Refusal> {
 /// A path: words with dots between them, and numbers in brackets.
 pub(super) fn check_path(path: &str) -> Result<(), Refusal> {
     let is_right = !path.is_empty()
-        && path
-            .chars()
-            .all(|letter| letter.is_alphanumeric() || "_.[]* ".contains(letter));
+        && path.chars().all(|letter| letter.is_alphanumeric() || "_.[]* ".contains(letter));
     if is_right {
         check_fragment(path)
     } else {
-        Err(Refusal::of(format!(
-            "`{path}` is no name of a link, a joint or a point"
-        )))
+        Err(Refusal::of(format!("`{path}` is no name of a link, a joint or a point")))
     }
 }
 
@@ -348,14 +308,8 @@ pub(super) fn check_expression(text: &str) -> Result<(), Refusal> {
 
 /// A piece of a statement: it may not end one, and it may not hide anything.
 pub(super) fn check_fragment(text: &str) -> Result<(), Refusal> {
-    if let Some(mark) = [';', '{', '}']
-        .into_iter()
-        .find(|mark| has_mark(text, *mark))
-    {
-        return Err(Refusal::of(format!(
-            "`{mark}` cannot stand in `{}`",
-            text.trim()
-        )));
+    if let Some(mark) = [';', '{', '}'].into_iter().find(|mark| has_mark(text, *mark)) {
+        return Err(Refusal::of(format!("`{mark}` cannot stand in `{}`", text.trim())));
     }
     check_brackets(text)
 }
@@ -375,26 +329,17 @@ fn check_brackets(text: &str) -> Result<(), Refusal> {
         if ["(", "[", "{"].contains(&word) {
             open.push(word);
         } else if !partner.is_empty() && open.pop() != Some(partner) {
-            return Err(Refusal::of(format!(
-                "the brackets of `{}` do not match",
-                text.trim()
-            )));
+            return Err(Refusal::of(format!("the brackets of `{}` do not match", text.trim())));
         }
         last = Some(word);
     }
     let has_comment = text.contains("//") || text.contains("/*") || text.contains('\n');
     if !open.is_empty() {
-        Err(Refusal::of(format!(
-            "the brackets of `{}` do not match",
-            text.trim()
-        )))
+        Err(Refusal::of(format!("the brackets of `{}` do not match", text.trim())))
     } else if has_comment {
         Err(Refusal::of("a comment or a new line cannot stand here"))
     } else if last.is_none() || text.matches('"').count() % 2 == 1 {
-        Err(Refusal::of(format!(
-            "something is missing: `{}`",
-            text.trim()
-        )))
+        Err(Refusal::of(format!("something is missing: `{}`", text.trim())))
     } else {
         Ok(())
     }

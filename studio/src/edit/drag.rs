@@ -82,9 +82,7 @@ impl Drag {
 
     fn of(scene: Scene, path: &str, pose: Option<Vec<(String, f64)>>) -> Result<Self, Refusal> {
         if !scene.is_readable {
-            return Err(Refusal::of(
-                "the text has mistakes; mend them before anything is dragged",
-            ));
+            return Err(Refusal::of("the text has mistakes; mend them before anything is dragged"));
         }
         place::find(&scene, path)?;
         let renewal = match &pose {
@@ -159,12 +157,7 @@ impl Drag {
             Ok(compiled) => pose::poses(&model, compiled, motors.unwrap_or_default())?,
             Err(_) => vec![None; model.links.len()],
         };
-        Ok(Dragged {
-            edits: applied.edits,
-            notes: applied.notes,
-            model,
-            poses,
-        })
+        Ok(Dragged { edits: applied.edits, notes: applied.notes, model, poses })
     }
 
     /// The commands that do all of it, with everything that has to be examined.

@@ -51,11 +51,7 @@ pub struct Applied {
 impl Applied {
     pub(crate) fn summary(&self) -> String {
         let (title, notes) = (&self.title, self.notes.join("; "));
-        if notes.is_empty() {
-            title.clone()
-        } else {
-            format!("{title}: {notes}")
-        }
+        if notes.is_empty() { title.clone() } else { format!("{title}: {notes}") }
     }
 }
 
@@ -84,10 +80,7 @@ impl From<Replacement> for Change {
 impl From<Vec<Replacement>> for Change {
     fn from(mut edits: Vec<Replacement>) -> Self {
         edits.sort_by_key(|edit| edit.range.start);
-        Self {
-            edits,
-            ..Self::default()
-        }
+        Self { edits, ..Self::default() }
     }
 }
 
@@ -127,9 +120,8 @@ pub fn apply_all(
     title: &str,
     commands: &[Command],
 ) -> Result<Applied, Refusal> {
-    let (last, before) = commands
-        .split_last()
-        .ok_or_else(|| Refusal::internal("a step without a command"))?;
+    let (last, before) =
+        commands.split_last().ok_or_else(|| Refusal::internal("a step without a command"))?;
     if before.is_empty() {
         return apply(document, index, last);
     }
@@ -189,11 +181,7 @@ fn change(scene: &Scene, command: &Command) -> Result<Change, Refusal> {
         Command::RemoveShape { link, shape } => shape::remove(scene, link, *shape),
         Command::Layer { link, shape, plane } => shape::layer(scene, link, *shape, plane),
         Command::Recolor { link, shape, color } => shape::recolor(scene, link, *shape, color),
-        Command::Reshape {
-            link,
-            shape,
-            outline,
-        } => shape::reshape(scene, link, *shape, outline),
+        Command::Reshape { link, shape, outline } => shape::reshape(scene, link, *shape, outline),
         Command::Mirror { name } => copy::mirror(scene, name),
         Command::Duplicate { name, copy } => copy::duplicate(scene, name, copy),
         Command::Join(assembly) => assemble::join(scene, assembly),
@@ -228,19 +216,11 @@ fn begin(document: &Document, name: &str) -> Result<Applied, Refusal> {
 fn accept(scene: &Scene, title: String, change: Change) -> Result<Applied, Refusal> {
     let document = scene.document_after(&change.edits);
     let (before, after) = (scene.document.declarations(), document.declarations());
-    let declaration = after
-        .get(scene.index)
-        .filter(|_| before.len() == after.len());
+    let declaration = after.get(scene.index).filter(|_| before.len() == after.len());
     let declaration = declaration
         .ok_or_else(|| Refusal::of("the brackets of the text would not match any more"))?;
     let reading = document.analyse(declaration)?;
-    Ok(Applied {
-        title,
-        edits: change.edits,
-        notes: change.notes,
-        reading,
-        document,
-    })
+    Ok(Applied { title, edits: change.edits, notes: change.notes, reading, document })
 }
 
 /// Refuses a change after which the text cannot be read, or which breaks a rule.
@@ -317,21 +297,12 @@ pub(crate) fn differences(before: &str, after: &str) -> Vec<Replacement> {
         }));
         starts
     };
-    let (old, new) = (
-        starts(difference.old_slices()),
-        starts(difference.new_slices()),
-    );
-    let changed = difference
-        .ops()
-        .iter()
-        .filter(|op| op.tag() != DiffTag::Equal);
+    let (old, new) = (starts(difference.old_slices()), starts(difference.new_slices()));
+    let changed = difference.ops().iter().filter(|op| op.tag() != DiffTag::Equal);
     changed
         .map(|op| {
             let (from, by) = (op.old_range(), op.new_range());
-            Replacement::new(
-                old[from.start]..old[from.end],
-                &after[new[by.start]..new[by.end]],
-            )
+            Replacement::new(old[from.start]..old[from.end], &after[new[by.start]..new[by.end]])
         })
         .collect()
 }

@@ -73,12 +73,7 @@ fn unknown(scene: &Scene, path: &str) -> Refusal {
     let is_link = scene.model.links.iter().any(|link| link.name == path);
     let (part, inner) = scene.listing.resolve(path, None);
     Refusal::of(match part {
-        Some(part)
-            if scene
-                .listing
-                .number(&format!("{part}.{inner}"), "x")
-                .is_some() =>
-        {
+        Some(part) if scene.listing.number(&format!("{part}.{inner}"), "x").is_some() => {
             format!(
                 "`{inner}` is fixed by part `{part}`, for all that use it; set `x` and `y` of `{part}.{inner}`"
             )
@@ -99,9 +94,7 @@ fn unknown(scene: &Scene, path: &str) -> Refusal {
 pub(super) fn axis_of(model: &Model, path: &str) -> Option<AxisId> {
     let is_it = |axis: &mech_compiler::model::Axis| {
         let name = axis.name.as_deref();
-        let link = path
-            .rsplit_once('.')
-            .filter(|(_, last)| Some(*last) == name);
+        let link = path.rsplit_once('.').filter(|(_, last)| Some(*last) == name);
         axis.port.is_none() && link.is_some_and(|(link, _)| model.link(axis.link).name == link)
     };
     if let Some(index) = model.axes.iter().position(is_it) {

@@ -15,9 +15,7 @@ pub(super) fn carry_back(
 ) -> Result<[f64; 2], Refusal> {
     let reading = scene.reading()?;
     let Ok(compiled) = &reading.result else {
-        return Err(Refusal::of(
-            "the mechanism does not move yet; edit it as it is declared",
-        ));
+        return Err(Refusal::of("the mechanism does not move yet; edit it as it is declared"));
     };
     let machine = posed(&reading.model, compiled, motors)?;
     let link = link_of(&reading.model, path, axis)?;
@@ -59,12 +57,7 @@ fn posed<'c>(
     }
     let settings = motors.iter().cloned().map(Setting::from);
     let settings: Vec<Setting> = settings.collect();
-    Ok(motion::posed(
-        Mover::exact(compiled),
-        model,
-        compiled,
-        &settings,
-    )?)
+    Ok(motion::posed(Mover::exact(compiled), model, compiled, &settings)?)
 }
 
 /// The link in whose frame something is seen to move.
@@ -99,9 +92,7 @@ pub(super) fn poses(
 ) -> Result<Vec<Option<[f64; 4]>>, Refusal> {
     let machine = posed(model, compiled, motors)?;
     let links = model.link_ids();
-    Ok(links
-        .map(|link| pose_of(compiled, &machine, link))
-        .collect())
+    Ok(links.map(|link| pose_of(compiled, &machine, link)).collect())
 }
 
 pub(super) fn start_of(compiled: &Compiled, link: LinkId) -> Option<[f64; 4]> {

@@ -85,17 +85,11 @@ impl Refusal {
     }
 
     pub(super) fn internal(what: &str) -> Self {
-        Self {
-            kind: FailureKind::Internal,
-            ..Self::of(Failure::internal(what).to_string())
-        }
+        Self { kind: FailureKind::Internal, ..Self::of(Failure::internal(what).to_string()) }
     }
 
     pub(super) fn failed(failure: &Failure) -> Self {
-        Self {
-            kind: failure.kind(),
-            ..Self::of(failure.to_string())
-        }
+        Self { kind: failure.kind(), ..Self::of(failure.to_string()) }
     }
 
     /// The rule of assembly that forbids it, if one does.

@@ -115,8 +115,7 @@ fn has_clause(
     is_it: impl Fn(&StatementText<'_>) -> bool,
 ) -> bool {
     let all = statements.iter().filter(|one| one.is(word));
-    all.flat_map(StatementText::clauses)
-        .any(|clause| is_it(&clause))
+    all.flat_map(StatementText::clauses).any(|clause| is_it(&clause))
 }
 
 /// Refuses to take out what something else needs.
@@ -129,9 +128,7 @@ fn refuse_used(scene: &Scene, path: &str) -> Result<(), Refusal> {
     match user {
         Some(user) => {
             let line = scene.document.source().spot(user.place.start).line;
-            Err(Refusal::of(format!(
-                "`{path}` is used in line {line}; take that out first"
-            )))
+            Err(Refusal::of(format!("`{path}` is used in line {line}; take that out first")))
         }
         None => Ok(()),
     }

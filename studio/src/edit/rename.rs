@@ -37,9 +37,7 @@ pub(super) fn rename(scene: &Scene, path: &str, name: &str) -> Result<Change, Re
         found == goal && is_kind(one, found.1, target.noun)
     };
     let uses: Vec<_> = listing.names.iter().filter(is_use).collect();
-    let edits = uses
-        .iter()
-        .map(|used| Replacement::new(used.place.clone(), name));
+    let edits = uses.iter().map(|used| Replacement::new(used.place.clone(), name));
     let mut change = Change::from(edits.collect::<Vec<_>>());
     change.notes.push(match uses.len() {
         1 => "1 place".to_owned(),
@@ -47,9 +45,7 @@ pub(super) fn rename(scene: &Scene, path: &str, name: &str) -> Result<Change, Re
     });
     let is_rust = scene.declaration.body.as_ref() != Some(&scene.declaration.whole);
     if is_rust {
-        change
-            .notes
-            .push("Rust code that uses the name stays as it is".to_owned());
+        change.notes.push("Rust code that uses the name stays as it is".to_owned());
     }
     Ok(change)
 }

@@ -91,10 +91,8 @@ fn shape<'t>(
         .owner(link)
         .ok_or_else(|| Refusal::of(format!("there is no link `{link}` in this text")))?;
     let items = link_statement.clauses();
-    let shapes: Vec<&StatementText<'t>> = items
-        .iter()
-        .filter(|one| !OTHERS.contains(&one.word(0)))
-        .collect();
+    let shapes: Vec<&StatementText<'t>> =
+        items.iter().filter(|one| !OTHERS.contains(&one.word(0))).collect();
     let found = number.checked_sub(1).and_then(|index| shapes.get(index));
     found.map(|&one| one.clone()).ok_or_else(|| {
         Refusal::of(match shapes.len() {

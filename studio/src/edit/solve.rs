@@ -44,10 +44,9 @@ pub(super) fn reach(scene: &Scene, goal: &Goal<'_>, change: &mut Change) -> Resu
     }
     let text = &scene.text()[goal.number.place.clone()];
     if is_literal(text) {
-        change.edits.push(Replacement::new(
-            goal.number.place.clone(),
-            written_like(goal.value, text),
-        ));
+        change
+            .edits
+            .push(Replacement::new(goal.number.place.clone(), written_like(goal.value, text)));
         change.edits.sort_by_key(|edit| edit.range.start);
         return Ok(());
     }

@@ -37,20 +37,13 @@ impl Workspace {
     /// A text for a file that is not there yet.
     #[must_use]
     pub fn unsaved(path: impl Into<PathBuf>, text: impl Into<String>) -> Self {
-        Self {
-            is_named: true,
-            ..Self::proposed(path, text)
-        }
+        Self { is_named: true, ..Self::proposed(path, text) }
     }
 
     /// A text that is in no file, with a proposal for its name.
     #[must_use]
     pub fn proposed(path: impl Into<PathBuf>, text: impl Into<String>) -> Self {
-        Self {
-            path: path.into(),
-            history: History::new(text),
-            ..Self::default()
-        }
+        Self { path: path.into(), history: History::new(text), ..Self::default() }
     }
 
     /// A file that was read elsewhere, at its first mechanism.
@@ -198,11 +191,7 @@ impl Workspace {
     pub(crate) fn save(&mut self, path: Option<&Path>, over_any: bool) -> Result<PathBuf, Failure> {
         let before = self.clone();
         let saved = self.save_to(path).and_then(|output| {
-            let output = if over_any {
-                over_any_text(output)?
-            } else {
-                output
-            };
+            let output = if over_any { over_any_text(output)? } else { output };
             output::write(output)
         });
         if saved.is_err() {
@@ -269,11 +258,7 @@ pub struct Step {
 impl History {
     /// A text, without a step.
     pub fn new(text: impl Into<String>) -> Self {
-        Self {
-            first: text.into(),
-            steps: Vec::new(),
-            made: 0,
-        }
+        Self { first: text.into(), steps: Vec::new(), made: 0 }
     }
 
     /// The text of today.
@@ -300,10 +285,7 @@ impl History {
     /// Makes a step. Those that are undone are gone for ever.
     pub fn push(&mut self, title: impl Into<String>, text: impl Into<String>) {
         self.steps.truncate(self.made);
-        self.steps.push(Step {
-            title: title.into(),
-            text: text.into(),
-        });
+        self.steps.push(Step { title: title.into(), text: text.into() });
         self.made += 1;
     }
 

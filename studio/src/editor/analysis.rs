@@ -158,10 +158,7 @@ impl Analysis {
         if self.ghost.as_ref().map(|ghost| ghost.number) == number {
             return None;
         }
-        self.ghost = number.map(|number| Ghost {
-            number,
-            drawing: None,
-        });
+        self.ghost = number.map(|number| Ghost { number, drawing: None });
         let number = number?;
         let mending = self.mendings().get(number.checked_sub(1)?)?;
         let path = self.snapshot.document.source().path();

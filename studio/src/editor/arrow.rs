@@ -42,9 +42,7 @@ pub(super) fn needs(sight: &Sight, settings: &Settings) -> BTreeSet<Derived> {
     let layers = sight.player().map(Player::layers).into_iter();
     let layers = layers.flat_map(Layers::shown).filter_map(Layer::derived);
     let visible = settings.visible.iter();
-    layers
-        .chain(visible.filter_map(|what| what.derived()))
-        .collect()
+    layers.chain(visible.filter_map(|what| what.derived())).collect()
 }
 
 /// The arrows that are wanted, at the present pose, as far as what they need is known.
@@ -64,10 +62,7 @@ pub(super) fn arrows(
     if let Some(rate) = first.get_mut(motor) {
         *rate = 1.0;
     }
-    let rates = Rates {
-        first,
-        second: Vec::new(),
-    };
+    let rates = Rates { first, second: Vec::new() };
     let mut arrows = Vec::new();
     if settings.shows(Visible::Velocities) || settings.shows(Visible::Accelerations) {
         let points = mechanism.point_rates(&rates);
@@ -76,14 +71,9 @@ pub(super) fn arrows(
             arrows.extend(scaled(ArrowKind::Velocity, vectors.collect(), mechanism));
         }
         if settings.shows(Visible::Accelerations) {
-            let vectors = points
-                .iter()
-                .filter_map(|point| Some((point.place, point.acceleration?)));
-            arrows.extend(scaled(
-                ArrowKind::Acceleration,
-                vectors.collect(),
-                mechanism,
-            ));
+            let vectors =
+                points.iter().filter_map(|point| Some((point.place, point.acceleration?)));
+            arrows.extend(scaled(ArrowKind::Acceleration, vectors.collect(), mechanism));
         }
     }
     if settings.shows(Visible::Forces) {
@@ -104,24 +94,12 @@ fn scaled(
 ) -> Vec<Arrow> {
     let [low, high] = mechanism.bounds();
     let most = LONGEST * (high[0] - low[0]).max(high[1] - low[1]);
-    let longest = vectors
-        .iter()
-        .map(|(_, [x, y])| x.hypot(*y))
-        .fold(0.0, f64::max);
+    let longest = vectors.iter().map(|(_, [x, y])| x.hypot(*y)).fold(0.0, f64::max);
     if longest == 0.0 || !longest.is_finite() {
         return Vec::new();
     }
     let fit = most / longest;
-    let scale = if kind == ArrowKind::Force {
-        fit
-    } else {
-        fit.min(RATE)
-    };
-    let arrow = |(place, vector)| Arrow {
-        kind,
-        place,
-        vector,
-        scale,
-    };
+    let scale = if kind == ArrowKind::Force { fit } else { fit.min(RATE) };
+    let arrow = |(place, vector)| Arrow { kind, place, vector, scale };
     vectors.into_iter().map(arrow).collect()
 }

@@ -22,15 +22,8 @@ impl Curves {
         let mut missing = Vec::new();
         let table = match snapshot.moving() {
             Some((model, compiled)) => wanted.known_table(model, compiled, &mut missing),
-            None => Err(Failure::mechanism(
-                "the mechanism does not move; see Diagnoses",
-            )),
+            None => Err(Failure::mechanism("the mechanism does not move; see Diagnoses")),
         };
-        Self {
-            snapshot,
-            wanted,
-            table,
-            missing,
-        }
+        Self { snapshot, wanted, table, missing }
     }
 }

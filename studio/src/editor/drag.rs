@@ -90,22 +90,13 @@ impl Drag {
     ) -> Result<(Self, Hold), Refusal> {
         let is_at_start = pose.is_none();
         let mut movers = items.iter().filter_map(|item| drawing.mover(item));
-        let (path, axis) = movers
-            .next()
-            .ok_or_else(|| Refusal::of("what is not there cannot be dragged"))?;
+        let (path, axis) =
+            movers.next().ok_or_else(|| Refusal::of("what is not there cannot be dragged"))?;
         let frame = |axis: AxisId| {
-            if is_at_start {
-                drawing.pose(drawing.model.axis(axis).link)
-            } else {
-                SCENE
-            }
+            if is_at_start { drawing.pose(drawing.model.axis(axis).link) } else { SCENE }
         };
         let from = |axis: AxisId| {
-            if is_at_start {
-                drawing.model.axis(axis).at
-            } else {
-                drawing.place(axis)
-            }
+            if is_at_start { drawing.model.axis(axis).at } else { drawing.place(axis) }
         };
         let mut taken = BTreeSet::from([path.clone()]);
         let others = movers.filter(|(path, _)| taken.insert(path.clone()));
@@ -114,13 +105,7 @@ impl Drag {
             from: from(other),
             turn: turn(frame(axis), frame(other)),
         });
-        let hold = Hold {
-            number,
-            path,
-            pose,
-            from: from(axis),
-            followers: followers.collect(),
-        };
+        let hold = Hold { number, path, pose, from: from(axis), followers: followers.collect() };
         let grabbed = Grabbed {
             number,
             frame: frame(axis),
@@ -318,9 +303,7 @@ impl Grabbed {
         // In the frame of a link that is turned, places have many digits; those that nobody sees are left out.
         match self.frame {
             SCENE => place,
-            pose => pose
-                .relative(place)
-                .map(|part| rounded(part, self.tolerance)),
+            pose => pose.relative(place).map(|part| rounded(part, self.tolerance)),
         }
     }
 }
@@ -335,10 +318,7 @@ impl Following {
         self.refusal = match led.outcome {
             Ok((dragged, gesture)) => {
                 let poses = dragged.poses.into_iter().map(|pose| pose.map(Pose::from));
-                let drawing = self
-                    .grabbed
-                    .before
-                    .with_numbers(dragged.model, poses.collect());
+                let drawing = self.grabbed.before.with_numbers(dragged.model, poses.collect());
                 let before = self.stay.take();
                 self.stay = Some(Box::new(Stay {
                     gesture,

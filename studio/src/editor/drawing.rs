@@ -45,12 +45,7 @@ impl Drawing {
         let rests = placed(&model, known);
         let poses = closed(&model, rests.clone());
         let index = Arc::new(Index::of(&model));
-        Self {
-            model: Arc::new(model),
-            poses,
-            rests,
-            index,
-        }
+        Self { model: Arc::new(model), poses, rests, index }
     }
 
     /// The same mechanism with other numbers. Joints that come to the same place may share an axis from then on.
@@ -62,12 +57,7 @@ impl Drawing {
         } else {
             Arc::new(Index::of(&model))
         };
-        Self {
-            model: Arc::new(model),
-            poses,
-            rests,
-            index,
-        }
+        Self { model: Arc::new(model), poses, rests, index }
     }
 
     /// Where a link rests: neither where a motor has it, nor where it has jumped to a joint.
@@ -279,19 +269,15 @@ impl Drawing {
         let actions = &self.model.actions;
         let springs = actions.springs.iter().map(|one| (&*one.name, one.between));
         let dampers = actions.dampers.iter().map(|one| (&*one.name, one.between));
-        springs
-            .chain(dampers)
-            .filter_map(|(name, between)| match between {
-                Between::Points(a, b) => Some((name, [self.place(a), self.place(b)])),
-                Between::Joint(_) => None,
-            })
+        springs.chain(dampers).filter_map(|(name, between)| match between {
+            Between::Points(a, b) => Some((name, [self.place(a), self.place(b)])),
+            Between::Joint(_) => None,
+        })
     }
 
     /// Finds the thing at a place, no farther away than `reach`.
     pub(crate) fn hit(&self, place: [f64; 2], reach: f64) -> Hit {
-        let near = self
-            .handles()
-            .map(|handle| (distance(place, handle.place), handle.item));
+        let near = self.handles().map(|handle| (distance(place, handle.place), handle.item));
         let near = near.filter(|(away, _)| *away <= reach);
         if let Some((_, item)) = near.min_by(|a, b| a.0.total_cmp(&b.0))
             && let Some(hit) = self.hit_of(item)
@@ -300,9 +286,7 @@ impl Drawing {
         }
         let links = self.model.declared_links();
         let links = links.map(|link| (self.distance_to(link, place), link));
-        let link = links
-            .filter(|(away, _)| *away <= reach)
-            .min_by(|a, b| a.0.total_cmp(&b.0));
+        let link = links.filter(|(away, _)| *away <= reach).min_by(|a, b| a.0.total_cmp(&b.0));
         link.map_or(Hit::Paper, |(_, link)| Hit::Link(link))
     }
 

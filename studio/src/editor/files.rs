@@ -32,31 +32,28 @@ pub(super) fn choose(
             return is_chosen;
         }
     };
-    egui::ScrollArea::vertical()
-        .max_height(240.0)
-        .auto_shrink([false, true])
-        .show(ui, |ui| {
-            if let Some(above) = above(&folder)
-                && ui.button("..").on_hover_text("the folder above").clicked()
-            {
-                *path = format!("{}/", above.display());
-            }
-            for entry in entries {
-                match entry {
-                    Entry::Folder(name) => {
-                        if ui.button(masked(&format!("{name}/"))).clicked() {
-                            *path = format!("{}/", folder.join(name).display());
-                        }
+    egui::ScrollArea::vertical().max_height(240.0).auto_shrink([false, true]).show(ui, |ui| {
+        if let Some(above) = above(&folder)
+            && ui.button("..").on_hover_text("the folder above").clicked()
+        {
+            *path = format!("{}/", above.display());
+        }
+        for entry in entries {
+            match entry {
+                Entry::Folder(name) => {
+                    if ui.button(masked(&format!("{name}/"))).clicked() {
+                        *path = format!("{}/", folder.join(name).display());
                     }
-                    Entry::File(name) => {
-                        if ui.button(masked(&name)).clicked() {
-                            *path = folder.join(name).display().to_string();
-                            is_chosen = true;
-                        }
+                }
+                Entry::File(name) => {
+                    if ui.button(masked(&name)).clicked() {
+                        *path = folder.join(name).display().to_string();
+                        is_chosen = true;
                     }
                 }
             }
-        });
+        }
+    });
     is_chosen
 }
 
@@ -79,11 +76,7 @@ fn above(folder: &Path) -> Option<PathBuf> {
 
 /// The folder itself, where a path without a folder means the present one.
 fn present(folder: &Path) -> &Path {
-    if folder.as_os_str().is_empty() {
-        Path::new(".")
-    } else {
-        folder
-    }
+    if folder.as_os_str().is_empty() { Path::new(".") } else { folder }
 }
 
 /// The folders in a folder, and then the files whose names end so. What is hidden is left out.
@@ -117,11 +110,7 @@ fn browse(purpose: &FileUse, path: &mut String, folder: &Path, ui: &mut egui::Ui
         );
         answer.clone()
     });
-    if ui
-        .button("Browse")
-        .on_hover_text("opens the system's own dialog")
-        .clicked()
-    {
+    if ui.button("Browse").on_hover_text("opens the system's own dialog").clicked() {
         ask_system(purpose, folder, answer.clone(), ui.ctx().clone());
     }
     let chosen = answer.lock().unwrap_or_else(PoisonError::into_inner).take();

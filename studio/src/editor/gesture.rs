@@ -15,10 +15,7 @@ pub struct Gesture {
 impl Gesture {
     /// Several commands under one title.
     pub fn new(title: impl Into<String>, commands: Vec<Command>) -> Self {
-        Self {
-            title: title.into(),
-            commands,
-        }
+        Self { title: title.into(), commands }
     }
 }
 

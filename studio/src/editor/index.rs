@@ -49,9 +49,7 @@ impl Index {
         let mut joints = HashMap::new();
         let mut pivots = vec![None; model.links.len()];
         for joint in model.declared_joints() {
-            joints
-                .entry(model.joint(joint).name.clone())
-                .or_insert(joint);
+            joints.entry(model.joint(joint).name.clone()).or_insert(joint);
             if let JointKind::Revolute(a, b) = model.joint(joint).kind {
                 for end in [a, b] {
                     pivots[model.axis(end).link.index()].get_or_insert(a);

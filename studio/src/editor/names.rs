@@ -26,9 +26,7 @@ impl Names {
 
     pub(super) fn within(text: &str) -> Self {
         let words = text.split(|letter| !is_of_word(letter));
-        Self {
-            taken: words.map(ToOwned::to_owned).collect(),
-        }
+        Self { taken: words.map(ToOwned::to_owned).collect() }
     }
 
     /// A name like another: that itself, if it is free.

@@ -36,12 +36,7 @@ fn read(name: &str) -> Result<Opened, Failure> {
     let path = Path::new(name);
     if import::is_link(name) {
         let source = Source::new("link", name);
-        imported(
-            &source,
-            "a link of PMKS+",
-            "Imported",
-            "imported.mech".into(),
-        )
+        imported(&source, "a link of PMKS+", "Imported", "imported.mech".into())
     } else if is_of_linkage(path) {
         taken(Source::read_foreign_plain(path)?)
     } else {
@@ -51,10 +46,7 @@ fn read(name: &str) -> Result<Opened, Failure> {
 
 /// A file of the language.
 fn own(source: Source) -> Opened {
-    Opened {
-        workspace: Workspace::of(source),
-        ..Opened::default()
-    }
+    Opened { workspace: Workspace::of(source), ..Opened::default() }
 }
 
 /// A text with the name of its file. What another program wrote is imported, and stays beside it.
@@ -92,18 +84,12 @@ fn imported(source: &Source, title: &str, wish: &str, file: PathBuf) -> Result<O
     let lines = losses.iter();
     Ok(Opened {
         told: Some(format!("imported as `{}`; {told}", file.display())),
-        losses: lines
-            .map(|loss| format!("not carried over: {loss}\n"))
-            .collect(),
+        losses: lines.map(|loss| format!("not carried over: {loss}\n")).collect(),
         workspace: Workspace::proposed(file, text),
     })
 }
 
 /// The length of the longest file of this name that is taken, in bytes.
 pub(super) fn longest(path: &Path) -> u64 {
-    if is_picture(path) {
-        LONGEST_FILE
-    } else {
-        LONGEST
-    }
+    if is_picture(path) { LONGEST_FILE } else { LONGEST }
 }

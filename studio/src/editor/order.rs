@@ -105,24 +105,11 @@ impl Export {
     pub(super) fn job(self, seen: &[(String, f64)], measure: &Measure) -> Option<Job> {
         let draw = |kind| {
             let at = seen.iter().cloned().map(Setting::from).collect();
-            let picture = Picture {
-                at,
-                ..Picture::default()
-            };
-            Job::Draw(Draw {
-                picture,
-                reach: None,
-                kind,
-            })
+            let picture = Picture { at, ..Picture::default() };
+            Job::Draw(Draw { picture, reach: None, kind })
         };
         let film = |kind| Job::Film(Film::of_kind(kind));
-        let plot = |kind| {
-            Job::Plot(Plot {
-                measure: measure.clone(),
-                kind,
-                title: None,
-            })
-        };
+        let plot = |kind| Job::Plot(Plot { measure: measure.clone(), kind, title: None });
         Some(match self {
             Self::Picture => draw(StillKind::Png),
             Self::Drawing => draw(StillKind::Svg),
@@ -199,9 +186,7 @@ impl Order {
         }
         if !ends_in(Path::new(path), kind.endings()) {
             let ending = kind.endings()[0];
-            return Err(format!(
-                "`{path}` is no name for this: write `.{ending}` at its end"
-            ));
+            return Err(format!("`{path}` is no name for this: write `.{ending}` at its end"));
         }
         if Path::new(path) == workspace.path() {
             return Err(format!("`{path}` is the file of the text; save it instead"));
@@ -211,11 +196,7 @@ impl Order {
             document: workspace.document(),
             index: workspace.index(),
             kind,
-            inputs: [workspace.path()]
-                .into_iter()
-                .chain(traced)
-                .map(Path::to_owned)
-                .collect(),
+            inputs: [workspace.path()].into_iter().chain(traced).map(Path::to_owned).collect(),
             path: path.to_owned(),
         })
     }
@@ -226,12 +207,7 @@ impl Order {
             Some(job) => job.run(self.analysed()?, &mut notes)?,
             None => self.in_rust().into_bytes(),
         };
-        Ok(Made {
-            bytes,
-            kind: self.kind,
-            inputs: self.inputs.clone(),
-            notes: notes.0,
-        })
+        Ok(Made { bytes, kind: self.kind, inputs: self.inputs.clone(), notes: notes.0 })
     }
 
     fn in_rust(&self) -> String {

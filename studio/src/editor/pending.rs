@@ -59,10 +59,7 @@ impl Tried {
 impl Pending {
     /// With the numbers of these going on, so that none is given twice.
     pub(super) fn after(before: &Self) -> Self {
-        Self {
-            count: before.count,
-            ..Self::default()
-        }
+        Self { count: before.count, ..Self::default() }
     }
 
     /// Whether nothing is tried and nothing waits.

@@ -6,12 +6,7 @@ use mech_compiler::model::{AxisId, Joint, JointKind, LinkId, Model};
 pub(crate) type Pose = mech_runtime::Pose<f64>;
 
 /// The pose of the scene itself.
-pub(crate) const SCENE: Pose = Pose {
-    cos: 1.0,
-    sin: 0.0,
-    x: 0.0,
-    y: 0.0,
-};
+pub(crate) const SCENE: Pose = Pose { cos: 1.0, sin: 0.0, x: 0.0, y: 0.0 };
 
 /// The pose of each link: as known, or as its joints to those that are known want it, or that of the scene.
 pub(super) fn placed(model: &Model, mut known: Vec<Option<Pose>>) -> Vec<Pose> {
@@ -24,10 +19,7 @@ pub(super) fn placed(model: &Model, mut known: Vec<Option<Pose>>) -> Vec<Pose> {
     while let Some((link, pose)) = next(model, &known) {
         known[link.index()] = Some(pose);
     }
-    known
-        .into_iter()
-        .map(|pose| pose.unwrap_or(SCENE))
-        .collect()
+    known.into_iter().map(|pose| pose.unwrap_or(SCENE)).collect()
 }
 
 /// The poses of links after what a joint joins that is drawn apart has jumped there.
@@ -110,11 +102,7 @@ fn beside(model: &Model, (fixed, pose): (AxisId, Pose), axis: AxisId, turns: boo
     let [cos, sin] = if turns {
         near(model, model.axis(axis).link)
     } else {
-        turn(
-            pose,
-            model.axis(fixed).direction,
-            model.axis(axis).direction,
-        )
+        turn(pose, model.axis(fixed).direction, model.axis(axis).direction)
     };
     let place = pose.apply(model.axis(fixed).at);
     moved([cos, sin], model.axis(axis).at, place)

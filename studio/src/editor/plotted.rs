@@ -57,8 +57,7 @@ impl Plotted {
         let names = ranges.iter().map(|range| range.name.as_str()).enumerate();
         let chosen = self.motor.as_deref();
         let mut all = names.clone();
-        all.find(|(_, name)| Some(*name) == chosen)
-            .or_else(|| names.into_iter().next())
+        all.find(|(_, name)| Some(*name) == chosen).or_else(|| names.into_iter().next())
     }
 
     /// The loads that somebody has given numbers, as far as these can be read. The others are zero.
@@ -163,10 +162,7 @@ impl Plotted {
             wanted: wanted.clone(),
             found: Vec::new(),
         });
-        Some(Task::Of(
-            snapshot.clone(),
-            Use::Roll(number, Box::new(wanted)),
-        ))
+        Some(Task::Of(snapshot.clone(), Use::Roll(number, Box::new(wanted))))
     }
 
     /// Takes over centrodes, if nobody has asked for others since.
@@ -196,10 +192,7 @@ impl Plotted {
     pub(super) fn measure(&self, playing: &Playing, snapshot: &Snapshot) -> Measure {
         let wanted = self.wanted(playing, snapshot);
         let wanted = wanted.filter(|wanted| !wanted.quantities.is_empty());
-        wanted.unwrap_or_else(|| Measure {
-            quantities: self.names.clone(),
-            ..Measure::default()
-        })
+        wanted.unwrap_or_else(|| Measure { quantities: self.names.clone(), ..Measure::default() })
     }
 }
 

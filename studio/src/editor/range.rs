@@ -20,11 +20,7 @@ pub(crate) struct MotorRange {
 impl MotorRange {
     /// A value as it is shown: in degrees or scene units.
     pub(crate) fn shown(&self, value: f64) -> f64 {
-        if self.turns {
-            value.to_degrees()
-        } else {
-            value
-        }
+        if self.turns { value.to_degrees() } else { value }
     }
 
     /// The unit in which values are shown.
@@ -34,11 +30,7 @@ impl MotorRange {
 
     /// The value that is meant by one as it is shown.
     pub(crate) fn meant(&self, shown: f64) -> f64 {
-        if self.turns {
-            shown.to_radians()
-        } else {
-            shown
-        }
+        if self.turns { shown.to_radians() } else { shown }
     }
 }
 

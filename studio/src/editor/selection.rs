@@ -60,9 +60,7 @@ impl Selection {
         let handles = drawing?.handles();
         let selected = handles.filter(|handle| self.items.contains(handle.item));
         let places: Vec<[f64; 2]> = selected.map(|handle| handle.place).collect();
-        <[[f64; 2]; 2]>::try_from(places)
-            .ok()
-            .filter(|[a, b]| a != b)
+        <[[f64; 2]; 2]>::try_from(places).ok().filter(|[a, b]| a != b)
     }
 
     /// Returns the items to move so that all selected items move.
@@ -72,9 +70,7 @@ impl Selection {
 
     /// Returns the selected items, with those to move so that they move.
     pub(super) fn with_handles(&self, drawing: Option<&Drawing>) -> BTreeSet<Item> {
-        let handles = drawing
-            .into_iter()
-            .flat_map(|drawing| self.handles(drawing));
+        let handles = drawing.into_iter().flat_map(|drawing| self.handles(drawing));
         handles.chain(self.items.iter().cloned()).collect()
     }
 

@@ -69,13 +69,7 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             snaps: true,
-            visible: [
-                Visible::Grid,
-                Visible::Names,
-                Visible::Bodies,
-                Visible::Paths,
-            ]
-            .into(),
+            visible: [Visible::Grid, Visible::Names, Visible::Bodies, Visible::Paths].into(),
             panel: Some(Panel::Text),
             is_dark: false,
         }

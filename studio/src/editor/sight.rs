@@ -265,10 +265,7 @@ fn bounds_of(drawing: Option<&Drawing>) -> [[f64; 2]; 2] {
     let bounds = places.fold(None, |bounds: Option<[[f64; 2]; 2]>, handle| {
         let [x, y] = handle.place;
         let [low, high] = bounds.unwrap_or([[x, y]; 2]);
-        Some([
-            [low[0].min(x), low[1].min(y)],
-            [high[0].max(x), high[1].max(y)],
-        ])
+        Some([[low[0].min(x), low[1].min(y)], [high[0].max(x), high[1].max(y)]])
     });
     match bounds {
         Some([low, high]) if low[0] < high[0] || low[1] < high[1] => [low, high],

@@ -41,34 +41,20 @@ impl Snapping<'_> {
     /// The place that is meant by one under the pointer.
     pub(super) fn snap(&self, place: [f64; 2]) -> Snapped {
         let reach = if self.is_on { REACH } else { CLOSE } / self.scale;
-        let hit = self
-            .drawing
-            .map_or(Hit::Paper, |drawing| drawing.hit(place, reach));
+        let hit = self.drawing.map_or(Hit::Paper, |drawing| drawing.hit(place, reach));
         if let Some(place) = self.handle(place, reach) {
-            return Snapped {
-                pick: Pick { place, hit },
-                guides: Vec::new(),
-            };
+            return Snapped { pick: Pick { place, hit }, guides: Vec::new() };
         }
         if !self.is_on {
             let fine = grid(self.scale) / FINE;
-            return Snapped {
-                pick: Pick {
-                    place: on_grid(place, fine),
-                    hit,
-                },
-                guides: Vec::new(),
-            };
+            return Snapped { pick: Pick { place: on_grid(place, fine), hit }, guides: Vec::new() };
         }
         let (place, guides) = match (self.angles_from, self.on_bar(place, &hit, reach)) {
             (Some(from), _) => (self.at_angle(from, place), vec![from]),
             (None, Some(on_bar)) => (on_bar, Vec::new()),
             (None, None) => self.aligned(place),
         };
-        Snapped {
-            pick: Pick { place, hit },
-            guides,
-        }
+        Snapped { pick: Pick { place, hit }, guides }
     }
 
     /// The handle that is near, or the other end of a joint that is apart.
@@ -78,13 +64,10 @@ impl Snapping<'_> {
         let others = handles.filter(|handle| !self.without.contains(handle.item));
         let gaps = drawing.ends_of_joints();
         let gaps = gaps.filter(|[seen, other]| distance(*seen, *other) > reach);
-        let places = others
-            .map(|handle| handle.place)
-            .chain(gaps.map(|[_, other]| other));
+        let places = others.map(|handle| handle.place).chain(gaps.map(|[_, other]| other));
         let near = places.map(|other| (distance(other, place), other));
         let near = near.filter(|(away, _)| *away <= reach);
-        near.min_by(|a, b| a.0.total_cmp(&b.0))
-            .map(|(_, place)| place)
+        near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, place)| place)
     }
 
     /// The place on the bar that was hit: where that crosses the line of the grid which is nearest.
@@ -138,11 +121,8 @@ impl Snapping<'_> {
         let [x, y] = [place[0] - from[0], place[1] - from[1]];
         let angle = (y.atan2(x) / step).round() * step;
         let length = (x.hypot(y) / unit).round() * unit;
-        [
-            from[0] + length * angle.cos(),
-            from[1] + length * angle.sin(),
-        ]
-        .map(|part| tidy(part, unit))
+        [from[0] + length * angle.cos(), from[1] + length * angle.sin()]
+            .map(|part| tidy(part, unit))
     }
 }
 
@@ -161,8 +141,5 @@ pub(super) fn grid(scale: f64) -> f64 {
     let least = APART / scale;
     let power = 10_f64.powf(least.log10().floor());
     let found = [1.0, 2.0, 5.0].map(|digit| digit * power);
-    found
-        .into_iter()
-        .find(|unit| *unit >= least)
-        .unwrap_or(10.0 * power)
+    found.into_iter().find(|unit| *unit >= least).unwrap_or(10.0 * power)
 }

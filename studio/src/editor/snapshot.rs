@@ -35,13 +35,7 @@ impl Snapshot {
             Some(Ok((reading, listing))) => (Some(Arc::new(reading)), listing, None),
             Some(Err(failure)) => (None, Listing::default(), Some(failure)),
         };
-        Self {
-            document,
-            index,
-            reading,
-            listing,
-            failure,
-        }
+        Self { document, index, reading, listing, failure }
     }
 
     /// The same, where the mechanism was analysed already.
@@ -52,13 +46,7 @@ impl Snapshot {
             Ok(listing) => (listing.flatten().unwrap_or_default(), None),
             Err(failure) => (Listing::default(), Some(failure)),
         };
-        Self {
-            document,
-            index,
-            reading: Some(Arc::new(reading)),
-            listing,
-            failure,
-        }
+        Self { document, index, reading: Some(Arc::new(reading)), listing, failure }
     }
 
     /// Whether it is of this text, and of the same mechanism in it.
@@ -68,23 +56,16 @@ impl Snapshot {
 
     /// Whether the text can be read as a mechanism, even one that does not move yet.
     pub(crate) fn is_readable(&self) -> bool {
-        self.reading
-            .as_ref()
-            .is_some_and(|reading| match &reading.result {
-                Ok(_) => true,
-                Err(faults) => !faults.diagnoses.is_empty(),
-            })
+        self.reading.as_ref().is_some_and(|reading| match &reading.result {
+            Ok(_) => true,
+            Err(faults) => !faults.diagnoses.is_empty(),
+        })
     }
 
     /// The mechanism in its file, if its text is right.
     pub(crate) fn known(&self) -> Option<Known<'_>> {
         let reading = self.reading.as_ref().filter(|_| self.is_readable())?;
-        Some(Known {
-            document: &self.document,
-            index: self.index,
-            reading,
-            listing: &self.listing,
-        })
+        Some(Known { document: &self.document, index: self.index, reading, listing: &self.listing })
     }
 
     /// The compiled mechanism, if it moves.
@@ -108,10 +89,7 @@ impl Snapshot {
 
     /// Returns the messages on the faults, with their places.
     pub(crate) fn messages(&self) -> &[Message] {
-        let faults = self
-            .reading
-            .as_ref()
-            .and_then(|reading| reading.result.as_ref().err());
+        let faults = self.reading.as_ref().and_then(|reading| reading.result.as_ref().err());
         faults.map_or(&[], |faults| &faults.messages)
     }
 
@@ -193,7 +171,5 @@ fn read(document: &Document, declaration: &Declaration) -> Result<(Reading, List
 fn starts(model: &Model, compiled: &Compiled) -> Vec<Option<Pose>> {
     let start = &compiled.program.start.poses;
     let links = model.link_ids();
-    links
-        .map(|link| Some(start[compiled.program.place_of(link)?].into()))
-        .collect()
+    links.map(|link| Some(start[compiled.program.place_of(link)?].into())).collect()
 }

@@ -55,10 +55,7 @@ impl Studio {
         unnamed: PathBuf,
         wake: impl Fn() + Send + Sync + 'static,
     ) -> Self {
-        Self {
-            guard: Guard::of(unnamed, wake),
-            ..Self::new(editor)
-        }
+        Self { guard: Guard::of(unnamed, wake), ..Self::new(editor) }
     }
 
     /// The editor that is shown.
@@ -81,11 +78,7 @@ impl Studio {
         if is_more {
             ui.ctx().request_repaint();
         }
-        let theme = if editor.settings.is_dark {
-            egui::Theme::Dark
-        } else {
-            egui::Theme::Light
-        };
+        let theme = if editor.settings.is_dark { egui::Theme::Dark } else { egui::Theme::Light };
         ui.ctx().set_theme(theme);
         let context = ui.ctx().clone();
         let seconds = context.input(|input| input.stable_dt.min(0.1));
@@ -156,11 +149,7 @@ impl Studio {
 /// The title of the window: the file, and whether it has changes that are not saved.
 fn title(workspace: &Workspace) -> String {
     let name = workspace.path().file_name().unwrap_or_default();
-    let changed = if workspace.has_work() {
-        " (changed)"
-    } else {
-        ""
-    };
+    let changed = if workspace.has_work() { " (changed)" } else { "" };
     masked(&format!("{}{changed} - mech edit", name.display())).into_owned()
 }
 

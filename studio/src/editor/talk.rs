@@ -26,18 +26,13 @@ pub(super) struct Talk {
 
 impl Talk {
     pub(super) fn tell(&mut self, text: impl Into<String>) {
-        self.notice = Some(Notice {
-            text: masked(&text.into()).into_owned(),
-            is_refusal: false,
-        });
+        self.notice = Some(Notice { text: masked(&text.into()).into_owned(), is_refusal: false });
     }
 
     #[expect(clippy::needless_pass_by_value, reason = "nobody needs it any more")]
     pub(super) fn refuse(&mut self, why: impl ToString) {
-        self.notice = Some(Notice {
-            text: masked(&why.to_string()).into_owned(),
-            is_refusal: true,
-        });
+        self.notice =
+            Some(Notice { text: masked(&why.to_string()).into_owned(), is_refusal: true });
     }
 
     /// Tells what was done, or why it was refused.

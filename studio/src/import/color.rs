@@ -11,9 +11,7 @@ impl Color {
     /// The colour of the language that is nearest to it: `teal light`.
     pub(super) fn name(self) -> String {
         // Nothing is seen on the background in its own colour.
-        let named = NAMED
-            .iter()
-            .filter(|(_, entry)| ![PAPER, EYE].contains(entry));
+        let named = NAMED.iter().filter(|(_, entry)| ![PAPER, EYE].contains(entry));
         let shades = named.flat_map(|&(name, entry)| {
             let plain = (name.to_owned(), entry);
             let dark = (format!("{name} dark"), darker(entry));

@@ -182,10 +182,7 @@ impl Drawing {
     /// The places of a link: those of its points and joints, each once.
     pub(super) fn places(&self, link: usize) -> Vec<Pair> {
         let own = self.links[link].points.iter().map(|point| point.at);
-        let joints = self
-            .joints
-            .iter()
-            .filter(|joint| joint.ends.contains(&End::Link(link)));
+        let joints = self.joints.iter().filter(|joint| joint.ends.contains(&End::Link(link)));
         let mut places = Vec::new();
         for at in joints.filter_map(Joint::at).chain(own) {
             if !places.contains(&at) {
@@ -305,11 +302,7 @@ impl Times {
         });
         let back = common.map(|common| 60.0 * THOUSANDTHS / common);
         let back = back.filter(|back| *back <= longest);
-        Some(Self {
-            back,
-            tried: back.unwrap_or(longest),
-            step: 60.0 / fastest / STEPS,
-        })
+        Some(Self { back, tried: back.unwrap_or(longest), step: 60.0 / fastest / STEPS })
     }
 }
 
@@ -335,11 +328,8 @@ mod tests {
     #[test]
     fn inputs_are_back_after_their_common_period() {
         let back = |rates: &[f64]| {
-            let motor = |turns: &f64| Motor {
-                joint: 0,
-                stroke: None,
-                speed: Some(Speed::Turns(*turns)),
-            };
+            let motor =
+                |turns: &f64| Motor { joint: 0, stroke: None, speed: Some(Speed::Turns(*turns)) };
             let motors: Vec<Motor> = rates.iter().map(motor).collect();
             Times::of(&motors).and_then(|times| times.back)
         };

@@ -10,20 +10,14 @@ const BEGINNINGS: [(&str, &str); 14] = [
     ("ISO-10303-21", "a STEP file"),
     ("AutoCAD Binary DXF", "a DXF file"),
     ("AC10", "a DWG file"),
-    (
-        "PK\u{3}\u{4}",
-        "a ZIP archive, as FreeCAD, GeoGebra and others write",
-    ),
+    ("PK\u{3}\u{4}", "a ZIP archive, as FreeCAD, GeoGebra and others write"),
     ("%PDF", "a PDF file"),
     ("\u{89}PNG", "a picture (PNG)"),
     ("GIF8", "a picture (GIF)"),
     ("ÿØÿ", "a picture (JPEG)"),
     ("{", "JSON"),
     ("[", "JSON"),
-    (
-        "struct ",
-        "a text of the language, which `mech check` reads",
-    ),
+    ("struct ", "a text of the language, which `mech check` reads"),
     ("///", "a text of the language, which `mech check` reads"),
     ("use ", "a text of Rust, which `mech check` reads"),
 ];
@@ -40,10 +34,7 @@ const ROOTS: [(&str, &str); 4] = [
 pub(super) fn unknown_format(text: &str) -> Message {
     let start = text.len() - plain(text).len();
     let length = text[start..].chars().next().map_or(0, char::len_utf8);
-    Message {
-        place: start..start + length,
-        text: format!("{}; {READ}", kind(plain(text))),
-    }
+    Message { place: start..start + length, text: format!("{}; {READ}", kind(plain(text))) }
 }
 
 /// Whether a text may be a document of Linkage, whole or not.

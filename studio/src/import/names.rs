@@ -77,11 +77,7 @@ pub(crate) fn type_name(wish: &str) -> Result<String, Failure> {
     });
     let name: String = capital.collect();
     let is_right = name.starts_with(char::is_alphabetic) && is_type(&name)?;
-    Ok(if is_right {
-        name
-    } else {
-        format!("Mechanism{name}")
-    })
+    Ok(if is_right { name } else { format!("Mechanism{name}") })
 }
 
 /// The stretches of letters and digits of a text. A capital after a small letter begins a new one.
@@ -115,9 +111,7 @@ pub(crate) fn is_type(word: &str) -> Result<bool, Failure> {
     if !word.chars().all(is_of_word) {
         return Ok(false);
     }
-    is_right(&format!(
-        "struct {word}; link a; joint b = revolute(ground, a) at (0, 0); motor b;"
-    ))
+    is_right(&format!("struct {word}; link a; joint b = revolute(ground, a) at (0, 0); motor b;"))
 }
 
 fn is_right(text: &str) -> Result<bool, Failure> {

@@ -21,11 +21,7 @@ pub(super) fn agreed(drawing: &Drawing, omissions: &mut Vec<Omission>) -> Result
     };
     let mut moves = false;
     for [is_coupled, is_redundant] in ALLOWANCES {
-        let tried = Terms {
-            is_coupled,
-            is_redundant,
-            ..terms.clone()
-        };
+        let tried = Terms { is_coupled, is_redundant, ..terms.clone() };
         moves = moving(drawing, &tried)?.is_some();
         if moves {
             terms = tried;
@@ -45,29 +41,17 @@ fn prove_ranges(
     terms: &mut Terms,
     omissions: &mut Vec<Omission>,
 ) -> Result<(), Failure> {
-    let wanted: Vec<bool> = drawing
-        .motors
-        .iter()
-        .map(|motor| motor.stroke.is_some())
-        .collect();
+    let wanted: Vec<bool> = drawing.motors.iter().map(|motor| motor.stroke.is_some()).collect();
     if !wanted.contains(&true) {
         return Ok(());
     }
-    let all = Terms {
-        ranges: wanted.clone(),
-        ..terms.clone()
-    };
+    let all = Terms { ranges: wanted.clone(), ..terms.clone() };
     if moving(drawing, &all)?.is_some() {
         *terms = all;
         return Ok(());
     }
     let names = writing::joint_names(drawing)?;
-    for (number, motor) in drawing
-        .motors
-        .iter()
-        .enumerate()
-        .filter(|(number, _)| wanted[*number])
-    {
+    for (number, motor) in drawing.motors.iter().enumerate().filter(|(number, _)| wanted[*number]) {
         let mut more = terms.clone();
         more.ranges[number] = true;
         if moving(drawing, &more)?.is_some() {
@@ -94,10 +78,7 @@ fn follow_laws(
     if motors.all(|(motor, has_range)| *has_range || motor.rounds().is_none()) {
         return Ok(());
     }
-    let lawful = Terms {
-        has_laws: true,
-        ..terms.clone()
-    };
+    let lawful = Terms { has_laws: true, ..terms.clone() };
     let found = moving(drawing, &lawful)?;
     if found.map_or(Ok(false), |reading| follows(&reading, times))? {
         *terms = lawful;
@@ -114,10 +95,7 @@ fn follows(reading: &Reading, times: Times) -> Result<bool, Failure> {
         return Ok(false);
     };
     let model = &reading.model;
-    let span = Span {
-        from: Some(0.0.into()),
-        to: Some(times.tried.into()),
-    };
+    let span = Span { from: Some(0.0.into()), to: Some(times.tried.into()) };
     let drive = Drive::new(model, compiled, None, span, &[])?;
     let mut machine = Mover::new(model, compiled);
     let mut part = 0.0;

@@ -35,12 +35,7 @@ pub(super) fn text(
     name: &str,
     kind: FileKind,
 ) -> Result<String, Failure> {
-    let writer = Writer {
-        drawing,
-        terms,
-        named: Named::of(drawing)?,
-        size: drawing.size(),
-    };
+    let writer = Writer { drawing, terms, named: Named::of(drawing)?, size: drawing.size() };
     let lines = writer.lines(name, kind);
     Ok(match kind {
         FileKind::Mechanism => lines.join("\n") + "\n",
@@ -64,30 +59,20 @@ impl Named {
     fn of(drawing: &Drawing) -> Result<Self, Failure> {
         let mut names = Names::default();
         let links = drawing.links.iter();
-        let links = links
-            .map(|link| names.claim(&link.name, "link"))
-            .collect::<Result<Vec<_>, _>>()?;
+        let links =
+            links.map(|link| names.claim(&link.name, "link")).collect::<Result<Vec<_>, _>>()?;
         let points = drawing.links.iter().zip(&links).map(|(link, name)| {
             let points = link.points.iter();
-            points
-                .map(|point| names.claim_point(name, &point.name))
-                .collect()
+            points.map(|point| names.claim_point(name, &point.name)).collect()
         });
         let points = points.collect::<Result<Vec<Vec<_>>, _>>()?;
         let joints = drawing.joints.iter();
-        let joints = joints
-            .map(|joint| names.claim(&joint.name, "joint"))
-            .collect::<Result<Vec<_>, _>>()?;
+        let joints =
+            joints.map(|joint| names.claim(&joint.name, "joint")).collect::<Result<Vec<_>, _>>()?;
         let loads = drawing.loads.iter();
-        let loads = loads
-            .map(|load| names.claim(&load.name, "load"))
-            .collect::<Result<Vec<_>, _>>()?;
-        Ok(Self {
-            links,
-            points,
-            joints,
-            loads,
-        })
+        let loads =
+            loads.map(|load| names.claim(&load.name, "load")).collect::<Result<Vec<_>, _>>()?;
+        Ok(Self { links, points, joints, loads })
     }
 }
 
@@ -101,9 +86,8 @@ struct Writer<'d> {
 impl Writer<'_> {
     fn lines(&self, name: &str, kind: FileKind) -> Vec<String> {
         let remarks = self.drawing.remarks.iter().cloned().chain(self.speeds());
-        let mut lines: Vec<String> = remarks
-            .map(|remark| format!("/// {}", on_one_line(&remark)))
-            .collect();
+        let mut lines: Vec<String> =
+            remarks.map(|remark| format!("/// {}", on_one_line(&remark))).collect();
         lines.push(match kind {
             FileKind::Mechanism => format!("struct {name};"),
             FileKind::Rust => format!("pub struct {name};"),
@@ -113,10 +97,7 @@ impl Writer<'_> {
         if is_colored {
             lines.push("look machine;".to_owned());
         }
-        let allowed = [
-            (self.terms.is_coupled, "coupled"),
-            (self.terms.is_redundant, "redundant"),
-        ];
+        let allowed = [(self.terms.is_coupled, "coupled"), (self.terms.is_redundant, "redundant")];
         let allowed = allowed.iter().filter(|(is_allowed, _)| *is_allowed);
         lines.extend(allowed.map(|(_, what)| format!("allow {what};")));
         lines.push(String::new());
@@ -148,9 +129,7 @@ impl Writer<'_> {
                 Form::Revolute { .. } | Form::Gear(_) | Form::Belt(_) => {}
             }
         }
-        let stands = places
-            .into_iter()
-            .map(|at| format!("stand {};", self.place(at)));
+        let stands = places.into_iter().map(|at| format!("stand {};", self.place(at)));
         block("ground", &stands.collect::<Vec<_>>())
     }
 
@@ -195,10 +174,7 @@ impl Writer<'_> {
         let plane = 2 * number + 2;
         let color = color.name();
         (places.len() > 1).then(|| {
-            format!(
-                "bar [{}] width {width} on plane {plane} color {color};",
-                places.join(", ")
-            )
+            format!("bar [{}] width {width} on plane {plane} color {color};", places.join(", "))
         })
     }
 
@@ -254,9 +230,7 @@ impl Writer<'_> {
             }
             (Speed::Cycles(cycles), Some(stroke)) => {
                 let (stroke, cycles) = (self.number(stroke), written_like(cycles, ""));
-                Some(format!(
-                    "{stroke} * (1 - abs(1 - mod({cycles} / 30 * t, 2)))"
-                ))
+                Some(format!("{stroke} * (1 - abs(1 - mod({cycles} / 30 * t, 2)))"))
             }
             (Speed::Cycles(_), None) | (Speed::Way(_), _) => None,
         }
@@ -276,9 +250,7 @@ impl Writer<'_> {
                 format!(" After {back} seconds all are back where they started.")
             });
             let back = back.unwrap_or_default();
-            remarks.push(format!(
-                "Inputs go at their speeds; the time `t` is in seconds.{back}"
-            ));
+            remarks.push(format!("Inputs go at their speeds; the time `t` is in seconds.{back}"));
         }
         remarks
     }
@@ -288,11 +260,7 @@ impl Writer<'_> {
         let exact = |value: f64| written_like(value, "");
         let fact = match motor.speed? {
             Speed::Turns(turns) => {
-                let sense = if turns < 0.0 {
-                    "clockwise"
-                } else {
-                    "counter-clockwise"
-                };
+                let sense = if turns < 0.0 { "clockwise" } else { "counter-clockwise" };
                 format!("turns {} times a minute, {sense}", exact(turns.abs()))
             }
             Speed::Cycles(cycles) => {
@@ -319,9 +287,7 @@ impl Writer<'_> {
         let laws = Times::of(&self.drawing.motors).filter(|_| self.terms.has_laws);
         let seconds = laws.and_then(|times| times.back).unwrap_or_default();
         let wanted = seconds * PLACES_A_SECOND;
-        (TRACE..LONGEST_TRACE)
-            .find(|places| f64::from(*places) >= wanted)
-            .unwrap_or(LONGEST_TRACE)
+        (TRACE..LONGEST_TRACE).find(|places| f64::from(*places) >= wanted).unwrap_or(LONGEST_TRACE)
     }
 
     fn effects(&self) -> Option<String> {
@@ -344,11 +310,7 @@ impl Writer<'_> {
             Sizes::Teeth(sizes) => sizes.map(|size| size.to_string()),
             Sizes::Radii(sizes) => sizes.map(|size| {
                 let text = shortest(size, self.tolerance(size));
-                if text.contains(['.', 'e']) {
-                    text
-                } else {
-                    text + ".0"
-                }
+                if text.contains(['.', 'e']) { text } else { text + ".0" }
             }),
         };
         format!("{a} : {b}")
@@ -393,11 +355,7 @@ fn block(head: &str, items: &[String]) -> Vec<String> {
     } else {
         let inside = items.iter().map(|item| format!("    {item}"));
         let first = format!("{head} {{");
-        [first]
-            .into_iter()
-            .chain(inside)
-            .chain(["}".to_owned()])
-            .collect()
+        [first].into_iter().chain(inside).chain(["}".to_owned()]).collect()
     }
 }
 

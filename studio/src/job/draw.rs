@@ -28,9 +28,7 @@ impl Draw {
         let led = self.reach.as_ref();
         let led = led.map(|goal| Drive::led(model, compiled, set, goal));
         let led = led.transpose()?;
-        let at = led
-            .as_ref()
-            .map_or_else(|| set.clone(), |led| led.settings(model));
+        let at = led.as_ref().map_or_else(|| set.clone(), |led| led.settings(model));
         // What does not move is painted, too, if nothing is constructed.
         let is_plain = self.picture.constructions.is_empty();
         let drives = (!is_plain).then(|| {
@@ -82,10 +80,7 @@ impl Draw {
 /// The motion that the mechanism makes if nobody says which.
 fn whole(Analysed { model, compiled }: &Analysed, at: &[Setting]) -> Result<Drive, Failure> {
     // The first motor moves, wherever the picture has it.
-    let first = model
-        .motors
-        .first()
-        .map(|motor| &model.joint(motor.joint).name);
+    let first = model.motors.first().map(|motor| &model.joint(motor.joint).name);
     let others = at.iter().filter(|one| Some(&one.motor) != first);
     let others: Vec<Setting> = others.cloned().collect();
     let drive = Drive::new(model, compiled, None, Span::default(), &others)?;

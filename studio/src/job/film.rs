@@ -73,11 +73,7 @@ impl Film {
         let Analysed { model, compiled } = &analysed;
         let motor = self.motor.as_deref();
         let drive = Drive::new(model, compiled, motor, self.span, &self.picture.at)?;
-        let drive = if self.span.to.is_none() {
-            drive.completed(model, compiled)
-        } else {
-            drive
-        };
+        let drive = if self.span.to.is_none() { drive.completed(model, compiled) } else { drive };
         if let Some([from, to]) = drive.open_times().filter(|_| self.span.to.is_none()) {
             listener.note(&format!(
                 "no time is known after which all is back: the film is from t = {from} to {to}; say others by `--from` and `--to`"
@@ -86,12 +82,8 @@ impl Film {
         let parts = self.parts(drive.is_cyclic(model));
         let sitter = self.picture.sitter(analysed, Some([&drive; 2]), &parts)?;
         drive.attempt(|drive| {
-            let mut shoot = Shoot {
-                sitter: &sitter,
-                drive,
-                parts: &parts,
-                listener: &mut *listener,
-            };
+            let mut shoot =
+                Shoot { sitter: &sitter, drive, parts: &parts, listener: &mut *listener };
             match self.kind {
                 FilmKind::Gif => self.gif(&mut shoot),
                 FilmKind::Apng => self.apng(&mut shoot),
@@ -108,11 +100,7 @@ impl Film {
         };
         let parts = (0..frames).map(|number| {
             let time = f64::from(number) / f64::from(frames);
-            if is_cyclic {
-                time
-            } else {
-                0.5 - 0.5 * (2.0 * PI * time).cos()
-            }
+            if is_cyclic { time } else { 0.5 - 0.5 * (2.0 * PI * time).cos() }
         });
         parts.collect()
     }
@@ -204,11 +192,10 @@ impl Shoot<'_> {
     ) -> Result<(), Failure> {
         let Analysed { model, compiled } = &self.sitter.analysed;
         let mut poses = vec![Vec::new(); self.parts.len()];
-        self.drive
-            .visit(model, compiled, self.parts, |number, at| {
-                poses[number].clone_from(&at.poses);
-                Ok(())
-            })?;
+        self.drive.visit(model, compiled, self.parts, |number, at| {
+            poses[number].clone_from(&at.poses);
+            Ok(())
+        })?;
         let mut paths = Paths::new(model, compiled)?;
         if !paths.is_empty() {
             for poses in &poses {

@@ -113,11 +113,10 @@ impl Job {
             Self::Draw(draw) => draw.run(analysed),
             Self::Film(film) => film.run(analysed, listener),
             Self::Table(measure) => Ok(table::csv(&measure.table(&analysed)?).into_bytes()),
-            Self::Summary(measure) => Ok(table::summaries(
-                &measure.summaries(&analysed)?,
-                analysed.model.precision,
-            )
-            .into_bytes()),
+            Self::Summary(measure) => {
+                Ok(table::summaries(&measure.summaries(&analysed)?, analysed.model.precision)
+                    .into_bytes())
+            }
             Self::Plot(plot) => plot.run(&analysed),
             Self::Rest(rest) => Ok(rest.run(&analysed)?.into_bytes()),
             Self::Report => {

@@ -39,10 +39,7 @@ pub(crate) struct Size {
 
 impl Default for Size {
     fn default() -> Self {
-        Self {
-            width: 800,
-            height: None,
-        }
+        Self { width: 800, height: None }
     }
 }
 
@@ -74,13 +71,8 @@ impl Picture {
         if self.names {
             painting = painting.with_names(model, compiled);
         }
-        let filmed = drives.map(|[drive, whole]| Filmed {
-            model,
-            drive,
-            whole,
-            parts,
-            loads: &self.loads,
-        });
+        let filmed =
+            drives.map(|[drive, whole]| Filmed { model, drive, whole, parts, loads: &self.loads });
         let board = match &filmed {
             Some(filmed) => Board::new(&self.constructions, filmed, painting.extent())?,
             None => Board::empty(painting.extent()),
@@ -88,22 +80,11 @@ impl Picture {
         painting = painting.with_extent(board.extent());
         let Size { width, height } = self.size;
         let size = [width, height.unwrap_or_else(|| painting.height(width))];
-        let palette = if self.night {
-            Palette::NIGHT
-        } else {
-            Palette::TEXTBOOK
-        };
+        let palette = if self.night { Palette::NIGHT } else { Palette::TEXTBOOK };
         let sheet = Sheet::new(size[0], size[1])
             .look_at(painting.view(size))
             .palette(palette.clone())
             .title(&model.name);
-        Ok(Sitter {
-            analysed,
-            painting,
-            board,
-            sheet,
-            size,
-            palette,
-        })
+        Ok(Sitter { analysed, painting, board, sheet, size, palette })
     }
 }

@@ -18,20 +18,14 @@ pub(crate) struct Rest {
 
 impl Rest {
     pub(super) fn run(&self, analysed: &Analysed) -> Result<String, Failure> {
-        let mut model = Model {
-            show: None,
-            precision: Precision::F64,
-            ..analysed.model.clone()
-        };
+        let mut model = Model { show: None, precision: Precision::F64, ..analysed.model.clone() };
         model.effects.force = true;
         let compiled = compiled(&model)?;
         let held = self.at.iter().map(|setting| setting.resolve(&model));
         let held = held.collect::<Result<Vec<_>, _>>()?;
         let is_held = |motor: &MotorId| held.iter().any(|(own, _)| own == motor);
         let is_driven = |motor: &MotorId| model.lawful_motors().any(|(own, _)| own == *motor);
-        let free = model
-            .motor_ids()
-            .filter(|motor| !is_held(motor) && !is_driven(motor));
+        let free = model.motor_ids().filter(|motor| !is_held(motor) && !is_driven(motor));
         let free: Vec<MotorId> = free.collect();
         if free.is_empty() {
             return Err(Failure::usage(

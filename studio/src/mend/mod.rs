@@ -43,12 +43,7 @@ pub fn mendings(
     declaration: &Declaration,
     reading: &Reading,
 ) -> Result<Vec<Mending>, Failure> {
-    let Err(Faults {
-        offers,
-        diagnoses,
-        messages,
-    }) = &reading.result
-    else {
+    let Err(Faults { offers, diagnoses, messages }) = &reading.result else {
         return Ok(Vec::new());
     };
     if diagnoses.is_empty() {
@@ -68,11 +63,7 @@ pub fn mendings(
         if tree.model_with(&edits)?.is_some() {
             let text = document.source().text();
             let text = written(text, &tree.replacements(text, &edits));
-            found.push(Mending {
-                words,
-                remainder,
-                text,
-            });
+            found.push(Mending { words, remainder, text });
         }
         Ok::<(), Failure>(())
     };

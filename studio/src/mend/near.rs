@@ -19,10 +19,7 @@ pub(super) struct Slip {
 
 impl Slip {
     fn new(words: String, range: Range<usize>, text: impl Into<String>) -> Self {
-        Self {
-            words,
-            edits: vec![Replacement::new(range, text)],
-        }
+        Self { words, edits: vec![Replacement::new(range, text)] }
     }
 }
 
@@ -41,17 +38,11 @@ impl<'t> Near<'t> {
         let words = tokens.iter().filter(|token| token.kind == Kind::Word);
         let words = words.map(|token| &text[token.start..token.end]);
         let words = words.filter(|word| !word.starts_with(|first: char| first.is_ascii_digit()));
-        Some(Self {
-            words: words.chain(KEYWORDS.split_whitespace()).collect(),
-            text,
-            tokens,
-        })
+        Some(Self { words: words.chain(KEYWORDS.split_whitespace()).collect(), text, tokens })
     }
 
     fn word(&self, token: usize) -> &'t str {
-        self.tokens
-            .get(token)
-            .map_or("", |token| &self.text[token.start..token.end])
+        self.tokens.get(token).map_or("", |token| &self.text[token.start..token.end])
     }
 
     fn range(&self, tokens: Range<usize>) -> Range<usize> {
@@ -65,9 +56,7 @@ impl<'t> Near<'t> {
 
     /// The changes near the place of a message, the likeliest first.
     pub(super) fn slips(&self, Message { place, text }: &Message) -> Vec<Slip> {
-        let first = self
-            .tokens
-            .partition_point(|token| token.end <= place.start);
+        let first = self.tokens.partition_point(|token| token.end <= place.start);
         let end = self.tokens.partition_point(|token| token.start < place.end);
         if first >= self.tokens.len() {
             return Vec::new();
@@ -85,11 +74,7 @@ impl<'t> Near<'t> {
         let around = first.saturating_sub(2)..(last + 3).min(self.tokens.len());
         let mut around: Vec<usize> = around.collect();
         around.sort_by_key(|token| {
-            if *token < first {
-                2 * (first - token)
-            } else {
-                2 * (token - first) + 1
-            }
+            if *token < first { 2 * (first - token) } else { 2 * (token - first) + 1 }
         });
         slips.extend(self.commas(&around, &statement));
         for &token in &around {
@@ -168,10 +153,8 @@ impl<'t> Near<'t> {
 
     /// Brackets around the numbers of a place: `at 1, 2`.
     fn bracketed_place(&self, first: usize) -> Option<Slip> {
-        let is_number = |token: usize| {
-            self.word(token)
-                .starts_with(|first: char| first.is_ascii_digit())
-        };
+        let is_number =
+            |token: usize| self.word(token).starts_with(|first: char| first.is_ascii_digit());
         let goes_on =
             |token: &usize| is_number(*token) || [".", ",", "-"].contains(&self.word(*token));
         let end = (first..self.tokens.len()).find(|token| !goes_on(token))?;
@@ -202,15 +185,10 @@ impl<'t> Near<'t> {
         }
         let declared =
             (1..self.tokens.len()).filter(|token| DECLARING.contains(&self.word(token - 1)));
-        let mut names: Vec<&str> = declared
-            .map(|token| self.word(token))
-            .chain(["ground"])
-            .collect();
+        let mut names: Vec<&str> =
+            declared.map(|token| self.word(token)).chain(["ground"]).collect();
         names.retain(|name| *name != self.word(token));
-        names
-            .into_iter()
-            .map(|name| self.replaced(token..token + 1, name))
-            .collect()
+        names.into_iter().map(|name| self.replaced(token..token + 1, name)).collect()
     }
 
     fn statement(&self, token: usize) -> Range<usize> {
@@ -230,18 +208,11 @@ impl<'t> Near<'t> {
         let range = self.range(tokens.clone());
         let words = format!(
             "remove `{}`",
-            self.text[range.clone()]
-                .split_whitespace()
-                .collect::<Vec<_>>()
-                .join(" ")
+            self.text[range.clone()].split_whitespace().collect::<Vec<_>>().join(" ")
         );
         // The spaces before it go with it.
         let before = self.text[..range.start].trim_end_matches(' ').len();
-        let start = if self.text[..before].ends_with('\n') {
-            range.start
-        } else {
-            before
-        };
+        let start = if self.text[..before].ends_with('\n') { range.start } else { before };
         Slip::new(words, start..range.end, "")
     }
 
@@ -250,10 +221,7 @@ impl<'t> Near<'t> {
         let word = self.word(token);
         let follows = token.checked_sub(1).map_or("", |before| self.word(before));
         if follows.starts_with(|first: char| first.is_ascii_digit()) && word != "deg" {
-            return vec![
-                self.replaced(token..token + 1, "deg"),
-                self.without(token..token + 1),
-            ];
+            return vec![self.replaced(token..token + 1, "deg"), self.without(token..token + 1)];
         }
         let others = self.words.iter().copied().filter(|other| *other != word);
         let mut alike = spelling::alike(word, others);
@@ -266,18 +234,12 @@ impl<'t> Near<'t> {
         };
         let all = (0..self.tokens.len()).filter(|token| self.word(*token) == word);
         let count = all.count();
-        let here = alike
-            .iter()
-            .map(|other| self.replaced(token..token + 1, other));
+        let here = alike.iter().map(|other| self.replaced(token..token + 1, other));
         let there = alike
             .iter()
             .filter_map(|name| single(name))
             .map(|other| self.replaced(other..other + 1, word));
-        if count > 1 {
-            there.chain(here).collect()
-        } else {
-            here.chain(there).collect()
-        }
+        if count > 1 { there.chain(here).collect() } else { here.chain(there).collect() }
     }
 
     /// A declaration of a name that has none.
@@ -287,11 +249,7 @@ impl<'t> Near<'t> {
         let at = self.tokens[statement.start].start;
         let line = self.text[..at].rfind('\n').map_or(0, |end| end + 1);
         let before = &self.text[line..at];
-        let gap = if before.trim().is_empty() {
-            format!("\n{before}")
-        } else {
-            " ".to_owned()
-        };
+        let gap = if before.trim().is_empty() { format!("\n{before}") } else { " ".to_owned() };
         let is_name = !is_keyword(word);
         is_name.then(|| Slip::new(format!("add `{text}`"), at..at, format!("{text}{gap}")))
     }
@@ -306,10 +264,7 @@ impl<'t> Near<'t> {
         let commas = statement.clone().filter(|token| self.word(*token) == ",");
         let edits = commas
             .map(|token| Replacement::new(self.range(token..token + 1), format!("; {keyword}")));
-        Some(Slip {
-            words: format!("write `{keyword}` for each of them"),
-            edits: edits.collect(),
-        })
+        Some(Slip { words: format!("write `{keyword}` for each of them"), edits: edits.collect() })
     }
 
     /// Another mark in the place of one.
@@ -319,11 +274,8 @@ impl<'t> Near<'t> {
             return Vec::new();
         }
         // Marks of several letters are several tokens.
-        let is_mark = |token: usize| {
-            self.tokens
-                .get(token)
-                .is_some_and(|token| token.kind == Kind::Mark)
-        };
+        let is_mark =
+            |token: usize| self.tokens.get(token).is_some_and(|token| token.kind == Kind::Mark);
         let joined =
             |token: usize| is_mark(token) && self.tokens[token].start == self.tokens[token - 1].end;
         let (mut first, mut end) = (token, token + 1);
@@ -347,9 +299,7 @@ impl<'t> Near<'t> {
         let Some(closing) = closing(&self.tokens, token) else {
             return Vec::new();
         };
-        let others = BRACKETS
-            .into_iter()
-            .filter(|[open, _]| *open != self.word(token));
+        let others = BRACKETS.into_iter().filter(|[open, _]| *open != self.word(token));
         let slip = |[open, close]: [&str; 2]| {
             let edit =
                 |token: usize, text: &str| Replacement::new(self.range(token..token + 1), text);
@@ -367,9 +317,8 @@ impl<'t> Near<'t> {
 
     /// What may be missing before a token.
     fn missing(&self, token: usize, all: &[&str]) -> Vec<Slip> {
-        let before = token
-            .checked_sub(1)
-            .map_or(self.tokens[token].start, |before| self.tokens[before].end);
+        let before =
+            token.checked_sub(1).map_or(self.tokens[token].start, |before| self.tokens[before].end);
         let slip = |text: &&str| {
             // A mark or a unit stands at what is before, a word before what follows.
             let stays = text.trim_start().len() < text.len()
@@ -413,8 +362,6 @@ impl<'t> Near<'t> {
             return Vec::new();
         }
         let words = WORDS.into_iter().filter(|word| *word != self.word(token));
-        words
-            .map(|word| self.replaced(token..token + 1, word))
-            .collect()
+        words.map(|word| self.replaced(token..token + 1, word)).collect()
     }
 }

@@ -85,18 +85,13 @@ impl<'d> Trials<'d> {
         let follows = source.text()[range.end..].split_whitespace().next();
         let words = match (before, &*change.text) {
             _ if is_long => "write it with the signs of the keyboard".to_owned(),
-            ("", text) => format!(
-                "write `{}` before `{}`",
-                text.trim(),
-                follows.unwrap_or("the end")
-            ),
+            ("", text) => {
+                format!("write `{}` before `{}`", text.trim(), follows.unwrap_or("the end"))
+            }
             (before, "") => format!("remove `{before}`"),
             (before, text) => format!("write `{text}` for `{before}`"),
         };
-        self.attempt(Slip {
-            words,
-            edits: vec![change],
-        })
+        self.attempt(Slip { words, edits: vec![change] })
     }
 
     /// Makes a change, and looks at what comes of it.

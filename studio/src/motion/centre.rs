@@ -15,10 +15,7 @@ pub(crate) struct PlaneMotion {
 impl PlaneMotion {
     /// The motion of a link at a pose, from the rates of its angle and of its own origin.
     pub(crate) fn new([turning, x, y]: [f64; 3], pose: Pose<f64>) -> Self {
-        Self {
-            turning,
-            origin: [x + turning * pose.y, y - turning * pose.x],
-        }
+        Self { turning, origin: [x + turning * pose.y, y - turning * pose.x] }
     }
 
     /// The place in the scene at which two links move as one; none if they turn at the same rate, as it is at infinity then.

@@ -80,13 +80,7 @@ impl Drive {
                 )
             }
         };
-        Ok(Self {
-            base,
-            kind: Kind::Motor(motor),
-            ends,
-            found,
-            led: None,
-        })
+        Ok(Self { base, kind: Kind::Motor(motor), ends, found, led: None })
     }
 
     /// The motion of one motor through a reach that is known, the others as they are.
@@ -132,12 +126,7 @@ impl Drive {
         let whole = whole.map(|(value, turns)| value + TAU * f64::from(*turns));
         let base: Vec<f64> = whole.take(model.motors.len()).collect();
         let end = standing.motor().map_or(0.0, |motor| base[motor.index()]);
-        Ok(Self {
-            ends: [end; 2],
-            led: Some((goal.clone(), standing.base)),
-            base,
-            ..standing
-        })
+        Ok(Self { ends: [end; 2], led: Some((goal.clone(), standing.base)), base, ..standing })
     }
 
     /// The values of all motors before it, as they are set.
@@ -154,9 +143,7 @@ impl Drive {
         const STEPS: u32 = 360;
         let from = span.from.map_or(0.0, |end| end.number);
         let drive = |period: Option<f64>| {
-            let to = span
-                .to
-                .map_or(from + period.unwrap_or(1.0), |end| end.number);
+            let to = span.to.map_or(from + period.unwrap_or(1.0), |end| end.number);
             Self {
                 base: base.to_vec(),
                 kind: Kind::Laws(period),
@@ -207,10 +194,7 @@ impl Drive {
         let [from, to] = self.ends;
         let width = hair * (to - from);
         let moved = [from + width, to - width];
-        let is_start = |end: f64| {
-            self.motor()
-                .is_some_and(|one| self.base[one.index()] == end)
-        };
+        let is_start = |end: f64| self.motor().is_some_and(|one| self.base[one.index()] == end);
         let end = |side: usize| {
             if self.found[side] && !is_start(self.ends[side]) {
                 moved[side]
@@ -218,10 +202,7 @@ impl Drive {
                 self.ends[side]
             }
         };
-        Self {
-            ends: [end(0), end(1)],
-            ..self.clone()
-        }
+        Self { ends: [end(0), end(1)], ..self.clone() }
     }
 
     /// The motor that moves alone, if one does.
@@ -256,11 +237,7 @@ impl Drive {
             reason = "a few turns, else the most"
         )]
         let turns = turns as u32;
-        if self.is_cyclic(model) {
-            turns.max(1)
-        } else {
-            1
-        }
+        if self.is_cyclic(model) { turns.max(1) } else { 1 }
     }
 
     /// The same over so many turns, or periods of laws, that everything comes back to where it was, behind gears, too; as it is, if nothing
@@ -351,12 +328,7 @@ impl Drive {
                 }
             }
         }
-        Moment {
-            by,
-            time,
-            values,
-            rates,
-        }
+        Moment { by, time, values, rates }
     }
 
     /// Moves a mechanism to a part of the motion.
@@ -480,10 +452,7 @@ fn moving_motor(
 /// Whether links with these poses are seen at the same places.
 fn are_near(a: &[[f64; 4]], b: &[[f64; 4]]) -> bool {
     const NEAR: f64 = 1e-6;
-    let size = a
-        .iter()
-        .flatten()
-        .fold(1.0, |size: f64, part| size.max(part.abs()));
+    let size = a.iter().flatten().fold(1.0, |size: f64, part| size.max(part.abs()));
     let pairs = a.iter().flatten().zip(b.iter().flatten());
     pairs.into_iter().all(|(a, b)| (a - b).abs() < NEAR * size)
 }

@@ -36,10 +36,7 @@ impl Goal {
             } else {
                 "it has no statement as `follow pen.tip by a, b;`"
             };
-            return Err(Failure::usage(format!(
-                "`{}` leads no point: {why}",
-                model.name
-            )));
+            return Err(Failure::usage(format!("`{}` leads no point: {why}", model.name)));
         };
         let name = inverse.name(model);
         let Self(mut place) = self.clone();
@@ -74,9 +71,7 @@ pub(super) fn stopped_on_path(
 ) -> Failure {
     let what = model.inverse.as_ref().map(|inverse| inverse.name(model));
     let (what, why) = (what.unwrap_or_default(), unreachable(model, compiled, why));
-    Failure::mechanism(format!(
-        "`{what}` cannot follow its path until t = {time}: {why}"
-    ))
+    Failure::mechanism(format!("`{what}` cannot follow its path until t = {time}: {why}"))
 }
 
 /// Describes why a point does not come to a place.

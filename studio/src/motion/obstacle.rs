@@ -24,10 +24,9 @@ pub(crate) fn obstacle(model: &Model, compiled: &Compiled, stop: Stop) -> String
         Stop::TooFar => "that is too far for one move".to_owned(),
         Stop::Overflow => "a coordinate becomes too large there".to_owned(),
         Stop::NotFinite(motor) => match model.motors.get(motor) {
-            Some(motor) => format!(
-                "the value of motor `{}` is not finite",
-                model.joint(motor.joint).name
-            ),
+            Some(motor) => {
+                format!("the value of motor `{}` is not finite", model.joint(motor.joint).name)
+            }
             None => "a param is not finite".to_owned(),
         },
         Stop::MotorCount | Stop::Unasked => "the program was not asked for that".to_owned(),
@@ -36,15 +35,9 @@ pub(crate) fn obstacle(model: &Model, compiled: &Compiled, stop: Stop) -> String
 
 fn ring_name(model: &Model, compiled: &Compiled, number: Option<usize>) -> String {
     let joints = joints_of_ring(model, compiled, number);
-    let names: Vec<String> = joints
-        .iter()
-        .map(|joint| format!("`{}`", model.joint(*joint).name))
-        .collect();
-    if names.is_empty() {
-        "a loop".to_owned()
-    } else {
-        format!("the loop of {}", names.join(", "))
-    }
+    let names: Vec<String> =
+        joints.iter().map(|joint| format!("`{}`", model.joint(*joint).name)).collect();
+    if names.is_empty() { "a loop".to_owned() } else { format!("the loop of {}", names.join(", ")) }
 }
 
 /// The joints of the loop that keeps a mechanism from going on; none if it is no loop that does.

@@ -44,10 +44,7 @@ impl Paths {
             })
         };
         let paths: Result<_, Failure> = model.traces.iter().map(path).collect();
-        Ok(Self {
-            precision: model.precision,
-            all: paths?,
-        })
+        Ok(Self { precision: model.precision, all: paths? })
     }
 
     /// The same, of which nothing is forgotten, however short a trace is declared.

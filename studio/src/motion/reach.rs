@@ -49,21 +49,14 @@ impl Reach {
         /// The farthest that a slide is tried, in sizes of the mechanism: nothing in a closed loop goes farther.
         const FAR: f64 = 16.0;
         if let Some(ends) = range_of(model, motor) {
-            return Ok(Self {
-                ends,
-                basis: Basis::Declared,
-                stops: [None; 2],
-            });
+            return Ok(Self { ends, basis: Basis::Declared, stops: [None; 2] });
         }
         let start = base[motor.index()];
         if model.turns(model.motor(motor).joint) {
             let mut found = walked(model, compiled, motor, base, TAU)?;
             if found.stops[1].is_none() {
-                found = Self {
-                    ends: [start, found.ends[1]],
-                    basis: Basis::Round,
-                    stops: [None; 2],
-                };
+                found =
+                    Self { ends: [start, found.ends[1]], basis: Basis::Round, stops: [None; 2] };
             }
             return Ok(found);
         }
@@ -122,11 +115,7 @@ fn walked(
     };
     let (low, below) = end(-distance)?;
     let (high, above) = end(distance)?;
-    Ok(Reach {
-        ends: [low, high],
-        basis: Basis::Walked,
-        stops: [below, above],
-    })
+    Ok(Reach { ends: [low, high], basis: Basis::Walked, stops: [below, above] })
 }
 
 /// The greatest part of a way that can be gone at once. A move that was meant to go farther may have come a little farther: where loops are

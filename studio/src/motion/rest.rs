@@ -64,10 +64,7 @@ pub(crate) fn find_rest(
         return Err(Failure::internal("forces have no program that holds"));
     };
     let count = model.motors.len();
-    let units: Vec<f64> = model
-        .motor_ids()
-        .map(|motor| model.unit_of(motor))
-        .collect();
+    let units: Vec<f64> = model.motor_ids().map(|motor| model.unit_of(motor)).collect();
     let here = machine.position().motors;
     let ends = model.motor_ids().map(|motor| {
         if free.contains(&motor) {
@@ -77,12 +74,8 @@ pub(crate) fn find_rest(
         }
     });
     let ends: Vec<[f64; 2]> = ends.collect();
-    let mut falling = Falling {
-        machine,
-        holding: Mover::of(model, program),
-        loads,
-        still: &vec![0.0; count],
-    };
+    let mut falling =
+        Falling { machine, holding: Mover::of(model, program), loads, still: &vec![0.0; count] };
     let mut rows = vec![vec![0.0; count]; count];
     match rest::fall(&mut falling, &units, &ends, &mut rows) {
         Ok(torques) => Ok(Rest {

@@ -36,10 +36,7 @@ pub(crate) struct Typed {
 
 impl From<f64> for Typed {
     fn from(number: f64) -> Self {
-        Self {
-            number,
-            is_angle: false,
-        }
+        Self { number, is_angle: false }
     }
 }
 
@@ -49,10 +46,7 @@ impl std::str::FromStr for Typed {
     fn from_str(text: &str) -> Result<Self, String> {
         let text = text.trim();
         let angle = text.strip_suffix("deg").or(text.strip_suffix('°'));
-        Ok(Self {
-            number: read_value(angle.unwrap_or(text))?,
-            is_angle: angle.is_some(),
-        })
+        Ok(Self { number: read_value(angle.unwrap_or(text))?, is_angle: angle.is_some() })
     }
 }
 
@@ -74,13 +68,9 @@ impl std::str::FromStr for Setting {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let (motor, value) = text
-            .split_once('=')
-            .ok_or("expected a motor and its value, as `a=30`")?;
-        Ok(Self {
-            motor: motor.trim().to_owned(),
-            value: value.parse()?,
-        })
+        let (motor, value) =
+            text.split_once('=').ok_or("expected a motor and its value, as `a=30`")?;
+        Ok(Self { motor: motor.trim().to_owned(), value: value.parse()? })
     }
 }
 
@@ -121,15 +111,8 @@ pub(crate) struct Span {
 
 /// A finite number.
 pub(crate) fn read_value(text: &str) -> Result<f64, String> {
-    let value: f64 = text
-        .trim()
-        .parse()
-        .map_err(|_| format!("`{text}` is not a number"))?;
-    if value.is_finite() {
-        Ok(value)
-    } else {
-        Err(format!("`{text}` is not finite"))
-    }
+    let value: f64 = text.trim().parse().map_err(|_| format!("`{text}` is not a number"))?;
+    if value.is_finite() { Ok(value) } else { Err(format!("`{text}` is not finite")) }
 }
 
 /// A value of a motor that is in its declared range. What is outside by rounding alone is at its end.
@@ -155,21 +138,13 @@ pub(crate) fn motor_of(model: &Model, name: &str) -> Result<MotorId, Failure> {
     model.motor_ids().find(named).ok_or_else(|| {
         let motors = model.motors.iter();
         let names = motors.map(|motor| &model.joint(motor.joint).name);
-        Failure::usage(format!(
-            "`{}` has no motor `{name}`; it has {}",
-            model.name,
-            quoted(names)
-        ))
+        Failure::usage(format!("`{}` has no motor `{name}`; it has {}", model.name, quoted(names)))
     })
 }
 
 /// A coordinate as it is shown, in radians or scene units.
 pub(super) fn from_shown(model: &Model, joint: JointId, value: f64) -> f64 {
-    if model.turns(joint) {
-        value.to_radians()
-    } else {
-        value
-    }
+    if model.turns(joint) { value.to_radians() } else { value }
 }
 
 /// The unit in which a coordinate is shown.
@@ -179,11 +154,7 @@ pub(crate) fn unit_of(model: &Model, joint: JointId) -> &'static str {
 
 /// A coordinate in its unit.
 pub(crate) fn shown(model: &Model, joint: JointId, value: f64) -> f64 {
-    if model.turns(joint) {
-        value.to_degrees()
-    } else {
-        value
-    }
+    if model.turns(joint) { value.to_degrees() } else { value }
 }
 
 /// A coordinate with its unit, rounded for a reader.

@@ -44,9 +44,7 @@ impl<'m> Trajectory<'m> {
     pub(super) fn follow(self, base: &[f64], time: f64) -> Followed {
         /// In so many steps it goes along.
         const STEPS: u32 = 16;
-        let Self {
-            model, compiled, ..
-        } = self;
+        let Self { model, compiled, .. } = self;
         let params: Vec<f64> = model.params.values().collect();
         let period = model.period();
         let end = period.map_or(time, |period| time.rem_euclid(period));
@@ -60,11 +58,7 @@ impl<'m> Trajectory<'m> {
             let place: Vec<f64> = given.map(|[value, ..]| value).collect();
             stop = stop.or_else(|| machine.lead(model, compiled, &mut inverse, &place).err());
         }
-        Followed {
-            position: machine.position(),
-            given: self.timing.at(end, &params),
-            stop,
-        }
+        Followed { position: machine.position(), given: self.timing.at(end, &params), stop }
     }
 
     /// The values of the motors there, over whole turns.
@@ -77,9 +71,7 @@ impl<'m> Trajectory<'m> {
 
     /// The rates and second rates of the motors there, at which what is given has its own, if those of links are computed.
     pub(super) fn rates(self, there: &Followed) -> [Vec<f64>; 2] {
-        let Followed {
-            position, given, ..
-        } = there;
+        let Followed { position, given, .. } = there;
         let rest = vec![0.0; self.model.motors.len()];
         let Some(moving) = &self.compiled.moving else {
             return [rest.clone(), rest];

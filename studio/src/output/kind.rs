@@ -10,18 +10,12 @@ pub(crate) enum OutputKind {
     Svg,
     Csv,
     Dot,
-    #[cfg_attr(
-        not(feature = "editor"),
-        expect(dead_code, reason = "the window writes it")
-    )]
+    #[cfg_attr(not(feature = "editor"), expect(dead_code, reason = "the window writes it"))]
     Report,
     /// The text of a mechanism, in a file of its own or in Rust.
     Mechanism,
     /// A mechanism that was written as Rust.
-    #[cfg_attr(
-        not(feature = "editor"),
-        expect(dead_code, reason = "the window writes it")
-    )]
+    #[cfg_attr(not(feature = "editor"), expect(dead_code, reason = "the window writes it"))]
     Rust,
 }
 
@@ -105,9 +99,7 @@ pub(crate) struct Output {
 /// Whether the name of a file has one of these endings, in letters of any size.
 pub(crate) fn ends_in(path: &Path, endings: &[&str]) -> bool {
     let ending = path.extension().unwrap_or_default();
-    endings
-        .iter()
-        .any(|known| ending.eq_ignore_ascii_case(known))
+    endings.iter().any(|known| ending.eq_ignore_ascii_case(known))
 }
 
 /// What a file may take the place of.
@@ -159,18 +151,10 @@ mod tests {
     #[test]
     fn a_kind_is_known_by_its_first_bytes() {
         for (kind, is, is_not) in [
-            (
-                OutputKind::Png,
-                &b"\x89PNG\r\n\x1a\n\0"[..],
-                &b"\x89PNG"[..],
-            ),
+            (OutputKind::Png, &b"\x89PNG\r\n\x1a\n\0"[..], &b"\x89PNG"[..]),
             (OutputKind::Gif, b"GIF89a", b"GIF"),
             (OutputKind::Svg, b"\xef\xbb\xbf\n<?xml ", b"<html><svg"),
-            (
-                OutputKind::Csv,
-                b"motor a [deg],b [deg]\n0,1\n",
-                b"name,[unit]\n",
-            ),
+            (OutputKind::Csv, b"motor a [deg],b [deg]\n0,1\n", b"name,[unit]\n"),
             (OutputKind::Csv, b"t [s]", b"t\n[s]"),
             (OutputKind::Dot, b"graph A {", b"graphic"),
             (OutputKind::Report, b"A\n  mobility  1 = 3", b"A\nmobility"),

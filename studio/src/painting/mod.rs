@@ -85,10 +85,7 @@ impl Painting {
 
     /// The same in a view that has room for the bodies of all links, which a diagram is not wider than.
     pub(crate) fn with_room_for_bodies(mut self, model: &Model, compiled: &Compiled) -> Self {
-        let bodies = Model {
-            look: Some(Look::Machine),
-            ..model.clone()
-        };
+        let bodies = Model { look: Some(Look::Machine), ..model.clone() };
         let [low, high] = looks(&bodies, compiled).extent(&bodies, compiled);
         for part in 0..2 {
             self.extent[0][part] = self.extent[0][part].min(low[part]);
@@ -120,11 +117,7 @@ impl Painting {
     pub(crate) fn height(&self, width: usize) -> usize {
         let [low, high] = self.extent;
         let ratio = (high[1] - low[1]) / (high[0] - low[0]);
-        let ratio = if ratio.is_finite() {
-            ratio.clamp(0.4, 1.5)
-        } else {
-            1.0
-        };
+        let ratio = if ratio.is_finite() { ratio.clamp(0.4, 1.5) } else { 1.0 };
         #[expect(
             clippy::cast_precision_loss,
             clippy::cast_possible_truncation,

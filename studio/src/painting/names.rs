@@ -34,17 +34,10 @@ impl Label {
         });
         for (link, at, name) in joints {
             // Of several joints in one place each is named.
-            let known = labels
-                .iter_mut()
-                .find(|label| label.link == link && label.at == at);
+            let known = labels.iter_mut().find(|label| label.link == link && label.at == at);
             match known {
                 Some(label) => label.text += &format!(", {name}"),
-                None => labels.push(Self {
-                    link,
-                    at,
-                    away: ABOVE,
-                    text: name.clone(),
-                }),
+                None => labels.push(Self { link, at, away: ABOVE, text: name.clone() }),
             }
         }
         labels.extend(model.declared_links().filter_map(|link| {
@@ -78,12 +71,8 @@ fn midst(model: &Model, link: LinkId) -> Option<([f64; 2], [f64; 2])> {
             places.push(axis.at);
         }
     }
-    let count = u32::try_from(places.len())
-        .ok()
-        .filter(|count| *count > 0)?;
-    let sum = places
-        .iter()
-        .fold([0.0; 2], |[x, y], [dx, dy]| [x + dx, y + dy]);
+    let count = u32::try_from(places.len()).ok().filter(|count| *count > 0)?;
+    let sum = places.iter().fold([0.0; 2], |[x, y], [dx, dy]| [x + dx, y + dy]);
     let away = if count == 1 { BELOW } else { THERE };
     Some((sum.map(|part| part / f64::from(count)), away))
 }

@@ -25,12 +25,7 @@ impl Camera {
     #[must_use]
     pub fn new(bounds: [[f64; 2]; 2], size: [usize; 2]) -> Self {
         let view = fit_motion(bounds, size);
-        Self {
-            bounds,
-            size,
-            view,
-            fits: true,
-        }
+        Self { bounds, size, view, fits: true }
     }
 
     /// Shows the whole motion again.
@@ -94,10 +89,7 @@ impl Camera {
         let [x, y] = self.view.center();
         let [width, height] = self.extent();
         let scale = self.view.scale();
-        [
-            x + (pixel[0] - width / 2.0) / scale,
-            y - (pixel[1] - height / 2.0) / scale,
-        ]
+        [x + (pixel[0] - width / 2.0) / scale, y - (pixel[1] - height / 2.0) / scale]
     }
 
     /// The pixel of a place in the scene.
@@ -106,10 +98,7 @@ impl Camera {
         let [x, y] = self.view.center();
         let [width, height] = self.extent();
         let scale = self.view.scale();
-        [
-            width / 2.0 + (place[0] - x) * scale,
-            height / 2.0 - (place[1] - y) * scale,
-        ]
+        [width / 2.0 + (place[0] - x) * scale, height / 2.0 - (place[1] - y) * scale]
     }
 
     /// The present view.

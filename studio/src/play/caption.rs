@@ -4,10 +4,7 @@
 /// line is broken between its words.
 #[must_use]
 pub(super) fn wrap(phrases: &[String], columns: usize) -> Vec<String> {
-    let mut lines = Lines {
-        lines: Vec::new(),
-        columns,
-    };
+    let mut lines = Lines { lines: Vec::new(), columns };
     for phrase in phrases {
         if lines.fits(" · ", phrase) || length(phrase) <= columns {
             lines.add(" · ", phrase);
@@ -53,14 +50,6 @@ fn length(text: &str) -> usize {
 /// The text in letters that the rasteriser has.
 #[must_use]
 pub(super) fn plain(text: &str) -> String {
-    let pairs = [
-        ("← →", "left/right"),
-        ("↑ ↓", "up/down"),
-        ("…", "..."),
-        ("’", "'"),
-        ("—", "-"),
-    ];
-    pairs
-        .iter()
-        .fold(text.to_owned(), |text, (from, to)| text.replace(from, to))
+    let pairs = [("← →", "left/right"), ("↑ ↓", "up/down"), ("…", "..."), ("’", "'"), ("—", "-")];
+    pairs.iter().fold(text.to_owned(), |text, (from, to)| text.replace(from, to))
 }

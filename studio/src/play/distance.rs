@@ -7,11 +7,7 @@ pub(super) fn distance_to_shape(at: [f64; 2], outline: &Outline<'_, f64>) -> f64
     let from = |[x, y]: [f64; 2]| (at[0] - x).hypot(at[1] - y);
     let beyond = match *outline {
         Outline::Circle { center, radius } => from(center) - radius,
-        Outline::Ring {
-            center,
-            radius,
-            hole,
-        } => (from(center) - radius).max(hole - from(center)),
+        Outline::Ring { center, radius, hole } => (from(center) - radius).max(hole - from(center)),
         Outline::Polygon(corners) => distance_to_polygon(at, corners, |round| round % 2 != 0),
         Outline::Winding(corners) => distance_to_polygon(at, corners, |round| round != 0),
         Outline::Line { points, width } => {
@@ -20,12 +16,7 @@ pub(super) fn distance_to_shape(at: [f64; 2], outline: &Outline<'_, f64>) -> f64
             nearest(at, lines.chain(dots)) - width / 2.0
         }
         // However far it leads around: who presses within its circle means it.
-        Outline::Arc {
-            center,
-            start,
-            width,
-            ..
-        } => {
+        Outline::Arc { center, start, width, .. } => {
             let radius = (start[0] - center[0]).hypot(start[1] - center[1]);
             (from(center) - radius).abs() - width / 2.0
         }
@@ -59,9 +50,7 @@ fn crossing([x, y]: [f64; 2], [from, to]: [[f64; 2]; 2]) -> i32 {
 
 /// The distance of a place from the nearest of these lines.
 pub(super) fn nearest(at: [f64; 2], lines: impl Iterator<Item = [[f64; 2]; 2]>) -> f64 {
-    lines
-        .map(|line| distance_to_line(at, line))
-        .fold(f64::INFINITY, f64::min)
+    lines.map(|line| distance_to_line(at, line)).fold(f64::INFINITY, f64::min)
 }
 
 /// The distance of a place from a segment.

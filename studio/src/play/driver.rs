@@ -103,10 +103,7 @@ impl Driver {
                 let reaches = self.reaches.iter().enumerate();
                 let turns = |motor| if motor == driven { direction } else { 0.0 };
                 let first = reaches.map(|(motor, reach)| turns(motor) * reach / self.seconds);
-                Rates {
-                    first: first.collect(),
-                    second: Vec::new(),
-                }
+                Rates { first: first.collect(), second: Vec::new() }
             }
         }
     }
@@ -167,11 +164,7 @@ impl Selection {
     }
 
     const fn at(motor: usize, motors: usize) -> Self {
-        if motor < motors {
-            Self::Motor(motor)
-        } else {
-            Self::Motion
-        }
+        if motor < motors { Self::Motor(motor) } else { Self::Motion }
     }
 }
 
@@ -188,10 +181,7 @@ pub struct Pace {
 
 impl Default for Pace {
     fn default() -> Self {
-        Self {
-            speed: USUAL,
-            is_backward: false,
-        }
+        Self { speed: USUAL, is_backward: false }
     }
 }
 

@@ -102,10 +102,7 @@ impl Grip {
             let there = mechanism.place_toward(self.spot, &displace(motors, free, &unit, share))?;
             Some(difference(there, here).map(|part| part / share))
         };
-        Some(Influence {
-            back: moved(-PROBE)?,
-            forth: moved(PROBE)?,
-        })
+        Some(Influence { back: moved(-PROBE)?, forth: moved(PROBE)? })
     }
 }
 
@@ -140,11 +137,8 @@ impl Influence {
 
     /// Whether the motor is at a limit in the direction of this step.
     fn is_stuck(&self, step: f64) -> bool {
-        let [way, other] = if step > 0.0 {
-            [self.forth, self.back]
-        } else {
-            [self.back, self.forth]
-        };
+        let [way, other] =
+            if step > 0.0 { [self.forth, self.back] } else { [self.back, self.forth] };
         length(way) < 0.5 * length(other)
     }
 }
@@ -174,14 +168,9 @@ fn step(influences: &[Influence], offset: [f64; 2], rule: Rule) -> Option<Vec<f6
 
 /// The step by which the distance becomes smaller most steeply, as far as it is straight.
 fn steepest(influences: &[[f64; 2]], offset: [f64; 2]) -> Option<Vec<f64>> {
-    let slopes: Vec<f64> = influences
-        .iter()
-        .map(|j| j[0] * offset[0] + j[1] * offset[1])
-        .collect();
+    let slopes: Vec<f64> = influences.iter().map(|j| j[0] * offset[0] + j[1] * offset[1]).collect();
     let moved = influences.iter().zip(&slopes);
-    let [x, y] = moved.fold([0.0; 2], |[x, y], (j, slope)| {
-        [x + j[0] * slope, y + j[1] * slope]
-    });
+    let [x, y] = moved.fold([0.0; 2], |[x, y], (j, slope)| [x + j[0] * slope, y + j[1] * slope]);
     let part = (x * offset[0] + y * offset[1]) / (x * x + y * y);
     let step: Vec<f64> = slopes.iter().map(|slope| slope * part).collect();
     usable(&step)
@@ -191,11 +180,7 @@ fn steepest(influences: &[[f64; 2]], offset: [f64; 2]) -> Option<Vec<f64>> {
 fn least_squares(influences: &[[f64; 2]], offset: [f64; 2]) -> Option<Vec<f64>> {
     // (J Jᵀ + damping) f = displacement; then the step is Jᵀ f.
     let sum = |entry: fn([f64; 2]) -> f64| influences.iter().map(|&j| entry(j)).sum::<f64>();
-    let [xx, xy, yy] = [
-        sum(|j| j[0] * j[0]),
-        sum(|j| j[0] * j[1]),
-        sum(|j| j[1] * j[1]),
-    ];
+    let [xx, xy, yy] = [sum(|j| j[0] * j[0]), sum(|j| j[0] * j[1]), sum(|j| j[1] * j[1])];
     let damping = DAMPING * (xx + yy);
     let [xx, yy] = [xx + damping, yy + damping];
     let determinant = xx * yy - xy * xy;
@@ -203,18 +188,13 @@ fn least_squares(influences: &[[f64; 2]], offset: [f64; 2]) -> Option<Vec<f64>> 
         (yy * offset[0] - xy * offset[1]) / determinant,
         (xx * offset[1] - xy * offset[0]) / determinant,
     ];
-    let step: Vec<f64> = influences
-        .iter()
-        .map(|j| j[0] * force[0] + j[1] * force[1])
-        .collect();
+    let step: Vec<f64> = influences.iter().map(|j| j[0] * force[0] + j[1] * force[1]).collect();
     usable(&step)
 }
 
 /// A step that is not longer than the longest; none if it is no step.
 fn usable(step: &[f64]) -> Option<Vec<f64>> {
-    let longest = step
-        .iter()
-        .fold(0.0_f64, |most, share| most.max(share.abs()));
+    let longest = step.iter().fold(0.0_f64, |most, share| most.max(share.abs()));
     let share = (LONGEST / longest).min(1.0);
     let is_usable = longest > 0.0 && step.iter().all(|share| share.is_finite());
     is_usable.then(|| step.iter().map(|part| part * share).collect())

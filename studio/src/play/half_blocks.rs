@@ -50,12 +50,7 @@ fn line(rows: &[&[[u8; 4]]], depth: Depth) -> String {
                     write!(text, "\x1b[38;2;{r};{g};{b};48;2;{s};{h};{c}m")
                 }
                 Depth::Cube => {
-                    write!(
-                        text,
-                        "\x1b[38;5;{};48;5;{}m",
-                        entry([r, g, b]),
-                        entry([s, h, c])
-                    )
+                    write!(text, "\x1b[38;5;{};48;5;{}m", entry([r, g, b]), entry([s, h, c]))
                 }
             };
         }
@@ -80,13 +75,7 @@ fn entry(color: [u8; 3]) -> u8 {
     let grey = 8 + 10 * step;
     let distance = |other: [u8; 3]| -> u32 {
         let pairs = color.iter().zip(other);
-        pairs
-            .map(|(one, other)| u32::from(one.abs_diff(other)).pow(2))
-            .sum()
+        pairs.map(|(one, other)| u32::from(one.abs_diff(other)).pow(2)).sum()
     };
-    if distance([grey; 3]) < distance([red.1, green.1, blue.1]) {
-        232 + step
-    } else {
-        cube
-    }
+    if distance([grey; 3]) < distance([red.1, green.1, blue.1]) { 232 + step } else { cube }
 }

@@ -37,9 +37,7 @@ impl Key {
             Self::Char(letter) => Self::Char(letter.to_ascii_lowercase()),
             other => other,
         };
-        let binding = BINDINGS
-            .iter()
-            .find(|binding| binding.keys.contains(&key))?;
+        let binding = BINDINGS.iter().find(|binding| binding.keys.contains(&key))?;
         let place = binding.keys.iter().position(|&one| one == key)?;
         binding.controls.get(place).copied()
     }
@@ -58,37 +56,17 @@ const fn binding(
     keys: &'static [Key],
     controls: &'static [Control],
 ) -> Binding {
-    Binding {
-        keys,
-        controls,
-        label,
-        meaning,
-    }
+    Binding { keys, controls, label, meaning }
 }
 
 const BINDINGS: [Binding; 13] = [
-    binding(
-        "space",
-        "play or pause",
-        &[Key::Char(' ')],
-        &[Control::PlayOrPause],
-    ),
-    binding(
-        "← →",
-        "step",
-        &[Key::Left, Key::Right],
-        &[Control::Step(-1.0), Control::Step(1.0)],
-    ),
+    binding("space", "play or pause", &[Key::Char(' ')], &[Control::PlayOrPause]),
+    binding("← →", "step", &[Key::Left, Key::Right], &[Control::Step(-1.0), Control::Step(1.0)]),
     binding(
         "↑ ↓",
         "speed",
         &[Key::Up, Key::Down, Key::Char('+'), Key::Char('-')],
-        &[
-            Control::Faster,
-            Control::Slower,
-            Control::Faster,
-            Control::Slower,
-        ],
+        &[Control::Faster, Control::Slower, Control::Faster, Control::Slower],
     ),
     binding("b", "backwards", &[Key::Char('b')], &[Control::Reverse]),
     binding(
@@ -119,12 +97,7 @@ const BINDINGS: [Binding; 13] = [
             Control::Toggle(Layer::Accelerations),
         ],
     ),
-    binding(
-        "d",
-        "day or night",
-        &[Key::Char('d')],
-        &[Control::DayOrNight],
-    ),
+    binding("d", "day or night", &[Key::Char('d')], &[Control::DayOrNight]),
     binding(
         "n p",
         "next, previous mechanism",
@@ -136,34 +109,17 @@ const BINDINGS: [Binding; 13] = [
             Control::PreviousMechanism,
         ],
     ),
-    binding(
-        "r",
-        "reset",
-        &[Key::Char('r'), Key::Home],
-        &[Control::Reset, Control::Reset],
-    ),
+    binding("r", "reset", &[Key::Char('r'), Key::Home], &[Control::Reset, Control::Reset]),
     binding("f", "fit", &[Key::Char('f')], &[Control::Fit]),
     binding("s", "save", &[Key::Char('s')], &[Control::Save]),
-    binding(
-        "h",
-        "help",
-        &[Key::Char('h'), Key::Char('?')],
-        &[Control::Help, Control::Help],
-    ),
-    binding(
-        "q",
-        "quit",
-        &[Key::Char('q'), Key::Escape],
-        &[Control::Quit, Control::Quit],
-    ),
+    binding("h", "help", &[Key::Char('h'), Key::Char('?')], &[Control::Help, Control::Help]),
+    binding("q", "quit", &[Key::Char('q'), Key::Escape], &[Control::Quit, Control::Quit]),
 ];
 
 /// Describes all keys, and the mouse, each in a few words.
 #[must_use]
 pub fn help() -> Vec<String> {
-    let keys = BINDINGS
-        .iter()
-        .map(|binding| format!("{} {}", binding.label, binding.meaning));
+    let keys = BINDINGS.iter().map(|binding| format!("{} {}", binding.label, binding.meaning));
     let mouse = ["drag a link", "drag the paper", "wheel zoom"].map(str::to_owned);
     keys.chain(mouse).collect()
 }

@@ -38,9 +38,7 @@ impl Landmarks {
             let spots = [spot(a)?, spot(b)?];
             Some(Landmark { joint, spots })
         });
-        Self {
-            landmarks: landmarks.collect(),
-        }
+        Self { landmarks: landmarks.collect() }
     }
 
     /// The place of a joint on its second link.
@@ -53,8 +51,6 @@ impl Landmarks {
     /// All places of joints on a link.
     pub(super) fn on_link(&self, link: usize) -> impl Iterator<Item = [f64; 2]> + Clone + '_ {
         let spots = self.landmarks.iter().flat_map(|landmark| landmark.spots);
-        spots
-            .filter(move |spot| spot.link == link)
-            .map(|spot| spot.at)
+        spots.filter(move |spot| spot.link == link).map(|spot| spot.at)
     }
 }

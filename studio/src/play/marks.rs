@@ -12,11 +12,7 @@ pub(super) fn ring(canvas: &mut impl Canvas<f64>, center: [f64; 2], size: f32) {
     let scale = canvas.scale();
     let length = |usual: f64, least: f64| (usual * f64::from(size)).max(least) / scale;
     let [middle, width] = [length(RING[0], LEAST[0]), length(RING[1], LEAST[1])];
-    let ring = Outline::Ring {
-        center,
-        radius: middle + width / 2.0,
-        hole: middle - width / 2.0,
-    };
+    let ring = Outline::Ring { center, radius: middle + width / 2.0, hole: middle - width / 2.0 };
     canvas.fill(ring, Pose::identity(), Palette::RED);
 }
 

@@ -124,10 +124,7 @@ impl Mechanism {
     /// The values of the motors at a phase of its own motion.
     #[must_use]
     pub fn motion(&self, phase: f64) -> Vec<f64> {
-        self.prepared
-            .motion
-            .at(&self.model, &self.compiled, phase)
-            .values
+        self.prepared.motion.at(&self.model, &self.compiled, phase).values
     }
 
     /// The rates of the motors at a phase of its own motion; zero where they are not [prepared](Self::prepare).
@@ -163,14 +160,7 @@ impl Mechanism {
         let values = self.motors().iter().enumerate();
         let shown = values.filter_map(|(motor, &value)| {
             let name = self.motor_name(motor)?.to_owned();
-            Some((
-                name,
-                if self.slides(motor) {
-                    value
-                } else {
-                    value.to_degrees()
-                },
-            ))
+            Some((name, if self.slides(motor) { value } else { value.to_degrees() }))
         });
         shown.collect()
     }
@@ -193,8 +183,7 @@ impl Mechanism {
     /// Whether a motor slides: then its values are lengths.
     #[must_use]
     pub fn slides(&self, motor: usize) -> bool {
-        self.joint_of_motor(motor)
-            .is_some_and(|joint| !self.model.turns(joint))
+        self.joint_of_motor(motor).is_some_and(|joint| !self.model.turns(joint))
     }
 
     /// A value of a motor as text: an angle in degrees, or a length.
@@ -249,10 +238,7 @@ impl Mechanism {
     pub(super) fn led_spot(&self) -> Option<Spot<f64>> {
         let inverse = self.model.inverse.as_ref()?;
         let point = inverse.point.map(|point| self.model.axis(point).at);
-        Some(Spot {
-            link: number_of(&self.compiled, inverse.link)?,
-            at: point.unwrap_or_default(),
-        })
+        Some(Spot { link: number_of(&self.compiled, inverse.link)?, at: point.unwrap_or_default() })
     }
 
     /// Leads a place on a link straight to `aim`, by the exact inverse, if `follow` leads it and only these motors move: the point itself, or
@@ -267,10 +253,7 @@ impl Mechanism {
     }
 
     fn led(&self, spot: Spot<f64>, aim: [f64; 2], may_move: &[usize]) -> Option<Position<f64>> {
-        let (inverse, inverted) = (
-            self.model.inverse.as_ref()?,
-            self.compiled.inverse.as_ref()?,
-        );
+        let (inverse, inverted) = (self.model.inverse.as_ref()?, self.compiled.inverse.as_ref()?);
         let (ready, start) = self.inverse.as_ref()?;
         let (point, here) = (self.led_spot()?, self.place(spot)?);
         let is_led = point == spot || inverse.gives_angle() && point.link == spot.link;
@@ -378,9 +361,7 @@ impl Mechanism {
     /// The distance of a place from the bars of a link.
     fn distance(&self, link: usize, at: [f64; 2]) -> f64 {
         let joints = self.landmarks.on_link(link);
-        let bars = joints
-            .clone()
-            .flat_map(|from| joints.clone().map(move |to| [from, to]));
+        let bars = joints.clone().flat_map(|from| joints.clone().map(move |to| [from, to]));
         nearest(at, bars)
     }
 
@@ -499,17 +480,13 @@ impl Limit {
     /// The joints that stop it and those whose motor cannot move on: the place of each in the scene, and whether it has such a motor.
     #[must_use]
     pub fn places(&self, mechanism: &Mechanism) -> Vec<([f64; 2], bool)> {
-        let motors: Vec<_> = self
-            .motors
-            .iter()
-            .filter_map(|&motor| mechanism.joint_of_motor(motor))
-            .collect();
+        let motors: Vec<_> =
+            self.motors.iter().filter_map(|&motor| mechanism.joint_of_motor(motor)).collect();
         let others = mechanism.joints_in_the_way(self.obstacle);
         let others = others.into_iter().filter(|joint| !motors.contains(joint));
         let others: Vec<_> = others.map(|joint| (joint, false)).collect();
         let all = motors.iter().map(|&joint| (joint, true)).chain(others);
-        all.filter_map(|(joint, is_motor)| Some((mechanism.joint(joint)?, is_motor)))
-            .collect()
+        all.filter_map(|(joint, is_motor)| Some((mechanism.joint(joint)?, is_motor))).collect()
     }
 
     /// The place and the cause, as a sentence.

@@ -54,10 +54,7 @@ impl Motion {
     pub(super) fn new(model: &Model, compiled: &Compiled) -> Result<Self, Failure> {
         if model.has_laws() {
             // A part of it is a time.
-            let span = Span {
-                from: Some(0.0.into()),
-                to: Some(1.0.into()),
-            };
+            let span = Span { from: Some(0.0.into()), to: Some(1.0.into()) };
             let drive = Drive::new(model, compiled, None, span, &[])?;
             return Ok(Self::Laws(drive));
         }
@@ -113,12 +110,7 @@ impl Motion {
                         rates[1][motor] = second / (SECONDS * SECONDS);
                     }
                 }
-                Moment {
-                    by: phase,
-                    time: SECONDS * phase,
-                    values,
-                    rates,
-                }
+                Moment { by: phase, time: SECONDS * phase, values, rates }
             }
         }
     }
@@ -136,10 +128,8 @@ impl Way {
         let half = USED * (high - low) / 2.0;
         let offset = base[motor.index()] - f64::midpoint(low, high);
         let is_usable = half.is_finite() && half > 0.0;
-        Ok(is_usable.then(|| Self::ToAndFro {
-            from: (offset / half).clamp(-1.0, 1.0).asin(),
-            half,
-        }))
+        Ok(is_usable
+            .then(|| Self::ToAndFro { from: (offset / half).clamp(-1.0, 1.0).asin(), half }))
     }
 
     /// Computes the distance of the motor from its start after so many passes and a part of one, with its first and second derivative.
@@ -148,11 +138,7 @@ impl Way {
             Self::Round => [TAU * (round + part), TAU, 0.0],
             Self::ToAndFro { from, half } => {
                 let (sin, cos) = (from + 2.0 * PI * part).sin_cos();
-                [
-                    half * (sin - from.sin()),
-                    half * TAU * cos,
-                    -half * TAU * TAU * sin,
-                ]
+                [half * (sin - from.sin()), half * TAU * cos, -half * TAU * TAU * sin]
             }
         }
     }

@@ -62,8 +62,7 @@ impl Painter {
     ) -> Result<(), Failure> {
         let [width, height] = [self.picture.width(), self.picture.height()].map(count);
         // A pixel is a scene unit, and the upper left corner is the origin.
-        self.picture
-            .look_at(View::new([width / 2.0, -height / 2.0], 1.0));
+        self.picture.look_at(View::new([width / 2.0, -height / 2.0], 1.0));
         let [left, top, size] = [left, top, size].map(count);
         let dots = dots(text)?;
         for (seam, color) in [(size, Palette::PAPER), (0.0, color)] {

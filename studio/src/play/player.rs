@@ -119,10 +119,8 @@ impl Player {
         let from = self.mechanism.motors().to_vec();
         let mut target = from.clone();
         for (motor, value) in target.iter_mut().enumerate() {
-            if let Some(known) = self
-                .mechanism
-                .motor_name(motor)
-                .and_then(|name| before.value_of(name))
+            if let Some(known) =
+                self.mechanism.motor_name(motor).and_then(|name| before.value_of(name))
             {
                 *value = known;
             }
@@ -410,10 +408,7 @@ impl Player {
             place.is_some_and(|[x, y]| (x - aim[0]).hypot(y - aim[1]) <= near)
         });
         self.held = Some(match led.or_else(|| self.mechanism.spot_at(aim, near)) {
-            Some(spot) => Held::Link {
-                grip: Grip { spot },
-                aim,
-            },
+            Some(spot) => Held::Link { grip: Grip { spot }, aim },
             None => Held::Paper(pixel),
         });
     }
@@ -447,9 +442,7 @@ impl Player {
         let target = vec![f64::NAN; from.len()];
         self.settle(obstacle, &from, &target);
         if let Some(limit) = &mut self.limit {
-            limit
-                .motors
-                .retain(|motor| free.iter().any(|free| free.motor == *motor));
+            limit.motors.retain(|motor| free.iter().any(|free| free.motor == *motor));
         }
     }
 
@@ -459,8 +452,7 @@ impl Player {
             return;
         }
         let mut bounds = Bounds::default();
-        self.mechanism
-            .draw(&mut bounds, &self.style(), &self.rates());
+        self.mechanism.draw(&mut bounds, &self.style(), &self.rates());
         if let Some(corners) = bounds.corners() {
             self.camera.include(corners);
         }

@@ -22,12 +22,7 @@ impl Prepared {
     pub(super) fn of(model: &Model, compiled: &Compiled) -> Result<Self, Failure> {
         let looks = looks(model, compiled);
         let extent = looks.extent(model, compiled);
-        Ok(Self {
-            looks,
-            extent,
-            motion: Motion::new(model, compiled)?,
-            derived: Vec::new(),
-        })
+        Ok(Self { looks, extent, motion: Motion::new(model, compiled)?, derived: Vec::new() })
     }
 }
 
@@ -50,8 +45,6 @@ impl Derived {
         model.effects.force |= self == Self::Forces;
         // Positions have to mean the same in both.
         let found = compile(&model).ok();
-        found
-            .filter(|other| other.program == compiled.program)
-            .map(Box::new)
+        found.filter(|other| other.program == compiled.program).map(Box::new)
     }
 }

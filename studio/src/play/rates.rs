@@ -60,9 +60,8 @@ impl Mechanism {
     /// its loads these numbers; none where forces are not [prepared](Self::prepare) or not determined. Loads that are not given are zero.
     #[must_use]
     pub fn reactions(&self, rates: &Rates, loads: &[f64]) -> Vec<([f64; 2], [f64; 2])> {
-        let program = self
-            .with(Derived::Forces)
-            .and_then(|found| found.forced.inverse_dynamics.as_ref());
+        let program =
+            self.with(Derived::Forces).and_then(|found| found.forced.inverse_dynamics.as_ref());
         let Some(program) = program else {
             return Vec::new();
         };
@@ -111,18 +110,8 @@ impl Mechanism {
                 _ => None,
             }
         });
-        let subject = Surveyed {
-            model: &self.model,
-            compiled,
-            loads: &loads,
-        };
-        Some(Board::known(
-            constructions,
-            subject,
-            centrodes,
-            (at, id),
-            self.bounds(),
-        ))
+        let subject = Surveyed { model: &self.model, compiled, loads: &loads };
+        Some(Board::known(constructions, subject, centrodes, (at, id), self.bounds()))
     }
 
     /// The numbers of all loads; those that are not given are zero.

@@ -29,12 +29,7 @@ impl Stage {
     /// # Errors
     /// If there is no memory for a picture.
     pub fn new(player: Player, folder: PathBuf) -> Result<Self, Failure> {
-        Ok(Self {
-            painter: Painter::new(player.camera().size())?,
-            player,
-            helps: false,
-            folder,
-        })
+        Ok(Self { painter: Painter::new(player.camera().size())?, player, helps: false, folder })
     }
 
     /// Obeys a control. `Break` if it is the one to stop.

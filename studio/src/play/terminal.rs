@@ -108,9 +108,7 @@ fn paint(stage: &mut Stage, depth: Depth) -> io::Result<()> {
     let columns = usize::from(columns);
     let status = format!("{} · {}", stage.player.title(), stage.player.status());
     let status = masked(&status).into_owned();
-    let help = stage
-        .help()
-        .unwrap_or_else(|| vec!["h help".to_owned(), "q quit".to_owned()]);
+    let help = stage.help().unwrap_or_else(|| vec!["h help".to_owned(), "q quit".to_owned()]);
     let mut below = wrap(&[status], columns);
     below.extend(wrap(&help, columns));
     let above = usize::from(rows).saturating_sub(below.len());
@@ -168,10 +166,7 @@ fn key_control(event: &KeyEvent) -> Option<Control> {
 
 fn mouse_control(event: MouseEvent) -> Option<Control> {
     // The middle of a character, which is one pixel wide and two high.
-    let pixel = [
-        f64::from(event.column) + 0.5,
-        2.0 * f64::from(event.row) + 1.0,
-    ];
+    let pixel = [f64::from(event.column) + 0.5, 2.0 * f64::from(event.row) + 1.0];
     Some(match event.kind {
         MouseEventKind::Down(MouseButton::Left) => Control::Press(pixel),
         MouseEventKind::Drag(MouseButton::Left) => Control::Point(pixel),

@@ -50,18 +50,11 @@ pub(crate) fn reason(error: &eframe::Error) -> String {
 /// # Errors
 /// If the window fails, or there is no memory for a picture.
 pub fn play(stage: Stage) -> Result<Option<Unopened>, Failure> {
-    #[expect(
-        clippy::cast_precision_loss,
-        reason = "a window is some hundreds of points wide"
-    )]
+    #[expect(clippy::cast_precision_loss, reason = "a window is some hundreds of points wide")]
     let size = SIZE.map(|side| side as f32);
-    let viewport = egui::ViewportBuilder::default()
-        .with_title(stage.player.title())
-        .with_inner_size(size);
-    let options = eframe::NativeOptions {
-        viewport,
-        ..eframe::NativeOptions::default()
-    };
+    let viewport =
+        egui::ViewportBuilder::default().with_title(stage.player.title()).with_inner_size(size);
+    let options = eframe::NativeOptions { viewport, ..eframe::NativeOptions::default() };
     let waiting = Rc::new(RefCell::new(Some(stage)));
     let failure = Rc::new(RefCell::new(None));
     let (taken, told) = (Rc::clone(&waiting), Rc::clone(&failure));
@@ -113,28 +106,16 @@ impl Window {
         let pixel = |place: egui::Pos2| [place.x, place.y].map(|part| f64::from(part * scale));
         match *event {
             Event::Text(ref text) => Key::Char(text.chars().next()?).control(),
-            Event::Key {
-                key,
-                pressed: true,
-                modifiers,
-                ..
-            } => named(key, modifiers.shift)?.control(),
+            Event::Key { key, pressed: true, modifiers, .. } => {
+                named(key, modifiers.shift)?.control()
+            }
             Event::PointerMoved(place) => {
                 self.pointer = pixel(place);
                 Some(Control::Point(self.pointer))
             }
-            Event::PointerButton {
-                pos,
-                button: PointerButton::Primary,
-                pressed,
-                ..
-            } => {
+            Event::PointerButton { pos, button: PointerButton::Primary, pressed, .. } => {
                 self.pointer = pixel(pos);
-                Some(if pressed {
-                    Control::Press(self.pointer)
-                } else {
-                    Control::Release
-                })
+                Some(if pressed { Control::Press(self.pointer) } else { Control::Release })
             }
             Event::MouseWheel { unit, delta, .. } => {
                 let notches = match unit {
@@ -169,11 +150,7 @@ impl Window {
     /// The picture of what is on stage, in the size of the window.
     fn picture(&mut self, ui: &Ui) -> Result<egui::ColorImage, Failure> {
         let size = ui.max_rect().size() * ui.pixels_per_point();
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "saturates"
-        )]
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
         let size = [size.x, size.y].map(|side| side.round().max(1.0) as usize);
         if self.stage.player.camera().size() != size {
             self.stage.player.obey(Control::Resize(size));

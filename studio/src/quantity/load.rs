@@ -24,14 +24,10 @@ impl std::str::FromStr for Load {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let (name, numbers) = text
-            .split_once('=')
-            .ok_or("expected a load and its numbers, as `push=-100,0`")?;
+        let (name, numbers) =
+            text.split_once('=').ok_or("expected a load and its numbers, as `push=-100,0`")?;
         let numbers = numbers.split(',').map(crate::motion::read_value);
-        Ok(Self {
-            name: name.trim().to_owned(),
-            numbers: numbers.collect::<Result<_, _>>()?,
-        })
+        Ok(Self { name: name.trim().to_owned(), numbers: numbers.collect::<Result<_, _>>()? })
     }
 }
 
@@ -40,11 +36,7 @@ pub(crate) fn numbers(model: &Model, given: &[Load]) -> Result<Vec<f64>, Failure
     let loads = &model.actions.loads;
     let count = loads.iter().map(|load| load.kind.numbers()).sum();
     let mut numbers = vec![0.0; count];
-    for Load {
-        name,
-        numbers: values,
-    } in given
-    {
+    for Load { name, numbers: values } in given {
         let mut all = model.actions.numbered_loads();
         let Some((first, load)) = all.find(|(_, load)| load.name == *name) else {
             return Err(Failure::usage(format!(

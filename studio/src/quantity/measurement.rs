@@ -99,12 +99,7 @@ impl<'a> Prepared<'a> {
             )));
         }
         let model = Needs::of(measurands).added_to(of.model);
-        Ok(Self {
-            compiled: compiled_for(&model)?,
-            of,
-            measurands,
-            model,
-        })
+        Ok(Self { compiled: compiled_for(&model)?, of, measurands, model })
     }
 
     /// What drives it and all measurands in these parts of a motion, a row for each.
@@ -113,12 +108,7 @@ impl<'a> Prepared<'a> {
         drive: &Drive,
         parts: &[f64],
     ) -> Result<Vec<Vec<Option<f64>>>, Failure> {
-        let Self {
-            of,
-            measurands,
-            model,
-            compiled,
-        } = self;
+        let Self { of, measurands, model, compiled } = self;
         let loads = load::numbers(model, of.loads)?;
         let mut meter = Meter::new(model, compiled, measurands, loads)?;
         let mut rows = vec![Vec::new(); parts.len()];
@@ -133,9 +123,7 @@ impl<'a> Prepared<'a> {
             let values = meter.read(at, moments.each_ref(), measurands)?;
             let shown = units.iter().zip(values);
             let shown = shown.map(|(unit, value)| value.map(|value| unit.shown(value)));
-            rows[number] = std::iter::once(Some(driver.shown(moment.by)))
-                .chain(shown)
-                .collect();
+            rows[number] = std::iter::once(Some(driver.shown(moment.by))).chain(shown).collect();
             Ok(())
         })?;
         Ok(rows)
@@ -162,9 +150,7 @@ pub(super) fn columns(of: &Measurement<'_>, measurands: &[Measurand]) -> Vec<(St
         let name = format!("{}{}", measurand.name, assumed(of, measurand));
         (name, of.units.name(Unit::of(of.model, measurand)))
     });
-    std::iter::once((name, of.units.name(driver(of))))
-        .chain(others)
-        .collect()
+    std::iter::once((name, of.units.name(driver(of)))).chain(others).collect()
 }
 
 /// The rate of the motor for which a force holds, as words after its name.
@@ -183,9 +169,8 @@ fn assumed(of: &Measurement<'_>, measurand: &Measurand) -> String {
 /// A mechanism with the effects that it declares, compiled; what is wrong with it is told.
 pub(crate) fn compiled(model: &Model) -> Result<Compiled, Failure> {
     compile(model).map_err(|diagnoses| {
-        let texts = diagnoses
-            .iter()
-            .map(|diagnosis| mech_compiler::reporter::text(diagnosis, model));
+        let texts =
+            diagnoses.iter().map(|diagnosis| mech_compiler::reporter::text(diagnosis, model));
         let texts: Vec<String> = texts.collect();
         Failure::mechanism(format!("that cannot be computed: {}", texts.join("\n")))
     })

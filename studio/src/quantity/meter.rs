@@ -77,9 +77,7 @@ impl<'a> Meter<'a> {
             chains: chains.collect(),
             moving: compiled.moving.as_ref().map(mover),
             forced: forced.filter(|_| needs.force).map(mover),
-            inertia: inertia
-                .filter(|_| needs.force && forced.is_none())
-                .map(mover),
+            inertia: inertia.filter(|_| needs.force && forced.is_none()).map(mover),
             loads,
         }
     }
@@ -109,9 +107,7 @@ impl<'a> Meter<'a> {
             let mut alone = rest.clone();
             alone[motor.index()] = 1.0;
             let moved = self.rates(at, [&alone, &rest]);
-            position
-                .influences
-                .extend(moved.map(|rates| (motor, rates)));
+            position.influences.extend(moved.map(|rates| (motor, rates)));
         }
         let values = measurands.iter().map(|measurand| {
             let value = self.value(&position, moments[0], measurand);
@@ -157,9 +153,7 @@ impl<'a> Meter<'a> {
                 Err(Stop::Singular(_)) => {}
                 Err(stop) => {
                     let why = obstacle(self.model, self.compiled, stop);
-                    return Err(Failure::mechanism(format!(
-                        "forces cannot be computed: {why}"
-                    )));
+                    return Err(Failure::mechanism(format!("forces cannot be computed: {why}")));
                 }
             }
         }
@@ -292,12 +286,7 @@ impl<'a> Meter<'a> {
             let force = [gravity[0] - x, gravity[1] - y].map(|part| part * mass.mass);
             add(force, place, -mass.inertia * turning);
         }
-        for (load, numbers) in self
-            .model
-            .actions
-            .loads_with(&self.loads)
-            .filter(|_| is_whole)
-        {
+        for (load, numbers) in self.model.actions.loads_with(&self.loads).filter(|_| is_whole) {
             match (load.kind, numbers) {
                 (LoadKind::Force(point), &[x, y]) => {
                     add([x, y], self.place(at, point)?, 0.0);
@@ -385,10 +374,9 @@ impl<'a> Meter<'a> {
     /// How fast a distance changes.
     fn distance_rate(&self, at: &Position, ends: [Spot; 2]) -> Option<f64> {
         let [from, to] = ends.map(|end| match end {
-            Spot::Axis(axis) => Some((
-                self.place(at, axis)?,
-                self.rate_of_point(at, axis, Rate::Velocity)?,
-            )),
+            Spot::Axis(axis) => {
+                Some((self.place(at, axis)?, self.rate_of_point(at, axis, Rate::Velocity)?))
+            }
             Spot::At(place) => Some((place, [0.0; 2])),
         });
         let ((from, from_rate), (to, to_rate)) = (from?, to?);

@@ -34,21 +34,15 @@ pub(crate) fn measurands(
 /// What a text measures, if it is one number.
 pub(crate) fn only_measurand(model: &Model, plan: &Plan, text: &str) -> Result<Measurand, Failure> {
     let found = measurands(model, plan, text)?;
-    <[Measurand; 1]>::try_from(found)
-        .map(|[only]| only)
-        .map_err(|found| {
-            let names = quoted(found.iter().map(|one| &one.name));
-            Failure::usage(format!(
-                "`{text}` is several numbers, {names}; name one of them"
-            ))
-        })
+    <[Measurand; 1]>::try_from(found).map(|[only]| only).map_err(|found| {
+        let names = quoted(found.iter().map(|one| &one.name));
+        Failure::usage(format!("`{text}` is several numbers, {names}; name one of them"))
+    })
 }
 
 /// The coordinates of all joints that have one.
 pub(crate) fn usual(model: &Model) -> Vec<Measurand> {
-    let joints = model
-        .declared_joints()
-        .filter(|&joint| has_coordinate(model, joint));
+    let joints = model.declared_joints().filter(|&joint| has_coordinate(model, joint));
     let measurand = |joint: JointId| {
         let name = model.joint(joint).name.clone();
         Measurand::of(name, Quantity::Coordinate(joint))
@@ -84,9 +78,7 @@ pub(crate) fn transmissions(model: &Model, plan: &Plan) -> Result<Vec<Measurand>
 /// A link, or the ground.
 pub(crate) fn body_of(model: &Model, name: &str) -> Result<LinkId, Failure> {
     let is_ground = name == "ground";
-    let found = is_ground
-        .then_some(LinkId::GROUND)
-        .or_else(|| link_of(model, name));
+    let found = is_ground.then_some(LinkId::GROUND).or_else(|| link_of(model, name));
     found.ok_or_else(|| {
         let links = model.declared_links().map(|link| &model.link(link).name);
         Failure::usage(format!(
@@ -98,9 +90,7 @@ pub(crate) fn body_of(model: &Model, name: &str) -> Result<LinkId, Failure> {
 }
 
 fn link_of(model: &Model, name: &str) -> Option<LinkId> {
-    model
-        .declared_links()
-        .find(|&link| model.link(link).name == name)
+    model.declared_links().find(|&link| model.link(link).name == name)
 }
 
 pub(super) fn points(model: &Model) -> impl Iterator<Item = AxisId> + '_ {
@@ -118,8 +108,5 @@ pub(super) fn point_name(model: &Model, id: AxisId) -> Option<String> {
 }
 
 pub(super) fn has_coordinate(model: &Model, joint: JointId) -> bool {
-    matches!(
-        model.joint(joint).kind,
-        JointKind::Revolute(..) | JointKind::Prismatic(..)
-    )
+    matches!(model.joint(joint).kind, JointKind::Revolute(..) | JointKind::Prismatic(..))
 }

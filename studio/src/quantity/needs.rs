@@ -71,16 +71,8 @@ impl Needs {
     /// A mechanism with everything shown that computes all this, whatever effects it has: angles go on over whole turns however long a
     /// step is.
     pub(super) fn added_to(&self, model: &Model) -> Model {
-        let mut whole = Model {
-            show: None,
-            ..model.clone()
-        };
-        let Effects {
-            velocity,
-            acceleration,
-            force,
-            ..
-        } = &mut whole.effects;
+        let mut whole = Model { show: None, ..model.clone() };
+        let Effects { velocity, acceleration, force, .. } = &mut whole.effects;
         *velocity |= self.velocity || self.acceleration || self.force;
         *acceleration |= self.acceleration || self.force;
         *force |= self.force;

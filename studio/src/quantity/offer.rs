@@ -20,20 +20,10 @@ pub(crate) fn offers(model: &Model, has_loops: bool) -> Vec<Offer> {
         let orders = ["", "velocity:", "acceleration:"].into_iter();
         let names = orders.flat_map(|order| {
             // The distance from the origin says little.
-            let parts: &[&str] = if order.is_empty() {
-                &["x", "y"]
-            } else {
-                &["x", "y", "norm"]
-            };
-            parts
-                .iter()
-                .map(|part| format!("{order}{name}.{part}"))
-                .collect::<Vec<_>>()
+            let parts: &[&str] = if order.is_empty() { &["x", "y"] } else { &["x", "y", "norm"] };
+            parts.iter().map(|part| format!("{order}{name}.{part}")).collect::<Vec<_>>()
         });
-        offers.push(Offer {
-            of,
-            names: names.collect(),
-        });
+        offers.push(Offer { of, names: names.collect() });
     }
     for joint in model.declared_joints() {
         let name = &model.joint(joint).name;
@@ -55,36 +45,21 @@ pub(crate) fn offers(model: &Model, has_loops: bool) -> Vec<Offer> {
         if model.roller_of(joint).is_some() {
             names.extend(["pressure", "curvature"].map(|word| format!("{word}({name})")));
         }
-        offers.push(Offer {
-            of: format!("joint {name}"),
-            names,
-        });
+        offers.push(Offer { of: format!("joint {name}"), names });
     }
     for link in model.declared_links() {
         let name = &model.link(link).name;
         let names = ["", "velocity:", "acceleration:"].map(|order| format!("{order}{name}"));
-        offers.push(Offer {
-            of: format!("link {name}"),
-            names: names.into(),
-        });
+        offers.push(Offer { of: format!("link {name}"), names: names.into() });
     }
     let has_mass = model.links.iter().any(|link| link.mass.is_some());
     if has_mass || !model.actions.loads.is_empty() {
         let names = ["x", "y", "norm", "torque"].map(|part| format!("reaction:ground.{part}"));
-        offers.push(Offer {
-            of: "the ground".to_owned(),
-            names: names.into(),
-        });
+        offers.push(Offer { of: "the ground".to_owned(), names: names.into() });
     }
     if has_loops {
-        offers.push(Offer {
-            of: "loops".to_owned(),
-            names: vec!["transmission".to_owned()],
-        });
+        offers.push(Offer { of: "loops".to_owned(), names: vec!["transmission".to_owned()] });
     }
-    offers.push(Offer {
-        of: "the motion".to_owned(),
-        names: vec!["t".to_owned()],
-    });
+    offers.push(Offer { of: "the motion".to_owned(), names: vec!["t".to_owned()] });
     offers
 }

@@ -31,9 +31,7 @@ impl Position {
     pub(crate) fn of(at: &program::Position<f64>) -> Self {
         let motors = at.motors.iter().zip(&at.turns);
         Self {
-            motors: motors
-                .map(|(value, turns)| value + TAU * f64::from(*turns))
-                .collect(),
+            motors: motors.map(|(value, turns)| value + TAU * f64::from(*turns)).collect(),
             poses: at.poses.clone(),
             state: at.state.clone(),
             ..Self::default()
@@ -99,10 +97,7 @@ impl Position {
             Rate::Acceleration => self.rate(compiled, link, Rate::Velocity)?[0].powi(2),
             Rate::Velocity => 0.0,
         };
-        Some([
-            along_x - turning * y - centripetal * x,
-            along_y + turning * x - centripetal * y,
-        ])
+        Some([along_x - turning * y - centripetal * x, along_y + turning * x - centripetal * y])
     }
 
     /// The motion of a link.

@@ -130,11 +130,7 @@ impl Rows {
     fn values(&self, column: usize) -> impl Iterator<Item = Extreme> {
         let all = self.parts.iter().zip(&self.rows);
         all.filter_map(move |(part, row)| {
-            Some(Extreme {
-                value: row[column]?,
-                by: row[0]?,
-                part: *part,
-            })
+            Some(Extreme { value: row[column]?, by: row[0]?, part: *part })
         })
     }
 
@@ -158,11 +154,7 @@ impl Rows {
         });
         let [weight, sum, squares] =
             weighted.fold([0.0; 3], |[weight, sum, squares], (own, value)| {
-                [
-                    weight + own,
-                    sum + own * value,
-                    squares + own * value * value,
-                ]
+                [weight + own, sum + own * value, squares + own * value * value]
             });
         summary.mean = sum / weight;
         summary.rms = (squares / weight).sqrt();
@@ -185,17 +177,13 @@ impl Rows {
     /// Whether a quantity turns round twice in a cyclic motion, without a rest.
     fn is_to_and_fro(&self, column: usize) -> bool {
         let values: Vec<f64> = self.values(column).map(|one| one.value).collect();
-        let size = values
-            .iter()
-            .fold(0.0, |size: f64, value| size.max(value.abs()));
+        let size = values.iter().fold(0.0, |size: f64, value| size.max(value.abs()));
         let ways = values.windows(2).map(|pair| pair[1] - pair[0]);
         let (moves, rests): (Vec<f64>, Vec<f64>) =
             ways.partition(|way| way.abs() > ROUNDING * size);
         let next = moves.iter().cycle().skip(1);
-        let turning_points = moves
-            .iter()
-            .zip(next)
-            .filter(|(one, next)| (**one > 0.0) != (**next > 0.0));
+        let turning_points =
+            moves.iter().zip(next).filter(|(one, next)| (**one > 0.0) != (**next > 0.0));
         // A step from one side of an extreme to the other is no rest.
         turning_points.count() == 2 && rests.len() <= 2
     }
@@ -225,10 +213,7 @@ fn longest_within(way: &[[f64; 2]], width: f64) -> f64 {
     let (mut greatest, mut least) = (VecDeque::new(), VecDeque::new());
     for end in 0..way.len() {
         let value = |index: usize| way[index][1];
-        while greatest
-            .back()
-            .is_some_and(|&last| value(last) <= value(end))
-        {
+        while greatest.back().is_some_and(|&last| value(last) <= value(end)) {
             greatest.pop_back();
         }
         while least.back().is_some_and(|&last| value(last) >= value(end)) {
@@ -254,11 +239,7 @@ fn longest_within(way: &[[f64; 2]], width: f64) -> f64 {
             let [by, from] = way[inside];
             // How far the line may go before the band is wider.
             let limit = next[1].clamp(band[1] - width, band[0] + width);
-            let part = if next[1] == from {
-                1.0
-            } else {
-                (limit - from) / (next[1] - from)
-            };
+            let part = if next[1] == from { 1.0 } else { (limit - from) / (next[1] - from) };
             stretch += (next[0] - by).abs() * part;
             band = [band[0].min(limit), band[1].max(limit)];
         }

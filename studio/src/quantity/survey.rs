@@ -71,26 +71,12 @@ impl Survey {
             })?;
             Ok(positions)
         })?;
-        Ok(Self {
-            model,
-            compiled,
-            loads,
-            positions,
-        })
+        Ok(Self { model, compiled, loads, positions })
     }
 
     /// What is surveyed.
     pub(crate) fn subject(&self) -> Surveyed<'_> {
-        let Self {
-            model,
-            compiled,
-            loads,
-            ..
-        } = self;
-        Surveyed {
-            model,
-            compiled,
-            loads,
-        }
+        let Self { model, compiled, loads, .. } = self;
+        Surveyed { model, compiled, loads }
     }
 }

@@ -40,10 +40,7 @@ impl Chain {
                 }
             }
         }
-        Self {
-            joints: chains.swap_remove(link.index()).unwrap_or_default(),
-            ahead: 0.0,
-        }
+        Self { joints: chains.swap_remove(link.index()).unwrap_or_default(), ahead: 0.0 }
     }
 
     /// The same angle, counted from a position in which it is `heading`, between −π and π.

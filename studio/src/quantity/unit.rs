@@ -16,10 +16,7 @@ pub(crate) struct Units {
 
 impl Default for Units {
     fn default() -> Self {
-        Self {
-            length: "unit".to_owned(),
-            force: "force".to_owned(),
-        }
+        Self { length: "unit".to_owned(), force: "force".to_owned() }
     }
 }
 
@@ -29,12 +26,7 @@ impl Units {
         if unit == Unit::ANGLE {
             return "deg".to_owned();
         }
-        let Unit {
-            force,
-            length,
-            angle,
-            time,
-        } = unit;
+        let Unit { force, length, angle, time } = unit;
         let parts = [
             (self.force.as_str(), force),
             (self.length.as_str(), length),
@@ -70,46 +62,19 @@ pub(super) struct Unit {
 }
 
 impl Unit {
-    const ONE: Self = Self {
-        force: 0,
-        length: 0,
-        angle: 0,
-        time: 0,
-    };
-    const ANGLE: Self = Self {
-        angle: 1,
-        ..Self::ONE
-    };
-    const LENGTH: Self = Self {
-        length: 1,
-        ..Self::ONE
-    };
-    const FORCE: Self = Self {
-        force: 1,
-        ..Self::ONE
-    };
-    const TORQUE: Self = Self {
-        force: 1,
-        length: 1,
-        ..Self::ONE
-    };
-    pub(super) const TIME: Self = Self {
-        time: 1,
-        ..Self::ONE
-    };
+    const ONE: Self = Self { force: 0, length: 0, angle: 0, time: 0 };
+    const ANGLE: Self = Self { angle: 1, ..Self::ONE };
+    const LENGTH: Self = Self { length: 1, ..Self::ONE };
+    const FORCE: Self = Self { force: 1, ..Self::ONE };
+    const TORQUE: Self = Self { force: 1, length: 1, ..Self::ONE };
+    pub(super) const TIME: Self = Self { time: 1, ..Self::ONE };
 
     /// That of a measurand.
     pub(super) fn of(model: &Model, measurand: &Measurand) -> Self {
-        let mut arithmetic = OfFormulas {
-            variables: Vec::new(),
-        };
+        let mut arithmetic = OfFormulas { variables: Vec::new() };
         let formulas = measurand.formulas();
         for measured in measurand.measured() {
-            let mut of = |id| {
-                formulas
-                    .evaluate_one(id, &mut arithmetic)
-                    .unwrap_or_default()
-            };
+            let mut of = |id| formulas.evaluate_one(id, &mut arithmetic).unwrap_or_default();
             let unit = match *measured {
                 Measured::Quantity(quantity) => Self::of_quantity(model, quantity),
                 Measured::Summary(_, id) => of(id),
@@ -128,11 +93,7 @@ impl Unit {
 
     /// That of the coordinate of a joint.
     pub(super) fn of_coordinate(model: &Model, joint: JointId) -> Self {
-        if model.turns(joint) {
-            Self::ANGLE
-        } else {
-            Self::LENGTH
-        }
+        if model.turns(joint) { Self::ANGLE } else { Self::LENGTH }
     }
 
     fn of_quantity(model: &Model, quantity: Quantity) -> Self {
@@ -189,11 +150,7 @@ impl Unit {
 
     /// A value that is measured in radians if it is an angle, in this unit.
     pub(super) fn shown(self, value: f64) -> f64 {
-        if self == Self::ANGLE {
-            value.to_degrees()
-        } else {
-            value
-        }
+        if self == Self::ANGLE { value.to_degrees() } else { value }
     }
 }
 

@@ -18,9 +18,7 @@ pub(super) fn sample(
     for (one, requirement) in judged.iter_mut().zip(&model.requirements) {
         let places = one.places.iter().map(|place| {
             let place = place.iter();
-            place
-                .map(|(motor, value)| (motors[*motor], *value))
-                .collect()
+            place.map(|(motor, value)| (motors[*motor], *value)).collect()
         });
         let places: Vec<Vec<(MotorId, f64)>> = places.collect();
         let found = catch(|| intervals(model, compiled, requirement, &places));

@@ -23,11 +23,7 @@ impl Pin {
         if a == link {
             Some(self)
         } else if b == link {
-            Some(Self {
-                links: [b, a],
-                axes: [second, first],
-                ..self
-            })
+            Some(Self { links: [b, a], axes: [second, first], ..self })
         } else {
             None
         }
@@ -39,11 +35,9 @@ pub(super) fn four_bars(model: &Model) -> impl Iterator<Item = String> {
     let pins: Vec<Pin> = model
         .declared_joints()
         .filter_map(|joint| match model.joint(joint).kind {
-            JointKind::Revolute(a, b) => Some(Pin {
-                joint,
-                links: [a, b].map(|axis| model.axis(axis).link),
-                axes: [a, b],
-            }),
+            JointKind::Revolute(a, b) => {
+                Some(Pin { joint, links: [a, b].map(|axis| model.axis(axis).link), axes: [a, b] })
+            }
             _ => None,
         })
         .collect();
@@ -110,11 +104,7 @@ fn class(lengths: [f64; 4], [first, coupler, second]: [&str; 3]) -> Option<Strin
             "a double rocker by Grashof's condition: `{coupler}`, the shortest link, can turn right round"
         ),
         place => {
-            let [crank, rocker] = if place == 1 {
-                [first, second]
-            } else {
-                [second, first]
-            };
+            let [crank, rocker] = if place == 1 { [first, second] } else { [second, first] };
             format!(
                 "a crank-rocker by Grashof's condition: `{crank}` can turn right round, `{rocker}` swings"
             )

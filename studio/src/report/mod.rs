@@ -33,10 +33,7 @@ fn motion_and_requirements(
 ) -> Result<(String, Vec<Judged>), Failure> {
     let motion = motion(model, compiled)?;
     let requirements = requirements::judged(model, compiled)?;
-    Ok((
-        motion + &lines(requirements::lines(&requirements)),
-        requirements,
-    ))
+    Ok((motion + &lines(requirements::lines(&requirements)), requirements))
 }
 
 /// What a mechanism does, and whether it does what it is for.
@@ -55,10 +52,7 @@ impl Behaviour {
     pub(crate) fn of(model: &Model, compiled: &Compiled) -> Result<Self, Failure> {
         let (lines, mut requirements) = motion_and_requirements(model, compiled)?;
         failing::sample(&mut requirements, model, compiled)?;
-        Ok(Self {
-            lines,
-            requirements,
-        })
+        Ok(Self { lines, requirements })
     }
 }
 

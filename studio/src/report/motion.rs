@@ -24,10 +24,7 @@ pub(super) fn lines(model: &Model, compiled: &Compiled) -> Result<Vec<(String, S
     let mut lines = Vec::new();
     let mut drives = Vec::new();
     if model.lawful_motors().next().is_some() {
-        drives.push((
-            None,
-            Drive::new(model, compiled, None, Span::default(), &[])?,
-        ));
+        drives.push((None, Drive::new(model, compiled, None, Span::default(), &[])?));
     }
     for (motor, reach) in reaches(model, compiled)? {
         let range = range(model, compiled, motor, &reach);
@@ -112,16 +109,10 @@ fn range(model: &Model, compiled: &Compiled, motor: MotorId, reach: &Reach) -> S
             match reach.stops {
                 [None, None] => "slides, and nothing stops it".to_owned(),
                 [Some(stop), None] => {
-                    format!(
-                        "goes down to {low}, where {}; above nothing stops it",
-                        why(stop)
-                    )
+                    format!("goes down to {low}, where {}; above nothing stops it", why(stop))
                 }
                 [None, Some(stop)] => {
-                    format!(
-                        "goes up to {high}, where {}; below nothing stops it",
-                        why(stop)
-                    )
+                    format!("goes up to {high}, where {}; below nothing stops it", why(stop))
                 }
                 [Some(one), Some(other)] if one == other => {
                     format!("goes from {low} to {high}; at both ends {}", why(one))
@@ -194,9 +185,7 @@ fn is_carried(model: &Model, measurand: &Measurand) -> bool {
 }
 
 fn transmission(summaries: &[Summary], driver: &Driver) -> Option<String> {
-    let worst = summaries
-        .iter()
-        .min_by(|a, b| a.least.value.total_cmp(&b.least.value))?;
+    let worst = summaries.iter().min_by(|a, b| a.least.value.total_cmp(&b.least.value))?;
     let joints = worst.name.strip_prefix("transmission of")?;
     let joints = quoted(joints.split_whitespace());
     Some(if worst.least.value < FLAT {

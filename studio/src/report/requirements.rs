@@ -28,8 +28,7 @@ impl Judged {
     /// The values of the motor of this number for which it does not hold.
     pub(crate) fn failing(&self, motor: usize) -> impl Iterator<Item = [f64; 2]> {
         let own = self.intervals.iter();
-        own.filter(move |(of, _)| *of == motor)
-            .map(|(_, ends)| *ends)
+        own.filter(move |(of, _)| *of == motor).map(|(_, ends)| *ends)
     }
 }
 
@@ -55,11 +54,7 @@ pub(super) fn judged(model: &Model, compiled: &Compiled) -> Result<Vec<Judged>, 
 pub(super) fn lines(judged: &[Judged]) -> Vec<(String, String)> {
     let lines = judged.iter().map(|one| {
         let text = one.text.lines().next().unwrap_or_default();
-        let text = if one.is_met {
-            format!("`{}`: {text}", one.written)
-        } else {
-            text.to_owned()
-        };
+        let text = if one.is_met { format!("`{}`: {text}", one.written) } else { text.to_owned() };
         ("expects".to_owned(), text)
     });
     lines.collect()
@@ -70,9 +65,7 @@ fn places(unmet: &Diagnosis) -> Vec<Vec<(usize, f64)>> {
     let places = places.flat_map(|(_, witness)| &witness.places);
     let numbered = places.map(|place| {
         let motors = place.motors.iter();
-        motors
-            .map(|(motor, value)| (motor.index(), *value))
-            .collect()
+        motors.map(|(motor, value)| (motor.index(), *value)).collect()
     });
     numbered.collect()
 }

@@ -53,31 +53,17 @@ impl Driver {
 
     /// Whether a quantity stays as it is in this motion.
     pub(super) fn is_still(&self, summary: &Summary) -> bool {
-        let whole = if summary.unit == "deg" {
-            360.0
-        } else {
-            self.size
-        };
+        let whole = if summary.unit == "deg" { 360.0 } else { self.size };
         summary.extent() <= self.near() * whole
     }
 
     /// What a joint does that is driven.
     pub(super) fn joint_line(&self, summary: &Summary) -> String {
-        let Summary {
-            name,
-            unit,
-            least,
-            greatest,
-            time_ratio,
-            ..
-        } = summary;
+        let Summary { name, unit, least, greatest, time_ratio, .. } = summary;
         let extent = summary.extent();
         let (is_angle, turns) = (unit == "deg", extent / 360.0);
         if self.is_still(summary) {
-            return format!(
-                "joint `{name}` stays at {}",
-                with_unit(least.value, unit, DIGITS)
-            );
+            return format!("joint `{name}` stays at {}", with_unit(least.value, unit, DIGITS));
         }
         if is_angle && turns >= 1.0 - self.near() {
             return if (turns - 1.0).abs() <= self.near() {
@@ -87,16 +73,9 @@ impl Driver {
             };
         }
         if is_angle && self.is_cyclic && summary.is_one_way() {
-            return format!(
-                "joint `{name}` turns by {}",
-                with_unit(extent, unit, DIGITS)
-            );
+            return format!("joint `{name}` turns by {}", with_unit(extent, unit, DIGITS));
         }
-        let does = if is_angle {
-            "swings by"
-        } else {
-            "has a stroke of"
-        };
+        let does = if is_angle { "swings by" } else { "has a stroke of" };
         let ratio = time_ratio.filter(|ratio| *ratio > 1.0 + 1e-4);
         let ratio = ratio.map(|ratio| format!("; time ratio {}", short(ratio, DIGITS)));
         format!(

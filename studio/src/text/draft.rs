@@ -122,17 +122,14 @@ impl<'t> Draft<'t> {
     /// The changes, in the order of their places.
     pub(super) fn edits(mut self) -> Vec<Replacement> {
         // Stable: what is inserted at one place stays in order.
-        self.changes
-            .sort_by_key(|edit| (edit.range.start, edit.range.end));
+        self.changes.sort_by_key(|edit| (edit.range.start, edit.range.end));
         self.changes
     }
 
     /// The line in which a byte stands, without its end.
     fn line_of(&self, byte: usize) -> Range<usize> {
         let start = self.text[..byte].rfind('\n').map_or(0, |at| at + 1);
-        let end = self.text[byte..]
-            .find('\n')
-            .map_or(self.text.len(), |at| byte + at);
+        let end = self.text[byte..].find('\n').map_or(self.text.len(), |at| byte + at);
         start..end
     }
 

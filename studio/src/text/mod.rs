@@ -16,11 +16,7 @@ pub(crate) use places::TokenPlaces;
 pub(crate) fn quoted<N: AsRef<str>>(names: impl IntoIterator<Item = N>) -> String {
     let names = names.into_iter();
     let names: Vec<String> = names.map(|name| format!("`{}`", name.as_ref())).collect();
-    if names.is_empty() {
-        "none".to_owned()
-    } else {
-        names.join(", ")
-    }
+    if names.is_empty() { "none".to_owned() } else { names.join(", ") }
 }
 
 /// The bracket that closes an opening one; none if nothing does.
@@ -41,11 +37,7 @@ pub(crate) fn written_like(value: f64, old: &str) -> String {
     // Zero has no sign.
     let value = value + 0.0;
     let is_plain = value == 0.0 || (1e-5..1e15).contains(&value.abs());
-    if is_plain && !old.contains(['.', 'e']) {
-        format!("{value}")
-    } else {
-        format!("{value:?}")
-    }
+    if is_plain && !old.contains(['.', 'e']) { format!("{value}") } else { format!("{value:?}") }
 }
 
 /// The shortest number that is no farther from this one than the tolerance.

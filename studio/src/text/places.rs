@@ -11,12 +11,7 @@ pub(crate) struct TokenPlaces(Vec<Range<usize>>);
 impl TokenPlaces {
     /// The places of tokens that were read from a text just now: those of the text before are forgotten by then.
     pub(crate) fn of(tokens: &Tokens) -> Self {
-        Self(
-            tokens
-                .places()
-                .map(|place| place.start.byte_range())
-                .collect(),
-        )
+        Self(tokens.places().map(|place| place.start.byte_range()).collect())
     }
 
     /// From the beginning of the first of some tokens to the end of the last.
@@ -31,9 +26,7 @@ impl TokenPlaces {
     /// The tokens that fill a range; none if it begins or ends elsewhere.
     fn tokens(&self, bytes: &Range<usize>) -> Option<Range<usize>> {
         let first = self.0.iter().position(|place| place.start == bytes.start)?;
-        let count = self.0[first..]
-            .iter()
-            .position(|place| place.end == bytes.end)?;
+        let count = self.0[first..].iter().position(|place| place.end == bytes.end)?;
         Some(first..first + count + 1)
     }
 

@@ -23,10 +23,7 @@ fn noise_is_not_read_to_its_end() {
     // A text that is just short enough is read, and refused in words.
     let folder = folder.with("b.rs", "mechanism! { {([".repeat(1 << 16));
     let refusal = folder.mech("check b.rs").refused(1);
-    assert!(
-        refusal.contains("this mechanism has no end"),
-        "{refusal:.300}"
-    );
+    assert!(refusal.contains("this mechanism has no end"), "{refusal:.300}");
 }
 
 #[test]
@@ -37,20 +34,11 @@ fn a_full_disk() {
         return; // Not on this system.
     };
     let mut command = Command::new(env!("CARGO_BIN_EXE_mech"));
-    command
-        .args(["report", "a.mech"])
-        .current_dir(folder.path("."));
-    let output = command
-        .stdout(full)
-        .stderr(Stdio::piped())
-        .output()
-        .expect("it runs");
+    command.args(["report", "a.mech"]).current_dir(folder.path("."));
+    let output = command.stdout(full).stderr(Stdio::piped()).output().expect("it runs");
     assert_eq!(output.status.code(), Some(3));
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(
-        said.starts_with("error: cannot write the answer: "),
-        "{said}"
-    );
+    assert!(said.starts_with("error: cannot write the answer: "), "{said}");
     for command in ["draw a.mech -o /dev/full", "table a.mech -o /dev/full"] {
         // The ending of the first says nothing, so it is not even tried.
         let answer = folder.mech(command);
@@ -59,13 +47,8 @@ fn a_full_disk() {
     let link = folder.path("full.svg");
     std::os::unix::fs::symlink("/dev/full", link).expect("a link");
     for command in ["draw", "film", "plot"] {
-        let refusal = folder
-            .mech(&format!("{command} a.mech -o full.svg"))
-            .refused(3);
-        assert!(
-            refusal.starts_with("error: cannot write `full.svg`: "),
-            "{refusal}"
-        );
+        let refusal = folder.mech(&format!("{command} a.mech -o full.svg")).refused(3);
+        assert!(refusal.starts_with("error: cannot write `full.svg`: "), "{refusal}");
     }
 }
 
@@ -89,11 +72,9 @@ fn what_has_no_end_is_read_as_far_as_a_text_may_go() {
     if !device.exists() {
         return; // Not on this system.
     }
-    for (command, most) in [
-        ("check /dev/zero", 1 << 20),
-        ("run /dev/zero", 1 << 20),
-        ("import /dev/zero", 16 << 20),
-    ] {
+    for (command, most) in
+        [("check /dev/zero", 1 << 20), ("run /dev/zero", 1 << 20), ("import /dev/zero", 16 << 20)]
+    {
         let refusal = folder.mech(command).refused(3);
         let limit = format!("more than {most} bytes");
         assert!(refusal.contains(&limit), "{refusal}");

@@ -58,9 +58,7 @@ pub(crate) fn marked(mark: &str, text: &str) -> Vec<String> {
     let unended =
         Some("(the last line does not end)").filter(|_| !text.is_empty() && !text.ends_with('\n'));
     let lines = text.lines().chain(unended);
-    lines
-        .map(|line| format!("{mark}{line}").trim_end().to_owned())
-        .collect()
+    lines.map(|line| format!("{mark}{line}").trim_end().to_owned()).collect()
 }
 
 /// Whether lines are as they are told: `…` stands for the rest of a line, and alone behind its mark for any number of lines.
@@ -86,24 +84,18 @@ pub(crate) fn walk(folder: &str, renewed: fn(&str) -> String, least: usize) {
     let files = fs::read_dir(folder).expect("the folder of the cases");
     let mut files: Vec<PathBuf> = files.map(|file| file.expect("a file").path()).collect();
     files.sort();
-    let texts = files
-        .iter()
-        .map(|file| fs::read_to_string(file).expect("a text"));
+    let texts = files.iter().map(|file| fs::read_to_string(file).expect("a text"));
     let texts: Vec<String> = texts.collect();
     let found: Vec<String> = thread::scope(|scope| {
         let walks = texts.iter().map(|text| scope.spawn(|| renewed(text)));
         let walks: Vec<_> = walks.collect();
-        let found = walks
-            .into_iter()
-            .map(|walk| walk.join().expect("cases that can be read"));
+        let found = walks.into_iter().map(|walk| walk.join().expect("cases that can be read"));
         found.collect()
     });
     let (mut wrong, mut count) = (String::new(), 0);
     for ((file, text), now) in files.iter().zip(&texts).zip(&found) {
-        count += text
-            .lines()
-            .filter(|line| line.starts_with("$ ") || line.starts_with("> "))
-            .count();
+        count +=
+            text.lines().filter(|line| line.starts_with("$ ") || line.starts_with("> ")).count();
         if now != text && env::var_os("UPDATE_CASES").is_some() {
             fs::write(file, now).expect("a file");
         } else if now != text {

@@ -52,17 +52,10 @@ fn the_same_words_at_the_same_places_as_the_macro() {
             if NOT_OF_THE_MACRO.contains(&&*name) {
                 continue;
             }
-            let found = mech_in(
-                &folder,
-                &[
-                    "check".as_ref(),
-                    path.strip_prefix(&folder).expect("a case"),
-                ],
-            );
-            let (file, is_text) = (
-                path.with_extension("stderr"),
-                path.extension() == Some("mech".as_ref()),
-            );
+            let found =
+                mech_in(&folder, &["check".as_ref(), path.strip_prefix(&folder).expect("a case")]);
+            let (file, is_text) =
+                (path.with_extension("stderr"), path.extension() == Some("mech".as_ref()));
             if is_text && env::var_os("UPDATE_CASES").is_some() {
                 fs::write(&file, trimmed(&found.err) + "\n").expect("a file");
             }

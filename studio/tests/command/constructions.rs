@@ -46,9 +46,7 @@ impl Drawing {
                 let (place, _) = rest.split_once(')').expect("an end");
                 let (x, y) = place.split_once(',').expect("two numbers");
                 group = [x, y].map(|part| part.parse().expect("a number"));
-                let angle = rest
-                    .split_once("rotate(")
-                    .and_then(|(_, rest)| rest.split_once(')'));
+                let angle = rest.split_once("rotate(").and_then(|(_, rest)| rest.split_once(')'));
                 turned = angle.map_or(0.0, |(angle, _)| angle.parse::<f64>().expect("a number"));
             } else if line.starts_with("<circle") && line.contains("r=\"3.5\"") {
                 let [x, y] = ["cx", "cy"].map(|name| attribute(line, name));
@@ -80,14 +78,7 @@ impl Drawing {
                 texts.push(([group[0], -group[1]], words.to_owned()));
             }
         }
-        Self {
-            dots,
-            texts,
-            arrows,
-            turns,
-            lines,
-            circle,
-        }
+        Self { dots, texts, arrows, turns, lines, circle }
     }
 
     /// Where the name of a joint says that it is.
@@ -114,20 +105,16 @@ impl Drawing {
     /// Where the dots of this name are: beside each stands the name, alone or with others.
     fn named(&self, name: &str) -> Vec<Place> {
         let is_name = |(_, words): &&(Place, String)| words.split(", ").any(|word| word == name);
-        let beside = self
-            .texts
-            .iter()
-            .filter(is_name)
-            .filter_map(|([x, y], words)| {
-                #[expect(clippy::cast_precision_loss, reason = "a short text")]
-                let width = 6.0 * words.chars().count() as f64;
-                let is_there = |dot: &&Place| {
-                    let [right, up] = [x - dot[0], y - dot[1]];
-                    let is = |a: f64, b: f64| (a - b).abs() < 1e-3;
-                    (is(right, 5.0) || is(right, -5.0 - width)) && (is(up, 5.0) || is(up, -12.0))
-                };
-                self.dots.iter().find(is_there).copied()
-            });
+        let beside = self.texts.iter().filter(is_name).filter_map(|([x, y], words)| {
+            #[expect(clippy::cast_precision_loss, reason = "a short text")]
+            let width = 6.0 * words.chars().count() as f64;
+            let is_there = |dot: &&Place| {
+                let [right, up] = [x - dot[0], y - dot[1]];
+                let is = |a: f64, b: f64| (a - b).abs() < 1e-3;
+                (is(right, 5.0) || is(right, -5.0 - width)) && (is(up, 5.0) || is(up, -12.0))
+            };
+            self.dots.iter().find(is_there).copied()
+        });
         beside.collect()
     }
 
@@ -139,38 +126,26 @@ impl Drawing {
             Some((*at, number.parse::<f64>().ok()?)).filter(|_| rest == unit)
         });
         let ([x, y], number) = found.expect("a scale");
-        let ends = self
-            .dots
-            .iter()
-            .filter(|dot| (dot[1] - y + 8.0).abs() < 1e-3);
+        let ends = self.dots.iter().filter(|dot| (dot[1] - y + 8.0).abs() < 1e-3);
         let lengths = ends.map(|dot| dot[0] - x).filter(|length| *length > 1.0);
         lengths.fold(f64::INFINITY, f64::min) / number
     }
 
     /// The force of this name in the free body of a link; none if there is no such arrow.
     fn force(&self, link: &str, name: &str) -> Option<Place> {
-        let mut own = self
-            .arrows
-            .iter()
-            .filter(|(_, next)| self.is_of(link, name, *next));
+        let mut own = self.arrows.iter().filter(|(_, next)| self.is_of(link, name, *next));
         let (arrow, next) = own.next()?;
         let vector = arrow.map(|part| part / self.scale("force"));
         let (_, number) = self.texts[*next].1.rsplit_once(' ').expect("a number");
         let number: f64 = number.parse().expect("a number");
-        assert!(
-            (vector[0].hypot(vector[1]) / number - 1.0).abs() < 1e-3,
-            "{number}"
-        );
+        assert!((vector[0].hypot(vector[1]) / number - 1.0).abs() < 1e-3, "{number}");
         Some(vector)
     }
 
     /// The torque of this name on a link.
     fn torque(&self, link: &str, name: &str) -> Option<f64> {
         let name = format!("{name} torque");
-        let mut own = self
-            .turns
-            .iter()
-            .filter(|(_, next)| self.is_of(link, &name, *next));
+        let mut own = self.turns.iter().filter(|(_, next)| self.is_of(link, &name, *next));
         let (is_left, next) = own.next()?;
         let (_, number) = self.texts[*next].1.rsplit_once(' ').expect("a number");
         let number: f64 = number.parse().expect("a number");
@@ -201,9 +176,7 @@ impl Drawing {
 }
 
 fn attribute(line: &str, name: &str) -> f64 {
-    let (_, rest) = line
-        .split_once(&format!(" {name}=\""))
-        .expect("it is there");
+    let (_, rest) = line.split_once(&format!(" {name}=\"")).expect("it is there");
     let (number, _) = rest.split_once('"').expect("an end");
     number.parse().expect("a number")
 }
@@ -270,16 +243,11 @@ joint x = prismatic(arm, die) at (1, 2) along (1, 2); joint d = revolute(ground,
         [part * pin_x, part * pin_y]
     };
     let at = format!("--at a={}", turned.to_degrees());
-    for (option, unit, order) in [
-        ("--velocities", "unit/s", 0),
-        ("--accelerations", "unit/s²", 1),
-    ] {
+    for (option, unit, order) in [("--velocities", "unit/s", 0), ("--accelerations", "unit/s²", 1)]
+    {
         let drawing = Drawing::of(text, &format!("{option} {at}"));
         assert_near(drawing.vector("b", unit), rates(pin, turned)[order]);
-        assert_near(
-            drawing.vector("x on arm", unit),
-            rates(on_arm, turned)[order],
-        );
+        assert_near(drawing.vector("x on arm", unit), rates(on_arm, turned)[order]);
     }
 }
 
@@ -288,12 +256,8 @@ fn a_film_shows_what_drawings_show() {
     let folder = Folder::new().with("a.mech", FOUR_BAR);
     let options = "--size 500 --look diagram --centres --velocities --accelerations";
     let resting = "--from 20 --to 20 --seconds 1 --rate 1";
-    folder
-        .mech(&format!("film a.mech -o film.png {options} {resting}"))
-        .done();
-    folder
-        .mech(&format!("draw a.mech -o draw.png {options} --at o=20"))
-        .done();
+    folder.mech(&format!("film a.mech -o film.png {options} {resting}")).done();
+    folder.mech(&format!("draw a.mech -o draw.png {options} --at o=20")).done();
     let [film, drawing] = ["film.png", "draw.png"].map(|name| pixels(&folder.path(name)));
     assert!(film == drawing);
 }
@@ -352,11 +316,7 @@ spring s = torsional(b) stiffness 4 rest 0; load brake = torque(second); effects
     near(drawing.force("first", "a"), [0.0, tooth]);
     near(drawing.force("second", "weight"), [0.0, -10.0]);
     near(drawing.force("second", "b"), [0.0, 10.0 - tooth]);
-    let torques = [
-        ("second", "brake", 6.0),
-        ("second", "s", -spring),
-        ("first", "a", tooth),
-    ];
+    let torques = [("second", "brake", 6.0), ("second", "s", -spring), ("first", "a", tooth)];
     for (link, name, torque) in torques {
         let found = drawing.torque(link, name).expect("a torque");
         assert!((found / torque - 1.0).abs() < 1e-3, "{name} {found}");
@@ -434,10 +394,7 @@ fn points_of_the_inflection_circle_go_straight_ahead() {
                 let ((from, [c, s]), (to, [u, v])) = (frame(turned), frame(at));
                 let [x, y] = [place[0] - from[0], place[1] - from[1]];
                 let [along, across] = [c * x + s * y, c * y - s * x];
-                [
-                    to[0] + u * along - v * across,
-                    to[1] + v * along + u * across,
-                ]
+                [to[0] + u * along - v * across, to[1] + v * along + u * across]
             }
         };
         let curvature = |place: Place| {
@@ -474,19 +431,12 @@ joint b = revolute(rod, rocker) at (4.3, 0.7); joint d = revolute(ground, rocker
         (FOUR_BAR, "--inflection ground", "the ground rests"),
         (FOUR_BAR, "--centrodes bar", "has no link `bar`"),
         (trammel, "--centrodes slide", "link `slide` never turns"),
-        (
-            trammel,
-            "--inflection slide",
-            "link `slide` does not turn here",
-        ),
+        (trammel, "--inflection slide", "link `slide` does not turn here"),
         (parallelogram, "--centrodes rod", "link `rod` never turns"),
     ];
     for (text, option, words) in cases {
         let folder = Folder::new().with("a.mech", text);
-        for kind in [
-            "draw a.mech -o a.png",
-            "film a.mech -o a.gif --seconds 1 --rate 3",
-        ] {
+        for kind in ["draw a.mech -o a.png", "film a.mech -o a.gif --seconds 1 --rate 3"] {
             let answer = folder.mech(&format!("{kind} {option}"));
             assert!(answer.code != Some(0), "{option}");
             assert!(answer.err.contains(words), "{option}: {}", answer.err);

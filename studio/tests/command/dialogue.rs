@@ -13,24 +13,15 @@ fn the_session_to_figure_1_of_the_paper_is_replayed() {
         done.contains("GearedPiston moves: 4 moving links, 6 joints, 1 motor, 1 loop\n"),
         "{done}"
     );
-    assert_eq!(
-        folder.names(),
-        ["figure_1.mech", "figure_1.png", "figure_1.txt"]
-    );
+    assert_eq!(folder.names(), ["figure_1.mech", "figure_1.png", "figure_1.txt"]);
     // The same mechanism as that of the gallery: the piston is at the same places.
     let gallery = repository("examples/gallery/src/mechanisms/geared_piston.rs");
     let gallery = gallery.to_str().expect("UTF-8");
-    let table = |file: &str| {
-        folder
-            .mech(&format!("table {file} piston.pin --steps 12"))
-            .done()
-    };
+    let table = |file: &str| folder.mech(&format!("table {file} piston.pin --steps 12")).done();
     assert_eq!(table("figure_1.mech"), table(gallery));
     let joints = |file: &str| {
         let report = folder.mech(&format!("report {file}")).done();
-        let trunk = report
-            .lines()
-            .find(|line| line.trim_start().starts_with("trunk"));
+        let trunk = report.lines().find(|line| line.trim_start().starts_with("trunk"));
         trunk.expect("a trunk").to_owned()
     };
     assert_eq!(joints("figure_1.mech"), joints(gallery));
@@ -43,9 +34,7 @@ fn a_file_that_somebody_else_changed_is_not_written_over() {
     let mut child = begin(&folder.path(""), &[""; 0]);
     let mut input = child.stdin.take().expect("an input");
     let mut output = child.stdout.take().expect("an output");
-    input
-        .write_all(b"open a.mech\nsteps\nremove joint d\n")
-        .expect("it listens");
+    input.write_all(b"open a.mech\nsteps\nremove joint d\n").expect("it listens");
     input.flush().expect("it listens");
     let mut first = [0; 1];
     // It answers when it has read the file.
@@ -70,23 +59,13 @@ fn a_file_that_somebody_else_changed_is_not_written_over() {
 #[test]
 fn the_dialogue_of_the_readme_can_be_had() {
     let readme = fs::read_to_string(repository("README.md")).expect("a page");
-    let lines = readme
-        .lines()
-        .filter_map(|line| line.strip_prefix("mech> "));
+    let lines = readme.lines().filter_map(|line| line.strip_prefix("mech> "));
     let lines: Vec<&str> = lines.collect();
-    let refused = lines
-        .iter()
-        .filter(|line| line.contains("# refused"))
-        .count();
+    let refused = lines.iter().filter(|line| line.contains("# refused")).count();
     assert!(lines.len() > 6 && refused == 1, "{lines:?}");
     let folder = Folder::new().with("four_bar.mech", FOUR_BAR);
     let answer = mech_said(&folder.path(""), &[""; 0], &(lines.join("\n") + "\n"));
-    assert_eq!(
-        answer.err.matches("error:").count(),
-        refused,
-        "{}",
-        answer.err
-    );
+    assert_eq!(answer.err.matches("error:").count(), refused, "{}", answer.err);
     assert!(answer.err.contains("rule of assembly"), "{}", answer.err);
     assert!(folder.text("four_bar.mech").contains("link rod"));
 }

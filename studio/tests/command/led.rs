@@ -16,10 +16,7 @@ fn a_point_is_led_where_it_is_asked_and_no_farther() {
         let [row] = &numbers(&folder.mech(&format!("table {words}")).done())[..] else {
             panic!("it is measured there alone");
         };
-        assert!(
-            close(row[3], place[0]) && close(row[4], place[1]),
-            "{row:?}"
-        );
+        assert!(close(row[3], place[0]) && close(row[4], place[1]), "{row:?}");
         // Each arm, of 2 and 2.5, is a triangle with the way from its foot to the pen.
         for (foot, side, motor) in [(-1.0, 1.0, row[1]), (1.0, -1.0, row[2])] {
             let [x, y] = [place[0] - foot, place[1]];
@@ -30,9 +27,7 @@ fn a_point_is_led_where_it_is_asked_and_no_farther() {
         }
         // What is drawn there is what is drawn with the motors there.
         let reach = format!("{},{}", place[0], place[1]);
-        folder
-            .mech(&format!("draw a.mech -o led.svg --reach={reach}"))
-            .done();
+        folder.mech(&format!("draw a.mech -o led.svg --reach={reach}")).done();
         let at = format!("--at lm={} --at rm={}", row[1], row[2]);
         folder.mech(&format!("draw a.mech -o put.svg {at}")).done();
         assert_eq!(folder.text("led.svg"), folder.text("put.svg"));
@@ -40,9 +35,7 @@ fn a_point_is_led_where_it_is_asked_and_no_farther() {
     // An arm is as long as 4.5, and as short as 0.5.
     for place in ["9,9", "-1,4.6", "1.2,0.1", "1e300,1e300", "-1,0"] {
         for command in ["table a.mech pen.tip", "draw a.mech -o no.svg"] {
-            let said = folder
-                .mech(&format!("{command} --reach={place}"))
-                .refused(1);
+            let said = folder.mech(&format!("{command} --reach={place}")).refused(1);
             assert!(
                 said.contains("`pen.tip` cannot be led to (") && !said.contains("NaN"),
                 "{said}"
@@ -61,10 +54,7 @@ fn a_bucket_is_led_past_where_its_cylinder_is_longest() {
     };
     // The first is the motor of the lift.
     let off = row[1..].iter().zip([-40.0, 6.0, 0.5]);
-    assert!(
-        off.clone().all(|(found, asked)| close(*found, asked)),
-        "{row:?}"
-    );
+    assert!(off.clone().all(|(found, asked)| close(*found, asked)), "{row:?}");
 }
 
 #[test]
@@ -76,11 +66,7 @@ fn a_point_and_its_motors_move_along_its_path() {
                  acceleration:lm --steps 2000";
     let rows = numbers(&folder.mech(words).done());
     // Once round, after a second.
-    assert!(
-        rows.len() == 2001 && close(rows[2000][0], 1.0),
-        "{:?}",
-        rows[2000]
-    );
+    assert!(rows.len() == 2001 && close(rows[2000][0], 1.0), "{:?}", rows[2000]);
     let turn = std::f64::consts::TAU;
     for three in rows.windows(3).step_by(17) {
         let [before, row, after] = three else {
@@ -92,31 +78,18 @@ fn a_point_and_its_motors_move_along_its_path() {
         let acceleration = [-turn * turn * one.cos(), -2.0 * turn * turn * two.sin()];
         let given = [place, velocity, acceleration].concat();
         let off = row[1..7].iter().zip(given);
-        assert!(
-            off.clone()
-                .all(|(found, given)| (found - given).abs() < 1e-8),
-            "{row:?}"
-        );
+        assert!(off.clone().all(|(found, given)| (found - given).abs() < 1e-8), "{row:?}");
         // The motor's rates are those of its differences, which are in degrees.
         let step = row[0] - before[0];
         let rate = ((after[7] - before[7]) / (2.0 * step)).to_radians();
         let second = ((after[7] - 2.0 * row[7] + before[7]) / (step * step)).to_radians();
-        assert!(
-            (rate - row[8]).abs() < 1e-4 * rate.abs().max(10.0),
-            "{row:?} {rate}"
-        );
-        assert!(
-            (second - row[9]).abs() < 1e-3 * second.abs().max(10.0),
-            "{row:?} {second}"
-        );
+        assert!((rate - row[8]).abs() < 1e-4 * rate.abs().max(10.0), "{row:?} {rate}");
+        assert!((second - row[9]).abs() < 1e-3 * second.abs().max(10.0), "{row:?} {second}");
     }
     // A path that nobody knows the end of may leave the reach.
     let text = format!("{PLOTTER}\npath pen.tip = (0.3, 3 + t);");
     let folder = Folder::new().with("a.mech", text);
     folder.mech("table a.mech pen.tip --to 1").done();
     let said = folder.mech("table a.mech pen.tip --to 3").refused(1);
-    assert!(
-        said.contains("`pen.tip` cannot follow its path until t = "),
-        "{said}"
-    );
+    assert!(said.contains("`pen.tip` cannot follow its path until t = "), "{said}");
 }

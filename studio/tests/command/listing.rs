@@ -12,13 +12,11 @@ use std::path::PathBuf;
 /// Files with mechanisms: the gallery, examples, and what is refused.
 fn files() -> Vec<PathBuf> {
     let folders = ["examples/gallery/src/mechanisms", "examples"];
-    let entries = folders
-        .iter()
-        .flat_map(|folder| fs::read_dir(repository(folder)).expect("a folder"));
+    let entries =
+        folders.iter().flat_map(|folder| fs::read_dir(repository(folder)).expect("a folder"));
     let paths = entries.map(|entry| entry.expect("a file").path());
-    let mut paths: Vec<PathBuf> = paths
-        .filter(|path| path.extension().is_some_and(|end| end == "rs"))
-        .collect();
+    let mut paths: Vec<PathBuf> =
+        paths.filter(|path| path.extension().is_some_and(|end| end == "rs")).collect();
     paths.sort();
     paths.extend(refused().into_iter().flat_map(|(_, cases)| cases));
     paths
@@ -30,9 +28,7 @@ fn literals(tokens: TokenStream, found: &mut BTreeSet<(usize, usize)>) {
         match tree {
             TokenTree::Group(group) => literals(group.stream(), found),
             TokenTree::Literal(literal)
-                if literal
-                    .to_string()
-                    .starts_with(|first: char| first.is_ascii_digit()) =>
+                if literal.to_string().starts_with(|first: char| first.is_ascii_digit()) =>
             {
                 let range = literal.span().byte_range();
                 found.insert((range.start, range.end));
@@ -47,11 +43,8 @@ fn listings(document: &Document) -> Vec<(Listing, Range<usize>)> {
     let declarations = document.declarations().iter();
     let right = declarations.filter_map(|declaration| {
         let reading = document.analyse(declaration).expect("the compiler works");
-        let is_read = reading
-            .result
-            .as_ref()
-            .err()
-            .is_none_or(|faults| !faults.diagnoses.is_empty());
+        let is_read =
+            reading.result.as_ref().err().is_none_or(|faults| !faults.diagnoses.is_empty());
         let listing = document.listing(declaration).expect("the compiler works");
         let body = declaration.body.clone();
         listing.zip(body).filter(|_| is_read)
@@ -69,15 +62,10 @@ fn every_number_of_a_text_has_its_place() {
             proc_macro2::extra::invalidate_current_thread_spans();
             let mut expected = BTreeSet::new();
             literals(masked.parse().expect("tokens"), &mut expected);
-            let colors = listing
-                .numbers
-                .iter()
-                .filter(|one| one.role.ends_with("color"));
+            let colors = listing.numbers.iter().filter(|one| one.role.ends_with("color"));
             let colors: Vec<&Range<usize>> = colors.map(|one| &one.place).collect();
             expected.retain(|(start, end)| {
-                !colors
-                    .iter()
-                    .any(|range| range.start <= *start && *end <= range.end)
+                !colors.iter().any(|range| range.start <= *start && *end <= range.end)
             });
             let listed = listing.numbers.iter().flat_map(|one| &one.literals);
             let listed: Vec<(usize, usize)> =
@@ -127,11 +115,7 @@ fn a_statement_that_is_read_alone_means_the_same() {
     let mut total = 0;
     for path in files() {
         let document = Document::of(Source::read(&path).expect("a file"));
-        for body in document
-            .declarations()
-            .iter()
-            .filter_map(|one| one.body.clone())
-        {
+        for body in document.declarations().iter().filter_map(|one| one.body.clone()) {
             let masked = document.source().masked(&body);
             proc_macro2::extra::invalidate_current_thread_spans();
             let tokens: TokenStream = masked.parse().expect("tokens");
@@ -139,11 +123,8 @@ fn a_statement_that_is_read_alone_means_the_same() {
             let is_right = parsed.errors.is_empty() && parsed.header.is_some();
             let model = is_right.then_some(parsed.model);
             let source = syntax::Source::read(tokens);
-            let places: Vec<Range<usize>> = source
-                .tokens()
-                .places()
-                .map(|place| place.start.byte_range())
-                .collect();
+            let places: Vec<Range<usize>> =
+                source.tokens().places().map(|place| place.start.byte_range()).collect();
             for statement in source.tokens().statements().iter().skip(1) {
                 let range = statement.range();
                 let text = &masked[places[range.start].start..places[range.end - 1].end];

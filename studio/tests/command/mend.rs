@@ -48,9 +48,7 @@ fn promised(text: &str, reading: &Reading) -> Vec<Model> {
         single.chain(coupled).chain(pairs).collect::<Vec<_>>()
     });
     let edits = offered.filter_map(|repairs| edits(&repairs, &reading.model, source.tokens()));
-    edits
-        .filter_map(|edits| source.model_with(&edits))
-        .collect()
+    edits.filter_map(|edits| source.model_with(&edits)).collect()
 }
 
 /// The text after a repair compiles as the repair promised, and has everything that the repair did not change.
@@ -59,20 +57,11 @@ fn examine(document: &Document, index: usize, mending: &Mending, promised: &[Mod
     let path = document.source().path();
     let said = format!("{}: {}\n{text}", path.display(), mending.words);
     let after = Document::of(Source::new(path, text));
-    assert_eq!(
-        after.declarations().len(),
-        document.declarations().len(),
-        "{said}"
-    );
-    let reading = after
-        .analyse(&after.declarations()[index])
-        .expect("the compiler works");
+    assert_eq!(after.declarations().len(), document.declarations().len(), "{said}");
+    let reading = after.analyse(&after.declarations()[index]).expect("the compiler works");
     let is_choice = mending.words.contains(" near ");
     let is_slip = is_small_change(document.source().text(), text);
-    assert!(
-        is_choice || is_slip || promised.contains(&reading.model),
-        "{said}"
-    );
+    assert!(is_choice || is_slip || promised.contains(&reading.model), "{said}");
     let is_enough = |result: Result<(), &[Diagnosis]>| match result {
         Ok(()) | Err([Diagnosis::SeveralAssemblies { .. }]) => true,
         Err(_) => false,
@@ -80,10 +69,7 @@ fn examine(document: &Document, index: usize, mending: &Mending, promised: &[Mod
     let found = reading.result.as_ref().map(drop);
     let found = found.map_err(|faults| &faults.diagnoses[..]);
     let is_start = |faults: &[Diagnosis]| {
-        matches!(
-            faults,
-            [Diagnosis::CannotClose { .. } | Diagnosis::DeadStart { .. }]
-        )
+        matches!(faults, [Diagnosis::CannotClose { .. } | Diagnosis::DeadStart { .. }])
     };
     let is_as_promised = match mending.remainder {
         Remainder::Nothing => is_enough(found) || found.is_err_and(is_start),
@@ -98,11 +84,7 @@ fn examine(document: &Document, index: usize, mending: &Mending, promised: &[Mod
         let whole = &document.declarations()[index].whole;
         (text[..whole.start].to_owned(), text[whole.end..].to_owned())
     };
-    assert_eq!(
-        outside(&after, text),
-        outside(document, document.source().text()),
-        "{said}"
-    );
+    assert_eq!(outside(&after, text), outside(document, document.source().text()), "{said}");
 }
 
 /// Whether two texts differ by a statement or less, in one place.
@@ -113,10 +95,7 @@ fn is_small_change(before: &str, after: &str) -> bool {
     };
     let start = alike(&mut before.bytes(), &mut after.bytes());
     let [before, after] = [before, after].map(|text| &text.as_bytes()[start..]);
-    let end = alike(
-        &mut before.iter().rev().copied(),
-        &mut after.iter().rev().copied(),
-    );
+    let end = alike(&mut before.iter().rev().copied(), &mut after.iter().rev().copied());
     before.len().max(after.len()) - end <= SMALL
 }
 
@@ -124,9 +103,7 @@ fn is_small_change(before: &str, after: &str) -> bool {
 fn examples(page: &str) -> Vec<String> {
     let blocks = page.split("```text\n").skip(1);
     let blocks = blocks.filter_map(|block| Some(block.split_once("```")?.0.to_owned()));
-    blocks
-        .filter(|block| block.starts_with("struct "))
-        .collect()
+    blocks.filter(|block| block.starts_with("struct ")).collect()
 }
 
 /// Formulas are looked up in a map, whose order is another in each.

@@ -11,10 +11,7 @@ pub(crate) fn close(a: f64, b: f64) -> bool {
 fn without_a_quantity_all_coordinates() {
     let folder = Folder::new().with("a.mech", FOUR_BAR);
     let table = folder.mech("table a.mech --steps 4").done();
-    assert_eq!(
-        table.lines().next(),
-        Some("motor a [deg],a [deg],b [deg],c [deg],d [deg]")
-    );
+    assert_eq!(table.lines().next(), Some("motor a [deg],a [deg],b [deg],c [deg],d [deg]"));
     let rows = numbers(&table);
     assert_eq!(rows.len(), 5);
     // The angles of a quadrangle add up, and a whole turn leads back; the crank has turned against the coupler.
@@ -22,10 +19,7 @@ fn without_a_quantity_all_coordinates() {
         assert!(close(row[1] + row[2] + row[3], row[4]), "{row:?}");
         assert!(close(row[0], row[1]), "{row:?}");
     }
-    assert!(
-        close(rows[4][2], -360.0) && close(rows[4][4], 0.0),
-        "{rows:?}"
-    );
+    assert!(close(rows[4][2], -360.0) && close(rows[4][4], 0.0), "{rows:?}");
 }
 
 /// A crank of length 2, whose pin and coordinate are known.
@@ -152,22 +146,16 @@ fn a_motion_without_ends_stays_within_what_is_possible() {
         for row in [&rows[0], &rows[360]] {
             let turned = angle(1) - angle(3) + row[0].to_radians();
             let reach = (crank * crank + frame * frame - 2.0 * crank * frame * turned.cos()).sqrt();
-            let off = (reach - possible.start())
-                .abs()
-                .min((reach - possible.end()).abs());
+            let off = (reach - possible.start()).abs().min((reach - possible.end()).abs());
             let hair = if precision == "f32" { 2e-4 } else { 1e-7 };
             assert!(off < hair * most, "{off:e} before the end: {text}");
             assert!(row[1].is_finite(), "{text}");
         }
         folder.mech("plot a.mech b velocity:b -o a.svg").done();
-        folder
-            .mech("film a.mech -o a.gif --seconds 1 --rate 6")
-            .done();
+        folder.mech("film a.mech -o a.gif --seconds 1 --rate 6").done();
         // Beyond: the message says what is possible, and that is true.
         let beyond = rows[360][0] + 0.5;
-        let told = folder
-            .mech(&format!("table a.mech --to {beyond}"))
-            .refused(1);
+        let told = folder.mech(&format!("table a.mech --to {beyond}")).refused(1);
         let ends = told.split("it can go from ").nth(1).expect("ends").trim();
         let (from, to) = ends.split_once(" to ").expect("two ends");
         let words =
@@ -198,10 +186,7 @@ motor s;";
         "struct Free; link a; joint x = prismatic(ground, a) at (4, 0) along (1, 0); motor x;";
     let folder = Folder::new().with("a.mech", free);
     let rows = folder.rows("table a.mech --steps 1");
-    assert!(
-        close(rows[0][0], -2.0) && close(rows[1][0], 2.0),
-        "{rows:?}"
-    );
+    assert!(close(rows[0][0], -2.0) && close(rows[1][0], 2.0), "{rows:?}");
 }
 
 /// A dead point at a round number is told as it is, and a motion comes to it.
@@ -215,10 +200,7 @@ fn limits_are_told(text: &str, ends: &[&str]) {
         folder.mech(&words.replace(" deg", "deg")).done();
         // Single precision may not come quite as far.
         if precision.is_empty() {
-            assert!(
-                ends.iter().all(|end| told.contains(end)),
-                "{told:?}: {text}"
-            );
+            assert!(ends.iter().all(|end| told.contains(end)), "{told:?}: {text}");
         }
     }
 }
@@ -273,19 +255,11 @@ motor a;";
 #[test]
 fn a_plot_has_a_graph_for_each_unit() {
     let folder = Folder::new().with("a.mech", FOUR_BAR);
-    folder
-        .mech("plot a.mech b c velocity:coupler.tip -o a.svg --title Rocking --length mm")
-        .done();
+    folder.mech("plot a.mech b c velocity:coupler.tip -o a.svg --title Rocking --length mm").done();
     let text = folder.text("a.svg");
-    for words in [
-        "Rocking",
-        "motor a [deg]",
-        "[deg]",
-        "[mm/s]",
-        "velocity:coupler.tip.x",
-        "180",
-        "360",
-    ] {
+    for words in
+        ["Rocking", "motor a [deg]", "[deg]", "[mm/s]", "velocity:coupler.tip.x", "180", "360"]
+    {
         assert!(text.contains(words), "{words}");
     }
     assert_eq!(text.matches("motor a [deg]").count(), 2);
@@ -297,13 +271,8 @@ fn a_plot_has_a_graph_for_each_unit() {
 #[test]
 fn one_quantity_over_another() {
     let folder = Folder::new().with("a.mech", CRANK);
-    let table = folder
-        .mech("table a.mech crank.pin.y --over crank.pin.x --steps 12")
-        .done();
-    assert_eq!(
-        table.lines().next(),
-        Some("crank.pin.x [unit],crank.pin.y [unit]")
-    );
+    let table = folder.mech("table a.mech crank.pin.y --over crank.pin.x --steps 12").done();
+    assert_eq!(table.lines().next(), Some("crank.pin.x [unit],crank.pin.y [unit]"));
     for row in numbers(&table) {
         assert!(close(row[0].hypot(row[1]), 2.0), "{row:?}");
     }
@@ -318,9 +287,7 @@ fn one_quantity_over_another() {
         let angle = 30_f64.to_radians() + 0.5 * row[0];
         assert!(close(row[1], 2.0 * angle.sin()), "{row:?}");
     }
-    folder
-        .mech("plot a.mech crank.pin.y velocity:crank.pin.y --over crank.pin.x -o a.svg")
-        .done();
+    folder.mech("plot a.mech crank.pin.y velocity:crank.pin.y --over crank.pin.x -o a.svg").done();
     let text = folder.text("a.svg");
     assert_eq!(text.matches("crank.pin.x [unit]").count(), 2, "{text}");
 }
@@ -335,11 +302,8 @@ fn a_load_is_carried_by_the_motor() {
         format!("table a.mech torque:a reaction:a {motion} --load push=-7,4 --load brake=-1.5");
     for row in folder.rows(&words) {
         let (sin, cos) = row[0].to_radians().sin_cos();
-        let expected = [
-            3.0 * 10.0 * 2.0 * cos - 2.0 * (cos * 4.0 - sin * -7.0) + 1.5,
-            7.0,
-            3.0 * 10.0 - 4.0,
-        ];
+        let expected =
+            [3.0 * 10.0 * 2.0 * cos - 2.0 * (cos * 4.0 - sin * -7.0) + 1.5, 7.0, 3.0 * 10.0 - 4.0];
         for (found, expected) in row[1..].iter().zip(expected) {
             assert!(close(*found, expected), "{row:?}");
         }
@@ -363,10 +327,7 @@ start { x = 1.0; left near 33 deg; right near 147 deg; table near 0 deg; }";
     let folder = Folder::new().with("a.mech", text);
     let words = "table a.mech torque:x --from 1 --to 0.4 --steps 3";
     let table = folder.mech(words).done();
-    assert!(
-        table.starts_with("motor x [unit],torque:x at rest [force]\n"),
-        "{table}"
-    );
+    assert!(table.starts_with("motor x [unit],torque:x at rest [force]\n"), "{table}");
     for row in numbers(&table) {
         let x = row[0];
         let expected = -108.0 * 9.81 * x / (1.44 - x * x).sqrt();
@@ -374,10 +335,7 @@ start { x = 1.0; left near 33 deg; right near 147 deg; table near 0 deg; }";
     }
     let moving = folder.mech(&format!("{words} --rate 1")).done();
     assert!(moving.contains("torque:x at rate 1 [force]"), "{moving}");
-    assert!(
-        !close(numbers(&moving)[0][1], numbers(&table)[0][1]),
-        "{moving}"
-    );
+    assert!(!close(numbers(&moving)[0][1], numbers(&table)[0][1]), "{moving}");
 }
 
 /// A balance of Roberval is overconstrained: virtual work still tells what holds it, and what moves it.
@@ -444,11 +402,8 @@ fn single_precision_stays_single() {
         #[expect(clippy::cast_possible_truncation, reason = "the motor takes that")]
         generated.move_to([angle as f32]).expect("it turns");
         let tip = generated.coupler_tip();
-        let cells: Vec<f32> = row
-            .split(',')
-            .skip(1)
-            .map(|cell| cell.parse().expect("a number"))
-            .collect();
+        let cells: Vec<f32> =
+            row.split(',').skip(1).map(|cell| cell.parse().expect("a number")).collect();
         assert_eq!(cells, [tip.x, tip.y], "{step}");
     }
 }
@@ -462,16 +417,12 @@ fn single_precision_is_seen_where_it_is() {
     let asked = 36_000_018.0_f64;
     let mut generated = Single::new();
     #[expect(clippy::cast_possible_truncation, reason = "the motor takes that")]
-    generated
-        .move_to([asked.to_radians() as f32])
-        .expect("it turns");
+    generated.move_to([asked.to_radians() as f32]).expect("it turns");
     let crank = generated.poses()[0];
     let moved = f64::from(crank.sin.atan2(crank.cos)).to_degrees();
     assert!((moved - 19.726).abs() < 0.01, "{moved}");
     let picture = |words: String| {
-        folder
-            .mech(&format!("{words} -o a.png --size 300x200"))
-            .done();
+        folder.mech(&format!("{words} -o a.png --size 300x200")).done();
         pixels(&folder.path("a.png")).1
     };
     // Pixels differ by what rounding moves an edge.
@@ -520,9 +471,7 @@ joint b = revolute(rod, rocker) at (4, 3); joint d = revolute(ground, rocker) at
     let slide =
         "struct M; link block; joint x = prismatic(ground, block) at (0, 0) along (1, 0); motor x;";
     let folder = folder.with("b.mech", slide);
-    let table = folder
-        .mech("table b.mech centre(block,ground).x --from 0 --to 1 --steps 1")
-        .done();
+    let table = folder.mech("table b.mech centre(block,ground).x --from 0 --to 1 --steps 1").done();
     assert!(table.ends_with("1,\n"), "{table}");
 }
 
@@ -535,11 +484,7 @@ joint c = revolute(left, pen) at (-1, 1.5); joint e = revolute(right, arm) at (4
 joint f = revolute(pen, arm) at (2, 3); motor a; motor b; ground { line rail = (0, 1) -> (1, 0); }";
     let folder = Folder::new().with("a.mech", text);
     for moved in ["a", "b"] {
-        let measured = [
-            "pen.tip.x*f",
-            "distance(pen.tip,(1,-1))",
-            "distance(pen.tip,ground.rail)",
-        ];
+        let measured = ["pen.tip.x*f", "distance(pen.tip,(1,-1))", "distance(pen.tip,ground.rail)"];
         let slopes = measured.map(|one| format!("d({one},{moved})"));
         let words = format!(
             "table a.mech pen.tip.x pen.tip.y f {} {} --motor {moved} --from 4.99 --to 5.01 --steps 2",
@@ -563,10 +508,8 @@ joint f = revolute(pen, arm) at (2, 3); motor a; motor b; ground { line rail = (
         );
         let rows = numbers(&folder.mech(&words).done());
         let step = 0.02_f64.to_radians();
-        let slopes = [
-            (rows[2][1] - rows[0][1]) / step,
-            (rows[2][2] - rows[0][2]).to_radians() / step,
-        ];
+        let slopes =
+            [(rows[2][1] - rows[0][1]) / step, (rows[2][2] - rows[0][2]).to_radians() / step];
         assert!((rows[1][3] - slopes[0]).abs() < 1e-6, "{rows:?}");
         assert!((rows[1][4] - slopes[1]).abs() < 1e-6, "{rows:?}");
         assert!((rows[1][5] - slopes[0]).abs() > 0.1, "{rows:?}");

@@ -26,9 +26,7 @@ fn an_output_is_never_an_input() {
         let names = folder.names();
         for name in [&hard, &soft] {
             for replace in ["", "--replace"] {
-                let refusal = folder
-                    .mech(&format!("{command} {name} {replace}"))
-                    .refused(3);
+                let refusal = folder.mech(&format!("{command} {name} {replace}")).refused(3);
                 assert!(refusal.contains("is the file that is read"), "{refusal}");
             }
         }
@@ -36,10 +34,7 @@ fn an_output_is_never_an_input() {
         assert_eq!(folder.names(), names);
     }
     let folder = Folder::new().with("a.mech", FOUR_BAR);
-    for line in [
-        "table a.mech -o a.mech",
-        "graph a.mech -o ./a.mech --replace",
-    ] {
+    for line in ["table a.mech -o a.mech", "graph a.mech -o ./a.mech --replace"] {
         folder.mech(line).refused(3);
         assert_eq!(folder.text("a.mech"), FOUR_BAR);
     }
@@ -87,14 +82,10 @@ fn devices_stay_for_a_person() {
     assert_eq!(by_device, direct);
     // What stood in the file that a shell has opened stays.
     let folder = folder.with("log.csv", "mine\n");
-    let log = fs::OpenOptions::new()
-        .append(true)
-        .open(folder.path("log.csv"));
+    let log = fs::OpenOptions::new().append(true).open(folder.path("log.csv"));
     let mut command = Command::new(env!("CARGO_BIN_EXE_mech"));
     command.args(["table", "a.mech", "a", "-o", "/dev/stdout"]);
-    command
-        .current_dir(folder.path(""))
-        .stdout(log.expect("a file"));
+    command.current_dir(folder.path("")).stdout(log.expect("a file"));
     assert!(command.status().expect("it runs").success());
     assert_eq!(folder.text("log.csv"), format!("mine\n{direct}"));
 }
@@ -102,24 +93,14 @@ fn devices_stay_for_a_person() {
 #[test]
 fn drafts_that_a_kill_left_are_removed_and_hinder_nobody() {
     let folder = Folder::new().with("a.mech", FOUR_BAR);
-    let folder = folder
-        .with(".a.svg.4711.draft", "<svg")
-        .with(".a.svg.x1Yz09.draft", "");
+    let folder = folder.with(".a.svg.4711.draft", "<svg").with(".a.svg.x1Yz09.draft", "");
     // These are not ours.
-    let folder = folder
-        .with(".a.svg.my-own.draft", "")
-        .with(".b.svg.1.draft", "");
+    let folder = folder.with(".a.svg.my-own.draft", "").with(".b.svg.1.draft", "");
     symlink("a.mech", folder.path(".a.svg.2.draft")).expect("a link");
     folder.mech("draw a.mech -o a.svg").done();
     assert_eq!(
         folder.names(),
-        [
-            ".a.svg.2.draft",
-            ".a.svg.my-own.draft",
-            ".b.svg.1.draft",
-            "a.mech",
-            "a.svg"
-        ]
+        [".a.svg.2.draft", ".a.svg.my-own.draft", ".b.svg.1.draft", "a.mech", "a.svg"]
     );
     // Where a name is a folder, nothing can stand in its place, and nothing is left.
     fs::create_dir(folder.path("b.svg")).expect("a folder");
@@ -155,10 +136,7 @@ fn a_file_that_may_not_be_written_stays() {
     let rights = fs::Permissions::from_mode(0o640);
     fs::set_permissions(folder.path("a.mech"), rights).expect("it is ours");
     folder.mech("fix a.mech --pick 1").done();
-    let mode = fs::metadata(folder.path("a.mech"))
-        .expect("a file")
-        .permissions()
-        .mode();
+    let mode = fs::metadata(folder.path("a.mech")).expect("a file").permissions().mode();
     assert_eq!(mode & 0o777, 0o640);
     // A link stays one.
     let folder = Folder::new().with("b.mech", &loose);

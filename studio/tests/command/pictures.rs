@@ -29,15 +29,7 @@ fn the_same_pixels_as_the_generated_code() {
     let cases = [("watt", "a", 0.3_f64), ("geared_piston", "d", 1.0)];
     for (name, motor, angle) in cases {
         let at = format!("--at={motor}={}", angle.to_degrees());
-        let words = [
-            "draw",
-            &format!("{name}.rs"),
-            "-o",
-            output,
-            "--size",
-            "320x240",
-            &at,
-        ];
+        let words = ["draw", &format!("{name}.rs"), "-o", output, "--size", "320x240", &at];
         mech_in(&gallery, &words).done();
         let name = name.replace('_', "-");
         let expected = repository(&format!("tests/pictures/{name}-smooth.png"));
@@ -60,17 +52,8 @@ fn pictures_have_the_size_that_is_asked_for() {
 fn looks_overlays_and_dark_ground_are_different_pictures() {
     let folder = Folder::new().with("a.mech", FOUR_BAR);
     let mut seen = Vec::new();
-    for how in [
-        "",
-        "--look diagram",
-        "--look shapes",
-        "--overlay",
-        "--night",
-        "--at a=90",
-    ] {
-        folder
-            .mech(&format!("draw a.mech -o a.svg --size 300 {how}"))
-            .done();
+    for how in ["", "--look diagram", "--look shapes", "--overlay", "--night", "--at a=90"] {
+        folder.mech(&format!("draw a.mech -o a.svg --size 300 {how}")).done();
         let text = folder.text("a.svg");
         assert!(text.contains("<title>FourBar</title>"), "{text}");
         assert!(!seen.contains(&text), "{how}");
@@ -82,13 +65,9 @@ fn looks_overlays_and_dark_ground_are_different_pictures() {
 #[test]
 fn a_picture_has_whole_paths() {
     let text = |length: u32| format!("{FOUR_BAR} effects {{ trace coupler.tip {length}; }}");
-    let folder = Folder::new()
-        .with("short.mech", text(16))
-        .with("long.mech", text(4096));
+    let folder = Folder::new().with("short.mech", text(16)).with("long.mech", text(4096));
     let picture = |name: &str| {
-        folder
-            .mech(&format!("draw {name}.mech -o {name}.png"))
-            .done();
+        folder.mech(&format!("draw {name}.mech -o {name}.png")).done();
         std::fs::read(folder.path(&format!("{name}.png"))).expect("a picture")
     };
     assert!(picture("short") == picture("long"));
@@ -97,14 +76,9 @@ fn a_picture_has_whole_paths() {
         joint b = revolute(arm, planet) at (3, 0); joint g = gear(planet, ground, 20 : -30 on arm); motor a; look none;
         effects { trace planet.tip 64 color red; }";
     let folder = folder.with("turns.mech", turns);
-    folder
-        .mech("draw turns.mech -o turns.svg --size 200")
-        .done();
+    folder.mech("draw turns.mech -o turns.svg --size 200").done();
     let svg = folder.text("turns.svg");
-    let longest = svg
-        .split('"')
-        .map(|part| part.split([' ', ',', 'L']).count())
-        .max();
+    let longest = svg.split('"').map(|part| part.split([' ', ',', 'L']).count()).max();
     assert!(longest > Some(1440), "{longest:?}");
 }
 
@@ -124,11 +98,7 @@ joint mesh = gear(pinion, wheel, 20 : 60);
 motor d;";
     let folder = Folder::new().with("a.mech", text);
     let film = |name: &str, to: &str| {
-        folder
-            .mech(&format!(
-                "film a.mech -o {name} --size 60 --seconds 1 --rate 6 {to}"
-            ))
-            .done();
+        folder.mech(&format!("film a.mech -o {name} --size 60 --seconds 1 --rate 6 {to}")).done();
         std::fs::read(folder.path(name)).expect("a film")
     };
     assert!(film("a.gif", "") == film("b.gif", "--to 1080"));
@@ -147,13 +117,7 @@ motor a;";
         // A turn takes 4 s. The wheel is back after three.
         (FOUR_BAR, "PI * t / 2", 4, 4, true),
         (gears, "PI * t / 2", 4, 12, true),
-        (
-            FOUR_BAR,
-            "0.3 * sin(PI * t / 3) + 0.1 * sin(PI * t)",
-            6,
-            6,
-            true,
-        ),
+        (FOUR_BAR, "0.3 * sin(PI * t / 3) + 0.1 * sin(PI * t)", 6, 6, true),
         // This never is back.
         (FOUR_BAR, "0.3 * t * t", 1, 1, false),
     ] {
@@ -167,9 +131,7 @@ motor a;";
         let told = format!("from t = 0 to {film_to};");
         assert_eq!(usual.err.contains(&told), !is_back, "{law}: {}", usual.err);
         assert_eq!(usual.err.is_empty(), is_back, "{law}: {}", usual.err);
-        folder
-            .mech(&format!("film a.mech -o b.gif {film} --to {film_to}"))
-            .done();
+        folder.mech(&format!("film a.mech -o b.gif {film} --to {film_to}")).done();
         let read = |name: &str| std::fs::read(folder.path(name)).expect("a film");
         assert!(read("a.gif") == read("b.gif"), "{law}");
     }
@@ -183,25 +145,15 @@ joint b = revolute(rod, rocker) at (4, 3); joint d = revolute(ground, rocker) at
     let folder = Folder::new().with("a.mech", text);
     let words = "table a.mech centre(ground,rod) centre(crank,rocker) --from 20 --to 21 --steps 1";
     let row = &numbers(&folder.mech(words).done())[0];
-    folder
-        .mech("draw a.mech -o a.svg --look diagram --names --centres --at o=20")
-        .done();
+    folder.mech("draw a.mech -o a.svg --look diagram --names --centres --at o=20").done();
     let svg = folder.text("a.svg");
     let part = |line: &str, name: &str| -> f64 {
-        let (_, rest) = line
-            .split_once(&format!(" {name}=\""))
-            .expect("it is there");
-        rest.split('"')
-            .next()
-            .and_then(|text| text.parse().ok())
-            .expect("a number")
+        let (_, rest) = line.split_once(&format!(" {name}=\"")).expect("it is there");
+        rest.split('"').next().and_then(|text| text.parse().ok()).expect("a number")
     };
-    let circles = svg
-        .split('<')
-        .filter(|one| one.starts_with("circle") && one.contains("r=\"3.5\""));
-    let dots: Vec<[f64; 2]> = circles
-        .map(|one| [part(one, "cx"), -part(one, "cy")])
-        .collect();
+    let circles =
+        svg.split('<').filter(|one| one.starts_with("circle") && one.contains("r=\"3.5\""));
+    let dots: Vec<[f64; 2]> = circles.map(|one| [part(one, "cx"), -part(one, "cy")]).collect();
     // The pins of the ground tell the scale.
     let scale = dots.iter().map(|[x, _]| *x).fold(0.0, f64::max) / 5.0;
     assert_eq!(dots.len(), 6, "{svg}");
@@ -211,17 +163,7 @@ joint b = revolute(rod, rocker) at (4, 3); joint d = revolute(ground, rocker) at
         };
         assert!(dots.iter().any(is_there), "{dots:?} {centre:?}");
     }
-    for name in [
-        "o",
-        "a",
-        "b",
-        "d",
-        "crank",
-        "rod",
-        "rocker",
-        "ground rod",
-        "crank rocker",
-    ] {
+    for name in ["o", "a", "b", "d", "crank", "rod", "rocker", "ground rod", "crank rocker"] {
         assert!(svg.contains(&format!(">{name}</text>")), "{name}");
     }
 }

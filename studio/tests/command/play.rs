@@ -7,14 +7,9 @@ use crate::run::{FOUR_BAR, Folder, mech_in, repository};
 fn a_picture_of_what_is_played() {
     let folder = Folder::new().with("a.mech", FOUR_BAR);
     let mut seen = Vec::new();
-    for (number, how) in ["", "--after 0.5", "--after 1", "--night"]
-        .iter()
-        .enumerate()
-    {
+    for (number, how) in ["", "--after 0.5", "--after 1", "--night"].iter().enumerate() {
         let name = format!("{number}.png");
-        folder
-            .mech(&format!("play a.mech --picture {name} {how}"))
-            .done();
+        folder.mech(&format!("play a.mech --picture {name} {how}")).done();
         let (size, picture) = pixels(&folder.path(&name));
         assert_eq!(size, [960, 720]);
         assert!(!seen.contains(&picture), "{how}");
@@ -37,11 +32,7 @@ fn the_whole_gallery_is_played() {
     let gallery = repository("examples/gallery/src/mechanisms");
     let folder = Folder::new();
     let output = folder.path("a.png");
-    let mut words = vec![
-        "play".into(),
-        "--picture".into(),
-        output.clone().into_os_string(),
-    ];
+    let mut words = vec!["play".into(), "--picture".into(), output.clone().into_os_string()];
     let files = std::fs::read_dir(&gallery).expect("the gallery");
     words.extend(files.map(|file| file.expect("a file").file_name()));
     assert!(words.len() > 15);

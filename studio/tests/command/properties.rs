@@ -88,38 +88,19 @@ fn command(dice: &Dice, listing: &Listing) -> Command {
         .chain(["ground", "nothing"])
         .collect();
     let name = |index: &Index| names[index.index(names.len())].to_owned();
-    let numbers: Vec<&NumberText> = listing
-        .numbers
-        .iter()
-        .filter(|one| one.part.is_none())
-        .collect();
+    let numbers: Vec<&NumberText> =
+        listing.numbers.iter().filter(|one| one.part.is_none()).collect();
     let value = || format!("{}", dice.number);
     let pair = || [format!("{}", dice.number), format!("{} * 2", dice.other)];
     let (first, second) = (name(&dice.first), name(&dice.second));
     let new = || format!("new{}", dice.third.index(5));
     match dice.kind {
-        0..4 => Command::Move {
-            path: first,
-            to: [dice.number, dice.other],
-            pose: None,
-        },
-        4 => Command::Rename {
-            path: first,
-            name: new(),
-        },
+        0..4 => Command::Move { path: first, to: [dice.number, dice.other], pose: None },
+        4 => Command::Rename { path: first, name: new() },
         5 | 6 => {
-            const KINDS: [Kind; 6] = [
-                Kind::Link,
-                Kind::Joint,
-                Kind::Motor,
-                Kind::Axis,
-                Kind::Constant,
-                Kind::Start,
-            ];
-            Command::Remove {
-                kind: KINDS[dice.third.index(KINDS.len())],
-                name: first,
-            }
+            const KINDS: [Kind; 6] =
+                [Kind::Link, Kind::Joint, Kind::Motor, Kind::Axis, Kind::Constant, Kind::Start];
+            Command::Remove { kind: KINDS[dice.third.index(KINDS.len())], name: first }
         }
         7 | 8 => match numbers.get(dice.first.index(numbers.len().max(1))) {
             Some(number) => Command::Set {
@@ -135,17 +116,12 @@ fn command(dice: &Dice, listing: &Listing) -> Command {
             at: pair(),
             along: dice.number.is_sign_positive().then(|| "30 deg".to_owned()),
         },
-        11 => Command::Shape {
-            link: first,
-            shape: format!("circle (0, 0) radius {}", dice.number),
-        },
+        11 => {
+            Command::Shape { link: first, shape: format!("circle (0, 0) radius {}", dice.number) }
+        }
         12..15 => Command::Join(Assembly {
             name: new(),
-            kind: if dice.kind == 12 {
-                JointForm::Weld
-            } else {
-                JointForm::Revolute
-            },
+            kind: if dice.kind == 12 { JointForm::Weld } else { JointForm::Revolute },
             ends: [first, second],
             at: (dice.kind == 13).then(pair),
             along: None,
@@ -156,29 +132,12 @@ fn command(dice: &Dice, listing: &Listing) -> Command {
             range: Some([value(), format!("{}", dice.number + 1.0)]),
             step: None,
         },
-        16 => Command::Start {
-            name: first,
-            is_near: dice.number > 0.0,
-            value: value(),
-        },
+        16 => Command::Start { name: first, is_near: dice.number > 0.0, value: value() },
         17 => Command::Mirror { name: first },
-        18 => Command::Duplicate {
-            name: first,
-            copy: new(),
-        },
-        19 => Command::Constant {
-            name: new(),
-            value: value(),
-            is_param: dice.number > 0.0,
-        },
-        20 => Command::Layer {
-            link: first,
-            shape: 1,
-            plane: "3".to_owned(),
-        },
-        _ => Command::Repair {
-            number: 1 + dice.third.index(3),
-        },
+        18 => Command::Duplicate { name: first, copy: new() },
+        19 => Command::Constant { name: new(), value: value(), is_param: dice.number > 0.0 },
+        20 => Command::Layer { link: first, shape: 1, plane: "3".to_owned() },
+        _ => Command::Repair { number: 1 + dice.third.index(3) },
     }
 }
 
@@ -192,10 +151,7 @@ fn replaced(text: &str, edits: &[Replacement]) -> String {
     let mut changed = String::new();
     let mut at = 0;
     for edit in edits {
-        assert!(
-            at <= edit.range.start && edit.range.start <= edit.range.end,
-            "{edits:?}"
-        );
+        assert!(at <= edit.range.start && edit.range.start <= edit.range.end, "{edits:?}");
         changed += &text[at..edit.range.start];
         changed += &edit.text;
         at = edit.range.end;
@@ -257,10 +213,7 @@ fn examine(before: &Document, command: &Command, applied: &Applied) {
     assert_eq!(outside(before), outside(&applied.document), "{said}");
     // The text, read again, gives the model of the answer.
     let declaration = &applied.document.declarations()[0];
-    let model = applied
-        .document
-        .model(declaration)
-        .expect("the compiler works");
+    let model = applied.document.model(declaration).expect("the compiler works");
     let faults = applied.reading.result.as_ref().err();
     if faults.is_none_or(|faults| !faults.diagnoses.is_empty()) {
         assert_eq!(model.as_ref(), Some(&applied.reading.model), "{said}");
@@ -268,9 +221,8 @@ fn examine(before: &Document, command: &Command, applied: &Applied) {
     match command {
         Command::Move { path, to, .. } => moved(applied, path, *to, &said),
         Command::Rename { path, name } => {
-            let name = path
-                .rsplit_once('.')
-                .map_or(name.clone(), |(owner, _)| format!("{owner}.{name}"));
+            let name =
+                path.rsplit_once('.').map_or(name.clone(), |(owner, _)| format!("{owner}.{name}"));
             let back = Command::Rename {
                 path: name,
                 name: path.rsplit('.').next().unwrap_or(path).to_owned(),
@@ -295,10 +247,7 @@ fn examine(before: &Document, command: &Command, applied: &Applied) {
         }
         Command::Join(assembly) => {
             let model = &applied.reading.model;
-            assert!(
-                model.joints.iter().any(|joint| joint.name == assembly.name),
-                "{said}"
-            );
+            assert!(model.joints.iter().any(|joint| joint.name == assembly.name), "{said}");
         }
         _ => {}
     }
@@ -330,11 +279,7 @@ fn follow(document: &Document, (path, to): (&str, [f64; 2]), applied: Option<&Ap
         };
         let apart = start.poses[place].iter().zip(pose);
         let apart = apart.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        assert!(
-            apart < 1e-9 * size,
-            "{} is {apart} apart: {said}",
-            dragged.model.link(link).name
-        );
+        assert!(apart < 1e-9 * size, "{} is {apart} apart: {said}", dragged.model.link(link).name);
     }
 }
 
@@ -352,10 +297,7 @@ fn moved(applied: &Applied, path: &str, to: [f64; 2], said: &str) {
     };
     let at = named.or_else(drawn).expect(said).at;
     for (found, asked) in at.iter().zip(to) {
-        assert!(
-            (found - asked).abs() <= 1e-11 * (1.0 + asked.abs()),
-            "{at:?} {said}"
-        );
+        assert!((found - asked).abs() <= 1e-11 * (1.0 + asked.abs()), "{at:?} {said}");
     }
 }
 
@@ -368,11 +310,7 @@ fn try_all(name: &'static str, test: impl Fn(&(Index, Vec<Dice>, String)) -> (us
     };
     let mut runner = proptest::test_runner::TestRunner::new(config);
     let tally = std::cell::Cell::new((0, 0));
-    let strategy = (
-        any::<Index>(),
-        prop::collection::vec(dice(), 10),
-        small_text(),
-    );
+    let strategy = (any::<Index>(), prop::collection::vec(dice(), 10), small_text());
     let result = runner.run(&strategy, |case| {
         let (made, all) = test(&case);
         let (known, total) = tally.get();

@@ -24,10 +24,7 @@ impl Lamp {
         Self {
             lengths: [number(1.0, 3.0), number(1.0, 3.0)],
             masses: [number(0.1, 1.0), number(0.1, 1.0)],
-            centers: [
-                [number(0.0, 2.0), number(-0.5, 0.5)],
-                [number(0.0, 2.0), number(-0.5, 0.5)],
-            ],
+            centers: [[number(0.0, 2.0), number(-0.5, 0.5)], [number(0.0, 2.0), number(-0.5, 0.5)]],
             hook: [number(-2.0, 2.0), number(1.0, 4.0)],
             stiffness: [number(1.0, 20.0), number(5.0, 40.0)],
             rests: [number(0.1, 2.0), number(-0.5, 0.5)],
@@ -67,16 +64,9 @@ impl Lamp {
             [cos * x - sin * y, sin * x + cos * y]
         };
         let elbow = turned(a, [self.lengths[0], 0.0]);
-        let heights = [
-            turned(a, self.centers[0])[1],
-            elbow[1] + turned(a + b, self.centers[1])[1],
-        ];
-        let weights: f64 = self
-            .masses
-            .iter()
-            .zip(heights)
-            .map(|(mass, height)| mass * GRAVITY * height)
-            .sum();
+        let heights = [turned(a, self.centers[0])[1], elbow[1] + turned(a + b, self.centers[1])[1]];
+        let weights: f64 =
+            self.masses.iter().zip(heights).map(|(mass, height)| mass * GRAVITY * height).sum();
         let stretch = (elbow[0] - self.hook[0]).hypot(elbow[1] - self.hook[1]) - self.rests[0];
         let twist = b - self.rests[1];
         weights
@@ -162,33 +152,20 @@ fn what_is_held_stays_and_what_is_pulled_leans() {
             "struct M; link bar; joint a = revolute(ground, bar) at (0, 0); motor a;",
         );
     // Upright it does not stay.
-    assert_eq!(
-        values_told(&folder.mech("rest free.mech").done())[0].rem_euclid(360.0),
-        270.0
-    );
+    assert_eq!(values_told(&folder.mech("rest free.mech").done())[0].rem_euclid(360.0), 270.0);
     // The weight turns by 2 · 10 · 3 · cos 60 deg.
     let text = folder.mech("rest ends.mech").done();
-    assert!(
-        text.contains("at -60 deg, its end, against which it leans with 30"),
-        "{text}"
-    );
+    assert!(text.contains("at -60 deg, its end, against which it leans with 30"), "{text}");
     // Three quarters of the weight.
     let text = folder.mech("rest ends.mech --load push=45").done();
-    assert!(
-        (values_told(&text)[0] + 0.75_f64.acos().to_degrees()).abs() < 1e-4,
-        "{text}"
-    );
+    assert!((values_told(&text)[0] + 0.75_f64.acos().to_degrees()).abs() < 1e-4, "{text}");
     for (words, code, why) in [
         ("rest led.mech", 2, "every motor is held"),
         ("rest free.mech --at a=10", 2, "every motor is held"),
         ("rest free.mech --at b=10", 2, "no motor `b`"),
         ("rest free.mech --load pull=1", 2, "no load `pull`"),
         ("rest idle.mech", 1, "nothing pulls"),
-        (
-            "rest free.mech --load push=1000",
-            1,
-            "does not come to rest",
-        ),
+        ("rest free.mech --load push=1000", 1, "does not come to rest"),
     ] {
         let told = folder.mech(words).refused(code);
         assert!(told.contains(why), "{words}: {told}");

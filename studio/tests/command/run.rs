@@ -39,10 +39,7 @@ pub(crate) fn mech_in(folder: &Path, words: &[impl AsRef<OsStr>]) -> Answer {
 /// Begins the command in a folder; it waits for its input.
 pub(crate) fn begin(folder: &Path, words: &[impl AsRef<OsStr>]) -> Child {
     let mut command = Command::new(env!("CARGO_BIN_EXE_mech"));
-    command
-        .current_dir(folder)
-        .args(words)
-        .stdin(Stdio::piped());
+    command.current_dir(folder).args(words).stdin(Stdio::piped());
     command.stdout(Stdio::piped()).stderr(Stdio::piped());
     command.spawn().expect("the command runs")
 }

@@ -37,13 +37,7 @@ const TABLE: &str = "motor a [deg],a [deg]\n0,0\n";
 fn houses() -> Folder {
     let folder = Folder::new();
     let path = |name: &str| folder.path(name);
-    for name in [
-        "home",
-        "home/.config",
-        "scripts",
-        "scripts/sub",
-        "scripts/.git",
-    ] {
+    for name in ["home", "home/.config", "scripts", "scripts/sub", "scripts/.git"] {
         fs::create_dir(path(name)).expect("a folder");
     }
     for (name, text) in [
@@ -76,10 +70,7 @@ fn houses() -> Folder {
 fn run(folder: &Folder, script: &str, words: &[&str]) -> Answer {
     let file = folder.path("scripts/script.txt");
     fs::write(file, script).expect("a script");
-    mech_in(
-        &folder.path("scripts"),
-        &[&["run", "script.txt"], words].concat(),
-    )
+    mech_in(&folder.path("scripts"), &[&["run", "script.txt"], words].concat())
 }
 
 /// Lines that a script may not say; `HERE` is the folder of all.
@@ -181,10 +172,7 @@ fn a_hostile_script_writes_nothing_that_it_may_not() {
     for line in HOSTILE {
         let line = line.replace("HERE", here);
         // What comes first is not written either.
-        for first in [
-            "open opened.mech\n",
-            "open opened.mech\ndraw first.svg\nsave first.mech\n",
-        ] {
+        for first in ["open opened.mech\n", "open opened.mech\ndraw first.svg\nsave first.mech\n"] {
             let answer = run(&folder, &format!("{first}{line}\n"), &[]);
             assert!(matches!(answer.code, Some(2 | 3)), "{line}: {answer:?}");
             assert!(answer.err.contains("error: line "), "{line}: {answer:?}");
@@ -254,35 +242,18 @@ fn the_user_allows_more() {
     assert!(folder.text("home/secret.mech").contains("link rod"));
     // But nothing else is put in its place.
     let before = tree(&folder.path("home"));
-    run(
-        &folder,
-        "graph -o ../home/secret.mech --replace\n",
-        &["../home/secret.mech"],
-    )
-    .refused(3);
+    run(&folder, "graph -o ../home/secret.mech --replace\n", &["../home/secret.mech"]).refused(3);
     assert_eq!(tree(&folder.path("home")), before);
     let open = "open opened.mech\n";
     for (line, allowed, written) in [
         ("save ../home/new.mech", "../home", "home/new.mech"),
         ("save out/b.mech", "out/b.mech", "home/b.mech"),
-        (
-            "table -o out/victim.csv",
-            "../home/victim.csv",
-            "home/victim.csv",
-        ),
+        ("table -o out/victim.csv", "../home/victim.csv", "home/victim.csv"),
         ("table b -o link.csv", "../home", "home/victim.csv"),
         ("table -o victim.csv", "victim.csv", "scripts/victim.csv"),
-        (
-            "table -o notes.txt --replace",
-            "notes.txt",
-            "scripts/notes.txt",
-        ),
+        ("table -o notes.txt --replace", "notes.txt", "scripts/notes.txt"),
         ("save .git/new.mech", ".git", "scripts/.git/new.mech"),
-        (
-            "save ../home/.bash_aliases",
-            "../home/.bash_aliases",
-            "home/.bash_aliases",
-        ),
+        ("save ../home/.bash_aliases", "../home/.bash_aliases", "home/.bash_aliases"),
     ] {
         let before = tree(&folder.path(""));
         run(&folder, &[open, line].concat(), &["--allow-write", allowed]).done();

@@ -15,13 +15,7 @@ struct Manner {
 }
 
 fn manner() -> impl Strategy<Value = Manner> {
-    let numbers = (
-        any::<u32>(),
-        any::<u32>(),
-        -3.0..3.0,
-        0.05..40.0,
-        any::<bool>(),
-    );
+    let numbers = (any::<u32>(), any::<u32>(), -3.0..3.0, 0.05..40.0, any::<bool>());
     numbers.prop_map(|(order, swapped, angle, scale, is_mirrored)| Manner {
         order,
         swapped,
@@ -101,10 +95,7 @@ fn four_bar(
     let along = (coupler * coupler - output * output + apart * apart) / (2.0 * apart);
     let across = (coupler * coupler - along * along).sqrt();
     let to = [(ground - pin[0]) / apart, -pin[1] / apart];
-    let other = [
-        pin[0] + along * to[0] - across * to[1],
-        pin[1] + along * to[1] + across * to[0],
-    ];
+    let other = [pin[0] + along * to[0] - across * to[1], pin[1] + along * to[1] + across * to[0]];
     let joints = [
         ("input", "revolute", ["ground", "driver"], [0.0, 0.0]),
         ("near", "revolute", ["driver", "floating"], pin),
@@ -198,12 +189,9 @@ proptest! {
 /// A yoke moves as a cosine: within a width of its end it stays for twice the angle whose cosine is that much less.
 #[test]
 fn a_yoke_dwells_at_its_ends() {
-    for (radius, start, width) in [
-        (1.0, 0.4, 0.01),
-        (2.5, -2.0, 0.2),
-        (0.04, 3.0, 0.0),
-        (3.0, 1.0, 7.0),
-    ] {
+    for (radius, start, width) in
+        [(1.0, 0.4, 0.01), (2.5, -2.0, 0.2), (0.04, 3.0, 0.0), (3.0, 1.0, 7.0)]
+    {
         let (sin, cos) = f64::sin_cos(start);
         let at = format!("({:?}, {:?})", radius * cos, radius * sin);
         let text = format!(
@@ -216,10 +204,7 @@ fn a_yoke_dwells_at_its_ends() {
         let words = format!("table a.mech x --summary --steps 3600 --dwell {width}");
         let row = &folder.rows(&words)[0];
         let expected = (2.0 * (1.0 - width / radius).max(-1.0).acos().to_degrees()).min(360.0);
-        assert!(
-            (row[10] - expected).abs() < 1e-3 * expected + 1e-9,
-            "{row:?} {expected}"
-        );
+        assert!((row[10] - expected).abs() < 1e-3 * expected + 1e-9, "{row:?} {expected}");
         assert!((row[6] - 2.0 * radius).abs() < 1e-9 * radius, "{row:?}");
         assert!((row[7] - row[2] - radius).abs() < 1e-9 * radius, "{row:?}");
     }
@@ -257,26 +242,18 @@ fn a_report_says_what_ends_a_range() {
         .filter_map(|word| word.trim_end_matches([';', ',']).parse().ok())
         .collect();
     assert_eq!(ends.len(), 2, "{report}");
-    assert!(
-        (ends[0] - low).abs() < 1e-4 && (ends[1] - high).abs() < 1e-4,
-        "{report}"
-    );
+    assert!((ends[0] - low).abs() < 1e-4 && (ends[1] - high).abs() < 1e-4, "{report}");
     assert!(line.contains("does not close"), "{report}");
     assert!(report.contains("joint `o` swings by 180 deg"), "{report}");
     let check = folder.mech("check free.mech").done();
-    assert!(
-        check.contains("motor `slide` slides, and nothing stops it"),
-        "{check}"
-    );
+    assert!(check.contains("motor `slide` slides, and nothing stops it"), "{check}");
 }
 
 /// The pin of the crank from a place, and from a point of the ground; the angles of both links; and what holds the weight at a rate.
 #[test]
 fn distances_angles_and_power() {
-    let text = CRANK.replace(
-        "struct Crank;",
-        "struct Crank; ground { point o = (3, -1); }",
-    ) + "link arm { point tip = (5, 0); } joint b = revolute(arm, crank) at (2, 0); motor b;";
+    let text = CRANK.replace("struct Crank;", "struct Crank; ground { point o = (3, -1); }")
+        + "link arm { point tip = (5, 0); } joint b = revolute(arm, crank) at (2, 0); motor b;";
     let folder = Folder::new().with("a.mech", &text);
     let words = "table a.mech distance(crank.pin,(3,-1)) distance(ground.o,crank.pin) angle(ground,crank) \
         angle(crank,arm) angle(arm,crank) power:a --motor a --from -400 --to 400 --steps 16 --rate 0.5 --at b=30";
@@ -299,15 +276,9 @@ fn distances_angles_and_power() {
             "distance(crank.pin,crank.pim)",
             "`crank` has no point or line `pim`; did you mean `pin`?",
         ),
-        (
-            "distance(crank.pin,(1,x))",
-            "nothing is called `x` that could be measured",
-        ),
+        ("distance(crank.pin,(1,x))", "nothing is called `x` that could be measured"),
         ("distance(crank.pin)", "expected `,`"),
-        (
-            "angle(crank,b)",
-            "`b` is a joint; this must be a link, one of",
-        ),
+        ("angle(crank,b)", "`b` is a joint; this must be a link, one of"),
         ("power:a", "`--rate 1`"),
     ] {
         let refused = folder.mech(&format!("table a.mech {quantity}")).refused(2);

@@ -87,9 +87,7 @@ fn lines_that_are_quoted_are_masked_and_marked_at_their_place() {
 fn a_text_that_is_piped_stays_as_it_is() {
     for text in COMMANDS {
         let text = format!("struct A; // {text}\n");
-        let folder = Folder::new()
-            .with("a.mech", &text)
-            .with("script.txt", "open a.mech\ntext\n");
+        let folder = Folder::new().with("a.mech", &text).with("script.txt", "open a.mech\ntext\n");
         assert_eq!(folder.mech("run script.txt").done(), text);
     }
 }
@@ -105,10 +103,7 @@ fn the_name_of_an_imported_file_turns_no_comment() {
     for text in COMMANDS {
         let name = format!("a{text}.linkage2");
         let folder = Folder::new().with(&name, &sample);
-        let answer = mech_in(
-            &folder.path(""),
-            &["import", &name, "-o", "a.rs", "-m", "A"],
-        );
+        let answer = mech_in(&folder.path(""), &["import", &name, "-o", "a.rs", "-m", "A"]);
         shows_nothing(&answer, text);
         assert!(is_masked(&folder.text("a.rs")), "{text:?}");
     }

@@ -115,11 +115,7 @@ fn renewed(text: &str) -> String {
                 let found = said(&folder, block.head, &lines.collect::<String>(), &shared);
                 let told: String = told.iter().map(ToString::to_string).collect();
                 let told = marked("", &told);
-                let lines = if are_as_told(&found, &told) {
-                    told
-                } else {
-                    found
-                };
+                let lines = if are_as_told(&found, &told) { told } else { found };
                 now.extend(lines.iter().map(|line| format!("{line}\n")));
             }
             _ => panic!("out of place: {block}"),

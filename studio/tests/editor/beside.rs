@@ -86,10 +86,7 @@ fn a_text_that_was_left_is_a_plain_file() {
         user.drag([1.0, 1.0], [3.0, 2.0]);
         // It is kept under the next name.
         let names = folder.names();
-        assert!(
-            names.contains(&".crank.mech.2.autosave".to_owned()),
-            "{name}: {names:?}"
-        );
+        assert!(names.contains(&".crank.mech.2.autosave".to_owned()), "{name}: {names:?}");
         assert!(left.symlink_metadata().is_ok(), "{name}");
     }
 }
@@ -169,9 +166,7 @@ fn an_export_replaces_nothing_that_is_shown() {
     let folder = Folder::new();
     let path = folder.0.join("traced.png");
     let file = fs::File::create(&path).expect("a file");
-    let mut writer = png::Encoder::new(file, 2, 2)
-        .write_header()
-        .expect("a header");
+    let mut writer = png::Encoder::new(file, 2, 2).write_header().expect("a header");
     writer.write_image_data(&[200; 4]).expect("its pixels");
     writer.finish().expect("its end");
     let before = fs::read(&path).expect("a file");

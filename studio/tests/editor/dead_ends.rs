@@ -55,14 +55,7 @@ motor a;
         user.copy_and_paste();
         let after = ["joint ", "link ", "motor "].map(|word| count(&user, word));
         assert!(user.editor().player().is_some(), "{}", user.said());
-        assert!(
-            after
-                .iter()
-                .zip(before)
-                .all(|(after, before)| *after > before),
-            "{}",
-            user.said()
-        );
+        assert!(after.iter().zip(before).all(|(after, before)| *after > before), "{}", user.said());
         let links = user.editor().selection().len();
         assert!(links >= 5, "{}", user.said());
     }

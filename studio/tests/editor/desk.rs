@@ -13,9 +13,7 @@ fn picture(folder: &Path) -> PathBuf {
     let mut encoder = png::Encoder::new(file, 64, 32);
     encoder.set_color(png::ColorType::Rgb);
     let mut writer = encoder.write_header().expect("a header");
-    writer
-        .write_image_data(&[200; 64 * 32 * 3])
-        .expect("its pixels");
+    writer.write_image_data(&[200; 64 * 32 * 3]).expect("its pixels");
     writer.finish().expect("its end");
     path
 }

@@ -27,9 +27,8 @@ impl Folder {
     pub(crate) fn names(&self) -> Vec<String> {
         let files = fs::read_dir(&self.0).expect("a folder");
         let names = files.map(|file| file.expect("a file").file_name());
-        let mut names: Vec<String> = names
-            .map(|name| name.to_string_lossy().into_owned())
-            .collect();
+        let mut names: Vec<String> =
+            names.map(|name| name.to_string_lossy().into_owned()).collect();
         names.sort();
         names
     }

@@ -32,11 +32,7 @@ impl Folder {
         fs::write(&text, source).expect("the text");
         let answer = self.file(words[words.len() - 1]);
         let mut all = vec!["mech".to_owned(), words[0].to_owned(), text];
-        all.extend(
-            words[1..words.len() - 1]
-                .iter()
-                .map(|word| (*word).to_owned()),
-        );
+        all.extend(words[1..words.len() - 1].iter().map(|word| (*word).to_owned()));
         all.extend(["-o".to_owned(), answer.clone()]);
         let mut console = mech_studio::Console::to(std::io::sink(), std::io::sink());
         mech_studio::run(all.into_iter().map(Into::into), &mut console);
@@ -80,18 +76,8 @@ fn a_table_is_what_mech_writes_and_what_the_graph_says() {
             .map(|cell| cell.parse().expect("a number"))
             .collect();
         user.scrub(cells[0].to_radians());
-        assert!(
-            user.sees(&format!("d = {:.4} deg", cells[1])),
-            "{row}: {}",
-            user.labels()
-        );
-        assert!(
-            user.sees(&format!(
-                "velocity:coupler.tip.norm = {:.4} unit/s",
-                cells[2]
-            )),
-            "{row}"
-        );
+        assert!(user.sees(&format!("d = {:.4} deg", cells[1])), "{row}: {}", user.labels());
+        assert!(user.sees(&format!("velocity:coupler.tip.norm = {:.4} unit/s", cells[2])), "{row}");
     }
 }
 
@@ -115,11 +101,7 @@ fn a_quantity_is_plotted_over_another() {
     let (_, y) = row.split_once(',').expect("two numbers");
     let y: f64 = y.parse().expect("a number");
     user.scrub(90_f64.to_radians());
-    assert!(
-        user.sees(&format!("coupler.tip.y = {y:.4} unit")),
-        "{}",
-        user.labels()
-    );
+    assert!(user.sees(&format!("coupler.tip.y = {y:.4} unit")), "{}", user.labels());
     for at in [[0.1, 0.1], [0.9, 0.9]] {
         user.click_within("graph of unit", at);
         let [motor] = user.editor().player().expect("it moves").motors() else {
@@ -158,18 +140,11 @@ fn exports_are_what_mech_writes() {
         &path,
         fs::read_to_string(&path).expect("the source"),
     ));
-    let reading = document
-        .analyse(document.choose(None).expect("a mechanism"))
-        .expect("it is read");
+    let reading =
+        document.analyse(document.choose(None).expect("a mechanism")).expect("it is read");
     assert!(reading.result.is_ok());
     user.export("Picture as PNG", &folder.file("nowhere/picture.png"));
-    assert!(
-        user.editor()
-            .notice()
-            .is_some_and(|notice| notice.is_refusal),
-        "{}",
-        user.said()
-    );
+    assert!(user.editor().notice().is_some_and(|notice| notice.is_refusal), "{}", user.said());
 }
 
 #[test]
@@ -208,41 +183,30 @@ fn arrows_are_what_the_path_says() {
     let mut places = |value| -> Vec<[f64; 2]> {
         user.scrub(value);
         let arrows = user.editor().arrows();
-        let velocities = arrows
-            .iter()
-            .filter(|arrow| arrow.kind == ArrowKind::Velocity);
+        let velocities = arrows.iter().filter(|arrow| arrow.kind == ArrowKind::Velocity);
         velocities.map(|arrow| arrow.place).collect()
     };
     let places = [at - step, at + step, at].map(&mut places);
     let arrows = user.editor().arrows();
     let of = |kind| arrows.iter().filter(move |arrow| arrow.kind == kind);
     assert!(of(ArrowKind::Velocity).count() >= 3);
-    for (number, (velocity, acceleration)) in of(ArrowKind::Velocity)
-        .zip(of(ArrowKind::Acceleration))
-        .enumerate()
+    for (number, (velocity, acceleration)) in
+        of(ArrowKind::Velocity).zip(of(ArrowKind::Acceleration)).enumerate()
     {
         for part in 0..2 {
             let [before, after, here] = places.each_ref().map(|places| places[number][part]);
             let speed = (after - before) / (2.0 * step);
             let change = (after - 2.0 * here + before) / (step * step);
-            assert!(
-                (velocity.vector[part] - speed).abs() < 1e-6,
-                "{velocity:?} {speed}"
-            );
-            assert!(
-                (acceleration.vector[part] - change).abs() < 1e-4,
-                "{acceleration:?} {change}"
-            );
+            assert!((velocity.vector[part] - speed).abs() < 1e-6, "{velocity:?} {speed}");
+            assert!((acceleration.vector[part] - change).abs() < 1e-4, "{acceleration:?} {change}");
         }
     }
 }
 
 #[test]
 fn what_a_lecture_constructs_is_shown_at_the_present_pose() {
-    let text = FOUR_BAR.replace(
-        "motor a;",
-        "motor a;\nload push = force(coupler.tip);\neffects { force; }",
-    );
+    let text = FOUR_BAR
+        .replace("motor a;", "motor a;\nload push = force(coupler.tip);\neffects { force; }");
     let mut user = User::with_text(&text);
     let has = |user: &User, words: &str| {
         let texts = user.editor().constructed();
@@ -250,11 +214,7 @@ fn what_a_lecture_constructs_is_shown_at_the_present_pose() {
     };
     assert!(user.editor().constructed().is_empty());
     user.show("Instant centres");
-    assert!(
-        has(&user, "ground coupler"),
-        "{:?}",
-        user.editor().constructed()
-    );
+    assert!(has(&user, "ground coupler"), "{:?}", user.editor().constructed());
     user.show("Velocity polygon");
     user.show("Acceleration polygon");
     assert!(has(&user, "velocities, a at 1 rad/s"));
@@ -265,32 +225,16 @@ fn what_a_lecture_constructs_is_shown_at_the_present_pose() {
     user.click_on("Plots");
     user.enter("load push", "3, -40");
     assert!(has(&user, "coupler"), "{:?}", user.editor().constructed());
-    assert!(
-        has(&user, "push 40.11"),
-        "{:?}",
-        user.editor().constructed()
-    );
-    for name in [
-        "Instant centres",
-        "Velocity polygon",
-        "Acceleration polygon",
-        "Free bodies",
-    ] {
+    assert!(has(&user, "push 40.11"), "{:?}", user.editor().constructed());
+    for name in ["Instant centres", "Velocity polygon", "Acceleration polygon", "Free bodies"] {
         user.show(name);
     }
     assert!(user.editor().constructed().is_empty());
     user.show("Inflection circles");
-    assert!(
-        user.editor().constructed().is_empty(),
-        "no link is selected"
-    );
+    assert!(user.editor().constructed().is_empty(), "no link is selected");
     let ends = user.ends_of("coupler");
     user.click([0, 1].map(|part| f64::midpoint(ends[0][part], ends[1][part])));
-    assert!(
-        has(&user, "inflection circle of coupler"),
-        "{:?}",
-        user.editor().selection()
-    );
+    assert!(has(&user, "inflection circle of coupler"), "{:?}", user.editor().selection());
     user.show("Inflection circles");
     user.show("Centrodes");
     for name in ["fixed centrode of coupler", "moving centrode of coupler"] {
@@ -302,10 +246,8 @@ fn what_a_lecture_constructs_is_shown_at_the_present_pose() {
 
 #[test]
 fn a_load_acts_in_plots_and_arrows() {
-    let text = FOUR_BAR.replace(
-        "motor a;",
-        "motor a;\nload push = force(coupler.tip);\neffects { force; }",
-    );
+    let text = FOUR_BAR
+        .replace("motor a;", "motor a;\nload push = force(coupler.tip);\neffects { force; }");
     let mut user = User::with_text(&text);
     user.click_on("Plots");
     user.enter("Quantity", "torque:a");
@@ -317,16 +259,10 @@ fn a_load_acts_in_plots_and_arrows() {
     let path = folder.file("window.csv");
     user.export("Table as CSV", &path);
     let written = fs::read_to_string(&path).unwrap_or_else(|_| panic!("{}", user.said()));
-    let table = folder.mech_of(
-        &text,
-        &["table", "torque:a", "--load=push=3,-40", "mech.csv"],
-    );
+    let table = folder.mech_of(&text, &["table", "torque:a", "--load=push=3,-40", "mech.csv"]);
     assert_eq!(written.as_bytes(), table);
     user.scrub(0.0);
-    let first = written
-        .lines()
-        .nth(1)
-        .and_then(|line| line.split(',').nth(1));
+    let first = written.lines().nth(1).and_then(|line| line.split(',').nth(1));
     let first: f64 = first.and_then(|cell| cell.parse().ok()).expect("a number");
     assert!(
         first != 0.0 && user.sees(&format!("torque:a at rest = {first:.4}")),

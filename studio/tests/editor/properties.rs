@@ -110,12 +110,7 @@ fn perform(user: &mut User, act: &Act) {
         Act::Nudge(index, key) => {
             if let Some(label) = handle(index) {
                 user.focus(&label);
-                let keys = [
-                    Key::ArrowLeft,
-                    Key::ArrowRight,
-                    Key::ArrowUp,
-                    Key::ArrowDown,
-                ];
+                let keys = [Key::ArrowLeft, Key::ArrowRight, Key::ArrowUp, Key::ArrowDown];
                 user.key(keys[key.index(keys.len())]);
             }
         }
@@ -179,9 +174,7 @@ fn stands_in(text: &str, other: &str) -> bool {
 
 /// Comments stay, wherever they stand, in this order.
 fn comments(text: &str) -> Vec<&str> {
-    text.match_indices("//")
-        .map(|(at, _)| text[at..].lines().next().unwrap_or_default())
-        .collect()
+    text.match_indices("//").map(|(at, _)| text[at..].lines().next().unwrap_or_default()).collect()
 }
 
 /// Checks that the drawing equals the compiler's result, to the bit.
@@ -210,9 +203,7 @@ fn is_drawn_as_compiled(user: &User) {
             continue;
         };
         let joint = model.joints.iter().find(|joint| joint.name == *name);
-        let axes = joint
-            .and_then(|joint| joint.kind.axes())
-            .expect("it has two axes");
+        let axes = joint.and_then(|joint| joint.kind.axes()).expect("it has two axes");
         let expected: Vec<_> = axes.into_iter().filter_map(place).collect();
         let seen = handle.place.map(f64::to_bits);
         assert!(
@@ -231,25 +222,13 @@ fn does_as_promised(user: &mut User, act: &Act) {
     let after = user.text().to_owned();
     let made = texts_of(user);
     // An accepted text can be read.
-    assert!(
-        after.trim().is_empty() || user.editor().is_readable(),
-        "{act:?}\n{}",
-        user.said()
-    );
+    assert!(after.trim().is_empty() || user.editor().is_readable(), "{act:?}\n{}", user.said());
     if matches!(act, Act::Drag(..) | Act::Nudge(..)) {
-        assert_eq!(
-            words(&before),
-            words(&after),
-            "{act:?} changes more than numbers"
-        );
+        assert_eq!(words(&before), words(&after), "{act:?} changes more than numbers");
     }
     if matches!(act, Act::Tool(..)) && made.len() <= steps + 1 && !after.is_empty() {
         // Something is added, at most within a line, which then has all that it had.
-        assert_eq!(
-            comments(&before),
-            comments(&after),
-            "{act:?}\n{before}\n{after}"
-        );
+        assert_eq!(comments(&before), comments(&after), "{act:?}\n{before}\n{after}");
     }
     if matches!(act, Act::Play) {
         assert_eq!(before, after);

@@ -79,10 +79,7 @@ fn a_line_is_ended_that_takes_its_time() {
     let long = legs(990);
     user.at_once(|editor| editor.type_text(&long));
     stop(&mut user, "Analysing");
-    let lines = [
-        ("point axle.tip at (1, 0)", "Trying"),
-        ("check", "Answering: check"),
-    ];
+    let lines = [("point axle.tip at (1, 0)", "Trying"), ("check", "Answering: check")];
     for (line, work) in lines {
         user.at_once(|editor| editor.say(line));
         stop(&mut user, work);
@@ -110,9 +107,7 @@ fn arrows_come_when_what_they_need_is_known() {
     assert!(user.editor().arrows().is_empty());
     for _ in 0..2 {
         user.show("Velocities");
-        user.wait_until("there are no arrows", |user| {
-            !user.editor().arrows().is_empty()
-        });
+        user.wait_until("there are no arrows", |user| !user.editor().arrows().is_empty());
         user.show("Velocities");
         user.wait_until("arrows stay", |user| user.editor().arrows().is_empty());
     }

@@ -7,16 +7,11 @@ use eframe::egui::{pos2, vec2};
 fn a_four_bar_is_drawn_and_played_by_taps_alone() {
     let mut user = User::with_telephone();
     let canvas = user.place_of("drawing");
-    assert!(
-        canvas.width() > 370.0 && canvas.height() > 200.0,
-        "{canvas:?}"
-    );
+    assert!(canvas.width() > 370.0 && canvas.height() > 200.0, "{canvas:?}");
     user.tap_on("Bar");
-    for [from, to] in [
-        [[-2.0, 0.0], [-2.0, 1.0]],
-        [[-2.0, 1.0], [1.0, 3.0]],
-        [[1.0, 3.0], [2.0, 0.0]],
-    ] {
+    for [from, to] in
+        [[[-2.0, 0.0], [-2.0, 1.0]], [[-2.0, 1.0], [1.0, 3.0]], [[1.0, 3.0], [2.0, 0.0]]]
+    {
         let [from, to] = [from, to].map(|place| user.pixel(place));
         user.tap(from);
         user.tap(to);
@@ -41,25 +36,13 @@ fn a_four_bar_is_drawn_and_played_by_taps_alone() {
     user.tap_on("Play");
     user.wait(30);
     let player = user.editor().player().expect("it moves");
-    assert!(
-        player.plays() && player.motors()[0] > 0.1,
-        "{}",
-        user.said()
-    );
+    assert!(player.plays() && player.motors()[0] > 0.1, "{}", user.said());
 }
 
 #[test]
 fn everything_that_is_tapped_is_as_high_as_a_finger() {
     let user = User::with_telephone();
-    for label in [
-        "File",
-        "Undo",
-        "Select",
-        "Bar",
-        "Text",
-        "Diagnoses",
-        "Journal",
-    ] {
+    for label in ["File", "Undo", "Select", "Bar", "Text", "Diagnoses", "Journal"] {
         let place = user.place_of(label);
         assert!(place.height() >= 28.0, "{label} is {} high", place.height());
     }

@@ -54,10 +54,7 @@ impl Visitor for Judge {
 #[test]
 fn all_of_the_gallery_is_played_as_it_is_compiled() {
     let judges = ["", ": f32"].map(|precision| {
-        let mut judge = Judge {
-            precision,
-            names: Vec::new(),
-        };
+        let mut judge = Judge { precision, names: Vec::new() };
         match precision {
             "" => visit_f64(&mut judge),
             _ => visit_f32(&mut judge),

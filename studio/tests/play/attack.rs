@@ -9,10 +9,8 @@ struct Dice(u64);
 
 impl Dice {
     fn next(&mut self) -> u64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         self.0 >> 33
     }
 
@@ -96,11 +94,8 @@ fn take_anything(seeds: Range<u64>) {
             player.obey(control);
             if let Control::Step(steps) = control {
                 // As far as a whole motion, however many steps are wanted.
-                let far = player
-                    .motors()
-                    .iter()
-                    .zip(&before)
-                    .any(|(to, from)| (to - from).abs() > 1e3);
+                let far =
+                    player.motors().iter().zip(&before).any(|(to, from)| (to - from).abs() > 1e3);
                 assert!(!far, "{steps} steps: {:?}", player.motors());
             }
             player.advance(dice.number());

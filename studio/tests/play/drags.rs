@@ -9,10 +9,7 @@ use std::f64::consts::TAU;
 fn a_dragged_crank_points_at_the_pointer() {
     let mut player = player("four_bar");
     player.obey(Control::PlayOrPause);
-    let pin = Spot {
-        link: 1,
-        at: [1.0, 0.0],
-    };
+    let pin = Spot { link: 1, at: [1.0, 0.0] };
     let camera = player.camera().clone();
     player.obey(Control::Press(player.pixel(pin).expect("it is there")));
     let held = player.held_spot().expect("a link is there");
@@ -21,15 +18,9 @@ fn a_dragged_crank_points_at_the_pointer() {
     for step in 1..200 {
         let angle = 0.11 * f64::from(step);
         let distance = if step % 2 == 0 { 0.4 } else { 2.5 };
-        player.obey(Control::Point(
-            camera.pixel([distance * angle.cos(), distance * angle.sin()]),
-        ));
+        player.obey(Control::Point(camera.pixel([distance * angle.cos(), distance * angle.sin()])));
         // Of a circle, what is nearest to a place lies in its direction; the motor counts turns.
-        assert!(
-            near(player.motors(), &[angle], 2e-3),
-            "{:?}, not {angle}",
-            player.motors()
-        );
+        assert!(near(player.motors(), &[angle], 2e-3), "{:?}, not {angle}", player.motors());
     }
     player.obey(Control::Release);
     let motors = player.motors().to_vec();
@@ -43,17 +34,12 @@ fn what_is_held_comes_as_near_as_it_can() {
     for file in FILES {
         let mut mechanism = mechanism(file);
         let motors = mechanism.motors().len();
-        let free: Vec<Free> = (0..motors)
-            .map(|motor| Free { motor, reach: TAU })
-            .collect();
+        let free: Vec<Free> = (0..motors).map(|motor| Free { motor, reach: TAU }).collect();
         for phase in [0.13, 0.38, 0.71] {
             let target = mechanism.motion(phase);
             assert_eq!(mechanism.move_toward(&target), None, "{file}");
             for link in 1..=3 {
-                let spot = Spot {
-                    link,
-                    at: [0.3, 0.2],
-                };
+                let spot = Spot { link, at: [0.3, 0.2] };
                 let start = mechanism.place(spot).expect("it is there");
                 for side in 0..4 {
                     let (sin, cos) = (0.4 + TAU / 4.0 * f64::from(side)).sin_cos();
@@ -89,18 +75,12 @@ fn what_is_held_comes_as_near_as_it_can() {
 fn a_hand_is_led_where_three_motors_reach() {
     let mut player = player("rocker_arm");
     player.obey(Control::PlayOrPause);
-    let hand = Spot {
-        link: 5,
-        at: [1.2, 0.3],
-    };
+    let hand = Spot { link: 5, at: [1.2, 0.3] };
     let start = player.pixel(hand).expect("it is there");
     player.obey(Control::Press(start));
     let held = player.held_spot().expect("a link is there");
     for step in 0..30 {
-        let aim = [
-            start[0] - 2.0 * f64::from(step),
-            start[1] + 1.5 * f64::from(step),
-        ];
+        let aim = [start[0] - 2.0 * f64::from(step), start[1] + 1.5 * f64::from(step)];
         player.obey(Control::Point(aim));
         let [x, y] = player.pixel(held).expect("it is there");
         let distance = (x - aim[0]).hypot(y - aim[1]);
@@ -111,31 +91,18 @@ fn a_hand_is_led_where_three_motors_reach() {
 #[test]
 fn dragged_to_a_limit_and_back() {
     let mut player = player("crane");
-    let head = Spot {
-        link: 1,
-        at: [7.4, 0.0],
-    };
+    let head = Spot { link: 1, at: [7.4, 0.0] };
     let start = player.pixel(head).expect("it is there");
     player.obey(Control::Press(start));
     // Far to the left: the jib cannot lean back beyond its dead point.
     for step in 1..=20 {
-        player.obey(Control::Point([
-            start[0] - 15.0 * f64::from(step),
-            start[1],
-        ]));
+        player.obey(Control::Point([start[0] - 15.0 * f64::from(step), start[1]]));
     }
     let limit = player.limit().expect("it is at one");
     assert_eq!(limit.motors, [0]);
-    assert!(
-        player.status().contains("stopped at 82."),
-        "{}",
-        player.status()
-    );
+    assert!(player.status().contains("stopped at 82."), "{}", player.status());
     for step in (0..=20).rev() {
-        player.obey(Control::Point([
-            start[0] - 15.0 * f64::from(step),
-            start[1],
-        ]));
+        player.obey(Control::Point([start[0] - 15.0 * f64::from(step), start[1]]));
     }
     assert!(player.limit().is_none());
     let [x, y] = player.pixel(head).expect("it is there");
@@ -146,10 +113,7 @@ fn dragged_to_a_limit_and_back() {
 fn a_diagram_without_shapes_is_dragged_by_its_bars() {
     let mut player = player("diagram");
     player.obey(Control::PlayOrPause);
-    let rod = Spot {
-        link: 3,
-        at: [2.0, 0.0],
-    };
+    let rod = Spot { link: 3, at: [2.0, 0.0] };
     player.obey(Control::Press(player.pixel(rod).expect("it is there")));
     assert_eq!(player.held_spot().map(|spot| spot.link), Some(3));
 }
@@ -165,10 +129,7 @@ fn dragged(text: &str, spot: Spot<f64>, radius: f64) -> (Player, f64) {
     let mut worst: f64 = 0.0;
     for step in 0..=90 {
         let turn = TAU * f64::from(step) / 60.0;
-        let aim = [
-            start[0] + radius * (turn.cos() - 1.0),
-            start[1] + radius * turn.sin(),
-        ];
+        let aim = [start[0] + radius * (turn.cos() - 1.0), start[1] + radius * turn.sin()];
         player.obey(Control::Point(camera.pixel(aim)));
         let [x, y] = player.mechanism().place(held).expect("it is there");
         worst = worst.max((x - aim[0]).hypot(y - aim[1]));
@@ -179,10 +140,7 @@ fn dragged(text: &str, spot: Spot<f64>, radius: f64) -> (Player, f64) {
 #[test]
 fn what_follow_leads_is_dragged_exactly() {
     let plotter = include_str!("../../../tests/tests/subjects/inverse/plotter.mech");
-    let tip = Spot {
-        link: 3,
-        at: [2.5, 0.0],
-    };
+    let tip = Spot { link: 3, at: [2.5, 0.0] };
     let (mut player, worst) = dragged(plotter, tip, 0.6);
     assert!(worst < 1e-12, "{worst:e}");
     assert!(player.limit().is_none());
@@ -190,19 +148,13 @@ fn what_follow_leads_is_dragged_exactly() {
     let start = player.pixel(tip).expect("it is there");
     player.obey(Control::Point([start[0] + 3000.0, start[1]]));
     let place = player.mechanism().place(tip).expect("it is there");
-    assert!(
-        place.iter().all(|part| part.is_finite()) && place[0] > 1.0,
-        "{place:?}"
-    );
+    assert!(place.iter().all(|part| part.is_finite()) && place[0] > 1.0, "{place:?}");
     player.obey(Control::Point(start));
     let [x, y] = player.pixel(tip).expect("it is there");
     assert!((x - start[0]).hypot(y - start[1]) < 1e-9, "{x}, {y}");
     // Of a pose any place of the link is led, and the link keeps its angle.
     let platform = include_str!("../../../tests/tests/subjects/inverse/platform.mech");
-    let corner = Spot {
-        link: 1,
-        at: [3.8, 1.2],
-    };
+    let corner = Spot { link: 1, at: [3.8, 1.2] };
     let (player, worst) = dragged(platform, corner, 0.2);
     assert!(worst < 1e-12, "{worst:e}");
     let held = player.held_spot().expect("it is held");

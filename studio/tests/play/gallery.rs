@@ -59,9 +59,5 @@ pub(crate) fn picture(player: &Player) -> HeapSmooth {
 }
 
 pub(crate) fn near(one: &[f64], other: &[f64], tolerance: f64) -> bool {
-    one.len() == other.len()
-        && one
-            .iter()
-            .zip(other)
-            .all(|(a, b)| (a - b).abs() <= tolerance)
+    one.len() == other.len() && one.iter().zip(other).all(|(a, b)| (a - b).abs() <= tolerance)
 }

@@ -47,9 +47,7 @@ fn rates_are_slopes() {
         for phase in [0.13, 0.77, 1.4] {
             let slopes = |before: &[f64], after: &[f64]| -> Vec<f64> {
                 let pairs = before.iter().zip(after);
-                pairs
-                    .map(|(before, after)| (after - before) / (2.0 * APART * seconds))
-                    .collect()
+                pairs.map(|(before, after)| (after - before) / (2.0 * APART * seconds)).collect()
             };
             let [before, after] = [phase - APART, phase + APART];
             let here = mechanism.rates(phase);
@@ -130,8 +128,7 @@ fn by_the_laws_of_its_session_the_skeleton_walks_as_in_the_gallery() {
     fs::copy(path("skeleton"), &file).expect("a file");
     fs::write(folder.join("session.txt"), format!("{session}save\n")).expect("a file");
     let mut run = Command::new(env!("CARGO_BIN_EXE_mech"));
-    run.current_dir(&folder)
-        .args(["run", "session.txt", "skeleton.rs"]);
+    run.current_dir(&folder).args(["run", "session.txt", "skeleton.rs"]);
     let done = run.output().expect("the command runs");
     assert!(done.status.success(), "{done:?}");
     let mechanism = first(&Document::read(&file).expect("a file"));

@@ -64,11 +64,7 @@ fn steps_speed_and_direction() {
     let faster = distance(&mut player, &[Control::Faster, Control::Faster]);
     let slower = distance(&mut player, &[Control::Slower]);
     let back = distance(&mut player, &[Control::Reverse]);
-    assert!(near(
-        &[faster, slower, back],
-        &[4.0 * usual, usual / 2.0, -usual],
-        1e-9
-    ));
+    assert!(near(&[faster, slower, back], &[4.0 * usual, usual / 2.0, -usual], 1e-9));
 }
 
 #[test]
@@ -91,11 +87,7 @@ fn a_motor_alone() {
 /// Counts the pixels that have the red of a mark.
 fn red(picture: &HeapSmooth) -> usize {
     let red = Palette::TEXTBOOK.rgba(Palette::RED);
-    picture
-        .pixels()
-        .iter()
-        .filter(|&&pixel| pixel == red)
-        .count()
+    picture.pixels().iter().filter(|&&pixel| pixel == red).count()
 }
 
 #[test]
@@ -113,19 +105,12 @@ fn a_dead_point_stops_it_and_is_shown() {
         let cosine = (jib * jib + ground * ground - far * far) / (2.0 * jib * ground);
         foot[1].atan2(foot[0]) - cosine.acos()
     };
-    assert!(
-        near(player.motors(), &[angle(tie - back)], 1e-9),
-        "{:?}",
-        player.motors()
-    );
+    assert!(near(player.motors(), &[angle(tie - back)], 1e-9), "{:?}", player.motors());
     assert!(!player.plays());
     let limit = player.limit().expect("it is at one");
     assert!(matches!(limit.obstacle, Obstacle::Stop(Stop::Open(_))));
     let status = player.status();
-    assert!(
-        status.starts_with("motor `luff` stopped at 82."),
-        "{status}"
-    );
+    assert!(status.starts_with("motor `luff` stopped at 82."), "{status}");
     assert!(status.contains("swing") && status.contains("back") && status.contains("head"));
     assert!(red(&picture(&player)) > before + 300);
     // Playing on there leads nowhere, a step beyond neither.
@@ -142,11 +127,7 @@ fn a_dead_point_stops_it_and_is_shown() {
     for _ in 0..200 {
         player.advance(0.05);
     }
-    assert!(
-        near(player.motors(), &[angle(tie + back)], 1e-9),
-        "{:?}",
-        player.motors()
-    );
+    assert!(near(player.motors(), &[angle(tie + back)], 1e-9), "{:?}", player.motors());
     assert!(player.limit().is_some());
 }
 
@@ -161,10 +142,7 @@ fn the_end_of_a_range_stops_it_and_is_shown() {
     let limit = player.limit().expect("it is at one");
     assert!(matches!(limit.obstacle, Obstacle::Range(_)));
     assert_eq!(limit.motors, [0]);
-    assert_eq!(
-        player.status(),
-        "motor `x` stopped at 2.000: end of the declared range of `x`"
-    );
+    assert_eq!(player.status(), "motor `x` stopped at 2.000: end of the declared range of `x`");
     assert!(red(&picture(&player)) > 100);
     // The limit of one motor is not in the way of another.
     player.obey(Control::NextMotor);
@@ -226,11 +204,7 @@ fn layers_are_seen() {
     let layers = diagram.layers();
     diagram.obey(Control::Toggle(Layer::Shapes));
     assert_eq!(diagram.layers(), layers);
-    assert!(
-        diagram.status().contains("has no shapes"),
-        "{}",
-        diagram.status()
-    );
+    assert!(diagram.status().contains("has no shapes"), "{}", diagram.status());
 }
 
 #[test]
@@ -299,19 +273,9 @@ fn keys_do_what_help_says() {
         ('q', Control::Quit),
     ] {
         assert_eq!(Key::Char(letter).control(), Some(control));
-        assert_eq!(
-            Key::Char(letter.to_ascii_uppercase()).control(),
-            Some(control)
-        );
-        let label = if letter == ' ' {
-            "space".into()
-        } else {
-            letter.to_string()
-        };
-        assert!(
-            help.lines().any(|line| line.starts_with(&label)),
-            "{letter}"
-        );
+        assert_eq!(Key::Char(letter.to_ascii_uppercase()).control(), Some(control));
+        let label = if letter == ' ' { "space".into() } else { letter.to_string() };
+        assert!(help.lines().any(|line| line.starts_with(&label)), "{letter}");
     }
     for (letter, layer) in ('1'..='7').zip(Layer::ALL) {
         assert_eq!(Key::Char(letter).control(), Some(Control::Toggle(layer)));

@@ -42,10 +42,8 @@ impl Screen {
             match letter {
                 '\x1b' => {
                     if rest.next() == Some('[') {
-                        let parameters: String = rest
-                            .clone()
-                            .take_while(|c| !c.is_ascii_alphabetic())
-                            .collect();
+                        let parameters: String =
+                            rest.clone().take_while(|c| !c.is_ascii_alphabetic()).collect();
                         let last = rest.nth(parameters.chars().count());
                         screen.control(&parameters, last);
                     }
@@ -67,10 +65,8 @@ impl Screen {
     }
 
     fn control(&mut self, parameters: &str, last: Option<char>) {
-        let numbers: Vec<usize> = parameters
-            .split(';')
-            .map(|number| number.parse().unwrap_or(0))
-            .collect();
+        let numbers: Vec<usize> =
+            parameters.split(';').map(|number| number.parse().unwrap_or(0)).collect();
         match (last, &numbers[..]) {
             (Some('H'), [row, column]) => (self.row, self.column) = (row - 1, column - 1),
             (Some('K'), _) => {
@@ -131,17 +127,10 @@ impl Session {
         thread::spawn(move || {
             let mut bytes = [0; 4096];
             while let Ok(count @ 1..) = output.read(&mut bytes) {
-                reader
-                    .lock()
-                    .expect("not poisoned")
-                    .extend_from_slice(&bytes[..count]);
+                reader.lock().expect("not poisoned").extend_from_slice(&bytes[..count]);
             }
         });
-        Self {
-            script,
-            keys,
-            written,
-        }
+        Self { script, keys, written }
     }
 
     fn written(&self) -> String {
@@ -170,11 +159,7 @@ impl Session {
                 return screen;
             }
             let lines: Vec<String> = (0..ROWS).map(|row| screen.line(row)).collect();
-            assert!(
-                begin.elapsed() < Duration::from_secs(20),
-                "not {what}:\n{}",
-                lines.join("\n")
-            );
+            assert!(begin.elapsed() < Duration::from_secs(20), "not {what}:\n{}", lines.join("\n"));
             thread::sleep(Duration::from_millis(20));
         }
     }
@@ -213,22 +198,15 @@ fn is_restored(written: &str) -> bool {
 fn plays_in_a_terminal() {
     let mut session = Session::start("four_bar", "--terminal");
     let status = |screen: &Screen| screen.line(ROWS - 2);
-    let first = session.until("playing", |screen| {
-        status(screen).contains("playing own motion")
-    });
-    assert!(
-        status(&first).starts_with("CrankRocker · a "),
-        "{}",
-        status(&first)
-    );
+    let first = session.until("playing", |screen| status(screen).contains("playing own motion"));
+    assert!(status(&first).starts_with("CrankRocker · a "), "{}", status(&first));
     assert_eq!(first.line(ROWS - 1), "h help · q quit");
     session.until("moving", |screen| screen.cells != first.cells);
 
     // Paused at the start: the very pixels of the painter, two in each character.
     session.press(" r");
-    let paused = session.until("paused at the start", |screen| {
-        status(screen).contains("a 0.0° · paused")
-    });
+    let paused =
+        session.until("paused at the start", |screen| status(screen).contains("a 0.0° · paused"));
     thread::sleep(Duration::from_millis(300));
     assert_eq!(session.screen().cells, paused.cells);
     let size = [COLUMNS, 2 * (ROWS - 2)];
@@ -240,41 +218,23 @@ fn plays_in_a_terminal() {
                 let [r, g, b, _] = picture.pixels()[row * COLUMNS + column];
                 [r, g, b]
             };
-            assert_eq!(
-                (letter, above, below),
-                ('▀', pixel(2 * row), pixel(2 * row + 1))
-            );
+            assert_eq!((letter, above, below), ('▀', pixel(2 * row), pixel(2 * row + 1)));
         }
     }
 
     // A step, by the key that the help names.
     session.press("\x1b[C");
-    session.until("a step on", |screen| {
-        status(screen).contains("a 3.0° · paused")
-    });
+    session.until("a step on", |screen| status(screen).contains("a 3.0° · paused"));
     // The mouse: the middle of the rocker is somewhere in the picture; pressed, moved and let go.
-    let rocker = Spot {
-        link: 3,
-        at: [1.5, 0.0],
-    };
+    let rocker = Spot { link: 3, at: [1.5, 0.0] };
     let [x, y] = player.pixel(rocker).expect("it is there");
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "in 80 by 24"
-    )]
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "in 80 by 24")]
     let (column, row) = (x as usize + 1, (y / 2.0) as usize + 1);
     session.press(&format!("\x1b[<0;{column};{row}M"));
-    session.press(&format!(
-        "\x1b[<32;{};{row}M\x1b[<0;{};{row}m",
-        column + 6,
-        column + 6
-    ));
+    session.press(&format!("\x1b[<32;{};{row}M\x1b[<0;{};{row}m", column + 6, column + 6));
     session.until("dragged", |screen| !status(screen).contains(" a 3.0°"));
     session.press("h");
-    session.until("help", |screen| {
-        (0..ROWS).any(|row| screen.line(row).contains("day or night"))
-    });
+    session.until("help", |screen| (0..ROWS).any(|row| screen.line(row).contains("day or night")));
     session.press("q");
     let (is_well, written) = session.end();
     assert!(is_well && is_restored(&written));
@@ -286,9 +246,7 @@ fn stops_at_a_limit_in_a_terminal_and_by_ctrl_c() {
     session.press("\t++");
     session.until("stopped", |screen| {
         // The sentence takes two lines.
-        screen
-            .line(ROWS - 3)
-            .contains("motor `luff` stopped at 82.")
+        screen.line(ROWS - 3).contains("motor `luff` stopped at 82.")
             && screen.line(ROWS - 2).ends_with("does not close there")
     });
     session.press("\x03");
@@ -301,22 +259,12 @@ fn without_a_display_the_terminal_is_offered() {
     let mut session = Session::start("watt", "");
     let begin = Instant::now();
     while !session.written().contains("play in this terminal instead") {
-        assert!(
-            begin.elapsed() < Duration::from_secs(20),
-            "{}",
-            session.written()
-        );
+        assert!(begin.elapsed() < Duration::from_secs(20), "{}", session.written());
         thread::sleep(Duration::from_millis(20));
     }
-    assert!(
-        session.written().starts_with("there is no display: "),
-        "{}",
-        session.written()
-    );
+    assert!(session.written().starts_with("there is no display: "), "{}", session.written());
     session.press("\r");
-    session.until("playing", |screen| {
-        screen.line(ROWS - 2).contains("playing own motion")
-    });
+    session.until("playing", |screen| screen.line(ROWS - 2).contains("playing own motion"));
     session.press("q");
     let (is_well, written) = session.end();
     assert!(is_well && is_restored(&written));
@@ -342,14 +290,8 @@ fn without_a_terminal_and_a_display_it_says_so() {
             .expect("it runs");
         assert_eq!(output.status.code(), Some(2));
         let error = String::from_utf8(output.stderr).expect("text");
-        assert!(
-            error.starts_with("error: ") && error.lines().count() == 1,
-            "{error}"
-        );
-        assert!(
-            error.contains("--terminal") && error.contains("--picture FILE"),
-            "{error}"
-        );
+        assert!(error.starts_with("error: ") && error.lines().count() == 1, "{error}");
+        assert!(error.contains("--terminal") && error.contains("--picture FILE"), "{error}");
         // Advice that was tried in vain is not given again.
         let advises = error.contains("play in a terminal with `--terminal`");
         assert_eq!(advises, arguments.is_empty(), "{error}");
@@ -364,9 +306,6 @@ fn without_true_color_there_are_256() {
     assert_eq!(text.len(), 10);
     for line in text {
         assert_eq!(line.matches('▀').count(), 40);
-        assert!(
-            line.contains("\x1b[38;5;") && !line.contains(";2;"),
-            "{line}"
-        );
+        assert!(line.contains("\x1b[38;5;") && !line.contains(";2;"), "{line}");
     }
 }

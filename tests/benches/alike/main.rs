@@ -20,10 +20,7 @@ fn main() {
     let [one, twelve] = [1, 12].map(|legs| mechanism(legs, "f64"));
     let texts = [&one, &twelve].map(|text| Text::of(text));
     for (what, part) in [
-        (
-            "what is solved, without tables, tokens",
-            Text::solving as fn(&Text) -> usize,
-        ),
+        ("what is solved, without tables, tokens", Text::solving as fn(&Text) -> usize),
         ("all of it, tokens", Text::all),
     ] {
         let [one, twelve] = [&texts[0], &texts[1]].map(part);
@@ -41,11 +38,7 @@ fn main() {
         house.cargo(name, "release", "");
     }
     let [empty, leg, walker] = names.map(|name| code(&house.binary(name, "release")));
-    print(
-        "machine code, bytes beside an empty program",
-        leg - empty,
-        walker - empty,
-    );
+    print("machine code, bytes beside an empty program", leg - empty, walker - empty);
     let mut times = [const { Vec::new() }; 3];
     for _ in 0..ROUNDS {
         for (times, name) in times.iter_mut().zip(names) {

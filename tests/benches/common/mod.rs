@@ -24,11 +24,7 @@ impl Threshold {
             Self::AtLeast(limit) => (format!("at least {limit:.2}"), ratio >= limit),
             Self::None => return "no threshold".to_owned(),
         };
-        if is_shown {
-            text
-        } else {
-            format!("{text}: MISSED")
-        }
+        if is_shown { text } else { format!("{text}: MISSED") }
     }
 }
 
@@ -43,15 +39,10 @@ pub(crate) fn compare(
     mut first: impl FnMut(),
     mut second: impl FnMut(),
 ) -> (f64, [f64; 2]) {
-    let times: Vec<_> = (0..REPEATS)
-        .map(|_| side_by_side(&mut first, &mut second))
-        .collect();
+    let times: Vec<_> = (0..REPEATS).map(|_| side_by_side(&mut first, &mut second)).collect();
     let ratios = || times.iter().map(|times| times.ratio);
     let ratio = median(ratios());
-    let (least, most) = (
-        ratios().fold(f64::INFINITY, f64::min),
-        ratios().fold(0.0, f64::max),
-    );
+    let (least, most) = (ratios().fold(f64::INFINITY, f64::min), ratios().fold(0.0, f64::max));
     let each = [
         median(times.iter().map(|times| times.first)) / positions,
         median(times.iter().map(|times| times.second)) / positions,

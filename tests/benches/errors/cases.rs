@@ -23,27 +23,19 @@ pub(crate) fn cases() -> Vec<Case> {
         let links = 2 * loops + 1;
         let wrong: [(&str, String); 9] = [
             ("motor too many", with(loops, "motor j6;")),
-            (
-                "brace too many",
-                with(loops, &brace("coupler_1", "rocker_4")),
-            ),
+            ("brace too many", with(loops, &brace("coupler_1", "rocker_4"))),
             (
                 "two braces",
-                with(
-                    loops,
-                    &(brace("coupler_1", "rocker_4") + &brace("coupler_5", "ground")),
-                ),
+                with(loops, &(brace("coupler_1", "rocker_4") + &brace("coupler_5", "ground"))),
             ),
             ("no motor", without(loops, "motor j0;")),
             ("joint missing", without(loops, "joint j6 ")),
             (
                 "two joints missing",
-                without(loops, "joint j6 ")
-                    .replace("joint j9 ", "link spare; joint j9 ")
-                    .replace(
-                        "link spare; joint j9 = revolute(ground",
-                        "link spare; joint j9 = revolute(spare",
-                    ),
+                without(loops, "joint j6 ").replace("joint j9 ", "link spare; joint j9 ").replace(
+                    "link spare; joint j9 = revolute(ground",
+                    "link spare; joint j9 = revolute(spare",
+                ),
             ),
             (
                 "wrong carrier",
@@ -53,17 +45,9 @@ pub(crate) fn cases() -> Vec<Case> {
                 ),
             ),
             ("loops that wait", with(loops, PLATFORM)),
-            (
-                "a weld too many",
-                with(loops, "joint w = weld(coupler_3, rocker_3) at (1, 1);"),
-            ),
+            ("a weld too many", with(loops, "joint w = weld(coupler_3, rocker_3) at (1, 1);")),
         ];
-        cases.extend(wrong.map(|(name, text)| Case {
-            name,
-            links,
-            text,
-            most,
-        }));
+        cases.extend(wrong.map(|(name, text)| Case { name, links, text, most }));
     }
     cases
 }
@@ -109,12 +93,7 @@ fn ranges() -> Case {
             x + 5.0,
         );
     }
-    Case {
-        name: "wrong joint, ranges",
-        links: 10,
-        text,
-        most: 300.0,
-    }
+    Case { name: "wrong joint, ranges", links: 10, text, most: 300.0 }
 }
 
 /// A turret with six cylinders one upon the other, the last with a range to beyond its dead point.

@@ -35,15 +35,9 @@ fn main() {
         texts.push(root.join(name));
     }
     let mut slow = Vec::new();
-    println!(
-        "{:>24} {:>6} {:>10} {:>10}",
-        "error", "links", "ms", "at most"
-    );
+    println!("{:>24} {:>6} {:>10} {:>10}", "error", "links", "ms", "at most");
     for (case, time) in cases.iter().zip(measured(&house, &texts)) {
-        println!(
-            "{:>24} {:>6} {time:>10.0} {:>10.0}",
-            case.name, case.links, case.most
-        );
+        println!("{:>24} {:>6} {time:>10.0} {:>10.0}", case.name, case.links, case.most);
         if time > case.most {
             slow.push((case.name, case.links));
         }

@@ -39,9 +39,7 @@ pub(crate) fn emitted<M: Mechanism<Scalar = f64, Motors = [f64; 1]> + 'static>()
 }
 
 fn interpreted(loops: usize) -> Mover {
-    let compiled = Box::leak(Box::new(
-        mech_compiler::compile(&chain(loops)).expect("it moves"),
-    ));
+    let compiled = Box::leak(Box::new(mech_compiler::compile(&chain(loops)).expect("it moves")));
     let mut machine = Machine::<f64>::new(&compiled.program);
     let start = machine.position().motors[0];
     Box::new(timed(move |angle| {
@@ -66,18 +64,9 @@ fn agree(loops: usize) {
         machine.move_to(&[motors[0] + angle]).expect("it moves");
         assert!(dense.move_to(angle), "it moves");
         // By how much each link has turned since the start: frames differ.
-        let turned = machine
-            .position()
-            .poses
-            .iter()
-            .zip(&poses)
-            .skip(1)
-            .map(|(pose, start)| {
-                [
-                    pose[0] * start[0] + pose[1] * start[1],
-                    pose[1] * start[0] - pose[0] * start[1],
-                ]
-            });
+        let turned = machine.position().poses.iter().zip(&poses).skip(1).map(|(pose, start)| {
+            [pose[0] * start[0] + pose[1] * start[1], pose[1] * start[0] - pose[0] * start[1]]
+        });
         for (ours, theirs) in turned.zip(dense.turned()) {
             let off = (ours[0] - theirs[0]).abs().max((ours[1] - theirs[1]).abs());
             assert!(off < 1e-9, "both compute the same: {off}");
@@ -126,14 +115,9 @@ pub(crate) fn run(emitted: Vec<(usize, Mover)>) {
             all.push(median(rounds.into_iter()));
         }
     }
-    let times: Vec<f64> = repeats
-        .iter()
-        .map(|all| median(all.iter().copied()))
-        .collect();
+    let times: Vec<f64> = repeats.iter().map(|all| median(all.iter().copied())).collect();
     let time = |name: &str, loops: usize| {
-        let found = movers
-            .iter()
-            .position(|mover| mover.0 == name && mover.1 == loops);
+        let found = movers.iter().position(|mover| mover.0 == name && mover.1 == loops);
         found.map_or(f64::NAN, |index| times[index])
     };
     println!(
@@ -153,33 +137,22 @@ pub(crate) fn run(emitted: Vec<(usize, Mover)>) {
             most / count
         );
     }
-    let each: Vec<f64> = chains
-        .iter()
-        .map(|&loops| time("emitted", loops) / loops as f64)
-        .collect();
+    let each: Vec<f64> =
+        chains.iter().map(|&loops| time("emitted", loops) / loops as f64).collect();
     let spread = |each: &[f64]| {
         each.iter().copied().fold(0.0, f64::max)
             / each.iter().copied().fold(f64::INFINITY, f64::min)
     };
-    for (what, spread) in [
-        ("of all", spread(&each)),
-        ("from 10 loops", spread(&each[1..])),
-    ] {
+    for (what, spread) in [("of all", spread(&each)), ("from 10 loops", spread(&each[1..]))] {
         let missed = if spread <= 1.2 { "" } else { ": MISSED" };
         println!(
             "ns a loop, emitted, the greatest to the least {what}: {spread:.3} (at most 1.20{missed})"
         );
     }
     for &loops in &chains {
-        let (code, interpreter, dense) = (
-            time("emitted", loops),
-            time("interpreted", loops),
-            time("dense", loops),
-        );
-        println!(
-            "{loops} loops: interpreted {:.1} × emitted",
-            interpreter / code
-        );
+        let (code, interpreter, dense) =
+            (time("emitted", loops), time("interpreted", loops), time("dense", loops));
+        println!("{loops} loops: interpreted {:.1} × emitted", interpreter / code);
         if dense.is_finite() {
             println!("{loops} loops: dense {:.1} × emitted", dense / code);
         }

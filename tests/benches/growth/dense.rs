@@ -41,10 +41,8 @@ impl Dense {
         let loops: Vec<Loop> = (0..loops)
             .map(|number| {
                 let [input, top, next] = [1, 2, 3].map(|joint| pin(3 * number + joint));
-                let mut unknown = vec![
-                    (2 * number, from(input, top)),
-                    (2 * number + 1, from(top, next)),
-                ];
+                let mut unknown =
+                    vec![(2 * number, from(input, top)), (2 * number + 1, from(top, next))];
                 let mut driven = Vec::new();
                 match number.checked_sub(1) {
                     None => driven.push(from(shaft, input)),
@@ -52,11 +50,7 @@ impl Dense {
                 }
                 let ground = from(next, shaft);
                 shaft = next;
-                Loop {
-                    driven,
-                    unknown,
-                    ground,
-                }
+                Loop { driven, unknown, ground }
             })
             .collect();
         let size = 2 * loops.len();

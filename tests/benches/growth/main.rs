@@ -48,10 +48,7 @@ fn main() {
     house.put(BED, &program(&CHAINS));
     let start = Instant::now();
     house.cargo(BED, "release", "");
-    println!(
-        "{CHAINS:?} loops compiled in {:.1} s, release",
-        start.elapsed().as_secs_f64()
-    );
+    println!("{CHAINS:?} loops compiled in {:.1} s, release", start.elapsed().as_secs_f64());
     let text = house.run(BED, "release", &[]);
     print!("{text}");
 
@@ -70,16 +67,10 @@ fn lines(text: &str) -> Vec<Line> {
         let [name, loops, time] = words.split(' ').collect::<Vec<_>>()[..] else {
             panic!("not a point: {words}")
         };
-        let point = (
-            loops.parse().expect("a number"),
-            time.parse().expect("a number"),
-        );
+        let point = (loops.parse().expect("a number"), time.parse().expect("a number"));
         match lines.iter_mut().find(|line| line.name == name) {
             Some(line) => line.points.push(point),
-            None => lines.push(Line {
-                name: name.to_owned(),
-                points: vec![point],
-            }),
+            None => lines.push(Line { name: name.to_owned(), points: vec![point] }),
         }
     }
     lines
@@ -90,14 +81,9 @@ fn program(chains: &[usize]) -> String {
     let mut calls = String::new();
     for &loops in chains {
         let chain = chain_text(loops);
-        let _ = writeln!(
-            text,
-            "mod chain_{loops} {{ mech_runtime::mechanism! {{ pub {chain} }} }}"
-        );
-        let _ = writeln!(
-            calls,
-            "        ({loops}, bed::emitted::<chain_{loops}::Chain>()),"
-        );
+        let _ =
+            writeln!(text, "mod chain_{loops} {{ mech_runtime::mechanism! {{ pub {chain} }} }}");
+        let _ = writeln!(calls, "        ({loops}, bed::emitted::<chain_{loops}::Chain>()),");
     }
     let _ = writeln!(text, "fn main() {{\n    bed::run(vec![\n{calls}    ]);\n}}");
     text

@@ -38,10 +38,7 @@ pub(crate) fn svg(lines: &[Line]) -> String {
     let all = || lines.iter().flat_map(|line| &line.points);
     let decades = |part: fn(&(f64, f64)) -> f64| {
         let logs = || all().map(part).map(f64::log10);
-        [
-            logs().fold(f64::INFINITY, f64::min).floor(),
-            logs().fold(0.0, f64::max).ceil(),
-        ]
+        [logs().fold(f64::INFINITY, f64::min).floor(), logs().fold(0.0, f64::max).ceil()]
     };
     let (across, up) = (decades(|point| point.0), decades(|point| point.1));
     let x = |loops: f64| {
@@ -57,10 +54,7 @@ pub(crate) fn svg(lines: &[Line]) -> String {
         SIZE[0], SIZE[1]
     );
     let grid = |text: &mut String, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2]| {
-        let _ = writeln!(
-            text,
-            "<path d=\"M{x1:.1} {y1:.1}L{x2:.1} {y2:.1}\" stroke=\"#ddd\"/>"
-        );
+        let _ = writeln!(text, "<path d=\"M{x1:.1} {y1:.1}L{x2:.1} {y2:.1}\" stroke=\"#ddd\"/>");
     };
     let label = |text: &mut String, [x, y]: [f64; 2], anchor: &str, words: &str| {
         let _ = writeln!(

@@ -23,11 +23,7 @@ impl Corpus {
         let mut words: Vec<String> = all.map(str::to_owned).collect();
         words.sort();
         words.dedup();
-        Self {
-            language,
-            texts,
-            words,
-        }
+        Self { language, texts, words }
     }
 
     /// One of the texts.
@@ -50,9 +46,7 @@ pub(crate) fn texts(folders: &[PathBuf], endings: &[&str]) -> Result<Vec<String>
     }
     files.sort();
     // What is no text was not made for this.
-    let texts = files
-        .iter()
-        .filter_map(|file| fs::read_to_string(file).ok());
+    let texts = files.iter().filter_map(|file| fs::read_to_string(file).ok());
     Ok(texts.collect())
 }
 

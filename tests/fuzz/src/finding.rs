@@ -29,10 +29,7 @@ impl Finding {
             let number = word.find(|letter: char| letter.is_ascii_digit());
             &word[..number.unwrap_or(word.len())]
         });
-        words
-            .filter(|word| !word.is_empty())
-            .collect::<Vec<_>>()
-            .join(" ")
+        words.filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ")
     }
 
     /// Whether somebody has found it before, and it is not mended yet.

@@ -54,13 +54,8 @@ const STRANGE: [&str; 16] = [
     "\r",
 ];
 
-const BRACKETS: [(&str, &str); 5] = [
-    ("(", ")"),
-    ("[", "]"),
-    ("{", "}"),
-    ("\"", "\""),
-    ("/*", "*/"),
-];
+const BRACKETS: [(&str, &str); 5] =
+    [("(", ")"), ("[", "]"), ("{", "}"), ("\"", "\""), ("/*", "*/")];
 
 /// Longer texts are cut: what is long takes long, and finds no more.
 const LONGEST: usize = 20_000;
@@ -163,11 +158,7 @@ fn change_word(text: &str, corpus: &Corpus, rng: &mut Rng) -> String {
         7 => corpus.word(rng).clone_into(&mut all[at]),
         8 => {
             let (open, close) = BRACKETS[rng.usize(..BRACKETS.len())];
-            let depth = if rng.u8(..) < 200 {
-                1
-            } else {
-                rng.usize(1..24)
-            };
+            let depth = if rng.u8(..) < 200 { 1 } else { rng.usize(1..24) };
             all[at] = format!("{}{}{}", open.repeat(depth), all[at], close.repeat(depth));
         }
         9 => {

@@ -40,11 +40,7 @@ pub(crate) fn least(options: &Options, target: Target, text: &str) -> Option<(St
     let begin = Instant::now();
     let ends = target.language().ends;
     let pieces_of = |text: &str, is_fine: bool| -> Vec<String> {
-        let pieces = if is_fine {
-            words(text)
-        } else {
-            statements(text, ends)
-        };
+        let pieces = if is_fine { words(text) } else { statements(text, ends) };
         pieces.into_iter().map(str::to_owned).collect()
     };
     for is_fine in [false, true] {

@@ -80,6 +80,5 @@ impl Options {
 }
 
 fn number(word: &str) -> Result<u64, String> {
-    word.parse()
-        .map_err(|_| format!("`{word}` is no whole number"))
+    word.parse().map_err(|_| format!("`{word}` is no whole number"))
 }

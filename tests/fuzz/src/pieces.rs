@@ -16,8 +16,7 @@ pub(crate) fn words(text: &str) -> Vec<&str> {
         let end = if is_in(first) {
             rest.find(|letter| !goes_on(letter)).unwrap_or(rest.len())
         } else if first.is_whitespace() {
-            rest.find(|letter: char| !letter.is_whitespace())
-                .unwrap_or(rest.len())
+            rest.find(|letter: char| !letter.is_whitespace()).unwrap_or(rest.len())
         } else {
             first.len_utf8()
         };

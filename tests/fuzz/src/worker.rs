@@ -13,10 +13,7 @@ use std::time::{Duration, Instant};
 
 /// The text of this number.
 pub(crate) fn text(corpus: &Corpus, seed: u64, number: u64) -> String {
-    mangled(
-        corpus,
-        &mut Rng::with_seed(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ number),
-    )
+    mangled(corpus, &mut Rng::with_seed(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ number))
 }
 
 /// Tries texts, and tells what it finds, a line each.
@@ -28,9 +25,7 @@ pub(crate) fn run(options: &Options, lot: &Lot) -> Result<(), String> {
     let begin = Instant::now();
     let (mut longest, mut slowest, mut understood) = (Duration::ZERO, lot.first, 0);
     for number in lot.first..lot.first + lot.count {
-        let noted = at
-            .rewind()
-            .and_then(|()| at.write_all(&number.to_le_bytes()));
+        let noted = at.rewind().and_then(|()| at.write_all(&number.to_le_bytes()));
         noted.map_err(|error| error.to_string())?;
         let text = text(&corpus, options.seed, number);
         let (found, time) = watch::watch(number, || target.examine(&text));
@@ -43,10 +38,7 @@ pub(crate) fn run(options: &Options, lot: &Lot) -> Result<(), String> {
         }
     }
     let computed = watch::computed(begin).as_millis();
-    println!(
-        "tried {slowest} {} {understood} {computed}",
-        longest.as_micros()
-    );
+    println!("tried {slowest} {} {understood} {computed}", longest.as_micros());
     Ok(())
 }
 

@@ -41,10 +41,7 @@ fn exact(crank: f64) -> [f64; 2] {
     let cosine =
         (COUPLER * COUPLER + diagonal * diagonal - ROCKER * ROCKER) / (2.0 * COUPLER * diagonal);
     let direction = (-sin).atan2(GROUND - cos) + cosine.acos();
-    [
-        cos + COUPLER * direction.cos(),
-        sin + COUPLER * direction.sin(),
-    ]
+    [cos + COUPLER * direction.cos(), sin + COUPLER * direction.sin()]
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
@@ -52,20 +49,12 @@ fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
 }
 
 fn angles() -> Vec<f64> {
-    (1..=360)
-        .map(|step| (f64::from(step) * STEP).to_radians())
-        .collect()
+    (1..=360).map(|step| (f64::from(step) * STEP).to_radians()).collect()
 }
 
 fn peer() -> FourBar {
-    let norm = NormFourBar {
-        l1: GROUND,
-        l3: COUPLER,
-        l4: ROCKER,
-        l5: 0.0,
-        g: 0.0,
-        stat: Stat::C1B1,
-    };
+    let norm =
+        NormFourBar { l1: GROUND, l3: COUPLER, l4: ROCKER, l5: 0.0, g: 0.0, stat: Stat::C1B1 };
     FourBar::new(UnNorm::from_driver(1.0), norm)
 }
 
@@ -115,10 +104,7 @@ fn main() {
         for step in 361..=720 {
             world.step();
             worst = worst.max(distance(world.end(), exact(world.crank())));
-            lag = lag.max(distance(
-                world.end(),
-                exact((f64::from(step) * STEP).to_radians()),
-            ));
+            lag = lag.max(distance(world.end(), exact((f64::from(step) * STEP).to_radians())));
         }
         println!(
             "rapier2d, {joints:?}: error {worst:.1e} at the angle its crank has, {lag:.1e} at the angle it should have; its motor is off by {:.1e} rad",

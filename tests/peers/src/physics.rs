@@ -25,10 +25,7 @@ pub(crate) struct World {
 impl World {
     /// At a crank angle of zero, with a motor that turns it by so many degrees a step.
     pub(crate) fn new(joints: Joints, degrees: f64) -> Self {
-        let mut world = PhysicsWorld {
-            gravity: Vector::new(0.0, 0.0),
-            ..PhysicsWorld::default()
-        };
+        let mut world = PhysicsWorld { gravity: Vector::new(0.0, 0.0), ..PhysicsWorld::default() };
         assert_eq!(world.integration_parameters.dt, 1.0 / 60.0);
         let end = exact(0.0);
         // Every link is a thin rod, its origin at the pin nearer to its driver, its frame parallel to the ground's at the
@@ -67,24 +64,12 @@ impl World {
                     world.impulse_joints.insert(a, b, joint, true);
                 }
                 Joints::Multibody => {
-                    world
-                        .multibody_joints
-                        .insert(a, b, joint, true)
-                        .expect("it is a tree");
+                    world.multibody_joints.insert(a, b, joint, true).expect("it is a tree");
                 }
             }
         }
-        world
-            .impulse_joints
-            .insert(coupler, rocker, pin(along_coupler, along_rocker), true);
-        Self {
-            world,
-            crank,
-            coupler,
-            along_coupler,
-            steps: 0.0,
-            step: degrees.to_radians(),
-        }
+        world.impulse_joints.insert(coupler, rocker, pin(along_coupler, along_rocker), true);
+        Self { world, crank, coupler, along_coupler, steps: 0.0, step: degrees.to_radians() }
     }
 
     pub(crate) fn step(&mut self) {
@@ -108,10 +93,7 @@ impl World {
         let body = &self.world.bodies[self.coupler];
         let (at, angle) = (body.translation(), f64::from(body.rotation().angle()));
         let ((sin, cos), [x, y]) = (angle.sin_cos(), self.along_coupler);
-        [
-            f64::from(at.x) + cos * x - sin * y,
-            f64::from(at.y) + sin * x + cos * y,
-        ]
+        [f64::from(at.x) + cos * x - sin * y, f64::from(at.y) + sin * x + cos * y]
     }
 }
 

@@ -48,11 +48,7 @@ pub fn add_cam(model: &mut Model, dice: &mut Dice) -> Option<JointId> {
     let at = [dice.between(-5.0, 5.0), dice.between(-5.0, 5.0)];
     let (y, x) = dice.between(-3.0, 3.0).sin_cos();
     let slides = dice.once_in(2);
-    let kind = if slides {
-        AxisKind::Line
-    } else {
-        AxisKind::Point
-    };
+    let kind = if slides { AxisKind::Line } else { AxisKind::Point };
     let ends = [carrier, LinkId::new(number)].map(|link| {
         let direction = if slides { [x, y] } else { [1.0, 0.0] };
         add_axis(model, link, kind, at, direction)
@@ -76,14 +72,7 @@ pub fn add_cam(model: &mut Model, dice: &mut Dice) -> Option<JointId> {
         },
     );
     let law_id = LawId::new(model.laws.len());
-    let cam = joint(
-        "c",
-        JointKind::Cam {
-            shaft,
-            follower,
-            law: law_id,
-        },
-    );
+    let cam = joint("c", JointKind::Cam { shaft, follower, law: law_id });
     let size = dice.between(-1.0, 1.0);
     let text = match dice.below(6) {
         4 => format!(

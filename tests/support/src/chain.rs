@@ -26,9 +26,7 @@ fn written(loops: usize, mut near: impl FnMut(f64, f64) -> f64) -> String {
     let (mut links, mut joints) = ("link crank;\n".to_owned(), Vec::new());
     let mut join = |a: &str, b: &str, [x, y]: [f64; 2]| {
         let number = joints.len();
-        joints.push(format!(
-            "joint j{number} = revolute({a}, {b}) at ({x:?}, {y:?});\n"
-        ));
+        joints.push(format!("joint j{number} = revolute({a}, {b}) at ({x:?}, {y:?});\n"));
     };
     join("ground", "crank", [0.0, 0.0]);
     let (mut input, mut pin, mut along) = ("crank".to_owned(), [0.3, 1.0], 0.0);

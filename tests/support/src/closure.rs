@@ -37,17 +37,11 @@ pub fn worst_gap(model: &Model, poses: &[[f64; 4]]) -> f64 {
         }
         // What rolls is held to its ratio by `slip`.
         JointKind::Gear { .. } | JointKind::Belt { .. } | JointKind::Rack { .. } => 0.0,
-        JointKind::Cam {
-            shaft,
-            follower,
-            law,
-        } => off_cam(model, poses, [shaft, follower], model.law(law)),
+        JointKind::Cam { shaft, follower, law } => {
+            off_cam(model, poses, [shaft, follower], model.law(law))
+        }
     };
-    model
-        .joints
-        .iter()
-        .map(|joint| gap(&joint.kind))
-        .fold(0.0, f64::max)
+    model.joints.iter().map(|joint| gap(&joint.kind)).fold(0.0, f64::max)
 }
 
 /// How far a follower is from where the law of its cam has it: angles less whole turns. A law that is another in every turn of
@@ -64,12 +58,7 @@ fn off_cam(model: &Model, poses: &[[f64; 4]], joints: [JointId; 2], law: &Law) -
         return 0.0;
     }
     let off = follower - model.at_start(law, shaft);
-    if is_angle {
-        off - TAU * (off / TAU).round()
-    } else {
-        off
-    }
-    .abs()
+    if is_angle { off - TAU * (off / TAU).round() } else { off }.abs()
 }
 
 /// By how much two that roll on each other have slipped between two places: the sum of what their ends have moved by, times their factors.
@@ -82,18 +71,12 @@ pub fn slip(model: &Model, rolling: &Rolling, [before, now]: [&[[f64; 4]]; 2]) -
     };
     let moved = |end| match end {
         RollingEnd::Wheel(wheel) => turned(wheel) - turned(rolling.carrier),
-        RollingEnd::Bar {
-            slide, forwards, ..
-        } => {
+        RollingEnd::Bar { slide, forwards, .. } => {
             let [then, now] = [before, now].map(|poses| coordinate(model, poses, slide).0);
             if forwards { now - then } else { then - now }
         }
     };
-    rolling
-        .ends
-        .map(|(end, by)| factor(by) * moved(end))
-        .iter()
-        .sum()
+    rolling.ends.map(|(end, by)| factor(by) * moved(end)).iter().sum()
 }
 
 /// A number of teeth, or a radius.
@@ -128,10 +111,7 @@ pub fn coordinate(model: &Model, poses: &[[f64; 4]], id: JointId) -> (f64, bool)
 /// The greatest error of a link's length: how far its direction is from a unit vector.
 #[must_use]
 pub fn worst_stretch(poses: &[[f64; 4]]) -> f64 {
-    poses
-        .iter()
-        .map(|[cos, sin, ..]| (cos.hypot(*sin) - 1.0).abs())
-        .fold(0.0, f64::max)
+    poses.iter().map(|[cos, sin, ..]| (cos.hypot(*sin) - 1.0).abs()).fold(0.0, f64::max)
 }
 
 /// All poses: the ground's, those of the declared links, and those of dies, which are where their pin is and point where
@@ -151,9 +131,5 @@ pub fn with_ground(model: &Model, declared: &[[f64; 4]]) -> Vec<[f64; 4]> {
 /// The greatest distance of an axis from the origin of its link: the size of the mechanism.
 #[must_use]
 pub fn size(model: &Model) -> f64 {
-    model
-        .axes
-        .iter()
-        .map(|axis| axis.at[0].hypot(axis.at[1]))
-        .fold(0.0, f64::max)
+    model.axes.iter().map(|axis| axis.at[0].hypot(axis.at[1])).fold(0.0, f64::max)
 }

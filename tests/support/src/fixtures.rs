@@ -11,14 +11,8 @@ macro_rules! gallery {
 }
 
 /// Names and sources of the gallery's mechanisms.
-pub const GALLERY: [(&str, &str); 6] = gallery![
-    "andrews",
-    "four_bar",
-    "geared_piston",
-    "jansen",
-    "rocker_arm",
-    "watt"
-];
+pub const GALLERY: [(&str, &str); 6] =
+    gallery!["andrews", "four_bar", "geared_piston", "jansen", "rocker_arm", "watt"];
 
 /// The gallery's mechanisms and the zoo's, which the tests expand too.
 #[must_use]

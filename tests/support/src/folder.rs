@@ -14,13 +14,8 @@ pub struct Case {
 impl Case {
     /// What follows this word in comments that begin with it.
     pub fn marks<'c>(&'c self, word: &'c str) -> impl Iterator<Item = &'c str> {
-        let comments = self
-            .text
-            .lines()
-            .filter_map(|line| line.strip_prefix("// "));
-        comments
-            .filter_map(move |comment| comment.strip_prefix(word))
-            .map(str::trim)
+        let comments = self.text.lines().filter_map(|line| line.strip_prefix("// "));
+        comments.filter_map(move |comment| comment.strip_prefix(word)).map(str::trim)
     }
 
     /// The statements, where each has lines of its own.
@@ -47,11 +42,7 @@ pub fn folder(name: &str) -> Vec<Case> {
     assert!(!files.is_empty(), "{name} is empty");
     files.sort();
     let case = |path: PathBuf| Case {
-        name: path
-            .file_stem()
-            .expect("a name")
-            .to_string_lossy()
-            .into_owned(),
+        name: path.file_stem().expect("a name").to_string_lossy().into_owned(),
         text: fs::read_to_string(&path).expect("a text"),
     };
     files.into_iter().map(case).collect()

@@ -25,10 +25,7 @@ impl House {
             format!("{name} = {{ path = '{}' }}\n", path.display())
         });
         let dependencies = ours.collect::<String>() + others;
-        let house = Self {
-            root: root.to_owned(),
-            dependencies,
-        };
+        let house = Self { root: root.to_owned(), dependencies };
         house.write(
             "Cargo.toml",
             &format!(
@@ -111,9 +108,7 @@ impl House {
     pub fn rebuild(&self, name: &str, profile: &str) -> f64 {
         let main = self.root.join(name).join("src/main.rs");
         let file = File::options().append(true).open(main);
-        file.expect("the program")
-            .set_modified(SystemTime::now())
-            .expect("a new date");
+        file.expect("the program").set_modified(SystemTime::now()).expect("a new date");
         let start = Instant::now();
         self.cargo(name, profile, "");
         start.elapsed().as_secs_f64() * 1e3

@@ -76,11 +76,7 @@ pub fn side_by_side(mut first: impl FnMut(), mut second: impl FnMut()) -> Times 
 /// How often something is called in a round that takes so many nanoseconds.
 fn calls(nanoseconds: f64) -> u32 {
     const ROUND: f64 = 4e6;
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a small number"
-    )]
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small number")]
     let calls = (ROUND / nanoseconds) as u32;
     calls.clamp(4, 200)
 }
@@ -108,8 +104,5 @@ pub fn worked() -> f64 {
     static START: LazyLock<Instant> = LazyLock::new(Instant::now);
     let told = fs::read_to_string("/proc/thread-self/schedstat").ok();
     let told = told.and_then(|told| told.split(' ').next()?.parse::<f64>().ok());
-    told.map_or_else(
-        || START.elapsed().as_secs_f64() * 1e3,
-        |nanoseconds| nanoseconds * 1e-6,
-    )
+    told.map_or_else(|| START.elapsed().as_secs_f64() * 1e3, |nanoseconds| nanoseconds * 1e-6)
 }

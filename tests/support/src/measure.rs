@@ -56,11 +56,7 @@ pub fn cross([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
 
 /// The bottom of the valley of an energy in which an angle is, found in steps of a ten-thousandth as long as they lead down.
 pub fn valley(energy: impl Fn(f64) -> f64, start: f64) -> f64 {
-    let step = if energy(start + 1e-6) < energy(start) {
-        1e-4
-    } else {
-        -1e-4
-    };
+    let step = if energy(start + 1e-6) < energy(start) { 1e-4 } else { -1e-4 };
     let mut here = start;
     while energy(here + step) < energy(here) {
         here += step;

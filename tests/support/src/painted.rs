@@ -56,11 +56,7 @@ pub fn painted_outside(
             (false, true) => 1.0,
             (false, false) => 0.1,
         };
-        let from = if climbs {
-            &outermost[dice.below(4)].1
-        } else {
-            &walked
-        };
+        let from = if climbs { &outermost[dice.below(4)].1 } else { &walked };
         machine.put_back(from.clone());
         let mut target = from.motors.clone();
         let alone = dice.below(model.motors.len().max(1));
@@ -84,15 +80,8 @@ pub fn painted_outside(
         }
     }
     // How far within the box everything is at the start.
-    let start = beyond(
-        &seen,
-        Machine::<f64>::new(&compiled.program).position(),
-        [low, high],
-    );
-    let judged = outermost
-        .iter()
-        .zip(start)
-        .filter(|(_, start)| -start < LIMIT * model.size());
+    let start = beyond(&seen, Machine::<f64>::new(&compiled.program).position(), [low, high]);
+    let judged = outermost.iter().zip(start).filter(|(_, start)| -start < LIMIT * model.size());
     judged.map(|(known, _)| known.0).fold(0.0, f64::max) / size
 }
 
@@ -129,12 +118,7 @@ fn places(looks: &Looks) -> Vec<(usize, [f64; 2], f64)> {
             OwnedOutline::Line { points, width } => {
                 all.extend(points.into_iter().map(|point| (link, point, 0.5 * width)));
             }
-            OwnedOutline::Arc {
-                center,
-                start,
-                angle,
-                width,
-            } => {
+            OwnedOutline::Arc { center, start, angle, width } => {
                 let [x, y] = [start[0] - center[0], start[1] - center[1]];
                 all.extend((0..=24).map(|part| {
                     let (sin, cos) = (angle * f64::from(part) / 24.0).sin_cos();

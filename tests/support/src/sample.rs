@@ -29,10 +29,8 @@ pub fn dice() -> impl Strategy<Value = Dice> {
 
 /// Mechanisms that are solved loop by loop, of so many additions.
 pub fn samples(additions: impl Into<SizeRange>) -> impl Strategy<Value = Sample> {
-    (dice(), vec(dice(), additions)).prop_map(|(mut dice, additions)| Sample {
-        grown: grow_from(&mut dice, &additions),
-        dice,
-    })
+    (dice(), vec(dice(), additions))
+        .prop_map(|(mut dice, additions)| Sample { grown: grow_from(&mut dice, &additions), dice })
 }
 
 /// Mechanisms in which loops wait for each other, of so many additions.

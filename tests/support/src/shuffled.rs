@@ -16,10 +16,8 @@ pub fn shuffled(model: &Model, dice: &mut Dice) -> Model {
     let bare = model.actions == Actions::default() && model.show.is_none();
     assert!(bare && model.traces.is_empty() && model.instances.is_empty());
     let order = Order::random(model, dice);
-    let turned: Vec<bool> = model
-        .joint_ids()
-        .map(|joint| may_turn(model, joint) && dice.once_in(2))
-        .collect();
+    let turned: Vec<bool> =
+        model.joint_ids().map(|joint| may_turn(model, joint) && dice.once_in(2)).collect();
     let mut other = model.clone();
     for (index, old) in model.links.iter().enumerate() {
         let die = old.die.map(|axes| order.axes(axes));
@@ -27,20 +25,14 @@ pub fn shuffled(model: &Model, dice: &mut Dice) -> Model {
     }
     for (index, old) in model.axes.iter().enumerate() {
         let link = order.link(old.link);
-        other.axes[order.axes[index]] = Axis {
-            link,
-            ..old.clone()
-        };
+        other.axes[order.axes[index]] = Axis { link, ..old.clone() };
     }
     for (id, old) in model.joint_ids().zip(&model.joints) {
         let mut kind = order.kind(old.kind);
         if turned[id.index()] {
             kind = turned_round(kind);
         }
-        other.joints[order.joint(id).index()] = Joint {
-            kind,
-            ..old.clone()
-        };
+        other.joints[order.joint(id).index()] = Joint { kind, ..old.clone() };
     }
     for value in &mut other.start.values {
         if turned[value.joint.index()] {
@@ -74,15 +66,8 @@ pub fn reordered(values: &[f64], from: &Model, to: &Model) -> Vec<f64> {
     let value = |joint: JointId| {
         let named = |id: &JointId| from.joint(*id).name == to.joint(joint).name;
         let same = from.motors.iter().map(|motor| motor.joint);
-        let (place, same) = same
-            .enumerate()
-            .find(|(_, id)| named(id))
-            .expect("the same motors");
-        if first(from, same) == first(to, joint) {
-            values[place]
-        } else {
-            -values[place]
-        }
+        let (place, same) = same.enumerate().find(|(_, id)| named(id)).expect("the same motors");
+        if first(from, same) == first(to, joint) { values[place] } else { -values[place] }
     };
     to.motors.iter().map(|motor| value(motor.joint)).collect()
 }
@@ -116,12 +101,7 @@ fn standing_on(model: &Model, ground: LinkId) -> Model {
         match &mut joint.kind {
             JointKind::Gear { a, b, on, .. }
             | JointKind::Belt { a, b, on, .. }
-            | JointKind::Rack {
-                pinion: a,
-                bar: b,
-                on,
-                ..
-            } => {
+            | JointKind::Rack { pinion: a, bar: b, on, .. } => {
                 (*a, *b, *on) = (moved(*a), moved(*b), on.map(moved));
             }
             _ => {}
@@ -165,11 +145,7 @@ impl Order {
         let (mut axes, mut joints) = (places(model.axes.len()), places(model.joints.len()));
         shuffle(&mut axes, dice);
         shuffle(&mut joints, dice);
-        Self {
-            links,
-            axes,
-            joints,
-        }
+        Self { links, axes, joints }
     }
 
     fn link(&self, link: LinkId) -> LinkId {
@@ -192,18 +168,13 @@ impl Order {
             }
             JointKind::Gear { a, b, on, .. }
             | JointKind::Belt { a, b, on, .. }
-            | JointKind::Rack {
-                pinion: a,
-                bar: b,
-                on,
-                ..
-            } => {
+            | JointKind::Rack { pinion: a, bar: b, on, .. } => {
                 let link = |link| self.link(link);
                 (*a, *b, *on) = (link(*a), link(*b), on.map(link));
             }
-            JointKind::Cam {
-                shaft, follower, ..
-            } => (*shaft, *follower) = (self.joint(*shaft), self.joint(*follower)),
+            JointKind::Cam { shaft, follower, .. } => {
+                (*shaft, *follower) = (self.joint(*shaft), self.joint(*follower))
+            }
         }
         kind
     }
@@ -216,11 +187,7 @@ fn may_turn(model: &Model, joint: JointId) -> bool {
         .iter()
         .filter(|motor| motor.law.is_some())
         .map(|motor| motor.joint)
-        .chain(
-            model
-                .cams()
-                .flat_map(|(_, shaft, follower, _)| [shaft, follower]),
-        );
+        .chain(model.cams().flat_map(|(_, shaft, follower, _)| [shaft, follower]));
     let (a, b) = model.ends(joint);
     let in_slot = [a, b].iter().any(|&link| model.link(link).die.is_some());
     !in_slot && !lawful.any(|other| other == joint)
@@ -236,18 +203,12 @@ fn turned_round(kind: JointKind) -> JointKind {
         JointKind::Revolute(a, b) => JointKind::Revolute(b, a),
         JointKind::Prismatic(a, b) => JointKind::Prismatic(b, a),
         JointKind::Weld(a, b) => JointKind::Weld(b, a),
-        JointKind::Gear { a, b, ratio, on } => JointKind::Gear {
-            a: b,
-            b: a,
-            ratio: exchanged(ratio),
-            on,
-        },
-        JointKind::Belt { a, b, ratio, on } => JointKind::Belt {
-            a: b,
-            b: a,
-            ratio: exchanged(ratio),
-            on,
-        },
+        JointKind::Gear { a, b, ratio, on } => {
+            JointKind::Gear { a: b, b: a, ratio: exchanged(ratio), on }
+        }
+        JointKind::Belt { a, b, ratio, on } => {
+            JointKind::Belt { a: b, b: a, ratio: exchanged(ratio), on }
+        }
         kind @ (JointKind::Rack { .. } | JointKind::Cam { .. }) => kind,
     }
 }

@@ -71,19 +71,11 @@ impl<'p, T: Scalar, const M: usize> Simulated<'p, T, M> {
     #[must_use]
     pub fn in_f64(&self) -> Position<f64> {
         let numbers = |all: &[T]| all.iter().map(|one| one.to_f64()).collect::<Vec<f64>>();
-        let Position {
-            motors,
-            turns,
-            poses,
-            state,
-        } = &self.position;
+        let Position { motors, turns, poses, state } = &self.position;
         Position {
             motors: numbers(motors),
             turns: turns.clone(),
-            poses: poses
-                .iter()
-                .map(|pose| pose.map(mech_runtime::Real::to_f64))
-                .collect(),
+            poses: poses.iter().map(|pose| pose.map(mech_runtime::Real::to_f64)).collect(),
             state: numbers(state),
         }
     }
@@ -96,17 +88,13 @@ impl<'p, T: Scalar, const M: usize> Simulated<'p, T, M> {
     ) -> Result<Inertia<T, M>, (Cause, [T; M])> {
         let [(program, prepared), (inertia, prepared_inertia)] = &self.programs;
         let mut machine = Machine::at(program, prepared, self.free(position));
-        machine
-            .move_to(&motors.values)
-            .map_err(|stop| (cause(stop), motors.values))?;
+        machine.move_to(&motors.values).map_err(|stop| (cause(stop), motors.values))?;
         let there = machine.into_position();
         let felt = Machine::at(inertia, prepared_inertia, there.clone());
-        let felt = felt
-            .forces(&rates, &[T::ZERO; M], &[])
-            .map_err(|stop| match stop {
-                Stop::Open(_) => (Cause::Singular, motors.values),
-                stop => (cause(stop), motors.values),
-            })?;
+        let felt = felt.forces(&rates, &[T::ZERO; M], &[]).map_err(|stop| match stop {
+            Stop::Open(_) => (Cause::Singular, motors.values),
+            stop => (cause(stop), motors.values),
+        })?;
         let Forces::Inertia(felt) = felt else {
             panic!("not the inertia");
         };
@@ -122,23 +110,12 @@ impl<'p, T: Scalar, const M: usize> Simulated<'p, T, M> {
     }
 
     fn fixed(position: &Position<T>) -> Fixed<T, M> {
-        assert!(
-            position.poses.len() <= LINKS && position.state.len() <= STATE,
-            "it is too large"
-        );
-        let none = Pose {
-            cos: T::ZERO,
-            sin: T::ZERO,
-            x: T::ZERO,
-            y: T::ZERO,
-        };
+        assert!(position.poses.len() <= LINKS && position.state.len() <= STATE, "it is too large");
+        let none = Pose { cos: T::ZERO, sin: T::ZERO, x: T::ZERO, y: T::ZERO };
         Fixed {
             motors: Motors::new(std::array::from_fn(|motor| position.motors[motor])),
             poses: std::array::from_fn(|link| {
-                position
-                    .poses
-                    .get(link)
-                    .map_or(none, |&[cos, sin, x, y]| Pose { cos, sin, x, y })
+                position.poses.get(link).map_or(none, |&[cos, sin, x, y]| Pose { cos, sin, x, y })
             }),
             state: std::array::from_fn(|number| {
                 position.state.get(number).copied().unwrap_or(T::ZERO)
@@ -151,9 +128,7 @@ impl<'p, T: Scalar, const M: usize> Simulated<'p, T, M> {
         Position {
             motors: position.motors.values.to_vec(),
             turns: vec![0; M],
-            poses: poses
-                .map(|pose| [pose.cos, pose.sin, pose.x, pose.y])
-                .collect(),
+            poses: poses.map(|pose| [pose.cos, pose.sin, pose.x, pose.y]).collect(),
             state: position.state[..self.position.state.len()].to_vec(),
         }
     }

@@ -49,10 +49,7 @@ impl Sketch {
     #[must_use]
     pub fn of(model: &Model) -> Self {
         let declared = model.declared_links().count() + 1;
-        let mut sketch = Self {
-            links: declared,
-            ..Self::default()
-        };
+        let mut sketch = Self { links: declared, ..Self::default() };
         for joint in model.joints.iter().filter(|joint| !joint.hidden) {
             let on = |on: Option<LinkId>| on.map(LinkId::index);
             let axes = |a, b| {
@@ -77,27 +74,19 @@ impl Sketch {
                         (a, b, Bond::Slide(at, along))
                     }
                 }
-                JointKind::Gear {
-                    a,
-                    b,
-                    ratio,
-                    on: carrier,
-                } => (a.index(), b.index(), Bond::Gear(ratio, on(carrier))),
-                JointKind::Belt {
-                    a,
-                    b,
-                    ratio,
-                    on: carrier,
-                } => (a.index(), b.index(), Bond::Belt(ratio, on(carrier))),
+                JointKind::Gear { a, b, ratio, on: carrier } => {
+                    (a.index(), b.index(), Bond::Gear(ratio, on(carrier)))
+                }
+                JointKind::Belt { a, b, ratio, on: carrier } => {
+                    (a.index(), b.index(), Bond::Belt(ratio, on(carrier)))
+                }
                 JointKind::Rack { .. } | JointKind::Cam { .. } => {
                     panic!("a sketch has none of these")
                 }
             };
             sketch.join(a, b, bond);
         }
-        sketch
-            .allow
-            .extend(model.allow.coupled.then_some("coupled"));
+        sketch.allow.extend(model.allow.coupled.then_some("coupled"));
         sketch
     }
 
@@ -174,53 +163,45 @@ impl Sketch {
             .filter(|link| *link != self.ground)
             .map(|link| format!("link {};\n", names[link]))
             .collect();
-        let joints = self
-            .joints
-            .iter()
-            .enumerate()
-            .map(|(number, &(mut a, mut b, bond))| {
-                let flip = dice.once_in(2);
-                if flip && !matches!(bond, Bond::Slot(..)) {
-                    (a, b) = (b, a);
+        let joints = self.joints.iter().enumerate().map(|(number, &(mut a, mut b, bond))| {
+            let flip = dice.once_in(2);
+            if flip && !matches!(bond, Bond::Slot(..)) {
+                (a, b) = (b, a);
+            }
+            let ends = format!("({}, {})", names[a], names[b]);
+            let rolling = |word: &str, ratio: Ratio, on: Option<usize>| {
+                let ratio = match (flip, ratio) {
+                    (false, ratio) => ratio,
+                    (true, Ratio::Teeth(a, b)) => Ratio::Teeth(b, a),
+                    (true, Ratio::Radii(a, b)) => Ratio::Radii(b, a),
+                };
+                let on = on.map_or(String::new(), |on| format!(" on {}", names[on]));
+                format!("{word}({}, {}, {ratio}{on})", names[a], names[b])
+            };
+            let what = match bond {
+                Bond::Pin([x, y]) => format!("revolute{ends} at ({x:?}, {y:?})"),
+                Bond::Slide([x, y], [u, v]) => {
+                    let sign = if dice.once_in(2) { -1.0 } else { 1.0 };
+                    format!(
+                        "prismatic{ends} at ({x:?}, {y:?}) along ({:?}, {:?})",
+                        sign * u,
+                        sign * v
+                    )
                 }
-                let ends = format!("({}, {})", names[a], names[b]);
-                let rolling = |word: &str, ratio: Ratio, on: Option<usize>| {
-                    let ratio = match (flip, ratio) {
-                        (false, ratio) => ratio,
-                        (true, Ratio::Teeth(a, b)) => Ratio::Teeth(b, a),
-                        (true, Ratio::Radii(a, b)) => Ratio::Radii(b, a),
-                    };
-                    let on = on.map_or(String::new(), |on| format!(" on {}", names[on]));
-                    format!("{word}({}, {}, {ratio}{on})", names[a], names[b])
-                };
-                let what = match bond {
-                    Bond::Pin([x, y]) => format!("revolute{ends} at ({x:?}, {y:?})"),
-                    Bond::Slide([x, y], [u, v]) => {
-                        let sign = if dice.once_in(2) { -1.0 } else { 1.0 };
-                        format!(
-                            "prismatic{ends} at ({x:?}, {y:?}) along ({:?}, {:?})",
-                            sign * u,
-                            sign * v
-                        )
-                    }
-                    Bond::Slot([x, y], [u, v]) => {
-                        format!("slot{ends} at ({x:?}, {y:?}) along ({u:?}, {v:?})")
-                    }
-                    Bond::Weld([x, y]) => format!("weld{ends} at ({x:?}, {y:?})"),
-                    Bond::Gear(ratio, on) => rolling("gear", ratio, on),
-                    Bond::Belt(ratio, on) => rolling("belt", ratio, on),
-                };
-                format!("joint j{number} = {what};\n")
-            });
+                Bond::Slot([x, y], [u, v]) => {
+                    format!("slot{ends} at ({x:?}, {y:?}) along ({u:?}, {v:?})")
+                }
+                Bond::Weld([x, y]) => format!("weld{ends} at ({x:?}, {y:?})"),
+                Bond::Gear(ratio, on) => rolling("gear", ratio, on),
+                Bond::Belt(ratio, on) => rolling("belt", ratio, on),
+            };
+            format!("joint j{number} = {what};\n")
+        });
         let mut joints: Vec<String> = joints.collect();
         shuffle(&mut links, dice);
         shuffle(&mut joints, dice);
         let precision = if self.single { ": f32" } else { "" };
-        let mut text = format!(
-            "struct Random{precision};\n{}{}",
-            links.concat(),
-            joints.concat()
-        );
+        let mut text = format!("struct Random{precision};\n{}{}", links.concat(), joints.concat());
         for motor in &self.motors {
             writeln!(text, "motor j{motor};").expect("a string");
         }

@@ -21,9 +21,7 @@ pub fn mechanisms(source: &str) -> Vec<(Model, Compiled)> {
 /// If there is none, or as [`mechanisms`].
 #[must_use]
 pub fn mechanism_of<M: Mechanism>(source: &str) -> (Model, Compiled) {
-    let found = mechanisms(source)
-        .into_iter()
-        .find(|(model, _)| model.name == M::NAME);
+    let found = mechanisms(source).into_iter().find(|(model, _)| model.name == M::NAME);
     found.expect("the source declares it")
 }
 
@@ -97,10 +95,8 @@ fn read(text: TokenStream) -> Parsed {
 fn compiled(text: TokenStream) -> (Model, Compiled) {
     let model = read(text).model;
     let compiled = compile(&model).unwrap_or_else(|wrong| {
-        let messages: Vec<String> = wrong
-            .iter()
-            .map(|wrong| reporter::text(wrong, &model))
-            .collect();
+        let messages: Vec<String> =
+            wrong.iter().map(|wrong| reporter::text(wrong, &model)).collect();
         panic!("{}", messages.join("; "))
     });
     (model, compiled)

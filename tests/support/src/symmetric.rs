@@ -62,16 +62,8 @@ fn ring(dice: &mut Dice, kinds: &[&str]) -> [Bond; 4] {
     bonds
 }
 
-const RINGS: [&str; 8] = [
-    "rhombus",
-    "kite",
-    "parallelogram",
-    "antiparallelogram",
-    "slider",
-    "guide",
-    "yoke",
-    "trammel",
-];
+const RINGS: [&str; 8] =
+    ["rhombus", "kite", "parallelogram", "antiparallelogram", "slider", "guide", "yoke", "trammel"];
 
 /// Moves a ring.
 fn moved(bonds: [Bond; 4], [dx, dy]: Point) -> [Bond; 4] {
@@ -108,11 +100,7 @@ fn add_dyad(sketch: &mut Sketch, dice: &mut Dice, ends: [usize; 2]) {
     sketch.join(
         b,
         ends[1],
-        if dice.once_in(4) {
-            Bond::Slide(r, [1.0, 0.0])
-        } else {
-            Bond::Pin(r)
-        },
+        if dice.once_in(4) { Bond::Slide(r, [1.0, 0.0]) } else { Bond::Pin(r) },
     );
 }
 
@@ -134,11 +122,7 @@ fn add_wheel(
     [a, b]: [i64; 2],
 ) -> usize {
     let wheel = sketch.link();
-    let joint = sketch.join(
-        carrier,
-        wheel,
-        Bond::Pin([signed(dice) + 6.0, signed(dice)]),
-    );
+    let joint = sketch.join(carrier, wheel, Bond::Pin([signed(dice) + 6.0, signed(dice)]));
     let bond = rolling(dice, [a, b], carrier);
     sketch.join(wheel, link, bond);
     joint
@@ -274,17 +258,10 @@ pub fn fast(dice: &mut Dice) -> Sketch {
 fn guided(sketch: &mut Sketch, dice: &mut Dice, [table, driver]: [usize; 2], x: f64) -> usize {
     let [u, v] = [signed(dice), signed(dice)];
     let guide = sketch.link();
-    let pivot = [
-        x + 0.7 * u * dice.between(-1.0, 1.0),
-        0.7 * v * dice.between(-1.0, 1.0),
-    ];
+    let pivot = [x + 0.7 * u * dice.between(-1.0, 1.0), 0.7 * v * dice.between(-1.0, 1.0)];
     let pin = [x + u, v];
     sketch.join(table, guide, Bond::Pin(pivot));
-    sketch.join(
-        driver,
-        guide,
-        Bond::Slot(pin, [pin[0] - pivot[0], pin[1] - pivot[1]]),
-    );
+    sketch.join(driver, guide, Bond::Slot(pin, [pin[0] - pivot[0], pin[1] - pivot[1]]));
     guide
 }
 
@@ -296,22 +273,10 @@ fn four_bar(sketch: &mut Sketch, dice: &mut Dice, [table, driver]: [usize; 2], x
     let (top, pivot) = match dice.below(3) {
         0 => {
             let apart = [length(dice), signed(dice)];
-            (
-                [pin[0] + apart[0], pin[1] + apart[1]],
-                [x + apart[0], apart[1]],
-            )
+            ([pin[0] + apart[0], pin[1] + apart[1]], [x + apart[0], apart[1]])
         }
-        1 => (
-            [
-                x + 3.0 + dice.between(-0.5, 0.5),
-                2.0 + dice.between(-0.5, 0.5),
-            ],
-            [x + 3.0, -0.5],
-        ),
-        _ => (
-            [x + signed(dice), signed(dice)],
-            [x + 2.0 + length(dice), signed(dice)],
-        ),
+        1 => ([x + 3.0 + dice.between(-0.5, 0.5), 2.0 + dice.between(-0.5, 0.5)], [x + 3.0, -0.5]),
+        _ => ([x + signed(dice), signed(dice)], [x + 2.0 + length(dice), signed(dice)]),
     };
     sketch.join(driver, coupler, Bond::Pin(pin));
     sketch.join(coupler, rocker, Bond::Pin(top));

@@ -19,10 +19,8 @@ pub fn text(model: &Model) -> String {
     for motor in &model.motors {
         text += &format!("motor {};\n", model.joint(motor.joint).name);
     }
-    for (allowed, word) in [
-        (model.allow.coupled, "coupled"),
-        (model.allow.redundant, "redundant"),
-    ] {
+    for (allowed, word) in [(model.allow.coupled, "coupled"), (model.allow.redundant, "redundant")]
+    {
         if allowed {
             text += &format!("allow {word};\n");
         }
@@ -69,29 +67,12 @@ fn kind(model: &Model, joint: &Joint) -> String {
             Some((point, line)) => lines("slot", point, line),
             None => lines("prismatic", a, b),
         },
-        JointKind::Gear {
-            a,
-            b,
-            ratio: sizes,
-            on,
-        } => wheels("gear", [a, b], ratio(sizes), on),
-        JointKind::Belt {
-            a,
-            b,
-            ratio: sizes,
-            on,
-        } => wheels("belt", [a, b], ratio(sizes), on),
-        JointKind::Rack {
-            pinion,
-            bar,
-            radius,
-            on,
-        } => wheels("rack", [pinion, bar], format!("radius {radius:?}"), on),
-        JointKind::Cam {
-            shaft,
-            follower,
-            law,
-        } => {
+        JointKind::Gear { a, b, ratio: sizes, on } => wheels("gear", [a, b], ratio(sizes), on),
+        JointKind::Belt { a, b, ratio: sizes, on } => wheels("belt", [a, b], ratio(sizes), on),
+        JointKind::Rack { pinion, bar, radius, on } => {
+            wheels("rack", [pinion, bar], format!("radius {radius:?}"), on)
+        }
+        JointKind::Cam { shaft, follower, law } => {
             let [shaft, follower] = [shaft, follower].map(|id| &model.joint(id).name);
             // Where it was written for a motor, its variable is the time.
             let law = model.law(law).written.replace("(t)", "(q)");
@@ -105,10 +86,6 @@ fn pair(model: &Model, a: AxisId, b: AxisId) -> String {
     let [a, b] = [a, b].map(|axis| model.axis(axis));
     let [from, to] = [a, b].map(|axis| &model.link(axis.link).name);
     let ([x, y], [u, v]) = (a.at, b.at);
-    let elsewhere = if a.at == b.at {
-        String::new()
-    } else {
-        format!(" /* ({u:?}, {v:?}) */")
-    };
+    let elsewhere = if a.at == b.at { String::new() } else { format!(" /* ({u:?}, {v:?}) */") };
     format!("({from}, {to}) at ({x:?}, {y:?}){elsewhere}")
 }

@@ -18,9 +18,8 @@ pub fn vary(model: &mut Model, dice: &mut Dice, params: usize) {
         });
         for _ in 0..=dice.below(2) {
             let declared = |axis: &Axis| model.link(axis.link).die.is_none();
-            let axes: Vec<usize> = (0..model.axes.len())
-                .filter(|&axis| declared(&model.axes[axis]))
-                .collect();
+            let axes: Vec<usize> =
+                (0..model.axes.len()).filter(|&axis| declared(&model.axes[axis])).collect();
             let (axis, part) = (*dice.pick(&axes), dice.below(2));
             if model.axes[axis].formulas[part].is_none() {
                 let at = model.axes[axis].at[part];
@@ -48,9 +47,8 @@ fn turn_line(model: &mut Model, dice: &mut Dice, param: ParamId) {
         let is_declared = model.link(axis.link).die.is_none();
         axis.kind == AxisKind::Line && is_declared && !axis.turns()
     };
-    let lines: Vec<usize> = (0..model.axes.len())
-        .filter(|&axis| is_free(&model.axes[axis]))
-        .collect();
+    let lines: Vec<usize> =
+        (0..model.axes.len()).filter(|&axis| is_free(&model.axes[axis])).collect();
     if lines.is_empty() {
         return;
     }
@@ -66,11 +64,8 @@ fn turn_line(model: &mut Model, dice: &mut Dice, param: ParamId) {
 
 /// Makes every length of a mechanism so many times as great as a param says, which is one at the start.
 pub fn scale(model: &mut Model) {
-    let param = model.params.add(Param {
-        name: "scale".to_owned(),
-        origin: Origin::default(),
-        value: 1.0,
-    });
+    let param =
+        model.params.add(Param { name: "scale".to_owned(), origin: Origin::default(), value: 1.0 });
     let scale = model.params.formula(Formula::Param(param));
     for axis in &mut model.axes {
         for part in 0..2 {
@@ -93,10 +88,7 @@ fn depending(model: &mut Model, dice: &mut Dice, param: ParamId, at: f64) -> For
             let factor_id = formula(Formula::constant(factor));
             (formula(Formula::Mul(symbol, factor_id)), factor * value)
         }
-        2 => (
-            formula(Formula::Of(Function::Sin, symbol)),
-            libm::sin(value),
-        ),
+        2 => (formula(Formula::Of(Function::Sin, symbol)), libm::sin(value)),
         3 => {
             let root = formula(Formula::Of(Function::Sqrt, symbol));
             (formula(Formula::Neg(root)), -value.sqrt())

@@ -57,9 +57,7 @@ fn entries() -> Vec<Entry> {
     let mut paths: Vec<_> = files.map(|file| file.expect("a file").path()).collect();
     paths.retain(|path| path.extension().is_some_and(|end| end == "mech"));
     paths.sort_by_key(|path| path.file_stem().map(ToOwned::to_owned));
-    let texts = paths
-        .iter()
-        .map(|path| fs::read_to_string(path).expect("a text"));
+    let texts = paths.iter().map(|path| fs::read_to_string(path).expect("a text"));
     texts.map(|text| Entry::read(&text)).collect()
 }
 
@@ -77,9 +75,7 @@ fn the_page_is_what_the_compiler_says() {
     if env::var_os("UPDATE_CATALOGUE").is_some() {
         fs::write(path, &page).expect("the page");
     }
-    let there = fs::read_to_string(path)
-        .expect("the page")
-        .replace("\r\n", "\n");
+    let there = fs::read_to_string(path).expect("the page").replace("\r\n", "\n");
     assert!(
         there == page,
         "docs/diagnoses.md is stale: renew it with UPDATE_CATALOGUE=1, and read what changed\n{page}"
@@ -116,10 +112,7 @@ fn page() -> String {
 
 fn edit([from, to]: &[String; 2]) -> String {
     let quoted = |text: &str| {
-        let lines: Vec<String> = text
-            .lines()
-            .map(|line| format!("`{}`", line.trim()))
-            .collect();
+        let lines: Vec<String> = text.lines().map(|line| format!("`{}`", line.trim())).collect();
         lines.join(" ")
     };
     let from = quoted(from);
@@ -132,12 +125,7 @@ fn edit([from, to]: &[String; 2]) -> String {
 
 /// All that the compiler says, as it shows it.
 fn messages(entry: &Entry) -> String {
-    let Parsed {
-        model,
-        places,
-        source,
-        ..
-    } = parsed(&entry.example);
+    let Parsed { model, places, source, .. } = parsed(&entry.example);
     let diagnoses = diagnoses(&model);
     assert!(!diagnoses.is_empty(), "{}", entry.variant);
     let first = format!("{:?}", diagnoses[0]);
@@ -150,10 +138,7 @@ fn messages(entry: &Entry) -> String {
         let lines: Vec<&str> = text.lines().map(str::trim_end).collect();
         lines.join("\n")
     };
-    let shown: Vec<String> = messages
-        .iter()
-        .map(|message| shown(&message.text))
-        .collect();
+    let shown: Vec<String> = messages.iter().map(|message| shown(&message.text)).collect();
     shown.join("\n\n")
 }
 
@@ -184,11 +169,7 @@ fn variants() -> Vec<(String, String)> {
 fn meaning(attributes: &[syn::Attribute]) -> String {
     let line = |attribute: &syn::Attribute| match &attribute.meta {
         syn::Meta::NameValue(syn::MetaNameValue {
-            value:
-                syn::Expr::Lit(syn::ExprLit {
-                    lit: syn::Lit::Str(text),
-                    ..
-                }),
+            value: syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. }),
             ..
         }) => Some(text.value().trim().to_owned()),
         _ => None,

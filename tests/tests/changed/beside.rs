@@ -109,19 +109,11 @@ fn it_moves_under_forces_as_a_mechanism_with_these_numbers() {
     changed.set_rates([4.0]).expect("finite");
     declared.set_rates([4.0]).expect("finite");
     for _ in 0..200 {
-        changed
-            .simulate(0.005, [6.0])
-            .expect("nothing is in the way");
-        declared
-            .simulate(0.005, [6.0])
-            .expect("nothing is in the way");
+        changed.simulate(0.005, [6.0]).expect("nothing is in the way");
+        declared.simulate(0.005, [6.0]).expect("nothing is in the way");
         near(changed.motors()[0], declared.motors()[0], 100.0);
         near(changed.rates()[0], declared.rates()[0], 100.0);
-        near(
-            changed.rod_tip_velocity().x,
-            declared.rod_tip_velocity().x,
-            100.0,
-        );
+        near(changed.rod_tip_velocity().x, declared.rod_tip_velocity().x, 100.0);
         near(
             changed.motor_accelerations([1.0]).expect("regular")[0],
             declared.motor_accelerations([1.0]).expect("regular")[0],
@@ -142,17 +134,10 @@ fn it_moves_under_forces_as_a_mechanism_with_these_numbers() {
 fn what_is_wrong_with_forces_is_reported_of_motors() {
     let mut small = Small::new();
     let blocked = small.hold_at([f32::NAN]).expect_err("not a number");
-    let Blocked {
-        place,
-        cause,
-        reached,
-        ..
-    } = blocked;
+    let Blocked { place, cause, reached, .. } = blocked;
     assert_eq!((place, cause), ("ja", Cause::NotFinite));
     assert_eq!(reached, small.motors());
-    let blocked = small
-        .simulate(0.1, [f32::INFINITY])
-        .expect_err("not a number");
+    let blocked = small.simulate(0.1, [f32::INFINITY]).expect_err("not a number");
     assert_eq!(blocked.place, "ja");
     assert!(small.set_push([f32::NAN, 0.0]).is_err());
     small.set_crank_length(1.1).expect("it closes");
@@ -267,10 +252,7 @@ fn a_law_without_a_value_stops_the_move() {
     lawful.at_time(0.5).expect("a crank turns");
     let before = lawful;
     let blocked = lawful.at_time(f64::NAN).expect_err("no time");
-    assert_eq!(
-        (blocked.cause, blocked.reached),
-        (Cause::NotFinite, lawful.motors())
-    );
+    assert_eq!((blocked.cause, blocked.reached), (Cause::NotFinite, lawful.motors()));
     assert_eq!(lawful, before);
 }
 
@@ -281,43 +263,23 @@ fn every_function_goes_with_params() {
         computed.set_params([p, q]).expect("it has a value");
         let expected = [
             [2.0 + p.asin() + (p / 2.0).acos(), p.atan2(q) + q.atan()],
-            [
-                p.hypot(q) - p.min(q) / 4.0 + (-p).exp(),
-                (p - q).abs() + p.max(q * q),
-            ],
-            [
-                (3.0 * q).floor() + (p - q).signum(),
-                5.0 * q - p * (5.0 * q / p).floor(),
-            ],
+            [p.hypot(q) - p.min(q) / 4.0 + (-p).exp(), (p - q).abs() + p.max(q * q)],
+            [(3.0 * q).floor() + (p - q).signum(), 5.0 * q - p * (5.0 * q / p).floor()],
             [q.sqrt() - (p / 2.0).tan(), p.sin() * q.cos()],
         ];
-        let found = [
-            computed.a_b(),
-            computed.a_c(),
-            computed.a_d(),
-            computed.a_e(),
-        ];
+        let found = [computed.a_b(), computed.a_c(), computed.a_d(), computed.a_e()];
         for (found, [x, y]) in found.into_iter().zip(expected) {
-            assert!(
-                (found.x - x).hypot(found.y - y) < 1e-13,
-                "{found:?} {x} {y}"
-            );
+            assert!((found.x - x).hypot(found.y - y) < 1e-13, "{found:?} {x} {y}");
         }
         // By calculus.
         let root = (1.0 - p * p).sqrt();
         let of_b = [
-            [
-                1.0 / root - 0.5 / (1.0 - p * p / 4.0).sqrt(),
-                q / (p * p + q * q),
-            ],
+            [1.0 / root - 0.5 / (1.0 - p * p / 4.0).sqrt(), q / (p * p + q * q)],
             [0.0, -p / (p * p + q * q) + 1.0 / (1.0 + q * q)],
         ];
         let slopes = computed.a_b_sensitivity().expect("regular");
         for (found, [x, y]) in slopes.into_iter().zip(of_b) {
-            assert!(
-                (found.x - x).hypot(found.y - y) < 1e-12,
-                "{found:?} {x} {y}"
-            );
+            assert!((found.x - x).hypot(found.y - y) < 1e-12, "{found:?} {x} {y}");
         }
         // Whole numbers stay, and what is left of whole times grows with what it is a remainder of.
         let [by_p, by_q] = computed.a_d_sensitivity().expect("regular");

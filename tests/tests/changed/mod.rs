@@ -82,17 +82,11 @@ where
         for (motor, displacement) in motors.as_mut().iter_mut().zip(displacements) {
             *motor += <M::Scalar as Real>::from_f64(*displacement);
         }
-        assert_eq!(
-            mechanism.move_to(motors).is_ok(),
-            machine.move_to(motors.as_ref()).is_ok()
-        );
+        assert_eq!(mechanism.move_to(motors).is_ok(), machine.move_to(motors.as_ref()).is_ok());
         let factors = factors[round % factors.len()];
         let start: Vec<f64> = model.params.values().collect();
-        let params: Vec<f64> = start
-            .iter()
-            .zip(factors)
-            .map(|(value, factor)| value * factor)
-            .collect();
+        let params: Vec<f64> =
+            start.iter().zip(factors).map(|(value, factor)| value * factor).collect();
         let given: Vec<M::Scalar> = params.iter().map(|&value| Real::from_f64(value)).collect();
         let before = mechanism.poses().to_vec();
         let outcomes = [mechanism.set(&params), machine.set_params(&given).is_ok()];
@@ -110,11 +104,7 @@ where
                 M::NAME
             );
         }
-        let given: Vec<f64> = machine
-            .params()
-            .iter()
-            .map(|value| value.to_f64())
-            .collect();
+        let given: Vec<f64> = machine.params().iter().map(|value| value.to_f64()).collect();
         assert_eq!(mechanism.get(), given);
         if model.show.is_none() {
             let there = with_params(&model, &given);
@@ -123,40 +113,25 @@ where
             let open = worst_gap(&there, &poses).max(worst_stretch(&poses));
             assert!(open <= 64.0 * epsilon * extent, "{}: {open:e}", M::NAME);
         }
-        let interpreted = sensitivities(sensitive, machine.position())
-            .ok()
-            .map(|all| {
-                let row = |links: Vec<[M::Scalar; 3]>| {
-                    links.concat().iter().map(|rate| rate.to_f64()).collect()
-                };
-                all.into_iter()
-                    .map(|followed| row(followed.links))
-                    .collect::<Vec<Vec<f64>>>()
-            });
-        assert_eq!(
-            mechanism.rates(),
-            interpreted,
-            "{} in round {round}",
-            M::NAME
-        );
+        let interpreted = sensitivities(sensitive, machine.position()).ok().map(|all| {
+            let row = |links: Vec<[M::Scalar; 3]>| {
+                links.concat().iter().map(|rate| rate.to_f64()).collect()
+            };
+            all.into_iter().map(|followed| row(followed.links)).collect::<Vec<Vec<f64>>>()
+        });
+        assert_eq!(mechanism.rates(), interpreted, "{} in round {round}", M::NAME);
     }
     assert!(done >= 40, "{}: only {done} changes", M::NAME);
 }
 
 #[test]
 fn generated_code_changes_as_the_interpreted_program_does() {
-    agree::<FourBar>(
-        &[0.37],
-        &[&[1.0, 1.2], &[1.3, 1.0], &[0.7, 0.9], &[1.0, 3.0]],
-    );
+    agree::<FourBar>(&[0.37], &[&[1.0, 1.2], &[1.3, 1.0], &[0.7, 0.9], &[1.0, 3.0]]);
     agree::<SliderCrank>(&[0.37], &[&[1.5, 1.0], &[1.0, -2.0], &[0.9, 0.0]]);
     agree::<QuickReturn>(&[-0.41], &[&[0.5, 1.0], &[2.0, 1.5], &[1.0, 10.0]]);
     agree::<Arm>(&[0.3, -0.2], &[&[2.0, 0.1], &[-1.0, 1.0], &[10.0, 0.0]]);
     agree::<Coupled>(&[0.05], &[&[1.02], &[1.0], &[0.98]]);
-    agree::<Lifted>(
-        &[0.29],
-        &[&[1.0, 0.8], &[1.2, 1.0], &[2.0, 1.0], &[0.5, 1.1]],
-    );
+    agree::<Lifted>(&[0.29], &[&[1.0, 0.8], &[1.2, 1.0], &[2.0, 1.0], &[0.5, 1.1]]);
     agree::<Geared>(&[0.37], &[&[1.2], &[0.95], &[1.1]]);
     agree::<Tilted>(&[0.37], &[&[1.5], &[0.0], &[-1.0], &[1.1]]);
     agree::<Leaning>(&[-0.41], &[&[0.5], &[2.0], &[-1.0], &[5.0]]);
@@ -170,14 +145,9 @@ fn a_line_is_turned_as_it_might_have_been_declared() {
     for degrees in (0..=720).step_by(7) {
         let motors = [f64::from(degrees).to_radians()];
         set.move_with(motors, [2.0], [1.0]).expect("a crank turns");
-        declared
-            .move_with(motors, [2.0], [1.0])
-            .expect("a crank turns");
+        declared.move_with(motors, [2.0], [1.0]).expect("a crank turns");
         let near = |a: f64, b: f64| {
-            assert!(
-                (a - b).abs() < 1e-12 * (1.0 + a.abs()),
-                "{a} {b} at {degrees}°"
-            );
+            assert!((a - b).abs() < 1e-12 * (1.0 + a.abs()), "{a} {b} at {degrees}°");
         };
         near(set.rod_middle().x, declared.rod_middle().x);
         near(set.rod_middle().y, declared.rod_middle().y);
@@ -200,9 +170,7 @@ fn teeth_stay_in_mesh_where_a_param_turns_a_slide() {
     let start = rolling.wheel().rotation.angle();
     for step in 1..40 {
         let turned = 0.05 * f64::from(step);
-        rolling
-            .set_tilt(30.0_f64.to_radians() + turned)
-            .expect("it closes");
+        rolling.set_tilt(30.0_f64.to_radians() + turned).expect("it closes");
         let off = rolling.wheel().rotation.angle() - start + 2.0 * turned;
         let turns = off / std::f64::consts::TAU;
         assert!((turns - turns.round()).abs() < 1e-12, "{off}");
@@ -212,11 +180,9 @@ fn teeth_stay_in_mesh_where_a_param_turns_a_slide() {
 #[test]
 fn an_open_chain_follows_its_lengths_as_geometry_says() {
     let mut arm = Arm::new();
-    for (a, b, upper, fore) in [
-        (0.3, 1.1, 2.0, 1.5),
-        (-2.0, 0.4, 7.0, 0.01),
-        (50.0, -9.0, -1.0, 0.0),
-    ] {
+    for (a, b, upper, fore) in
+        [(0.3, 1.1, 2.0, 1.5), (-2.0, 0.4, 7.0, 0.01), (50.0, -9.0, -1.0, 0.0)]
+    {
         arm.move_to([a, b]).expect("nothing is in the way");
         arm.set_upper(upper).expect("nothing is in the way");
         arm.set_fore(fore).expect("nothing is in the way");
@@ -226,10 +192,7 @@ fn an_open_chain_follows_its_lengths_as_geometry_says() {
         near(by_upper.y, f64::sin(a));
         near(by_fore.x, f64::cos(a + b));
         near(by_fore.y, f64::sin(a + b));
-        near(
-            arm.ulna_hand().x,
-            upper * f64::cos(a) + fore * f64::cos(a + b),
-        );
+        near(arm.ulna_hand().x, upper * f64::cos(a) + fore * f64::cos(a + b));
         let [elbow, _] = arm.ulna_sensitivity().expect("there is no loop");
         assert_eq!((elbow.angular, elbow.x), (0.0, by_upper.x));
     }
@@ -240,23 +203,12 @@ fn points_and_joints_follow_as_differences_say() {
     const STEP: f64 = 1e-3;
     let mut machine = QuickReturn::new();
     for _ in 0..20 {
-        machine
-            .move_to([machine.motors()[0] + 0.5])
-            .expect("it turns");
+        machine.move_to([machine.motors()[0] + 0.5]).expect("it turns");
         let at = machine.params();
         let exact = [
-            machine
-                .lever_tip_sensitivity()
-                .expect("regular")
-                .map(|rate| [rate.x, rate.y]),
-            machine
-                .b_sensitivity()
-                .expect("regular")
-                .map(|rate| [rate, 0.0]),
-            machine
-                .s_sensitivity()
-                .expect("regular")
-                .map(|rate| [rate, 0.0]),
+            machine.lever_tip_sensitivity().expect("regular").map(|rate| [rate.x, rate.y]),
+            machine.b_sensitivity().expect("regular").map(|rate| [rate, 0.0]),
+            machine.s_sensitivity().expect("regular").map(|rate| [rate, 0.0]),
         ];
         for param in 0..2 {
             let rows = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|part| {
@@ -286,21 +238,13 @@ fn what_does_not_close_is_refused_and_changes_nothing() {
     let before = four_bar;
     let refused: Result<(), Blocked<f64>> = four_bar.set_rod(0.01);
     let blocked = refused.expect_err("the rod is too short");
-    assert_eq!(
-        (blocked.cause, blocked.place),
-        (Cause::Open, "`jb`, `jc`, `jd`")
-    );
+    assert_eq!((blocked.cause, blocked.place), (Cause::Open, "`jb`, `jc`, `jd`"));
     assert_eq!(four_bar, before);
     // Pins 1 apart from 4: the rod reaches from the crank's pin to the rocker's circle.
     let pin = [f64::cos(1.0), f64::sin(1.0)];
     let shortest = 3.0 - f64::hypot(4.0 - pin[0], pin[1]);
-    assert!(
-        (blocked.reached - shortest.abs()).abs() < 1e-7,
-        "{blocked:?}"
-    );
-    four_bar
-        .set_rod(blocked.reached)
-        .expect("it may go up to there");
+    assert!((blocked.reached - shortest.abs()).abs() < 1e-7, "{blocked:?}");
+    four_bar.set_rod(blocked.reached).expect("it may go up to there");
     let singular = four_bar.sensitivities().expect_err("it is at a dead point");
     assert_eq!(singular.cause, Cause::Singular);
     four_bar.set_rod(3.5).expect("and back");
@@ -310,10 +254,7 @@ fn what_does_not_close_is_refused_and_changes_nothing() {
         let before = four_bar;
         let blocked = four_bar.set_crank(value).expect_err("it is no number");
         assert_eq!((blocked.cause, blocked.place), (Cause::NotFinite, "crank"));
-        assert_eq!(
-            blocked.to_string(),
-            "the value for `crank` is not a finite number"
-        );
+        assert_eq!(blocked.to_string(), "the value for `crank` is not a finite number");
         assert!(four_bar.set_params([1.0, value]).is_err());
         assert_eq!(four_bar, before);
     }
@@ -336,10 +277,7 @@ fn numbers_that_do_not_exist_are_refused() {
     let mut loose = Loose::new();
     let before = loose;
     for x in [1.5, -1.5] {
-        assert_eq!(
-            loose.set_x(x).expect_err("there is no such root").cause,
-            Cause::Overflow
-        );
+        assert_eq!(loose.set_x(x).expect_err("there is no such root").cause, Cause::Overflow);
         assert_eq!(loose, before);
     }
     loose.set_x(1e308).expect_err("nor here");
@@ -356,9 +294,7 @@ fn everything_else_goes_on_with_the_params_as_they_are() {
     let mut buffer = [0.0; 4 * 3 * 2];
     let motors = [[0.1], [0.2]];
     let mut columns = mech_runtime::Columns::new(&mut buffer, 2).expect("there is room");
-    four_bar
-        .solve_many(&motors, &mut columns)
-        .expect("it turns");
+    four_bar.solve_many(&motors, &mut columns).expect("it turns");
     let mut one = four_bar;
     one.move_to([0.2]).expect("it turns");
     assert_eq!(columns.pose(1, 1), Some(one.poses()[1]));
@@ -366,15 +302,11 @@ fn everything_else_goes_on_with_the_params_as_they_are() {
     FourBar::move_many(&mut all, &[[0.1], [0.2], [0.3]]).expect("they turn");
     assert_eq!(all[1], one);
     let mut phased = four_bar;
-    phased
-        .turn_to([Phase::from_degrees(90.0).expect("a number")])
-        .expect("it turns");
+    phased.turn_to([Phase::from_degrees(90.0).expect("a number")]).expect("it turns");
     assert_eq!(FourBar::PARAMS, ["crank", "rod"]);
     assert_eq!((phased.crank(), phased.rod()), (1.0, 4.5));
     let mut there = four_bar;
-    there
-        .move_to([std::f64::consts::FRAC_PI_2])
-        .expect("it turns");
+    there.move_to([std::f64::consts::FRAC_PI_2]).expect("it turns");
     assert!((phased.coupler_tip() - there.coupler_tip()).norm() < 1e-12);
     assert_eq!(there.move_toward([2.0]).expect("a number"), Reached::Target);
     assert_eq!(there.motors(), [2.0]);

@@ -83,9 +83,7 @@ fn tables_are_as_at_the_start() {
 fn lengths_may_become_negative() {
     for radius in [-1.0_f32, 0.0, 1e30, -1e30, f32::MIN_POSITIVE] {
         let mut small = Small::new();
-        small
-            .set_params([radius, -3.0])
-            .expect("nothing is in the way");
+        small.set_params([radius, -3.0]).expect("nothing is in the way");
         let (mut hard, mut smooth) = (Small::picture::<64, 48>(), Smooth::<64, 64>::new());
         small.draw(&mut hard);
         small.draw(&mut smooth);

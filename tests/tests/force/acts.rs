@@ -85,11 +85,7 @@ pub(super) fn by_actions(
         .iter()
         .map(|spring| (spring.between, spring.stiffness, spring.rest, 0.0))
         .chain(
-            model
-                .actions
-                .dampers
-                .iter()
-                .map(|damper| (damper.between, 0.0, 0.0, damper.damping)),
+            model.actions.dampers.iter().map(|damper| (damper.between, 0.0, 0.0, damper.damping)),
         )
     {
         match between {

@@ -47,11 +47,7 @@ fn fall<T: Scalar, const M: usize>(text: &str, model: &Model, dice: &mut Dice, s
     machine.rates = slides
         .map(|slide| number(dice.between(-1.5, 1.5) / unit * slide.map_or(1.0, |size| 0.3 * size)));
     let time = unit * *dice.pick(&[0.001, 0.003, 0.01, 0.03, 0.06]);
-    let method = *dice.pick(&[
-        GaussLegendre::Order2,
-        GaussLegendre::Order4,
-        GaussLegendre::Order6,
-    ]);
+    let method = *dice.pick(&[GaussLegendre::Order2, GaussLegendre::Order4, GaussLegendre::Order6]);
     seen.mechanisms += 1;
     let mut angles = vec![0.0; model.joints.len()];
     follow(&mut angles, model, &machine.in_f64());
@@ -86,14 +82,9 @@ fn fall<T: Scalar, const M: usize>(text: &str, model: &Model, dice: &mut Dice, s
         let Some(fine) = fine.filter(|fine| fine.gain < DEAD) else {
             seen.dead += 1;
             if let Err(blocked) = outcome {
-                if !matches!(
-                    blocked.cause,
-                    Cause::Open | Cause::DeadPoint | Cause::Singular
-                ) {
-                    seen.unnamed.push(format!(
-                        "{:?}, step {step} of {time}\n{text}",
-                        blocked.cause
-                    ));
+                if !matches!(blocked.cause, Cause::Open | Cause::DeadPoint | Cause::Singular) {
+                    seen.unnamed
+                        .push(format!("{:?}, step {step} of {time}\n{text}", blocked.cause));
                 }
                 return;
             }
@@ -115,9 +106,8 @@ fn fall<T: Scalar, const M: usize>(text: &str, model: &Model, dice: &mut Dice, s
         }
         let off = apart(&machine.in_f64().motors, &fine.motors()) / way;
         // The step's own error is that of steps half as long, and more.
-        let own = coarse.map_or(f64::INFINITY, |coarse| {
-            apart(&coarse.motors(), &fine.motors()) / way
-        });
+        let own =
+            coarse.map_or(f64::INFINITY, |coarse| apart(&coarse.motors(), &fine.motors()) / way);
         if fine.gain < 0.2 * DEAD && own < 1e-3 && method != GaussLegendre::Order2 {
             seen.worst = seen.worst.max(off);
         }

@@ -81,14 +81,7 @@ impl Parallelogram {
             links.concat(),
             joints.concat()
         );
-        Self {
-            length,
-            angle,
-            gravity,
-            masses,
-            between,
-            text,
-        }
+        Self { length, angle, gravity, masses, between, text }
     }
 
     /// The reduced inertia, and the torque of gravity on the crank at an angle.
@@ -122,31 +115,20 @@ impl Parallelogram {
             -0.4,
         ];
         let places = [0.0, -std::f64::consts::PI];
-        for (flat, offset) in places
-            .into_iter()
-            .flat_map(|flat| offsets.map(|offset| (flat, offset)))
+        for (flat, offset) in
+            places.into_iter().flat_map(|flat| offsets.map(|offset| (flat, offset)))
         {
             let crank = T::from_f64(self.angle + flat + offset);
             let sign = if self.between { -1.0 } else { 1.0 };
-            let motor = if self.between {
-                T::from_f64(-flat - offset)
-            } else {
-                crank
-            };
+            let motor = if self.between { T::from_f64(-flat - offset) } else { crank };
             let mut machine = Machine::<T>::new(&compiled.program);
             let from = machine.position().motors[0];
             for part in 1..=8 {
                 let part = T::from_f64(f64::from(part) / 8.0);
-                machine
-                    .move_to(&[from + (motor - from) * part])
-                    .expect("it turns");
+                machine.move_to(&[from + (motor - from) * part]).expect("it turns");
             }
-            let coupler = compiled
-                .program
-                .links
-                .iter()
-                .position(|name| name == "b")
-                .expect("it is there");
+            let coupler =
+                compiled.program.links.iter().position(|name| name == "b").expect("it is there");
             let pose = machine.position().poses[coupler].map(Real::to_f64);
             let turned = (pose[0] - self.angle.cos()).hypot(pose[1] - self.angle.sin());
             // Where positions are is judged elsewhere.

@@ -40,11 +40,9 @@ fn check(model: &Model, dice: &mut Dice, places: usize, seen: &mut Seen) {
     let Ok(compiled) = compile(model) else {
         return;
     };
-    let (Some(inverse_dynamics), Some(inertia), Some(holding)) = (
-        &compiled.forced.inverse_dynamics,
-        &compiled.forced.inertia,
-        &compiled.forced.holding,
-    ) else {
+    let (Some(inverse_dynamics), Some(inertia), Some(holding)) =
+        (&compiled.forced.inverse_dynamics, &compiled.forced.inertia, &compiled.forced.holding)
+    else {
         return;
     };
     let mut machine = Machine::<f64>::new(&compiled.program);
@@ -52,9 +50,8 @@ fn check(model: &Model, dice: &mut Dice, places: usize, seen: &mut Seen) {
     let mut angles = vec![0.0; model.joints.len()];
     follow(&mut angles, model, machine.position());
     for _ in 0..places {
-        let steps: Vec<f64> = (0..machine.position().motors.len())
-            .map(|_| dice.between(-0.7, 0.7) / 64.0)
-            .collect();
+        let steps: Vec<f64> =
+            (0..machine.position().motors.len()).map(|_| dice.between(-0.7, 0.7) / 64.0).collect();
         for _ in 0..64 {
             let motors = machine.position().motors.iter().zip(&steps);
             let motors: Vec<f64> = motors.map(|(motor, step)| motor + step).collect();
@@ -136,11 +133,7 @@ fn largest(inverse_dynamics: &InverseDynamics<f64>, reach: f64) -> f64 {
 fn by_inertia(felt: &Inertia<f64>, seconds: &[f64]) -> Vec<f64> {
     let rows = felt.matrix.iter().zip(&felt.drive);
     let torque = |(row, drive): (&Vec<f64>, &f64)| {
-        let inertia: f64 = row
-            .iter()
-            .zip(seconds)
-            .map(|(part, second)| part * second)
-            .sum();
+        let inertia: f64 = row.iter().zip(seconds).map(|(part, second)| part * second).sum();
         inertia - drive
     };
     rows.map(torque).collect()
@@ -159,9 +152,7 @@ fn newton_and_euler(
 ) {
     let mut machine = Machine::<f64>::new(compiled.moving.as_ref().expect("asked for"));
     machine.put_back(at.clone());
-    let moved = machine
-        .motion(&given.rates, &given.seconds)
-        .expect("it is regular");
+    let moved = machine.motion(&given.rates, &given.seconds).expect("it is regular");
     let accelerations = moved.accelerations.as_ref().expect("asked for");
     let (mut acts, rolls) = by_joints(model, at, inverse_dynamics);
     acts.extend(by_actions(model, (at, given), &moved));
@@ -210,11 +201,7 @@ fn slopes(
     seen: &mut Seen,
 ) {
     let inertia = compiled.forced.inertia.as_ref().expect("asked for");
-    let inverse_dynamics = compiled
-        .forced
-        .inverse_dynamics
-        .as_ref()
-        .expect("asked for");
+    let inverse_dynamics = compiled.forced.inverse_dynamics.as_ref().expect("asked for");
     let zero = vec![0.0; held.len()];
     let unloaded = vec![0.0; given.loads.len()];
     let step = 1e-3;
@@ -259,17 +246,10 @@ fn slopes(
 fn forces_in_random_mechanisms_obey_newton_and_euler_and_virtual_work() {
     let mut seen = Seen::default();
     let mechanisms = prop_oneof![3 => samples(1..=7), 1 => coupled_samples(0..=3)];
-    for_all(
-        200,
-        &mechanisms,
-        |Sample {
-             mut grown,
-             mut dice,
-         }| {
-            load_up(&mut grown.model, &mut dice);
-            check(&grown.model, &mut dice, 4, &mut seen);
-        },
-    );
+    for_all(200, &mechanisms, |Sample { mut grown, mut dice }| {
+        load_up(&mut grown.model, &mut dice);
+        check(&grown.model, &mut dice, 4, &mut seen);
+    });
     println!("{seen:?}");
     let cases = usize::try_from(mech_test_support::cases(200)).expect("not so many");
     assert!(seen.places > cases, "{seen:?}");

@@ -25,11 +25,8 @@ pub(super) fn load_up(model: &mut Model, dice: &mut Dice) {
             axis.kind == AxisKind::Point && model.link(axis.link).die.is_none()
         })
         .collect();
-    let moving: Vec<AxisId> = points
-        .iter()
-        .copied()
-        .filter(|&point| model.axis(point).link != LinkId::GROUND)
-        .collect();
+    let moving: Vec<AxisId> =
+        points.iter().copied().filter(|&point| model.axis(point).link != LinkId::GROUND).collect();
     let revolutes: Vec<_> = model
         .declared_joints()
         .filter(|&joint| matches!(model.joint(joint).kind, JointKind::Revolute(..)))
@@ -75,16 +72,9 @@ pub(super) fn load_up(model: &mut Model, dice: &mut Dice) {
         let point = *dice.pick(&moving);
         for (name, kind) in [
             ("push", LoadKind::Force(point)),
-            (
-                "twist",
-                LoadKind::Torque(model.axis(*dice.pick(&moving)).link),
-            ),
+            ("twist", LoadKind::Torque(model.axis(*dice.pick(&moving)).link)),
         ] {
-            actions.loads.push(Load {
-                name: name.to_owned(),
-                origin,
-                kind,
-            });
+            actions.loads.push(Load { name: name.to_owned(), origin, kind });
         }
     }
     model.actions = actions;

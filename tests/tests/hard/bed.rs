@@ -22,11 +22,7 @@ pub(crate) struct Tried<'m> {
 impl<'m> Tried<'m> {
     pub(crate) fn new(model: &'m Model, program: &'m Program) -> Self {
         let lengths = lengths(model).sum();
-        Self {
-            model,
-            program,
-            lengths,
-        }
+        Self { model, program, lengths }
     }
 }
 
@@ -41,11 +37,7 @@ pub(crate) struct Bed<'m, T: Real> {
 impl<'m, T: Real> Bed<'m, T> {
     /// At the start.
     pub(crate) fn new(tried: &'m Tried<'m>, points: Vec<Expected>) -> Self {
-        let bed = Self {
-            tried,
-            points: points.into(),
-            machine: Machine::new(tried.program),
-        };
+        let bed = Self { tried, points: points.into(), machine: Machine::new(tried.program) };
         bed.assert_whole();
         bed
     }
@@ -138,10 +130,7 @@ impl<'m, T: Real> Bed<'m, T> {
     #[track_caller]
     pub(crate) fn assert_at(&self, point: &Expected) {
         let ([cos, sin, x, y], [u, v]) = (self.pose(&point.link), point.on_link);
-        let (is, should) = (
-            [x + cos * u - sin * v, y + sin * u + cos * v],
-            point.at(self.motor()),
-        );
+        let (is, should) = ([x + cos * u - sin * v, y + sin * u + cos * v], point.at(self.motor()));
         let off = (is[0] - should[0]).hypot(is[1] - should[1]);
         let rounding = ROUNDING * T::EPSILON;
         let most = match point.tolerance {
@@ -197,10 +186,7 @@ impl<'m, T: Real> Bed<'m, T> {
             _ => 16.0 * T::EPSILON,
         };
         let stretch = worst_stretch(&poses) / T::EPSILON;
-        let (gap, most) = (
-            worst_gap(model, &poses),
-            std::f64::consts::SQRT_2 * part * self.size(),
-        );
+        let (gap, most) = (worst_gap(model, &poses), std::f64::consts::SQRT_2 * part * self.size());
         assert!(
             stretch * T::EPSILON <= longest && gap <= most,
             "at {} a link is stretched by {stretch:.0} eps, or there is a gap of {gap:e}, more than {most:e}",

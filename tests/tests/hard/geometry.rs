@@ -72,10 +72,7 @@ impl ClosedForm {
                 let along = (square + (b - c) * (b + c)) / (2.0 * square);
                 let across = root / (2.0 * square);
                 let [u, v] = [g - pin[0], -pin[1]];
-                let at = [
-                    pin[0] + along * u - across * v,
-                    pin[1] + along * v + across * u,
-                ];
+                let at = [pin[0] + along * u - across * v, pin[1] + along * v + across * u];
                 (at, root / (2.0 * b * c))
             }
             Self::SliderCrank([r, l, offset]) => {
@@ -106,10 +103,7 @@ impl Expected {
             let (closed, origin) = should.split_once(" from ").unwrap_or((should, "0, 0"));
             let (x, y) = origin.split_once(", ").expect("two numbers");
             match ClosedForm::read(closed) {
-                Some(form) => (
-                    Place::Closed(form, [x, y].map(constant)),
-                    Tolerance::Closed(form),
-                ),
+                Some(form) => (Place::Closed(form, [x, y].map(constant)), Tolerance::Closed(form)),
                 None => (formulas(should), Tolerance::Sine(law("1"))),
             }
         };
@@ -124,10 +118,7 @@ impl Expected {
 
     /// The same, held only where rounding does not hide the side.
     pub(crate) fn where_seen(self) -> Self {
-        Self {
-            only_seen: true,
-            ..self
-        }
+        Self { only_seen: true, ..self }
     }
 
     /// Where it should be.

@@ -220,10 +220,7 @@ fn ends_at<T: Real>(
     let ends = |bed: &Bed<'_, T>| {
         let off = bed.motor() - limit;
         let at = bed.motor();
-        assert!(
-            off.abs() <= most,
-            "to {target}: it ends at {at}, off by {off:e}"
-        );
+        assert!(off.abs() <= most, "to {target}: it ends at {at}, off by {off:e}");
     };
     ends(&bed);
     // It can go back, and comes here again from there.
@@ -265,8 +262,7 @@ fn near_its_singularity<T: Real>(start: &Bed<'_, T>) {
             continue;
         }
         let limit = bed.motor();
-        bed.move_to(limit + sign * 0.1)
-            .expect_err("it is singular before");
+        bed.move_to(limit + sign * 0.1).expect_err("it is singular before");
         for digits in 1..=8 {
             let near = limit - sign * 10.0_f64.powi(-digits);
             // In single precision it is not known so well where the limit is.

@@ -75,14 +75,9 @@ fn directions<T: Real>(text: &str, before: &[f64]) -> Vec<[f64; 2]> {
     let mut found = Vec::new();
     for step in 1..=40 {
         let angle = 0.01 * f64::from(step);
-        let motors: Vec<T> = before
-            .iter()
-            .chain([&angle])
-            .map(|value| T::from_f64(*value))
-            .collect();
-        machine
-            .move_to(&motors)
-            .unwrap_or_else(|stop| panic!("{stop:?}: {text}"));
+        let motors: Vec<T> =
+            before.iter().chain([&angle]).map(|value| T::from_f64(*value)).collect();
+        machine.move_to(&motors).unwrap_or_else(|stop| panic!("{stop:?}: {text}"));
         let poses = machine.position().poses.iter();
         found.extend(poses.map(|[cos, sin, ..]| [*cos, *sin].map(Real::to_f64)));
     }
@@ -95,10 +90,7 @@ fn directions<T: Real>(text: &str, before: &[f64]) -> Vec<[f64; 2]> {
 fn links_turn_as_they_do_at_the_origin_wherever_they_stand() {
     fn compare<T: Real>(here: &[[f64; 2]], there: &str, motors: &[f64]) {
         let found = directions::<T>(there, motors);
-        let apart = here
-            .iter()
-            .zip(&found)
-            .map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]));
+        let apart = here.iter().zip(&found).map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]));
         let worst = apart.fold(0.0, f64::max);
         assert!(worst <= 64.0 * T::EPSILON, "turned by {worst:e}: {there}");
     }
@@ -111,10 +103,8 @@ fn links_turn_as_they_do_at_the_origin_wherever_they_stand() {
                 compare::<f64>(&here, &text("f64", &body(far)), &[]);
                 compare::<f32>(&here, &text("f32", &body(far)), &[]);
             }
-            let on_car = FAR[0](0.0)
-                .replace("ground.", "car.")
-                .replace("ground {", "link car {")
-                .replace(
+            let on_car =
+                FAR[0](0.0).replace("ground.", "car.").replace("ground {", "link car {").replace(
                     "motor ja;",
                     "joint s = prismatic(ground, car) at (0, 0) along (3, 4); motor s; motor ja;",
                 );

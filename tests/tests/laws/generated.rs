@@ -47,11 +47,7 @@ fn a_law_without_a_value_is_an_error_that_names_its_motor() {
         (-1e308 * 10.0, "x"),
     ] {
         let blocked = ending.at_time(time).expect_err("there is no value");
-        assert_eq!(
-            (blocked.place, blocked.cause),
-            (place, Cause::NotFinite),
-            "{time}"
-        );
+        assert_eq!((blocked.place, blocked.cause), (place, Cause::NotFinite), "{time}");
         assert_eq!(blocked.reached, there.motors());
         assert_eq!(ending, there);
     }

@@ -22,9 +22,7 @@ impl Jet {
     }
 
     fn plus(self, other: Self, sign: f64) -> Self {
-        Self(std::array::from_fn(|order| {
-            self.0[order] + sign * other.0[order]
-        }))
+        Self(std::array::from_fn(|order| self.0[order] + sign * other.0[order]))
     }
 }
 

@@ -74,10 +74,7 @@ fn timing(model: &Model) -> Timing {
 /// The greatest size of anything from which a law is computed.
 fn extent(law: &Law, time: f64) -> f64 {
     let params = &[];
-    let sizes = law.formulas().evaluate(&mut Now {
-        variables: &[time],
-        params,
-    });
+    let sizes = law.formulas().evaluate(&mut Now { variables: &[time], params });
     sizes.iter().map(|size| size.abs()).fold(1.0, f64::max)
 }
 

@@ -43,9 +43,8 @@ fn coupled_loops_do_not_stay_at_their_change_points() {
     let mut found = Vec::new();
     for distance in [0.0, 1e-12, 1e-9, 1e-8, 1e-7, 2e-7, 3e-7, 1e-6, 1e-5, 1e-4] {
         for first in [0.0, 3.2] {
-            for (at, onwards) in [distance, -distance]
-                .into_iter()
-                .flat_map(|at| [(at, 0.1), (at, -0.2)])
+            for (at, onwards) in
+                [distance, -distance].into_iter().flat_map(|at| [(at, 0.1), (at, -0.2)])
             {
                 let mut machine = Machine::<f64>::new(&subject.compiled.program);
                 let outcome = [first, change_point + at, change_point + onwards].map(|to| {
@@ -55,9 +54,7 @@ fn coupled_loops_do_not_stay_at_their_change_points() {
                 let [_, near, beyond] = outcome;
                 let refused = near.0.is_err() && distance >= 1e-6;
                 if refused || beyond.0.is_err() || near.1.max(beyond.1) > 1e-6 {
-                    found.push(format!(
-                        "from {first} by {at:e}, then by {onwards}: {outcome:?}"
-                    ));
+                    found.push(format!("from {first} by {at:e}, then by {onwards}: {outcome:?}"));
                 }
             }
         }

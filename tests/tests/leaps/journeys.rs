@@ -19,10 +19,7 @@ fn clean(kind: Kind, single: bool, usual: u64) {
         let known =
             |fault: &&Fault| !matches!(fault, Fault::StopsEarly | Fault::Unknown) && !off(fault);
         let wrong: usize = found.faults.keys().filter(known).map(count).sum();
-        assert!(
-            wrong == 0 && 1000 * early <= found.moves,
-            "{family:?}: {found:#?}"
-        );
+        assert!(wrong == 0 && 1000 * early <= found.moves, "{family:?}: {found:#?}");
         println!(
             "{family:?}: {} mechanisms, {} moves, {wrong} astray, {early} stop early",
             found.mechanisms, found.moves

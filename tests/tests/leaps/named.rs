@@ -49,9 +49,7 @@ fn random(subject: &Subject, fact: &str) -> Vec<Vec<f64>> {
         let all = start.iter().zip(&reach).zip(&subject.model.motors);
         all.map(|((start, reach), motor)| {
             let to = start + dice.between(-part * reach, part * reach);
-            motor
-                .range
-                .map_or(to, |range| to.clamp(range.low, range.high))
+            motor.range.map_or(to, |range| to.clamp(range.low, range.high))
         })
         .collect()
     };
@@ -73,9 +71,7 @@ fn wrong(subject: &Subject, (word, rest): (&str, &str), longer: f64) -> Vec<Stri
             .collect(),
     };
     let found = faults(subject, &targets, word != "to");
-    let lines = found
-        .into_iter()
-        .map(|(fault, what)| format!("{fault:?}: {what}"));
+    let lines = found.into_iter().map(|(fault, what)| format!("{fault:?}: {what}"));
     lines.collect()
 }
 
@@ -104,12 +100,7 @@ fn unlike_steps(subject: &Subject, fact: &str) -> Vec<String> {
         // Where it stops, at a dead point, half of the digits are left.
         let most = if one.motors[0] == to { 1e-6 } else { 1e-3 };
         let same = off <= 1e-6 * (1.0 + to.abs()) && apart <= most;
-        (!same).then(|| {
-            format!(
-                "to {to}: {} and {}, {apart:e}",
-                one.motors[0], small.motors[0]
-            )
-        })
+        (!same).then(|| format!("to {to}: {} and {}, {apart:e}", one.motors[0], small.motors[0]))
     });
     unlike.collect()
 }
@@ -136,11 +127,8 @@ fn judged(case: &Case, wanders: bool) -> (Vec<String>, usize) {
             "moves" => found.extend(stuck(&Subject::of(&case.text))),
             // Small steps are the same for any seed.
             "journeys" => {
-                for (kind, seeds) in [
-                    (Kind::Steps, 0..1),
-                    (Kind::Leaps, 0..3),
-                    (Kind::Stops, 0..3),
-                ] {
+                for (kind, seeds) in [(Kind::Steps, 0..1), (Kind::Leaps, 0..3), (Kind::Stops, 0..3)]
+                {
                     found.extend(wander(&case.text, kind, seeds));
                 }
             }

@@ -57,11 +57,7 @@ fn cell(flat: impl Strategy<Value = f64>) -> impl Strategy<Value = Cell> {
     let lengths =
         (0.5..3.0, part, any::<bool>()).prop_map(|(long, part, turned): (f64, f64, bool)| {
             let lengths = [long, long * part];
-            if turned {
-                [lengths[1], lengths[0]]
-            } else {
-                lengths
-            }
+            if turned { [lengths[1], lengths[0]] } else { lengths }
         });
     (lengths, -PI..PI, flat, any::<bool>()).prop_map(|(lengths, direction, flat, folded)| Cell {
         lengths,
@@ -142,16 +138,11 @@ fn stay_parallel(text: &str, moves: &[f64]) {
     let mut machine = Machine::<f64>::new(&subject.compiled.program);
     for by in moves {
         let to = machine.position().motors[0] + by;
-        machine
-            .move_to(&[to])
-            .unwrap_or_else(|stop| panic!("{stop:?} to {to}\n{text}"));
+        machine.move_to(&[to]).unwrap_or_else(|stop| panic!("{stop:?} to {to}\n{text}"));
         let cranks = machine.position().poses.iter().step_by(2);
         for (number, [cos, sin, ..]) in cranks.enumerate() {
             let off = wrap(sin.atan2(*cos) - to);
-            assert!(
-                off.abs() < 1e-5,
-                "crank {number} is off by {off} at {to}\n{text}"
-            );
+            assert!(off.abs() < 1e-5, "crank {number} is off by {off} at {to}\n{text}");
         }
     }
 }
@@ -181,31 +172,16 @@ proptest! {
 /// The second change point comes so soon behind the first that a line to it would begin before the first.
 #[test]
 fn two_change_points_that_nearly_coincide() {
-    let cell = |crank, flat| Cell {
-        lengths: [crank, 0.5],
-        direction: 0.0,
-        flat,
-        folded: false,
-    };
-    let cells = [
-        cell(0.308_820_570_723_256_2, 0.947_346_924_228_682_7),
-        cell(0.5, 0.947_329_735_481_967),
-    ];
-    stay_parallel(
-        &text(&cells, ""),
-        &[-5.260_746_027_353_87, -0.502_763_240_083_480_7],
-    );
+    let cell = |crank, flat| Cell { lengths: [crank, 0.5], direction: 0.0, flat, folded: false };
+    let cells =
+        [cell(0.308_820_570_723_256_2, 0.947_346_924_228_682_7), cell(0.5, 0.947_329_735_481_967)];
+    stay_parallel(&text(&cells, ""), &[-5.260_746_027_353_87, -0.502_763_240_083_480_7]);
 }
 
 /// Of three change points within a thousandth of a degree one is passed alone, and a line to the other two must not begin before it.
 #[test]
 fn three_change_points_that_nearly_coincide() {
-    let cell = |apart, flat, folded| Cell {
-        lengths: [0.5, apart],
-        direction: 0.0,
-        flat,
-        folded,
-    };
+    let cell = |apart, flat, folded| Cell { lengths: [0.5, apart], direction: 0.0, flat, folded };
     let cells = [
         cell(0.45, 0.4, true),
         cell(0.2, 0.400_010_968_097_652_85, false),
@@ -238,11 +214,8 @@ fn a_parallelogram_behind_gears_stays_one() {
         ("1 : 3", 1.0 / 3.0),
         ("100 : 1", 100.0),
     ] {
-        let subject = Subject::with(
-            include_str!("../../cases/leaps/worm-parallelogram.txt"),
-            "RATIO",
-            ratio,
-        );
+        let subject =
+            Subject::with(include_str!("../../cases/leaps/worm-parallelogram.txt"), "RATIO", ratio);
         for step in [0.1, 1.0, 5.0, 30.0, 200.0] {
             let step: f64 = step / speed * 0.025;
             let mut machine = Machine::<f64>::new(&subject.compiled.program);
@@ -286,9 +259,7 @@ fn a_parallelogram_with_a_redundant_crank() {
             off.fold(0.0, f64::max)
         };
         let mut found = Vec::new();
-        for far in [
-            0.3, 1.0, 1.5, FRAC_PI_2, 1.7, 2.5, 7.0, -0.3, -1.5, -FRAC_PI_2, -1.7, -2.2,
-        ] {
+        for far in [0.3, 1.0, 1.5, FRAC_PI_2, 1.7, 2.5, 7.0, -0.3, -1.5, -FRAC_PI_2, -1.7, -2.2] {
             for steps in [1, 7, 50] {
                 found.extend(wrong_in_steps(&subject, far, steps, off));
             }

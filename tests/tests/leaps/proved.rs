@@ -127,9 +127,7 @@ fn what_is_proved_is_free_everywhere() {
 /// A motor without a range may go anywhere: what compiles is free everywhere, what has a dead point is refused.
 #[test]
 fn behind_a_motor_without_a_range() {
-    for ratio in [
-        "20 : 40", "1 : 40", "1 : 1", "40 : 20", "17 : 40", "100 : 1", "1 : -7",
-    ] {
+    for ratio in ["20 : 40", "1 : 40", "1 : 1", "40 : 20", "17 : 40", "100 : 1", "1 : -7"] {
         // It has a dead point.
         let text = include_str!("../../cases/leaps/unsound.txt").replace("RATIO", ratio);
         assert!(Subject::read(&text).is_err(), "behind {ratio} it compiles");
@@ -155,10 +153,7 @@ fn behind_a_rack_whose_pinion_has_no_range() {
         let text = format!(
             "{text} link other; joint z = revolute(ground, other) at (9, 0); motor z in 0 ..= 1;"
         );
-        assert!(
-            Subject::read(&text).is_err(),
-            "of radius {radius} it compiles"
-        );
+        assert!(Subject::read(&text).is_err(), "of radius {radius} it compiles");
     }
 }
 
@@ -166,10 +161,7 @@ fn behind_a_rack_whose_pinion_has_no_range() {
 #[test]
 fn arms_turn_as_far_as_their_motors() {
     let subject = Subject::of(include_str!("../../cases/leaps/arm.txt"));
-    assert!(matches!(
-        subject.model.joints[0].kind,
-        JointKind::Revolute(..)
-    ));
+    assert!(matches!(subject.model.joints[0].kind, JointKind::Revolute(..)));
     for far in [1.0, 7.0, -300.0, 2e4, 1e6, -1e9, 1e12] {
         let mut machine = Machine::<f64>::new(&subject.compiled.program);
         assert_eq!(machine.move_to(&[far, 0.5]), Ok(()), "to {far}");

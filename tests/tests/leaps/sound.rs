@@ -9,12 +9,7 @@ use std::f64::consts::{PI, TAU};
 
 /// A ring of four links between these bonds, drawn anywhere in any order, with a ground and a driven joint.
 fn ring(bonds: [Bond; 4], ground: usize, motor: usize, dice: &mut Dice) -> Subject {
-    let mut sketch = Sketch {
-        links: 4,
-        ground,
-        motors: vec![motor],
-        ..Sketch::default()
-    };
+    let mut sketch = Sketch { links: 4, ground, motors: vec![motor], ..Sketch::default() };
     for (number, bond) in bonds.into_iter().enumerate() {
         sketch.join(number, (number + 1) % 4, bond);
     }
@@ -28,11 +23,7 @@ fn turned(subject: &Subject, place: &Place, links: [usize; 2], ground: usize) ->
     let angle = |link: usize| {
         let named = |id: &LinkId| subject.model.link(*id).name == format!("l{link}");
         let id = subject.model.declared_links().find(named);
-        if link == ground {
-            0.0
-        } else {
-            place.angle(id.expect("a link"))
-        }
+        if link == ground { 0.0 } else { place.angle(id.expect("a link")) }
     };
     angle(links[1]) - angle(links[0])
 }
@@ -52,11 +43,7 @@ fn every_place(subject: &Subject, far: f64, off: impl Fn(&Place, f64) -> [f64; 2
             worst = [0, 1].map(|way| worst[way].max(off[way].abs() / condition));
         }
     }
-    assert!(
-        worst[0].min(worst[1]) < 1e-9,
-        "off by {worst:?}\n{}",
-        subject.text
-    );
+    assert!(worst[0].min(worst[1]) < 1e-9, "off by {worst:?}\n{}", subject.text);
 }
 
 /// Opposite links of a parallelogram, or a rhombus, stay parallel, whoever is ground and whatever is driven.
@@ -92,9 +79,7 @@ fn kites() {
             let other = turned(&subject, place, [2, 3], ground);
             [1.0, -1.0].map(|way: f64| {
                 let half = (short / long * (begin[0] + way * own / 2.0).sin()).asin() - begin[1];
-                (way * half - other / 2.0)
-                    .abs()
-                    .max((own.abs() - by.abs()).abs())
+                (way * half - other / 2.0).abs().max((own.abs() - by.abs()).abs())
             })
         });
     }
@@ -138,23 +123,14 @@ fn four_bars_stop_where_two_links_are_in_line() {
             |reach: f64| (crank * crank + apart * apart - reach * reach) / (2.0 * crank * apart);
         let stretched = cosine(coupler + rocker);
         let folded = cosine((coupler - rocker).abs());
-        let subject = ring(
-            [[0.0, 0.0], pin, top, [apart, 0.0]].map(Bond::Pin),
-            0,
-            0,
-            &mut dice,
-        );
+        let subject = ring([[0.0, 0.0], pin, top, [apart, 0.0]].map(Bond::Pin), 0, 0, &mut dice);
         let judge = subject.judge();
         let start = subject.compiled.program.start.motors[0];
         let mut found: Vec<f64> = [PI, -PI]
             .into_iter()
             .filter_map(|by| {
                 let curve = Curve::new(&judge, &judge.start(), [&[start], &[start + by]]);
-                if let End::Stops(part) = curve.end {
-                    Some(part * PI)
-                } else {
-                    None
-                }
+                if let End::Stops(part) = curve.end { Some(part * PI) } else { None }
             })
             .collect();
         let limit = |cosine: f64| (cosine.abs() < 1.0).then(|| cosine.acos());
@@ -165,25 +141,13 @@ fn four_bars_stop_where_two_links_are_in_line() {
         let inwards = limit(folded)
             .map(|angle| begin - angle)
             .or_else(|| limit(stretched).map(|angle| begin + angle));
-        let mut truth: Vec<f64> = [outwards, inwards]
-            .into_iter()
-            .flatten()
-            .filter(|angle| *angle < PI)
-            .collect();
+        let mut truth: Vec<f64> =
+            [outwards, inwards].into_iter().flatten().filter(|angle| *angle < PI).collect();
         found.sort_by(f64::total_cmp);
         truth.sort_by(f64::total_cmp);
-        assert_eq!(
-            found.len(),
-            truth.len(),
-            "{found:?} {truth:?}\n{}",
-            subject.text
-        );
+        assert_eq!(found.len(), truth.len(), "{found:?} {truth:?}\n{}", subject.text);
         for (found, truth) in found.iter().zip(&truth) {
-            assert!(
-                (found - truth).abs() < 1e-9,
-                "{found} {truth}\n{}",
-                subject.text
-            );
+            assert!((found - truth).abs() < 1e-9, "{found} {truth}\n{}", subject.text);
         }
     }
 }

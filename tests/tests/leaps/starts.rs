@@ -15,9 +15,7 @@ pub(crate) fn stuck(subject: &Subject) -> Vec<String> {
     let motors = &program.start.motors;
     let mut all = Vec::new();
     for motor in 0..motors.len() {
-        let displacements = SMALL
-            .iter()
-            .flat_map(|displacement| [*displacement, -*displacement]);
+        let displacements = SMALL.iter().flat_map(|displacement| [*displacement, -*displacement]);
         let goals: Vec<Vec<f64>> = displacements
             .map(|displacement| {
                 let mut goal = motors.clone();
@@ -25,15 +23,10 @@ pub(crate) fn stuck(subject: &Subject) -> Vec<String> {
                 goal
             })
             .collect();
-        let outcomes: Vec<Result<(), Stop>> = goals
-            .iter()
-            .map(|goal| start.clone().move_to(goal))
-            .collect();
+        let outcomes: Vec<Result<(), Stop>> =
+            goals.iter().map(|goal| start.clone().move_to(goal)).collect();
         let is_limit = |outcome: &Result<(), Stop>| {
-            matches!(
-                outcome,
-                Err(Stop::Open(_) | Stop::DeadPoint(_) | Stop::ChangePoint(_))
-            )
+            matches!(outcome, Err(Stop::Open(_) | Stop::DeadPoint(_) | Stop::ChangePoint(_)))
         };
         let judged = |goal: &[f64]| {
             let judge = subject.judge_at(start.position());

@@ -92,11 +92,8 @@ pub(crate) fn written_out(message: &str) -> Vec<String> {
 
 /// The text of a mechanism after what is written out was done.
 pub(crate) fn mend(text: &str, advice: &str) -> String {
-    let quoted: Vec<&str> = advice[advice.find(": ").expect("a colon")..]
-        .split('`')
-        .skip(1)
-        .step_by(2)
-        .collect();
+    let quoted: Vec<&str> =
+        advice[advice.find(": ").expect("a colon")..].split('`').skip(1).step_by(2).collect();
     let added = advice.contains(": add `");
     let replaced = quoted.iter().skip(usize::from(added));
     let name = |statement: &str| statement.split_whitespace().nth(1).map(str::to_owned);

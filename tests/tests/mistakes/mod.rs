@@ -38,9 +38,8 @@ impl Drawing<'_> {
         let name = letters.to_lowercase();
         let places: Vec<&str> = letters.chars().map(|letter| self.place(letter)).collect();
         let points = name.chars().zip(&places);
-        let points: Vec<String> = points
-            .map(|(point, place)| format!("point {point} = {place};"))
-            .collect();
+        let points: Vec<String> =
+            points.map(|(point, place)| format!("point {point} = {place};")).collect();
         match style {
             Style::Points => format!("link {name} {{ {} }}\n", points.join(" ")),
             Style::Bars => format!("link {name} {{ bar [{}] width 0.1; }}\n", places.join(", ")),
@@ -59,11 +58,7 @@ impl Drawing<'_> {
         let name = letter.to_ascii_lowercase();
         let others = links.iter().skip(1).enumerate();
         let joint = |(number, other): (usize, &String)| {
-            let number = if number == 0 {
-                String::new()
-            } else {
-                (number + 1).to_string()
-            };
+            let number = if number == 0 { String::new() } else { (number + 1).to_string() };
             let place = self.place(letter);
             let first = &links[0];
             format!("joint {name}{number} = revolute({first}, {other}) at {place};\n")
@@ -97,10 +92,7 @@ fn assert_advised(drawing: &Drawing, style: Style, wanted: &str) {
     let place = mended.iter().position(|words| words == wanted);
     assert!(place.is_none_or(|place| place < 2), "{mended:#?}");
     for message in &reported {
-        assert!(
-            message.matches("help: ").count() <= 4,
-            "too much help\n{message}"
-        );
+        assert!(message.matches("help: ").count() <= 4, "too much help\n{message}");
     }
 }
 

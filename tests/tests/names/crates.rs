@@ -60,10 +60,7 @@ fn check(name: &str, lines: &[Line]) -> Vec<String> {
     let mut wrong = Vec::new();
     let mut reported = vec![false; lines.len()];
     for error in said.lines().filter(|line| line.contains(": error")) {
-        let place = error
-            .split(".rs:")
-            .nth(1)
-            .and_then(|place| place.split(':').next());
+        let place = error.split(".rs:").nth(1).and_then(|place| place.split(':').next());
         let number = place.and_then(|number| number.parse::<usize>().ok());
         let Some(line) = number.and_then(|number| lines.get(number.checked_sub(1)?)) else {
             wrong.push(error.to_owned());

@@ -64,9 +64,8 @@ const OTHERS: &[&str] = &[
 ];
 
 /// What no name may be, however it is written.
-const KEYWORDS: &[&str] = &[
-    "Self", "_", "crate", "dyn", "fn", "gen", "self", "try", "r#fn", "r#type", "r#union",
-];
+const KEYWORDS: &[&str] =
+    &["Self", "_", "crate", "dyn", "fn", "gen", "self", "try", "r#fn", "r#type", "r#union"];
 
 /// How many mechanisms are compiled of each subject.
 fn cases() -> usize {
@@ -117,10 +116,7 @@ struct Tried<'s> {
 
 impl<'s> Tried<'s> {
     fn new(subject: &'s Subject) -> Self {
-        Self {
-            subject,
-            known: messages(&subject.plain()),
-        }
+        Self { subject, known: messages(&subject.plain()) }
     }
 
     /// What the macro says of these names; nothing, if they are possible.
@@ -133,11 +129,7 @@ impl<'s> Tried<'s> {
     /// A line that compiles it with these names.
     fn line(&self, given: &[(Role, &str)]) -> Line {
         let text = self.subject.with(given);
-        let code = if self.subject.is_wrong() {
-            left(&text)
-        } else {
-            invocation(&text)
-        };
+        let code = if self.subject.is_wrong() { left(&text) } else { invocation(&text) };
         Line::new(format!("{given:?}"), code)
     }
 
@@ -175,9 +167,8 @@ fn a_keyword_is_refused_at_its_place() {
         for role in subject.roles() {
             for name in KEYWORDS {
                 let messages = tried.refusal(&[(role, name)]);
-                let is_reported = messages
-                    .iter()
-                    .any(|message| message.contains(&format!("`{name}`")));
+                let is_reported =
+                    messages.iter().any(|message| message.contains(&format!("`{name}`")));
                 assert!(is_reported, "{role} `{name}`: {messages:?}");
             }
         }
@@ -252,9 +243,6 @@ fn invocation(text: &str) -> String {
 /// What the macro leaves of a mechanism that is wrong.
 fn left(text: &str) -> String {
     let file: syn::File = syn::parse2(expansion(text)).expect("the expansion is Rust");
-    let items = file
-        .items
-        .iter()
-        .filter(|item| !matches!(item, syn::Item::Macro(_)));
+    let items = file.items.iter().filter(|item| !matches!(item, syn::Item::Macro(_)));
     quote::quote!(#(#items)*).to_string()
 }

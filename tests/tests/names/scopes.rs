@@ -18,19 +18,13 @@ const KINDS: &[Kinds] = &[
         })
     }),
     ("statics and types", |names| {
-        each(names, |name| {
-            format!("static {name}: () = (); type {name} = ();")
-        })
+        each(names, |name| format!("static {name}: () = (); type {name} = ();"))
     }),
     ("functions and structs", |names| {
         each(names, |name| format!("fn {name}() {{}} struct {name} {{}}"))
     }),
-    ("unit structs", |names| {
-        each(names, |name| format!("struct {name};"))
-    }),
-    ("tuple structs", |names| {
-        each(names, |name| format!("struct {name}(u8);"))
-    }),
+    ("unit structs", |names| each(names, |name| format!("struct {name};"))),
+    ("tuple structs", |names| each(names, |name| format!("struct {name}(u8);"))),
     ("methods that take anything", |names| {
         each(names, |name| {
             format!(
@@ -54,29 +48,16 @@ pub(crate) fn lines(names: &[String]) -> Vec<Line> {
         .iter()
         .map(|subject| {
             let text = subject.plain();
-            if subject.is_wrong() {
-                left(&text)
-            } else {
-                invocation(&text)
-            }
+            if subject.is_wrong() { left(&text) } else { invocation(&text) }
         })
         .collect();
     let mut lines = vec![
-        Line::new(
-            "variants".to_owned(),
-            format!("{} {mechanisms}", variants(&names)),
-        ),
-        Line::new(
-            "no prelude".to_owned(),
-            format!("#![no_implicit_prelude] {mechanisms}"),
-        ),
+        Line::new("variants".to_owned(), format!("{} {mechanisms}", variants(&names))),
+        Line::new("no prelude".to_owned(), format!("#![no_implicit_prelude] {mechanisms}")),
     ];
     for (kind, declare) in KINDS {
         let items = declare(&names);
-        lines.push(Line::new(
-            (*kind).to_owned(),
-            format!("{items} {mechanisms}"),
-        ));
+        lines.push(Line::new((*kind).to_owned(), format!("{items} {mechanisms}")));
         lines.push(Line::new(
             format!("{kind} in a function"),
             format!("fn function() {{ {items} {mechanisms} }}"),

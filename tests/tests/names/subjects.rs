@@ -29,9 +29,7 @@ impl Subject {
         for (role, plain) in ROLES {
             let plain = if role == "@struct" { self.0 } else { plain };
             let mut given = given.iter();
-            let name = given
-                .find(|(given, _)| *given == role)
-                .map_or(plain, |(_, name)| name);
+            let name = given.find(|(given, _)| *given == role).map_or(plain, |(_, name)| name);
             text = text.replace(role, name);
         }
         text

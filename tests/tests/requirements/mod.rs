@@ -64,13 +64,8 @@ impl Count {
         if model.motors.is_empty() || !model.params.is_empty() {
             return;
         }
-        let whole = Model {
-            show: None,
-            method: None,
-            accuracy: None,
-            precision: Precision::F64,
-            ..model
-        };
+        let whole =
+            Model { show: None, method: None, accuracy: None, precision: Precision::F64, ..model };
         let Ok(compiled) = compile(&whole) else {
             return;
         };
@@ -146,10 +141,7 @@ fn limits_beside_true_extremes_are_decided_in_the_gallery() {
         count.judge(&body, &mut dice, 12);
     }
     println!("{count:?}");
-    assert!(
-        count.decided() > 100 && 20 * count.open() <= count.decided(),
-        "{count:?}"
-    );
+    assert!(count.decided() > 100 && 20 * count.open() <= count.decided(), "{count:?}");
 }
 
 /// `MECH_TEXTS=DIRECTORY` asks of all texts there.
@@ -196,10 +188,7 @@ fn limits_beside_true_extremes_are_decided_in_random_mechanisms() {
         count.judge(&body, &mut sample.dice, 60);
     });
     println!("{count:?}");
-    assert!(
-        count.decided() > 20 && 10 * count.open() <= count.decided(),
-        "{count:?}"
-    );
+    assert!(count.decided() > 20 && 10 * count.open() <= count.decided(), "{count:?}");
 }
 
 /// The lengths of a crank and rocker: the crank is shortest, and with the longest link shorter than the two others.
@@ -253,10 +242,7 @@ fn transmission_and_swing_of_four_bars_are_those_of_their_triangles() {
             let [beyond, within] = [MARGIN, -MARGIN].map(|part| extreme * (1.0 + way * part));
             let ask = |limit: f64| judged(&body, &format!("expect {subject} {sign} {limit};"));
             let right = troubles(&ask(beyond));
-            assert!(
-                right.is_empty(),
-                "{lengths:?} {subject} {sign} {beyond}: {right:?}"
-            );
+            assert!(right.is_empty(), "{lengths:?} {subject} {sign} {beyond}: {right:?}");
             let wrong = troubles(&ask(within));
             let [RequirementTrouble::Fails(witness)] = &wrong[..] else {
                 panic!("{lengths:?} {subject} {sign} {within}: {wrong:?}");
@@ -288,10 +274,7 @@ fn a_motor_that_is_stopped_does_not_turn() {
             panic!("{lengths:?}: {found:?}");
         };
         let off = ends.map(|end| (limit - end).abs());
-        assert!(
-            off[0].min(off[1]) < 1e-6,
-            "{lengths:?}: {limit} is not at {ends:?}"
-        );
+        assert!(off[0].min(off[1]) < 1e-6, "{lengths:?}: {limit} is not at {ends:?}");
     }
 }
 
@@ -322,10 +305,7 @@ fn a_limit_that_is_told_is_kept_on_all_sides_of_loops() {
         link.expect("it is there")
     });
     let angle = Subject::AngleBetween(links).of(&model, &end.position().poses, Some(2.8));
-    assert!(
-        witness.proved.is_none_or(|proved| proved > angle - 1e-9),
-        "{witness:?}, {angle}"
-    );
+    assert!(witness.proved.is_none_or(|proved| proved > angle - 1e-9), "{witness:?}, {angle}");
 }
 
 /// Texts beside which it stands what is proved of them: cases, and machines of others with what is known of these.

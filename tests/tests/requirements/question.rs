@@ -37,11 +37,7 @@ impl Measure {
         if dice.once_in(2) {
             return Self::Value;
         }
-        let mean = if dice.once_in(2) {
-            Self::Mean
-        } else {
-            Self::Rms
-        };
+        let mean = if dice.once_in(2) { Self::Mean } else { Self::Rms };
         *dice.pick(&[Self::Least, Self::Greatest, Self::Swing, Self::Slope, mean])
     }
 
@@ -92,11 +88,7 @@ impl Truth {
             doubt,
         };
         let truth = match measure {
-            Measure::Value => Self {
-                extremes: [least, greatest],
-                wide,
-                doubt: 0.0,
-            },
+            Measure::Value => Self { extremes: [least, greatest], wide, doubt: 0.0 },
             Measure::Least | Measure::Greatest | Measure::Swing => {
                 let value = match measure {
                     Measure::Least => least,
@@ -124,11 +116,7 @@ impl Truth {
                 let doubts = slopes.iter().map(|[_, doubt]| *doubt);
                 let doubt = doubts.fold(0.0, f64::max);
                 let extremes = extremes(slopes.iter().map(|[slope, _]| *slope));
-                Self {
-                    extremes,
-                    wide: extremes[1] - extremes[0],
-                    doubt,
-                }
+                Self { extremes, wide: extremes[1] - extremes[0], doubt }
             }
         };
         let is_moving = wide > 1e-6 * size && truth.wide > 1e-6 && wide < 100.0 * size;
@@ -148,17 +136,14 @@ impl Truth {
 }
 
 fn extremes(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    values.fold(
-        [f64::INFINITY, f64::NEG_INFINITY],
-        |[least, greatest], value| [least.min(value), greatest.max(value)],
-    )
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, greatest], value| {
+        [least.min(value), greatest.max(value)]
+    })
 }
 
 /// By how much an extreme between two samples may exceed them.
 fn bend(values: &[f64]) -> f64 {
-    let bends = values
-        .windows(3)
-        .map(|three| (three[0] - 2.0 * three[1] + three[2]).abs());
+    let bends = values.windows(3).map(|three| (three[0] - 2.0 * three[1] + three[2]).abs());
     // A kink does so by a little less, a parabola by a fifth of that.
     0.6 * bends.fold(0.0, f64::max)
 }
@@ -169,10 +154,7 @@ fn mean(values: Vec<f64>) -> [f64; 2] {
         let pieces = values.windows(3).step_by(2);
         #[expect(clippy::cast_precision_loss, reason = "a few thousand")]
         let count = pieces.len() as f64;
-        pieces
-            .map(|piece| (piece[0] + 4.0 * piece[1] + piece[2]) / 6.0)
-            .sum::<f64>()
-            / count
+        pieces.map(|piece| (piece[0] + 4.0 * piece[1] + piece[2]) / 6.0).sum::<f64>() / count
     };
     let fine = simpson(&values);
     let rough: Vec<f64> = values.into_iter().step_by(2).collect();
@@ -204,18 +186,12 @@ impl Limits {
     /// Whether a value is beyond them by more than it is in doubt.
     fn are_broken(self, value: f64, doubt: f64) -> bool {
         self.least.is_some_and(|least| value < least - doubt)
-            || self
-                .greatest
-                .is_some_and(|greatest| value > greatest + doubt)
+            || self.greatest.is_some_and(|greatest| value > greatest + doubt)
     }
 
     fn text(self, is_angle: bool) -> String {
         let number = |value: f64| {
-            if is_angle {
-                format!("{} deg", value.to_degrees())
-            } else {
-                format!("{value}")
-            }
+            if is_angle { format!("{} deg", value.to_degrees()) } else { format!("{value}") }
         };
         match (self.least.map(number), self.greatest.map(number)) {
             (Some(least), Some(greatest)) => format!("in {least} ..= {greatest}"),
@@ -270,16 +246,7 @@ impl<'s, 'm> Question<'s, 'm> {
             sweep.at(span[1]),
             others.join(", ")
         );
-        Some(Self {
-            sweep,
-            subject: *subject,
-            number,
-            measure,
-            span,
-            truth,
-            limits,
-            text,
-        })
+        Some(Self { sweep, subject: *subject, number, measure, span, truth, limits, text })
     }
 
     /// What it bounds, in a word or two.
@@ -334,11 +301,7 @@ impl<'s, 'm> Question<'s, 'm> {
         let [least, greatest] = self.truth.extremes;
         let is_worse = witness.proved.is_some_and(|proved| {
             let doubt = self.truth.doubt + ROUNDING * self.size();
-            let beyond = if witness.is_upper {
-                greatest - proved
-            } else {
-                proved - least
-            };
+            let beyond = if witness.is_upper { greatest - proved } else { proved - least };
             beyond > doubt
         });
         if is_worse {

@@ -46,9 +46,8 @@ impl Subject {
     pub(super) fn of_all_kinds(model: &Model, plan: &Plan, dice: &mut Dice) -> Vec<Named> {
         let links: Vec<LinkId> = model.declared_links().collect();
         let name = |link: LinkId| &model.link(link).name;
-        let angles = links
-            .iter()
-            .map(|link| (format!("angle({})", name(*link)), Self::Angle(*link)));
+        let angles =
+            links.iter().map(|link| (format!("angle({})", name(*link)), Self::Angle(*link)));
         let mut all: Vec<Named> = Self::all(model).into_iter().chain(angles).collect();
         let points = points(model);
         for _ in &links {
@@ -93,9 +92,7 @@ impl Subject {
         let place = |axis: AxisId| place(model.axis(axis), poses);
         let angle = |link: LinkId| poses[link.index()][1].atan2(poses[link.index()][0]);
         let near = |angle: f64| {
-            before.map_or(angle, |before| {
-                angle + TAU * ((before - angle) / TAU).round()
-            })
+            before.map_or(angle, |before| angle + TAU * ((before - angle) / TAU).round())
         };
         match self {
             Self::Place(axis, part) => place(axis)[part],
@@ -153,8 +150,7 @@ fn pins_of(model: &Model, unknowns: &[JointId]) -> Option<(JointId, [AxisId; 3])
         let [one, other] = [one, other].map(|joint| {
             pin(joint).map(|ends| ends.map(|axis| model.axis(model.seen_axis(axis)).link))
         });
-        one.zip(other)
-            .is_some_and(|(one, other)| one.iter().any(|link| other.contains(link)))
+        one.zip(other).is_some_and(|(one, other)| one.iter().any(|link| other.contains(link)))
     };
     let mut orders = [[a, b, c], [b, a, c], [a, c, b]].into_iter();
     let ends_apart = |[first, middle, last]: &[JointId; 3]| {

@@ -198,9 +198,8 @@ impl<'m> Sweep<'m> {
     pub(super) fn slope_at(&self, subject: Subject, place: &[f64], near: f64) -> Option<[f64; 2]> {
         let step = self.step().min(1e-3);
         let mut values = [0.0; 9];
-        for (value, steps) in values
-            .iter_mut()
-            .zip([-4.0, -3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.0_f64])
+        for (value, steps) in
+            values.iter_mut().zip([-4.0, -3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.0_f64])
         {
             let mut beside = place.to_vec();
             beside[self.motor] += steps * step;

@@ -20,8 +20,7 @@ fn near(principal: f64, last: f64) -> f64 {
 /// The first part of a move by so much: all motors keep the proportion of their displacements.
 fn part(from: &[f64], displacement: &[f64], part: f64) -> Vec<f64> {
     let both = from.iter().zip(displacement);
-    both.map(|(from, displacement)| from + displacement * part)
-        .collect()
+    both.map(|(from, displacement)| from + displacement * part).collect()
 }
 
 /// A mechanism that moves in small steps, and the coordinates of some of its joints, over any number of turns.
@@ -36,9 +35,8 @@ impl Follower<'_> {
     /// Moves all motors by so much; whether it went all the way.
     fn move_by(&mut self, displacement: &[f64]) -> bool {
         let from = self.machine.position().motors.clone();
-        let longest = displacement
-            .iter()
-            .fold(0.0_f64, |most, displacement| most.max(displacement.abs()));
+        let longest =
+            displacement.iter().fold(0.0_f64, |most, displacement| most.max(displacement.abs()));
         let pieces = (longest / self.step).ceil().max(1.0);
         let mut piece = 0.0;
         while piece < pieces {
@@ -71,12 +69,8 @@ pub(super) fn follow(model: &Model, moves: &[Vec<f64>], step: f64, about: &str) 
     let sprung = spring.map(|(joint, _)| joint);
     let joints = model.continuous_joints().into_iter().chain(sprung);
     let angle = |joint| (joint, principal(model, joint, machine.position()));
-    let mut slow = Follower {
-        model,
-        angles: joints.map(angle).collect(),
-        machine: machine.clone(),
-        step,
-    };
+    let mut slow =
+        Follower { model, angles: joints.map(angle).collect(), machine: machine.clone(), step };
     for by in moves {
         let to = part(&machine.position().motors, by, 1.0);
         let went = machine.move_to(&to).is_ok();

@@ -108,9 +108,7 @@ fn the_methods_of_joints_count_turns_in_both_directions() {
 fn without_being_asked_nothing_is_carried() {
     let mut wrapped = Wrapped::new();
     let first = wrapped.d();
-    wrapped
-        .move_to([wrapped.motors()[0] + TAU])
-        .expect("it turns");
+    wrapped.move_to([wrapped.motors()[0] + TAU]).expect("it turns");
     assert!((wrapped.d() - first).abs() < 1e-9);
     assert!(size_of::<Wrapped>() < size_of::<Drag>());
 }
@@ -145,9 +143,7 @@ fn energy_stays_the_same_through_half_turns() {
     let start: f64 = coiled.energy().expect("regular").iter().sum();
     let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
     for _ in 0..8000 {
-        coiled
-            .simulate_by(GaussLegendre::Order6, 0.004, [0.0])
-            .expect("it turns");
+        coiled.simulate_by(GaussLegendre::Order6, 0.004, [0.0]).expect("it turns");
         let energy: f64 = coiled.energy().expect("regular").iter().sum();
         assert!((energy / start - 1.0).abs() < 1e-9, "{energy}, not {start}");
         least = least.min(coiled.d());
@@ -168,9 +164,7 @@ fn coordinates_with_springs_count_turns_in_both_directions() {
         let wheel = first[1] - whole * 30.0 / 17.0;
         assert!((coiled.d() - first[0] - whole).abs() < 1e-9);
         assert!((coiled.w() - wheel).abs() < 1e-9, "{}", coiled.w());
-        coiled
-            .turn_to([Phase::from_radians(start + whole).expect("a phase")])
-            .expect("it turns");
+        coiled.turn_to([Phase::from_radians(start + whole).expect("a phase")]).expect("it turns");
         assert!((coiled.d() - first[0] - whole).abs() < 1e-9);
         assert!((coiled.w() - wheel).abs() < 1e-9, "{}", coiled.w());
     }

@@ -26,12 +26,7 @@ impl Package {
     pub(crate) fn all_in(program: &str, target: Option<&str>) -> Result<Vec<Self>, String> {
         let mut tree = vec!["tree", "--locked", "--package", program];
         tree.extend(["--edges", "normal", "--prefix", "none", "--format", "{p}"]);
-        tree.extend(
-            target
-                .map(|target| ["--target", target])
-                .into_iter()
-                .flatten(),
-        );
+        tree.extend(target.map(|target| ["--target", target]).into_iter().flatten());
         let tree = cargo(&tree)?;
         // Those of this workspace have a path.
         let others = tree.lines().filter(|line| !line.contains('/'));
@@ -63,12 +58,7 @@ impl Package {
             name: text(&told["name"]),
             version: text(&told["version"]),
             license: text(&told["license"]),
-            authors: told["authors"]
-                .as_array()
-                .into_iter()
-                .flatten()
-                .map(text)
-                .collect(),
+            authors: told["authors"].as_array().into_iter().flatten().map(text).collect(),
             repository: text(&told["repository"]),
             license_file: told["license_file"].as_str().map(|file| folder.join(file)),
             folder: folder.to_owned(),
@@ -81,11 +71,7 @@ impl Package {
         let license = if is_named { &self.license } else { "its own" };
         let registry = format!("https://crates.io/crates/{}", self.name);
         let is_known = !self.repository.is_empty();
-        let place = if is_known {
-            &self.repository
-        } else {
-            &registry
-        };
+        let place = if is_known { &self.repository } else { &registry };
         let mut words = vec![license, place];
         words.extend(self.authors.iter().map(String::as_str));
         words.join(", ")

@@ -23,13 +23,7 @@ impl Text {
         let text = fs::read(file)?;
         let text = String::from_utf8_lossy(&text);
         let lines = text.lines().map(str::trim_end);
-        Ok(Self(
-            lines
-                .collect::<Vec<_>>()
-                .join("\n")
-                .trim_matches('\n')
-                .to_owned(),
-        ))
+        Ok(Self(lines.collect::<Vec<_>>().join("\n").trim_matches('\n').to_owned()))
     }
 
     /// Those of the licences in an expression, as they usually are.
@@ -58,15 +52,9 @@ impl Display for Text {
 fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
     let entries = fs::read_dir(folder)?.map(|entry| entry.map(|entry| entry.path()));
     let entries = entries.collect::<io::Result<Vec<PathBuf>>>()?;
-    let has_fonts = entries
-        .iter()
-        .any(|path| path.extension() == Some(OsStr::new("ttf")));
+    let has_fonts = entries.iter().any(|path| path.extension() == Some(OsStr::new("ttf")));
     for path in entries {
-        let name = path
-            .file_name()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .to_lowercase();
+        let name = path.file_name().unwrap_or_default().to_string_lossy().to_lowercase();
         if path.is_dir() {
             if !matches!(&*name, "tests" | "examples" | "benches" | "target") {
                 collect(&path, files)?;
@@ -80,12 +68,8 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
 
 /// Whether a file has to be passed on, by its name in lower case.
 fn is_license(name: &str) -> bool {
-    let is_code = [".rs", ".toml", ".json", ".hbs"]
-        .iter()
-        .any(|end| name.ends_with(end));
+    let is_code = [".rs", ".toml", ".json", ".hbs"].iter().any(|end| name.ends_with(end));
     let beginnings = ["copying", "copyright", "notice"];
-    let begins = beginnings
-        .iter()
-        .any(|beginning| name.starts_with(beginning));
+    let begins = beginnings.iter().any(|beginning| name.starts_with(beginning));
     !is_code && (begins || name.contains("license") || name.contains("licence"))
 }

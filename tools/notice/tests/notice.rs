@@ -12,9 +12,7 @@ fn the_notice_of_the_command_has_every_text() {
     let complaint = String::from_utf8_lossy(&made.stderr);
     assert!(made.status.success(), "{complaint}");
     let notice = String::from_utf8(made.stdout).expect("a text");
-    let (crates, texts) = notice
-        .split_once("\n\n---")
-        .expect("texts after the crates");
+    let (crates, texts) = notice.split_once("\n\n---").expect("texts after the crates");
     let mut count = 0;
     for line in crates.lines().filter(|line| line.contains(": ")) {
         let (name, _) = line.split_once(": ").expect("a name");
@@ -33,12 +31,7 @@ fn the_notice_of_the_command_has_every_text() {
     ] {
         assert!(texts.contains(font), "{font}");
     }
-    let apache = texts
-        .matches("TERMS AND CONDITIONS FOR USE, REPRODUCTION")
-        .count();
-    assert!(
-        apache < 30,
-        "each text stands there once, but {apache} of Apache-2.0"
-    );
+    let apache = texts.matches("TERMS AND CONDITIONS FOR USE, REPRODUCTION").count();
+    assert!(apache < 30, "each text stands there once, but {apache} of Apache-2.0");
     assert!(!crates.contains("mech-compiler"), "our own");
 }

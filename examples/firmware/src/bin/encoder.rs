@@ -90,9 +90,7 @@ fn run() -> Option<()> {
 
     let remainder = (i64::from(READINGS) * i64::from(SPEED)).rem_euclid(4000);
     let mut there = FourBar::new();
-    there
-        .turn_to([Phase::of_turn(remainder, Encoder::TURN.unsigned_abs())?])
-        .ok()?;
+    there.turn_to([Phase::of_turn(remainder, Encoder::TURN.unsigned_abs())?]).ok()?;
     let turns = encoder.phase().turns().unsigned_abs();
     let micro = |length: f32| (length * 1e6) as i32 as u32;
     let tip = four_bar.coupler_tip();

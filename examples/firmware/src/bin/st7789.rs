@@ -76,15 +76,13 @@ fn main() -> ! {
 /// Moves it through a turn and shows it both ways. Whether that is what a frame shows.
 fn run(wired: &St7789) -> Option<()> {
     let mut buffer = [0; 512]; // the driver's, for pixels on their way: at least one of two bytes
-    let mut display = Builder::new(
-        models::ST7789,
-        SpiInterface::new(wired.spi(), wired.data_pin(), &mut buffer),
-    )
-    .reset_pin(Quiet)
-    .display_size(240, 240) // the controller has memory for 240 × 320
-    .invert_colors(ColorInversion::Inverted) // as most of these panels want it
-    .init(&mut Quiet)
-    .ok()?;
+    let mut display =
+        Builder::new(models::ST7789, SpiInterface::new(wired.spi(), wired.data_pin(), &mut buffer))
+            .reset_pin(Quiet)
+            .display_size(240, 240) // the controller has memory for 240 × 320
+            .invert_colors(ColorInversion::Inverted) // as most of these panels want it
+            .init(&mut Quiet)
+            .ok()?;
 
     let mut slider_crank = SliderCrank::new();
     let mut stage = Stage::new();
@@ -95,9 +93,7 @@ fn run(wired: &St7789) -> Option<()> {
     let mut right = true;
     let (mut painted, mut sent) = (0, 0);
     for degrees in (0..360_u16).step_by(5) {
-        slider_crank
-            .move_to([f32::from(degrees).to_radians()])
-            .ok()?;
+        slider_crank.move_to([f32::from(degrees).to_radians()]).ok()?;
         frame.clear();
         slider_crank.draw(&mut frame);
 
@@ -112,10 +108,7 @@ fn run(wired: &St7789) -> Option<()> {
         sent += wired.sent_bytes();
     }
     let mut line = Line::new();
-    line.text("painted")
-        .number(painted / 4)
-        .text(" sent")
-        .number(sent / 72);
+    line.text("painted").number(painted / 4).text(" sent").number(sent / 72);
     line.print().ok()?;
     wired.print();
     right.then_some(())

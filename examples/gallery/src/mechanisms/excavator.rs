@@ -60,9 +60,5 @@ fn motion<T: Real>(phase: T) -> [T; 3] {
     let around = |part: f64| Real::sin_cos(phase * T::TURN + T::from_f64(part)).0;
     let stroke =
         |middle: f64, half: f64, part: f64| T::from_f64(middle) + T::from_f64(half) * around(part);
-    [
-        stroke(2.05, 0.38, 1.2),
-        stroke(3.3, 0.5, -1.6),
-        stroke(2.12, 0.36, -2.6),
-    ]
+    [stroke(2.05, 0.38, 1.2), stroke(3.3, 0.5, -1.6), stroke(2.12, 0.36, -2.6)]
 }

@@ -83,22 +83,14 @@ fn motion<T: Real>(phase: T) -> [T; 8] {
     let far = leg(strides + T::from_f64(0.5));
     let walk = T::from_f64(100.0) * strides;
     let swing = T::from_f64(0.4) * swing;
-    [
-        walk, swing, near[0], near[1], near[2], far[0], far[1], far[2],
-    ]
+    [walk, swing, near[0], near[1], near[2], far[0], far[1], far[2]]
 }
 
 /// Hip, knee and ankle after so many strides of 100: harmonics that keep the foot where it stands, to within 0.3.
 fn leg<T: Real>(strides: T) -> [T; 3] {
-    const HIP: [f64; 9] = [
-        0.326, 0.3, 0.001, -0.012, -0.129, -0.056, 0.018, -0.009, 0.009,
-    ];
-    const KNEE: [f64; 9] = [
-        -0.675, 0.043, 0.215, 0.14, 0.097, 0.086, -0.072, 0.013, -0.016,
-    ];
-    const ANKLE: [f64; 9] = [
-        0.3, -0.177, -0.132, -0.093, -0.119, -0.072, 0.079, 0.033, 0.001,
-    ];
+    const HIP: [f64; 9] = [0.326, 0.3, 0.001, -0.012, -0.129, -0.056, 0.018, -0.009, 0.009];
+    const KNEE: [f64; 9] = [-0.675, 0.043, 0.215, 0.14, 0.097, 0.086, -0.072, 0.013, -0.016];
+    const ANKLE: [f64; 9] = [0.3, -0.177, -0.132, -0.093, -0.119, -0.072, 0.079, 0.033, 0.001];
     [HIP, KNEE, ANKLE].map(|[mean, waves @ ..]| {
         let mut angle = T::from_f64(mean);
         let mut times = T::ONE;

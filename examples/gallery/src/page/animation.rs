@@ -58,13 +58,9 @@ impl Swatches {
         let seen = by_count.into_iter().map(|(color, _)| color);
         let seen: Vec<_> = seen.collect();
 
-        let colors = (0..)
-            .find_map(|radius| choose(&seen, radius * radius))
-            .unwrap_or_default();
+        let colors = (0..).find_map(|radius| choose(&seen, radius * radius)).unwrap_or_default();
         let entries = seen.into_iter().filter_map(|color| {
-            let nearest = (0..)
-                .zip(&colors)
-                .min_by_key(|&(_, &swatch)| distance(color, swatch));
+            let nearest = (0..).zip(&colors).min_by_key(|&(_, &swatch)| distance(color, swatch));
             nearest.map(|(entry, _)| (color, entry))
         });
         let entries = entries.collect();
@@ -81,9 +77,7 @@ impl Swatches {
     #[must_use]
     pub fn palette(&self) -> Palette {
         let color = |entry| self.colors.get(entry).or(self.colors.first());
-        Palette::new(array::from_fn(|entry| {
-            color(entry).copied().unwrap_or_default()
-        }))
+        Palette::new(array::from_fn(|entry| color(entry).copied().unwrap_or_default()))
     }
 
     /// The entry that replaces a colour: 0 if no picture has it.
@@ -120,7 +114,5 @@ fn choose(seen: &[[u8; 3]], square: u32) -> Option<Vec<[u8; 3]>> {
 
 /// The square of the distance between two colours.
 fn distance(one: [u8; 3], other: [u8; 3]) -> u32 {
-    iter::zip(one, other)
-        .map(|(one, other)| u32::from(one.abs_diff(other)).pow(2))
-        .sum()
+    iter::zip(one, other).map(|(one, other)| u32::from(one.abs_diff(other)).pow(2)).sum()
 }

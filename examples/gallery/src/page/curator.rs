@@ -54,9 +54,8 @@ impl Curator {
             return Ok(());
         }
         let known: Vec<_> = self.exhibits.iter().map(|exhibit| exhibit.slug()).collect();
-        let (wanted, unknown): (Vec<_>, Vec<_>) = arguments
-            .into_iter()
-            .partition(|argument| known.contains(&argument.as_str()));
+        let (wanted, unknown): (Vec<_>, Vec<_>) =
+            arguments.into_iter().partition(|argument| known.contains(&argument.as_str()));
         if !unknown.is_empty() {
             let names = unknown;
             return Err(Error::Unknown { names, known });
@@ -70,33 +69,19 @@ impl Curator {
     /// # Errors
     /// [`Error::File`] if the folder or page cannot be written, [`Error::Missing`] if an exhibit could not be shown.
     pub fn hang(&self, wanted: impl Fn(&str) -> bool) -> Result<(), Error> {
-        fs::create_dir_all(&self.folder).map_err(|source| Error::File {
-            path: self.folder.clone(),
-            source,
-        })?;
+        fs::create_dir_all(&self.folder)
+            .map_err(|source| Error::File { path: self.folder.clone(), source })?;
         let mut names = Vec::new();
-        for exhibit in self
-            .exhibits
-            .iter()
-            .filter(|exhibit| wanted(exhibit.slug()))
-        {
-            say(format_args!(
-                "\n{}\n\n{}\n",
-                exhibit.title(),
-                exhibit.report().trim_end()
-            ));
+        for exhibit in self.exhibits.iter().filter(|exhibit| wanted(exhibit.slug())) {
+            say(format_args!("\n{}\n\n{}\n", exhibit.title(), exhibit.report().trim_end()));
             if let Err(error) = self.show(exhibit.as_ref()) {
                 eprintln!("error: exhibit `{}`: {error}", exhibit.slug());
                 names.push(exhibit.slug());
             }
         }
         let shown = self.exhibits.iter().map(AsRef::as_ref);
-        let shown = shown.filter(|exhibit| {
-            self.folder
-                .join(exhibit.slug())
-                .with_extension("gif")
-                .is_file()
-        });
+        let shown = shown
+            .filter(|exhibit| self.folder.join(exhibit.slug()).with_extension("gif").is_file());
         for exhibit in shown.clone() {
             self.write_graphs(exhibit)?;
         }
@@ -105,11 +90,7 @@ impl Curator {
         let (path, _) = self.write("index.html", page.as_bytes())?;
         let path = path.canonicalize().unwrap_or(path);
         say(format_args!("\n{}", path.display()));
-        if names.is_empty() {
-            Ok(())
-        } else {
-            Err(Error::Missing { names })
-        }
+        if names.is_empty() { Ok(()) } else { Err(Error::Missing { names }) }
     }
 
     fn show(&self, exhibit: &dyn Exhibit) -> Result<(), Error> {
@@ -208,9 +189,7 @@ fn paint_all(easel: &Easel, film: &Film) -> Vec<Picture> {
         <[_]>::iter(scenes).map(paint).collect::<Vec<_>>()
     };
     let pictures = thread::scope(|scope| {
-        let work = scenes
-            .chunks(share)
-            .map(|scenes| scope.spawn(move || paint(scenes)));
+        let work = scenes.chunks(share).map(|scenes| scope.spawn(move || paint(scenes)));
         let work: Vec<_> = work.collect();
         let done = work.into_iter().map(thread::ScopedJoinHandle::join);
         done.flat_map(|pictures| pictures.unwrap_or_else(|panic| std::panic::resume_unwind(panic)))

@@ -43,12 +43,7 @@ impl Easel {
             even
         });
         let view = View::fit(low, high, width.into(), height.into(), MARGIN.into());
-        Some(Self {
-            strips: Strips::default(),
-            view,
-            width,
-            height,
-        })
+        Some(Self { strips: Strips::default(), view, width, height })
     }
 
     /// The number of pixels per scene unit.

@@ -152,11 +152,7 @@ impl<M: Mechanism<Scalar = f64>> Showcase<M> {
             (self.move_to)(&mut mechanism, motors).map_err(|blocked| Stuck {
                 frame: step / STEPS,
                 frames: self.frames,
-                motors: M::MOTORS
-                    .iter()
-                    .copied()
-                    .zip(motors.as_ref().iter().copied())
-                    .collect(),
+                motors: M::MOTORS.iter().copied().zip(motors.as_ref().iter().copied()).collect(),
                 blocked: blocked.map(|motors| motors.as_ref().to_vec()),
             })?;
             if step % STEPS == 0 {

@@ -28,12 +28,9 @@ impl Spot {
         match self {
             Self::Shape(outline, pose, _) => outline.bounds(*pose).into(),
             Self::Text(place, ..) => [*place; 2],
-            Self::Trace(points, width, _) => Outline::Line {
-                points,
-                width: *width,
+            Self::Trace(points, width, _) => {
+                Outline::Line { points, width: *width }.bounds(Pose::identity()).into()
             }
-            .bounds(Pose::identity())
-            .into(),
         }
     }
 }
@@ -140,12 +137,7 @@ pub struct Stuck {
 
 impl fmt::Display for Stuck {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            frame,
-            frames,
-            motors,
-            blocked,
-        } = self;
+        let Self { frame, frames, motors, blocked } = self;
         write!(f, "stuck at frame {frame} of {frames}, with ")?;
         for (motor, value) in motors {
             write!(f, "`{motor}` = {value:.4}, ")?;

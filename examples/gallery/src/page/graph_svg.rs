@@ -57,9 +57,7 @@ pub(crate) fn sketch(graph: &Graph) -> Sketch {
     Sketch {
         boxes: graph.vertices.iter().map(vertex_size).collect(),
         rows: graph.vertices.iter().map(|vertex| vertex.level).collect(),
-        edges: edges
-            .map(|edge| (edge.from, edge.to, label_size(edge)))
-            .collect(),
+        edges: edges.map(|edge| (edge.from, edge.to, label_size(edge))).collect(),
         // The ground is below, but what comes first is above.
         upwards: !graph.directed,
         has_arrows: graph.directed,
@@ -80,11 +78,7 @@ fn label_size(edge: &Edge) -> Point {
 
 /// The note beside the name of a joint: its kind, unless it is a revolute, as most are.
 fn note(edge: &Edge) -> &str {
-    if edge.detail == "revolute" {
-        ""
-    } else {
-        &edge.detail
-    }
+    if edge.detail == "revolute" { "" } else { &edge.detail }
 }
 
 /// The approximate width of a text, in a wide typeface.
@@ -129,11 +123,7 @@ fn edge_class(edge: &Edge) -> &'static str {
 
 fn write_edge(text: &mut String, graph: &Graph, edge: &Edge, curve: [Point; 3]) -> Result {
     let [[ax, ay], control, tip] = curve;
-    let end = if graph.directed {
-        foot(control, tip)
-    } else {
-        tip
-    };
+    let end = if graph.directed { foot(control, tip) } else { tip };
     write!(
         text,
         r#"<g class="{}"><title>{}</title><path d="M{ax:.1} {ay:.1}Q{:.1} {:.1} {:.1} {:.1}"/>"#,
@@ -186,11 +176,8 @@ fn write_label(text: &mut String, edge: &Edge, [x, y]: Point) -> Result {
         return Ok(());
     }
     let (class, name, note) = (edge_class(edge), escape(&edge.name), escape(note(edge)));
-    let note = if note.is_empty() {
-        note
-    } else {
-        format!(r#" <tspan class="soft">{note}</tspan>"#)
-    };
+    let note =
+        if note.is_empty() { note } else { format!(r#" <tspan class="soft">{note}</tspan>"#) };
     writeln!(
         text,
         r#"<g class="{class}"><text x="{x:.1}" y="{:.1}">{name}{note}</text></g>"#,
@@ -217,17 +204,10 @@ fn write_vertex(text: &mut String, vertex: &Vertex, [x, y]: Point) -> Result {
     let name = escape(&vertex.name);
     let detail = escape(&vertex.detail);
     let up = if detail.is_empty() { 0.0 } else { LINE / 2.0 };
-    write!(
-        text,
-        r#"<text x="{x:.1}" y="{:.1}">{name}</text>"#,
-        y - up + 4.5
-    )?;
+    write!(text, r#"<text x="{x:.1}" y="{:.1}">{name}</text>"#, y - up + 4.5)?;
     if !detail.is_empty() {
         let y = y + LINE / 2.0 + 3.5;
-        write!(
-            text,
-            r#"<text class="soft" x="{x:.1}" y="{y:.1}">{detail}</text>"#
-        )?;
+        write!(text, r#"<text class="soft" x="{x:.1}" y="{y:.1}">{detail}</text>"#)?;
     }
     writeln!(text, "</g>")
 }

@@ -82,17 +82,10 @@ pub(crate) fn page<'a>(
         ]
         .map(escape);
         let moving = moving_file(exhibit.slug());
-        let report: Vec<_> = report
-            .lines()
-            .map(|line| format!("<span>{line}</span>"))
-            .collect();
+        let report: Vec<_> = report.lines().map(|line| format!("<span>{line}</span>")).collect();
         let report = report.concat();
-        let graphs = exhibit
-            .graphs()
-            .map_or(String::new(), |graphs| graphs_of(&slug, &graphs));
-        let studio = exhibit
-            .file()
-            .map_or(String::new(), |file| studio_of(file, has_studio));
+        let graphs = exhibit.graphs().map_or(String::new(), |graphs| graphs_of(&slug, &graphs));
+        let studio = exhibit.file().map_or(String::new(), |file| studio_of(file, has_studio));
         // Writing to a `String` cannot fail.
         let _ = writeln!(entries, "<a href=\"#{slug}\">{title}</a>");
         let _ = write!(
@@ -145,10 +138,9 @@ fn graphs_of(slug: &str, Graphs { links, loops }: &Graphs) -> String {
     let links_caption = links_caption(links);
     let loops_caption = "The loops, in rows by level, each with its unknown joints; arrows lead from what has to be known";
     let mut text = "<div class=\"graphs\">\n".to_owned();
-    for (graph, caption, file) in [
-        (links, links_caption.as_str(), links_file),
-        (loops, loops_caption, loops_file),
-    ] {
+    for (graph, caption, file) in
+        [(links, links_caption.as_str(), links_file), (loops, loops_caption, loops_file)]
+    {
         if graph.vertices.is_empty() {
             continue;
         }

@@ -62,8 +62,7 @@ impl<const W: usize, const H: usize> Strips<W, H> {
         let paper = self.strip.palette().rgba(Palette::PAPER);
         let mut pixels = Vec::with_capacity(columns * rows);
         for top in (0..rows).step_by(H.max(1)) {
-            self.strip
-                .look_at(view_of_strip::<W, H>(view, [shown, rows], top));
+            self.strip.look_at(view_of_strip::<W, H>(view, [shown, rows], top));
             self.strip.clear();
             scene.draw(&mut *self.strip);
             for row in self.strip.pixels().iter().take(rows - top) {
@@ -72,11 +71,7 @@ impl<const W: usize, const H: usize> Strips<W, H> {
                 pixels.extend(std::iter::repeat_n(paper, columns - shown - margin));
             }
         }
-        Picture {
-            width,
-            height,
-            pixels,
-        }
+        Picture { width, height, pixels }
     }
 }
 
@@ -91,8 +86,5 @@ fn view_of_strip<const W: usize, const H: usize>(
     let down = top + strip / 2.0 - height / 2.0;
     let [x, y] = view.center();
     // Where one pixel more is to the right of the picture than to its left, its middle is not the strip's.
-    View::new(
-        [x + odd / 2.0 / view.scale(), y - down / view.scale()],
-        view.scale(),
-    )
+    View::new([x + odd / 2.0 / view.scale(), y - down / view.scale()], view.scale())
 }

@@ -16,19 +16,11 @@ pub(crate) struct FourBar {
 }
 
 const fn disc(link: usize, center: [f64; 2], radius: f64, color: u8) -> Shape<f64> {
-    Shape {
-        link,
-        outline: Outline::Circle { center, radius },
-        color,
-    }
+    Shape { link, outline: Outline::Circle { center, radius }, color }
 }
 
 const fn polygon(link: usize, corners: &'static [[f64; 2]], color: u8) -> Shape<f64> {
-    Shape {
-        link,
-        outline: Outline::Polygon(corners),
-        color,
-    }
+    Shape { link, outline: Outline::Polygon(corners), color }
 }
 
 impl Mechanism for FourBar {
@@ -53,54 +45,23 @@ impl Mechanism for FourBar {
     const LINKS: &'static [&'static str] = &["crank", "coupler", "rocker"];
     const JOINTS: &'static [JointInfo<f64>] = &[];
     const SHAPES: &'static [Shape<f64>] = &[
-        polygon(
-            0,
-            &[[-0.9, -0.62], [4.4, -0.62], [4.4, -0.5], [-0.9, -0.5]],
-            Palette::HATCH,
-        ),
-        polygon(
-            0,
-            &[[-0.45, -0.5], [0.45, -0.5], [0.2, 0.1], [-0.2, 0.1]],
-            Palette::GROUND,
-        ),
-        polygon(
-            0,
-            &[[3.05, -0.5], [3.95, -0.5], [3.7, 0.1], [3.3, 0.1]],
-            Palette::GROUND,
-        ),
+        polygon(0, &[[-0.9, -0.62], [4.4, -0.62], [4.4, -0.5], [-0.9, -0.5]], Palette::HATCH),
+        polygon(0, &[[-0.45, -0.5], [0.45, -0.5], [0.2, 0.1], [-0.2, 0.1]], Palette::GROUND),
+        polygon(0, &[[3.05, -0.5], [3.95, -0.5], [3.7, 0.1], [3.3, 0.1]], Palette::GROUND),
         polygon(
             2,
-            &[
-                [0.0, -0.17],
-                [3.0, -0.17],
-                [3.15, 0.1],
-                [1.85, 1.6],
-                [1.55, 1.6],
-                [-0.15, 0.1],
-            ],
+            &[[0.0, -0.17], [3.0, -0.17], [3.15, 0.1], [1.85, 1.6], [1.55, 1.6], [-0.15, 0.1]],
             Palette::lighter(Palette::TEAL),
         ),
-        polygon(
-            2,
-            &[[0.0, -0.17], [3.0, -0.17], [3.0, 0.17], [0.0, 0.17]],
-            Palette::TEAL,
-        ),
+        polygon(2, &[[0.0, -0.17], [3.0, -0.17], [3.0, 0.17], [0.0, 0.17]], Palette::TEAL),
         disc(2, [0.0, 0.0], 0.17, Palette::TEAL),
         disc(2, [3.0, 0.0], 0.17, Palette::TEAL),
         disc(2, [1.7, 1.5], 0.14, Palette::RED),
-        polygon(
-            3,
-            &[[0.0, -0.18], [2.5, -0.18], [2.5, 0.18], [0.0, 0.18]],
-            Palette::ORANGE,
-        ),
+        polygon(3, &[[0.0, -0.18], [2.5, -0.18], [2.5, 0.18], [0.0, 0.18]], Palette::ORANGE),
         disc(3, [0.0, 0.0], 0.3, Palette::ORANGE),
         disc(3, [2.5, 0.0], 0.18, Palette::ORANGE),
         disc(1, [0.0, 0.0], 0.42, Palette::darker(Palette::BLUE)),
-        polygon(
-            1,
-            &[[0.0, -0.2], [1.0, -0.2], [1.0, 0.2], [0.0, 0.2]],
-            Palette::BLUE,
-        ),
+        polygon(1, &[[0.0, -0.2], [1.0, -0.2], [1.0, 0.2], [0.0, 0.2]], Palette::BLUE),
         disc(1, [0.0, 0.0], 0.3, Palette::BLUE),
         disc(1, [1.0, 0.0], 0.2, Palette::BLUE),
         disc(1, [0.0, 0.0], 0.1, Palette::INK),
@@ -115,10 +76,7 @@ impl Mechanism for FourBar {
     const EXTENT: [[f64; 2]; 2] = [[-1.0; 2], [1.0; 2]];
 
     fn new() -> Self {
-        let mut new = Self {
-            motors: [0.0],
-            poses: [Pose::identity(); 3],
-        };
+        let mut new = Self { motors: [0.0], poses: [Pose::identity(); 3] };
         new.move_to([0.0]).expect("it can be assembled");
         new
     }
@@ -151,30 +109,12 @@ impl Mechanism for FourBar {
             return Err(Blocked::new("a, b, c, d", Cause::Open, self.motors));
         }
         let aside = aside.sqrt();
-        let pin = [
-            x + along * to_x - aside * to_y,
-            y + along * to_y + aside * to_x,
-        ];
+        let pin = [x + along * to_x - aside * to_y, y + along * to_y + aside * to_x];
         self.motors = motors;
         self.poses = [
-            Pose {
-                cos,
-                sin,
-                x: 0.0,
-                y: 0.0,
-            },
-            Pose {
-                cos: (pin[0] - x) / COUPLER,
-                sin: (pin[1] - y) / COUPLER,
-                x,
-                y,
-            },
-            Pose {
-                cos: (pin[0] - GROUND) / ROCKER,
-                sin: pin[1] / ROCKER,
-                x: GROUND,
-                y: 0.0,
-            },
+            Pose { cos, sin, x: 0.0, y: 0.0 },
+            Pose { cos: (pin[0] - x) / COUPLER, sin: (pin[1] - y) / COUPLER, x, y },
+            Pose { cos: (pin[0] - GROUND) / ROCKER, sin: pin[1] / ROCKER, x: GROUND, y: 0.0 },
         ];
         Ok(())
     }

@@ -111,14 +111,8 @@ pub(crate) enum Owner {
 
 impl Owner {
     #[cfg(test)]
-    pub(crate) const ALL: [Self; 6] = [
-        Self::Force,
-        Self::Dynamics,
-        Self::Overlay,
-        Self::Params,
-        Self::Laws,
-        Self::Inverse,
-    ];
+    pub(crate) const ALL: [Self; 6] =
+        [Self::Force, Self::Dynamics, Self::Overlay, Self::Params, Self::Laws, Self::Inverse];
 }
 
 impl Display for Owner {

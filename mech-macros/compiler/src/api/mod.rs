@@ -71,10 +71,8 @@ impl Item {
 
     /// Whether it is a constant or method with the same name in each mechanism.
     pub(crate) fn is_fixed(&self) -> bool {
-        let is_of_mechanism = matches!(
-            self.subject,
-            Subject::Mechanism | Subject::Trait | Subject::Both
-        );
+        let is_of_mechanism =
+            matches!(self.subject, Subject::Mechanism | Subject::Trait | Subject::Both);
         is_of_mechanism && !self.text.starts_with("type ")
     }
 }
@@ -96,8 +94,5 @@ pub(crate) fn is_reserved(name: &str) -> bool {
 /// The names that an owner takes.
 pub(crate) fn names_of(owner: Owner) -> BTreeSet<&'static str> {
     let items = TABLE.iter().filter(|item| item.is_fixed());
-    items
-        .filter(|item| item.condition.owner() == Some(owner))
-        .map(Item::name)
-        .collect()
+    items.filter(|item| item.condition.owner() == Some(owner)).map(Item::name).collect()
 }

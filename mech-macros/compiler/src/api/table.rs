@@ -3,11 +3,7 @@
 use super::{Condition as When, Item, Subject as Of};
 
 const fn item(subject: Of, condition: When, text: &'static str) -> Item {
-    Item {
-        subject,
-        condition,
-        text,
-    }
+    Item { subject, condition, text }
 }
 
 /// The items, in the order in which a mechanism with errors has them. Where its number of motors may be wrong, that is a parameter.

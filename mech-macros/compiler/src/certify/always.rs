@@ -40,10 +40,8 @@ pub(crate) fn always_closes(
     budget: &mut usize,
     mut look: impl FnMut(&dyn Fn(Value) -> Interval),
 ) -> bool {
-    let tests = vec![(
-        question.block,
-        Test::Discriminant(question.discriminant, question.tolerance),
-    )];
+    let tests =
+        vec![(question.block, Test::Discriminant(question.discriminant, question.tolerance))];
     let mut tape = Tape::of(&cone.nodes, cone.variables.len(), tests, &question.found);
     if tape.is_too_large() {
         return false;
@@ -92,10 +90,7 @@ fn widest(place: &[Interval], ranges: &[Interval]) -> (usize, f64) {
         }
     };
     let parts = place.iter().zip(ranges).map(part).enumerate();
-    parts.fold(
-        (0, 0.0),
-        |best, next| if next.1 > best.1 { next } else { best },
-    )
+    parts.fold((0, 0.0), |best, next| if next.1 > best.1 { next } else { best })
 }
 
 /// A box cut across one of its variables, if that can be cut.

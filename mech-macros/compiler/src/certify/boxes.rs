@@ -91,11 +91,7 @@ impl Search<'_> {
             let range = self.ranges[motor];
             let line = Line::new(motor, at.clone(), range.width());
             let from = self.start[motor];
-            let to = if at[motor] < from {
-                range.low()
-            } else {
-                range.high()
-            };
+            let to = if at[motor] < from { range.low() } else { range.high() };
             if let Sight::Closes { .. } = line.look(self, from, from)
                 && let blocked @ Verdict::Blocked(_) = line.verdict(self, from, to)
             {

@@ -156,19 +156,14 @@ impl<'c> Trial<'c> {
                 }
                 for vector in 0..vectors {
                     let [x, y] = [0, 1].map(|part| self.numbers + 2 * vector + part);
-                    let [u, v] = [
-                        cos * before[x] - sin * before[y],
-                        sin * before[x] + cos * before[y],
-                    ];
+                    let [u, v] =
+                        [cos * before[x] - sin * before[y], sin * before[x] + cos * before[y]];
                     stays[vector] &= same(x) && same(y);
                     turns[vector] &= is_same(u, after[x]) && is_same(v, after[y]);
                 }
             }
         }
-        let all = stays
-            .iter()
-            .zip(&turns)
-            .all(|(stays, turns)| *stays || *turns);
+        let all = stays.iter().zip(&turns).all(|(stays, turns)| *stays || *turns);
         // A vector that both stays and turns is zero: it counts as one that stays.
         all.then(|| stays.into_iter().map(|stays| !stays).collect())
     }

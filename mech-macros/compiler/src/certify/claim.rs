@@ -49,11 +49,7 @@ impl Group {
     pub(super) fn ranges(&self, program: &Program, ranges: &[Interval]) -> Vec<Interval> {
         let all = ranges.iter().zip(&program.start.motors).enumerate();
         let range = |(motor, (range, start)): (usize, (&Interval, &f64))| {
-            if self.motors.contains(&motor) {
-                *range
-            } else {
-                Interval::point(*start)
-            }
+            if self.motors.contains(&motor) { *range } else { Interval::point(*start) }
         };
         all.map(range).collect()
     }
@@ -67,30 +63,20 @@ pub(super) fn tests(program: &Program) -> Vec<(BlockId, Test)> {
             || node.op.operands().any(|operand| hangs[operand.index()]);
     }
     let exposed = find_exposed(program, &keeps_direction(program));
-    let divisors = program
-        .ssa
-        .nodes
-        .iter()
-        .enumerate()
-        .filter_map(|(index, node)| match node.op {
-            Op::Div(_, by)
-                if exposed[index]
-                    && !hangs[by.index()]
-                    && !matches!(program.node(by).op, Op::Constant(_)) =>
-            {
-                Some((node.block, Test::Divisor(by)))
-            }
-            _ => None,
-        });
+    let divisors = program.ssa.nodes.iter().enumerate().filter_map(|(index, node)| match node.op {
+        Op::Div(_, by)
+            if exposed[index]
+                && !hangs[by.index()]
+                && !matches!(program.node(by).op, Op::Constant(_)) =>
+        {
+            Some((node.block, Test::Divisor(by)))
+        }
+        _ => None,
+    });
     let slacks = program
         .margins()
         .filter(|(_, closed)| !hangs[closed.margin.index()])
-        .map(|(block, closed)| {
-            (
-                block,
-                Test::Discriminant(closed.discriminant, closed.tolerance),
-            )
-        });
+        .map(|(block, closed)| (block, Test::Discriminant(closed.discriminant, closed.tolerance)));
     let mut tests: Vec<(BlockId, Test)> = slacks.chain(divisors).collect();
     // Of each block first the slack: what is divided by may be zero only where it does not close.
     tests.sort_by_key(|(block, _)| *block);
@@ -117,14 +103,7 @@ pub(super) fn keeps_direction(program: &Program) -> Vec<bool> {
 fn find_exposed(program: &Program, keeps: &[bool]) -> Vec<bool> {
     let mut exposed = vec![false; program.ssa.nodes.len()];
     let margins = program.margins().map(|(_, closed)| closed.margin);
-    for root in program
-        .poses
-        .iter()
-        .flatten()
-        .chain(&program.state)
-        .copied()
-        .chain(margins)
-    {
+    for root in program.poses.iter().flatten().chain(&program.state).copied().chain(margins) {
         exposed[root.index()] = true;
     }
     for index in (0..exposed.len()).rev() {

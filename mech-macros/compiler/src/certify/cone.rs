@@ -62,11 +62,7 @@ pub(crate) struct Cuts<'c> {
 
 impl Cuts<'_> {
     /// Cuts each loop and each angle out by itself: nothing before them is written out.
-    pub(crate) const ALONE: Self = Self {
-        through: &|_| false,
-        own: None,
-        into: &|_| false,
-    };
+    pub(crate) const ALONE: Self = Self { through: &|_| false, own: None, into: &|_| false };
 }
 
 impl<'p> Cutter<'p> {
@@ -77,9 +73,8 @@ impl<'p> Cutter<'p> {
             made.chain([closed.discriminant, closed.tolerance]).max()
         };
         let closed = program.closed_forms();
-        let starts: BTreeMap<usize, Value> = closed
-            .filter_map(|(_, closed)| Some((closed.number, start(closed)?)))
-            .collect();
+        let starts: BTreeMap<usize, Value> =
+            closed.filter_map(|(_, closed)| Some((closed.number, start(closed)?))).collect();
         let mut found = BTreeMap::new();
         for (number, solutions) in &program.solutions {
             for (index, solution) in solutions.iter().enumerate() {
@@ -99,11 +94,7 @@ impl<'p> Cutter<'p> {
                 }
             }
         }
-        Self {
-            program,
-            at_start: program.values_at_start(),
-            found,
-        }
+        Self { program, at_start: program.values_at_start(), found }
     }
 
     /// Returns the cone of these outputs; none if it is too large.
@@ -152,9 +143,7 @@ impl<'p> Cutter<'p> {
             let copy = growing.push(Node { op, ..node.clone() });
             growing.copies.insert(value, copy);
         }
-        let ConeBuilder {
-            mut cone, copies, ..
-        } = growing;
+        let ConeBuilder { mut cone, copies, .. } = growing;
         cone.outputs = outputs.iter().map(|output| copies[output]).collect();
         Some(cone)
     }
@@ -183,11 +172,7 @@ impl<'p> Cutter<'p> {
 
     /// Returns an unknown that a loop finds, both by number.
     pub(crate) fn solution(&self, number: usize, index: usize) -> Option<Solution<Value>> {
-        let (_, found) = self
-            .program
-            .solutions
-            .iter()
-            .find(|(of, _)| *of == number)?;
+        let (_, found) = self.program.solutions.iter().find(|(of, _)| *of == number)?;
         found.get(index).copied()
     }
 
@@ -203,12 +188,7 @@ impl<'p> Cutter<'p> {
         };
         let scaled = |a: Value, by: f64| {
             let parts = self.parts(a)?;
-            Some(
-                parts
-                    .into_iter()
-                    .map(|(input, part)| (input, part * by))
-                    .collect(),
-            )
+            Some(parts.into_iter().map(|(input, part)| (input, part * by)).collect())
         };
         match node.op {
             Op::Constant(_) | Op::Turns(_) | Op::PartOfTurns(..) => Some(BTreeMap::new()),
@@ -275,11 +255,7 @@ impl ConeBuilder {
 
     /// The node that stands for a variable.
     fn variable(&mut self, variable: Variable, like: &Node) -> Value {
-        let known = self
-            .cone
-            .variables
-            .iter()
-            .position(|known| *known == variable);
+        let known = self.cone.variables.iter().position(|known| *known == variable);
         if let Some(known) = known {
             return self.inputs[known];
         }

@@ -59,9 +59,7 @@ impl Forms {
 
     /// The middle of an operand.
     pub(super) fn middle(&self, operand: Operand) -> f64 {
-        operand
-            .step
-            .map_or_else(|| operand.range.middle(), |step| self.middles[step])
+        operand.step.map_or_else(|| operand.range.middle(), |step| self.middles[step])
     }
 
     /// All values of a step.
@@ -93,10 +91,9 @@ impl Forms {
         let sum: f64 = both.map(|(a, b)| (a - factor * b).abs()).sum();
         let alone = sum_of_sizes(&first_row[common..]);
         let other = sum_of_sizes(&second_row[common..]);
-        let radius = rounded_up(
-            sum + alone + factor.abs() * other,
-            first.max(second) + self.motors,
-        ) + 4.0 * f64::EPSILON * sizes;
+        let radius =
+            rounded_up(sum + alone + factor.abs() * other, first.max(second) + self.motors)
+                + 4.0 * f64::EPSILON * sizes;
         let middle = Interval::point(self.middles[first])
             - Interval::point(factor) * Interval::point(self.middles[second]);
         natural.meet(middle + Interval::new(-radius, radius))
@@ -243,10 +240,7 @@ pub(super) fn root(range: Interval) -> Option<Linear> {
     // The root lies above the line through its ends, and most where its own rate is the line's.
     let most = Interval::point(0.25) / line;
     let remainder = above(range.low()).hull(above(range.high())).hull(most);
-    Some(Linear {
-        factors: [rate, 0.0],
-        remainder,
-    })
+    Some(Linear { factors: [rate, 0.0], remainder })
 }
 
 /// The greater of a number between two bounds and a constant between them.
@@ -262,10 +256,7 @@ pub(super) fn greater(range: Interval, constant: Interval) -> Option<Linear> {
     };
     let least = constant - line * constant;
     let remainder = above(range.low()).hull(above(range.high())).hull(least);
-    Some(Linear {
-        factors: [rate, 0.0],
-        remainder,
-    })
+    Some(Linear { factors: [rate, 0.0], remainder })
 }
 
 /// A line that stays near a sine or cosine on a range, and how far the curve is from it. Given are its value and its rate in the middle,

@@ -22,11 +22,7 @@ pub(super) fn groups(program: &Program, free: &[BlockId]) -> Vec<Group> {
         let same = |group: &&mut Group| group.motors == motors && group.held == *held;
         match groups.iter_mut().find(same) {
             Some(group) => group.tests.push((block, test)),
-            None => groups.push(Group {
-                motors,
-                held: held.clone(),
-                tests: vec![(block, test)],
-            }),
+            None => groups.push(Group { motors, held: held.clone(), tests: vec![(block, test)] }),
         }
     }
     groups

@@ -18,20 +18,11 @@ pub struct Interval {
 
 impl Interval {
     /// All numbers.
-    pub const ENTIRE: Self = Self {
-        low: f64::NEG_INFINITY,
-        high: f64::INFINITY,
-    };
+    pub const ENTIRE: Self = Self { low: f64::NEG_INFINITY, high: f64::INFINITY };
     /// Nothing but zero.
-    pub const ZERO: Self = Self {
-        low: 0.0,
-        high: 0.0,
-    };
+    pub const ZERO: Self = Self { low: 0.0, high: 0.0 };
     /// Nothing but one.
-    pub const ONE: Self = Self {
-        low: 1.0,
-        high: 1.0,
-    };
+    pub const ONE: Self = Self { low: 1.0, high: 1.0 };
 
     /// All numbers between these two, whichever is the greater; all numbers at all, if one of them is not a number.
     #[must_use]
@@ -100,30 +91,20 @@ impl Interval {
     #[must_use]
     pub fn meet(self, other: Self) -> Self {
         let (low, high) = (self.low.max(other.low), self.high.min(other.high));
-        if low <= high {
-            Self { low, high }
-        } else {
-            self
-        }
+        if low <= high { Self { low, high } } else { self }
     }
 
     /// All that is in one or the other or between them.
     #[must_use]
     pub fn hull(self, other: Self) -> Self {
-        Self {
-            low: self.low.min(other.low),
-            high: self.high.max(other.high),
-        }
+        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
     /// The product with itself.
     #[must_use]
     pub fn square(self) -> Self {
         let Self { low, high } = self.abs();
-        Self {
-            low: multiply_down(low, low).max(0.0),
-            high: multiply_up(high, high),
-        }
+        Self { low: multiply_down(low, low).max(0.0), high: multiply_up(high, high) }
     }
 
     /// The absolute value.
@@ -145,28 +126,19 @@ impl Interval {
         let root = |square: f64| square.max(0.0).sqrt();
         let (low, high) = (root(self.low), root(self.high));
         // The root of zero is exact.
-        Self {
-            low: low.next_down().max(0.0),
-            high: if high > 0.0 { high.next_up() } else { 0.0 },
-        }
+        Self { low: low.next_down().max(0.0), high: if high > 0.0 { high.next_up() } else { 0.0 } }
     }
 
     /// The greater of two numbers.
     #[must_use]
     pub fn max(self, other: Self) -> Self {
-        Self {
-            low: self.low.max(other.low),
-            high: self.high.max(other.high),
-        }
+        Self { low: self.low.max(other.low), high: self.high.max(other.high) }
     }
 
     /// The less of two numbers.
     #[must_use]
     pub fn min(self, other: Self) -> Self {
-        Self {
-            low: self.low.min(other.low),
-            high: self.high.min(other.high),
-        }
+        Self { low: self.low.min(other.low), high: self.high.min(other.high) }
     }
 
     /// The sizes of these numbers with the sign of the other interval; with both signs if that contains zero.
@@ -196,10 +168,7 @@ impl Interval {
 
     /// A wave that is greatest at `top` half turns, and at every even number of half turns from there.
     fn wave(self, at: impl Fn(f64) -> f64, top: f64) -> Self {
-        let whole = Self {
-            low: -1.0,
-            high: 1.0,
-        };
+        let whole = Self { low: -1.0, high: 1.0 };
         let (first, last) = (self.low / PI - top, self.high / PI - top);
         if !(first > -MANY_HALF_TURNS && last < MANY_HALF_TURNS && last - first < 2.0) {
             return whole;
@@ -208,10 +177,7 @@ impl Interval {
         let near = |end: f64| 4.0 * f64::EPSILON * (1.0 + end.abs());
         let mut extremum = (first - near(first)).ceil();
         let (from, to) = (at(self.low), at(self.high));
-        let mut bounds = Self {
-            low: widen(from.min(to)).low,
-            high: widen(from.max(to)).high,
-        };
+        let mut bounds = Self { low: widen(from.min(to)).low, high: widen(from.max(to)).high };
         while extremum <= last + near(last) {
             if extremum % 2.0 == 0.0 {
                 bounds.high = 1.0;
@@ -231,12 +197,8 @@ impl Interval {
             return Self { low: -pi, high: pi };
         }
         // Away from the cut the angle is greatest and least at corners.
-        let corners = [
-            (self.low, x.low),
-            (self.low, x.high),
-            (self.high, x.low),
-            (self.high, x.high),
-        ];
+        let corners =
+            [(self.low, x.low), (self.low, x.high), (self.high, x.low), (self.high, x.high)];
         let angle = |(y, x): (f64, f64)| match (y.is_infinite(), x.is_infinite()) {
             // A corner at infinity stands for all angles of its quadrant.
             (true, true) if x > 0.0 => Self::new(0.0, FRAC_PI_2.copysign(y)),
@@ -245,10 +207,7 @@ impl Interval {
         };
         let [a, b, c, d] = corners.map(angle);
         let Self { low, high } = a.hull(b).hull(c.hull(d));
-        Self {
-            low: widen(low).low.max(-pi),
-            high: widen(high).high.min(pi),
-        }
+        Self { low: widen(low).low.max(-pi), high: widen(high).high.min(pi) }
     }
 
     /// e to these powers.
@@ -263,19 +222,13 @@ impl Interval {
     /// The nearest whole numbers, halves away from zero.
     #[must_use]
     pub fn round(self) -> Self {
-        Self {
-            low: libm::round(self.low),
-            high: libm::round(self.high),
-        }
+        Self { low: libm::round(self.low), high: libm::round(self.high) }
     }
 }
 
 /// A result of the library of mathematics, with what that may be wrong by: a little less than the last digit.
 fn widen(number: f64) -> Interval {
-    Interval {
-        low: number.next_down().next_down(),
-        high: number.next_up().next_up(),
-    }
+    Interval { low: number.next_down().next_down(), high: number.next_up().next_up() }
 }
 
 /// By how much a rounded sum is too small. Not a number where something is infinite.
@@ -287,48 +240,29 @@ fn lost(a: f64, b: f64, sum: f64) -> f64 {
 /// The sum, rounded downwards if it is not exact.
 fn add_down(a: f64, b: f64) -> f64 {
     let sum = a + b;
-    if lost(a, b, sum) >= 0.0 {
-        sum
-    } else {
-        sum.next_down()
-    }
+    if lost(a, b, sum) >= 0.0 { sum } else { sum.next_down() }
 }
 
 /// The sum, rounded upwards if it is not exact.
 fn add_up(a: f64, b: f64) -> f64 {
     let sum = a + b;
-    if lost(a, b, sum) <= 0.0 {
-        sum
-    } else {
-        sum.next_up()
-    }
+    if lost(a, b, sum) <= 0.0 { sum } else { sum.next_up() }
 }
 
 /// The product rounded downwards. Zero times infinity is zero: a factor of zero makes the whole product vanish.
 fn multiply_down(a: f64, b: f64) -> f64 {
-    if a == 0.0 || b == 0.0 {
-        0.0
-    } else {
-        (a * b).next_down()
-    }
+    if a == 0.0 || b == 0.0 { 0.0 } else { (a * b).next_down() }
 }
 
 fn multiply_up(a: f64, b: f64) -> f64 {
-    if a == 0.0 || b == 0.0 {
-        0.0
-    } else {
-        (a * b).next_up()
-    }
+    if a == 0.0 || b == 0.0 { 0.0 } else { (a * b).next_up() }
 }
 
 impl Neg for Interval {
     type Output = Self;
 
     fn neg(self) -> Self {
-        Self {
-            low: -self.high,
-            high: -self.low,
-        }
+        Self { low: -self.high, high: -self.low }
     }
 }
 
@@ -336,10 +270,7 @@ impl Add for Interval {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        Self {
-            low: add_down(self.low, other.low),
-            high: add_up(self.high, other.high),
-        }
+        Self { low: add_down(self.low, other.low), high: add_up(self.high, other.high) }
     }
 }
 

@@ -82,11 +82,7 @@ impl Line {
 
     /// From one value towards another, nearest boxes first, as far as the ground is of this kind.
     fn walk(&self, search: &mut Search<'_>, from: f64, to: f64, ground: Ground) -> Walk {
-        let mut walk = Walk {
-            reached: from,
-            wall: None,
-            open: None,
-        };
+        let mut walk = Walk { reached: from, wall: None, open: None };
         let mut waiting = vec![(from, to)];
         while let Some((near, far)) = waiting.pop() {
             let part = (far - near).abs() / self.width;

@@ -163,11 +163,8 @@ fn on_all_sides(
     // More loops may turn out to change sides when others have.
     let mut tried: Vec<Vec<BlockId>> = vec![Vec::new()];
     loop {
-        let crossing: Vec<BlockId> = touching
-            .iter()
-            .copied()
-            .filter(|&block| carries(block))
-            .collect();
+        let crossing: Vec<BlockId> =
+            touching.iter().copied().filter(|&block| carries(block)).collect();
         if let Some(&block) = crossing.get(MOST_SIDES) {
             let of = |group: &&Group| group.tests.iter().any(|(other, _)| *other == block);
             let Some(group) = groups.iter().find(of) else {
@@ -189,15 +186,9 @@ fn on_all_sides(
                 touching.dedup();
             }
             // Whether it ever comes there on these sides is not known.
-            Verdict::Blocked(Blocked {
-                block, motors, at, ..
-            }) => {
+            Verdict::Blocked(Blocked { block, motors, at, .. }) => {
                 let place = at.into_iter().map(Interval::point).collect();
-                return Verdict::Undecided {
-                    block,
-                    motors,
-                    place,
-                };
+                return Verdict::Undecided { block, motors, place };
             }
             verdict => return verdict,
         }

@@ -66,9 +66,7 @@ impl<'p> Search<'p> {
         Self {
             tape,
             motors: group.motors.clone(),
-            start: starts
-                .map(|(start, range)| start.max(range.low()).min(range.high()))
-                .collect(),
+            start: starts.map(|(start, range)| start.max(range.low()).min(range.high())).collect(),
             ranges,
             touching: Vec::new(),
             budget: BUDGET,
@@ -82,11 +80,7 @@ impl<'p> Search<'p> {
     }
 
     pub(super) fn give_up_at(&self, block: BlockId, place: Vec<Interval>) -> Verdict {
-        Verdict::Undecided {
-            block,
-            motors: self.motors.clone(),
-            place,
-        }
+        Verdict::Undecided { block, motors: self.motors.clone(), place }
     }
 
     pub(super) fn conclude(&mut self) -> Verdict {
@@ -151,17 +145,12 @@ impl<'p> Search<'p> {
 
     /// The greatest part of a motor's range that a box takes.
     pub(super) fn part(&self, place: &[Interval]) -> f64 {
-        self.parts(place)
-            .fold(0.0, |most, (_, part)| most.max(part))
+        self.parts(place).fold(0.0, |most, (_, part)| most.max(part))
     }
 
     pub(super) fn parts(&self, place: &[Interval]) -> impl Iterator<Item = (usize, f64)> {
         let part = |(range, place): (&Interval, &Interval)| {
-            if range.width() > 0.0 {
-                place.width() / range.width()
-            } else {
-                0.0
-            }
+            if range.width() > 0.0 { place.width() / range.width() } else { 0.0 }
         };
         let parts: Vec<f64> = self.ranges.iter().zip(place).map(part).collect();
         parts.into_iter().enumerate()

@@ -56,11 +56,7 @@ impl<'c> Slopes<'c> {
 
 /// The product. Zero times an unbounded interval is zero.
 fn times(a: Interval, b: Interval) -> Interval {
-    if a == Interval::ZERO || b == Interval::ZERO {
-        Interval::ZERO
-    } else {
-        a * b
-    }
+    if a == Interval::ZERO || b == Interval::ZERO { Interval::ZERO } else { a * b }
 }
 
 /// Returns the derivative of an operation's result, from those of its operands.
@@ -91,10 +87,9 @@ fn slope(op: Op, values: &[Interval], result: Interval, slopes: &[Interval]) -> 
         Op::Sin(a) => times(value(a).cos(), rate(a)),
         Op::Cos(a) => times(-value(a).sin(), rate(a)),
         Op::Exp(a) => times(result, rate(a)),
-        Op::Stairs(stairs, place, share) => times(
-            stairs::slopes(stairs, value(place), share.get()),
-            rate(place),
-        ),
+        Op::Stairs(stairs, place, share) => {
+            times(stairs::slopes(stairs, value(place), share.get()), rate(place))
+        }
         // No vector of which an angle is taken is shorter than one.
         Op::Atan2(a, b) => {
             let (y, x) = (value(a), value(b));

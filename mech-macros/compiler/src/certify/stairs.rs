@@ -37,19 +37,11 @@ pub(super) fn smooth_slopes(stairs: Staircase, places: Interval, share: f64) -> 
     if stairs.order == 0 {
         return Some(slopes(stairs, places, share));
     }
-    let step = if stairs.repeats {
-        places.low().floor()
-    } else {
-        0.0
-    };
+    let step = if stairs.repeats { places.low().floor() } else { 0.0 };
     let slack = EDGE * (1.0 + step.abs());
     let time = |place: f64| (place - step) / share;
     let (from, to) = (time(places.low()) - slack, time(places.high()) + slack);
-    let next_step = if stairs.repeats {
-        1.0 / share
-    } else {
-        f64::INFINITY
-    };
+    let next_step = if stairs.repeats { 1.0 / share } else { f64::INFINITY };
     let mut edges = vec![0.0];
     edges.extend(cuts(stairs.law));
     edges.push(next_step);
@@ -63,23 +55,14 @@ pub(super) fn smooth_slopes(stairs: Staircase, places: Interval, share: f64) -> 
 fn cuts(law: MotionLaw) -> Vec<f64> {
     let changes: Vec<f64> = law.changes().collect();
     let mirrored = changes.iter().rev().map(|change| 1.0 - change);
-    changes
-        .iter()
-        .copied()
-        .chain(mirrored)
-        .chain([1.0])
-        .collect()
+    changes.iter().copied().chain(mirrored).chain([1.0]).collect()
 }
 
 /// The derivatives of a staircase at these places, times a power of the share: on both sides where they jump.
 fn derivatives(stairs: Staircase, places: Interval, share: f64) -> Interval {
     let (low, high) = (places.low(), places.high());
     let bound = stairs.law.bound(stairs.order);
-    let steps = if stairs.repeats {
-        [low.floor(), high.floor()]
-    } else {
-        [0.0, 0.0]
-    };
+    let steps = if stairs.repeats { [low.floor(), high.floor()] } else { [0.0, 0.0] };
     if !places.is_bounded() || steps[1] - steps[0] > 1.0 {
         return Interval::new(-bound, bound);
     }

@@ -81,8 +81,7 @@ impl<'p> Tape<'p> {
         tape.choose_sides(program, turned);
         for &(state, value) in carried {
             tape.set_state(state, value);
-            tape.wholes
-                .extend(WholeAngle::carried(program, state, value));
+            tape.wholes.extend(WholeAngle::carried(program, state, value));
         }
         tape.sort(found);
         tape
@@ -332,10 +331,7 @@ impl<'p> Tape<'p> {
             range: self.values[value.index()],
             step: self.steps[value.index()],
         };
-        let simple = |factors: [f64; 2]| Linear {
-            factors,
-            remainder: Interval::ZERO,
-        };
+        let simple = |factors: [f64; 2]| Linear { factors, remainder: Interval::ZERO };
         let one = |a: Value, linear: Linear| ([operand(a), operand(a)], linear);
         let two = |a: Value, b: Value, linear: Linear| ([operand(a), operand(b)], linear);
         Some(match op {
@@ -435,10 +431,7 @@ impl<'p> Tape<'p> {
     fn multiply(&self, a: Operand, b: Operand) -> Linear {
         let (first, second) = (self.forms.middle(a), self.forms.middle(b));
         let (p, q) = (Interval::point(first), Interval::point(second));
-        Linear {
-            factors: [second, first],
-            remainder: (a.range - p) * (b.range - q) - p * q,
-        }
+        Linear { factors: [second, first], remainder: (a.range - p) * (b.range - q) - p * q }
     }
 
     /// With any q, a / b is q + (a − q · b) / b, where a − q · b is small.
@@ -453,10 +446,7 @@ impl<'p> Tape<'p> {
         let [q, m] = [quotient, inverse].map(Interval::point);
         let small = self.forms.difference(a, b, quotient);
         let rounding = (m * -q - Interval::point(factors[1])) * b.range;
-        Some(Linear {
-            factors,
-            remainder: q + (inverses - m) * small + rounding,
-        })
+        Some(Linear { factors, remainder: q + (inverses - m) * small + rounding })
     }
 
     /// Returns the result of a test on the box on which it was run last.
@@ -504,11 +494,8 @@ impl<'p> Tape<'p> {
             }
         };
         // The slack at run time differs by its own rounding, for which half the floor is enough.
-        let enough = if tolerance.low() >= 0.0 {
-            -0.5 * tolerance.low()
-        } else {
-            -2.0 * tolerance.low()
-        };
+        let enough =
+            if tolerance.low() >= 0.0 { -0.5 * tolerance.low() } else { -2.0 * tolerance.low() };
         if discriminant.low() > tolerance.abs().high().max(enough) {
             Outcome::Strict
         } else if discriminant.low() >= enough {

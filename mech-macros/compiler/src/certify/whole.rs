@@ -21,12 +21,7 @@ impl WholeAngle {
         let Op::Atan2(sin, cos) = program.node(*principal).op else {
             return None;
         };
-        Some(Self {
-            value: program.state[state],
-            sin,
-            cos,
-            reference,
-        })
+        Some(Self { value: program.state[state], sin, cos, reference })
     }
 
     /// Whether it is this value.

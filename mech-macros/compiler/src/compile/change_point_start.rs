@@ -72,11 +72,7 @@ fn displace_start(model: &Model, displacement: f64) -> Model {
     for (index, motor) in model.motors.iter().enumerate() {
         #[expect(clippy::cast_precision_loss, reason = "a handful of motors")]
         let displacement = displacement * (1.0 + 0.1 * index as f64);
-        let known = moved
-            .start
-            .values
-            .iter_mut()
-            .find(|value| value.joint == motor.joint);
+        let known = moved.start.values.iter_mut().find(|value| value.joint == motor.joint);
         match known {
             Some(value) => value.value += displacement,
             None => moved.start.values.push(StartValue {
@@ -92,10 +88,7 @@ fn displace_start(model: &Model, displacement: f64) -> Model {
 /// The mechanism, to be assembled with its links near these angles.
 fn prefer_assembly(model: &Model, links: &[LinkId], angles: &[f64]) -> Model {
     let mut preferring = model.clone();
-    preferring
-        .start
-        .near
-        .retain(|near| !links.contains(&near.link));
+    preferring.start.near.retain(|near| !links.contains(&near.link));
     let wishes = links.iter().zip(angles).map(|(&link, &angle)| Near {
         link,
         angle,

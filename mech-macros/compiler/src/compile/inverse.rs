@@ -28,19 +28,13 @@ pub(super) fn invert(
     starts_within(inverse, &inverted)?;
     let mut compiled = compile(&inverted).map_err(|found| {
         let mut found = diagnosis(model, inverse, program, &found);
-        if let Diagnosis::Inverse {
-            trouble: InverseTrouble::Region { proved, .. },
-        } = &mut found
-        {
+        if let Diagnosis::Inverse { trouble: InverseTrouble::Region { proved, .. } } = &mut found {
             *proved = smaller_region(inverse, &inverted);
         }
         found
     })?;
     compiled.timing = program::build_trajectory(&inverted, inverse, model.effects);
-    Ok(Some(Box::new(InverseMechanism {
-        model: inverted,
-        compiled,
-    })))
+    Ok(Some(Box::new(InverseMechanism { model: inverted, compiled })))
 }
 
 /// Checks whether motors follow, as far as the start shows.
@@ -75,11 +69,7 @@ fn start(model: &Model, inverse: &Inverse, inverted: &Model, program: &Program) 
     let coordinate = |joint: JointId| {
         let given = model.start.values.iter().find(|value| value.joint == joint);
         let value = given.map_or_else(|| frames.coordinate(joint), |given| Some(given.value))?;
-        Some(StartValue {
-            joint,
-            value,
-            origin,
-        })
+        Some(StartValue { joint, value, origin })
     };
     let followed = |motor: &MotorId| inverse.motors.contains(motor);
     let held = model.motor_ids().filter(|motor| !followed(motor));
@@ -93,11 +83,8 @@ fn start(model: &Model, inverse: &Inverse, inverted: &Model, program: &Program) 
     });
     let links = program.stored.iter().zip(&program.start.poses);
     let declared = links.filter(|(link, _)| model.link(**link).die.is_none());
-    let near = declared.map(|(&link, [cos, sin, ..])| Near {
-        link,
-        angle: sin.atan2(*cos),
-        origin,
-    });
+    let near =
+        declared.map(|(&link, [cos, sin, ..])| Near { link, angle: sin.atan2(*cos), origin });
     Start {
         values: held.chain(given).collect(),
         near: near.collect(),
@@ -129,17 +116,13 @@ fn diagnosis(
         return idle;
     }
     let trouble = match diagnoses.first() {
-        Some(Diagnosis::DeadStart { unknowns }) => InverseTrouble::DeadStart {
-            unknowns: declared(unknowns),
-        },
-        Some(Diagnosis::NotSequential { waiting, .. }) => InverseTrouble::Coupled {
-            waiting: declared(waiting),
-        },
-        Some(Diagnosis::Range {
-            motor,
-            unknowns,
-            trouble,
-        }) => InverseTrouble::Region {
+        Some(Diagnosis::DeadStart { unknowns }) => {
+            InverseTrouble::DeadStart { unknowns: declared(unknowns) }
+        }
+        Some(Diagnosis::NotSequential { waiting, .. }) => {
+            InverseTrouble::Coupled { waiting: declared(waiting) }
+        }
+        Some(Diagnosis::Range { motor, unknowns, trouble }) => InverseTrouble::Region {
             motor: *motor,
             unknowns: declared(unknowns),
             trouble: trouble.clone(),
@@ -244,11 +227,7 @@ fn is_idle(model: &Model, inverse: &Inverse, program: &Program, motor: MotorId) 
     let size = model.size().max(f64::MIN_POSITIVE);
     let place_of = |machine: &Machine<'_, f64>| {
         let poses = &machine.position().poses;
-        place(
-            model,
-            inverse,
-            &LinkFrames::of_some(model, &program.stored, poses),
-        )
+        place(model, inverse, &LinkFrames::of_some(model, &program.stored, poses))
     };
     let mut moved = [STEP, -STEP].into_iter().filter_map(|step| {
         let mut machine = Machine::<f64>::new(program);

@@ -135,9 +135,7 @@ impl<'w, T: Real> Way<'w, '_, '_, T> {
         for (motor, value) in self.led.motors.iter().zip(place) {
             inputs[motor.index()] = T::from_f64(*value);
         }
-        self.inverse
-            .move_to(&inputs)
-            .map_err(Unreachable::Stopped)?;
+        self.inverse.move_to(&inputs).map_err(Unreachable::Stopped)?;
         let stop = self.carry(&before);
         if stop.is_some() {
             self.inverse.put_back(start);
@@ -171,13 +169,9 @@ impl<'w, T: Real> Way<'w, '_, '_, T> {
             motors[number] = T::from_f64(value);
         }
         let poses = self.inverse.position().poses[..self.shared()].to_vec();
-        let Some(mut found) = beside(
-            self.mechanism,
-            self.program(0),
-            start.clone(),
-            &motors,
-            &poses,
-        ) else {
+        let Some(mut found) =
+            beside(self.mechanism, self.program(0), start.clone(), &motors, &poses)
+        else {
             return Some(Unreachable::Apart);
         };
         let quarter = 0.25 * T::TURN.to_f64();

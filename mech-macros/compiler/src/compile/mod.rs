@@ -36,13 +36,8 @@ use overconstrained::Overconstrained;
 /// # Errors
 /// Everything that keeps the mechanism from moving as its motors say.
 pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
-    let Coherent {
-        structure,
-        plan,
-        program,
-        choices,
-        prediction,
-    } = analyse(model, Depth::WholeMotion)?;
+    let Coherent { structure, plan, program, choices, prediction } =
+        analyse(model, Depth::WholeMotion)?;
     closure::check(model, &structure, &program);
     let derive = |output: Output<'_>| derive(model, &plan, &choices, &program, output);
     let moving = derive(Output::Rates);
@@ -95,11 +90,7 @@ fn derive(
     output: Output<'_>,
 ) -> Option<Program> {
     let derived = program::derive(model, plan, choices, program, output)?;
-    Some(Program {
-        start: program.start.clone(),
-        range: program.range.clone(),
-        ..derived
-    })
+    Some(Program { start: program.start.clone(), range: program.range.clone(), ..derived })
 }
 
 /// Checks whether a mechanism compiles, as far as its start shows: declared ranges and accuracies are not examined.
@@ -130,10 +121,7 @@ fn massless_motors(inertia: &Program) -> Vec<MotorId> {
 /// The operations that are saved where `show` leaves something out; none if nothing is left out.
 fn saved_cost(model: &Model, plan: &Plan, program: &Program, choices: &[Choice]) -> Option<Cost> {
     model.show.as_ref()?;
-    let everything = Model {
-        show: None,
-        ..model.clone()
-    };
+    let everything = Model { show: None, ..model.clone() };
     let whole = program::build_as(&everything, plan, choices);
     let saved = cost::of_program(&whole).without(cost::of_program(program));
     let needed = program::find_needed(model, plan, &program.stored);
@@ -174,11 +162,7 @@ fn analyse(model: &Model, depth: Depth) -> Result<Coherent, Vec<Diagnosis>> {
         Ok(structure) => analyse_generic(model, structure, depth)?,
         Err(diagnoses) => analyse_overconstrained(model, diagnoses, depth)?,
     };
-    if coherent.program.fits() {
-        Ok(coherent)
-    } else {
-        Err(vec![Diagnosis::TooLarge])
-    }
+    if coherent.program.fits() { Ok(coherent) } else { Err(vec![Diagnosis::TooLarge]) }
 }
 
 /// Analyses a mechanism that moves whatever its lengths.
@@ -247,13 +231,7 @@ fn build(
     if depth == Depth::WholeMotion {
         (program, choices) = proof::prove_ranges(model, &plan, choices, program)?;
     }
-    Ok(Coherent {
-        structure,
-        plan,
-        program,
-        choices,
-        prediction,
-    })
+    Ok(Coherent { structure, plan, program, choices, prediction })
 }
 
 /// Chooses how each loop is solved and watched, from how the mechanism moves.
@@ -289,17 +267,8 @@ fn analyse_overconstrained(
     if let [Diagnosis::Rigid] = diagnoses[..] {
         return Err(missing_motor(model).map_or(diagnoses, |missing| vec![missing]));
     }
-    let found = if diagnoses.iter().all(is_held) {
-        overconstrained::assemble(model)
-    } else {
-        None
-    };
-    let Some(Overconstrained {
-        mut structure,
-        plan,
-        waits,
-    }) = found
-    else {
+    let found = if diagnoses.iter().all(is_held) { overconstrained::assemble(model) } else { None };
+    let Some(Overconstrained { mut structure, plan, waits }) = found else {
         return Err(diagnoses);
     };
     structure.redundant = too_many(&structure.redundant, &diagnoses);
@@ -309,10 +278,9 @@ fn analyse_overconstrained(
         return Err(vec![Diagnosis::OverconstrainedWithParam { joints, param }]);
     }
     match waits {
-        _ if !model.allow.redundant => Err(vec![Diagnosis::Overdetermined {
-            joints,
-            is_mobile: true,
-        }]),
+        _ if !model.allow.redundant => {
+            Err(vec![Diagnosis::Overdetermined { joints, is_mobile: true }])
+        }
         Some(waits) => Err(vec![waits]),
         None => build(model, structure, plan, depth).map_err(|diagnosis| vec![diagnosis]),
     }
@@ -326,10 +294,7 @@ const MOST_MOVED: usize = 40_000;
 fn missing_motor(model: &Model) -> Option<Diagnosis> {
     let can_have_motor = |joint: &JointId| {
         let joint = model.joint(*joint);
-        matches!(
-            joint.kind,
-            JointKind::Revolute(..) | JointKind::Prismatic(..)
-        ) && !joint.hidden
+        matches!(joint.kind, JointKind::Revolute(..) | JointKind::Prismatic(..)) && !joint.hidden
     };
     let driven = |joint| {
         let mut driven = model.clone();
@@ -349,10 +314,7 @@ fn missing_motor(model: &Model) -> Option<Diagnosis> {
     let all_wait = found.iter().all(|(_, waits)| *waits);
     let wanted = found.iter().filter(|(_, waits)| *waits == all_wait);
     let candidates: Vec<JointId> = wanted.map(|(joint, _)| *joint).collect();
-    (!candidates.is_empty()).then_some(Diagnosis::NoMotor {
-        freedom: 1,
-        candidates,
-    })
+    (!candidates.is_empty()).then_some(Diagnosis::NoMotor { freedom: 1, candidates })
 }
 
 /// The joints that hold too much: those that were not needed and stand in the diagnoses. If none is both, those that were not needed, or
@@ -386,9 +348,7 @@ fn diagnose_start(plan: &Plan, program: &Program, stop: Stop) -> Diagnosis {
         _ => None,
     };
     match number.and_then(|number| plan.loops().nth(number)) {
-        Some(ring) => Diagnosis::DeadStart {
-            unknowns: ring.unknowns(),
-        },
+        Some(ring) => Diagnosis::DeadStart { unknowns: ring.unknowns() },
         None => Diagnosis::TooLarge,
     }
 }

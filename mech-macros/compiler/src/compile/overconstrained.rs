@@ -38,10 +38,7 @@ pub(super) fn assemble(model: &Model) -> Option<Overconstrained> {
         return None;
     }
     let mut lenient = Model {
-        allow: Allowances {
-            redundant: true,
-            ..model.allow
-        },
+        allow: Allowances { redundant: true, ..model.allow },
         // Links that are not shown must close too.
         show: None,
         ..model.clone()
@@ -75,19 +72,14 @@ pub(super) fn assemble(model: &Model) -> Option<Overconstrained> {
         let closes = |outcomes: [Outcome; 2]| !outcomes.contains(&Outcome::Open);
         first.contains(&Outcome::Moved)
             && closes(first)
-            && farther
-                .into_iter()
-                .all(|displacement| closes(both(displacement)))
+            && farther.into_iter().all(|displacement| closes(both(displacement)))
     };
     // A motor whose joint others move is not driven.
     let is_driven = |motor: MotorId| {
         let drives = |step: &Step| matches!(step, Step::Drive(drive) if drive.motor == motor);
         plan.steps.iter().any(drives)
     };
-    if !model
-        .motor_ids()
-        .all(|motor| is_driven(motor) && moves(motor))
-    {
+    if !model.motor_ids().all(|motor| is_driven(motor) && moves(motor)) {
         return None;
     }
     // Of motors that move one by one, but never together, one is too many.
@@ -98,11 +90,7 @@ pub(super) fn assemble(model: &Model) -> Option<Overconstrained> {
         return None;
     }
     structure.redundant = redundant_joints(&lenient, &plan);
-    Some(Overconstrained {
-        structure,
-        plan,
-        waits,
-    })
+    Some(Overconstrained { structure, plan, waits })
 }
 
 /// The outcome of a displacement.
@@ -149,11 +137,7 @@ fn displace(
         }
         (step, before) = (step + 1.0, Some(gap));
     };
-    let slips = || {
-        rollings
-            .iter()
-            .any(|rolling| slip(rolling, &start, &now).abs() > 1e-9)
-    };
+    let slips = || rollings.iter().any(|rolling| slip(rolling, &start, &now).abs() > 1e-9);
     // A motor between links that other joints hold to each other moves nothing.
     let idle = || {
         let joint = model.motor(motor).joint;

@@ -31,17 +31,11 @@ pub(super) fn overflow(model: &Model, compiled: &Compiled) -> Option<Diagnosis> 
     if let Some(timing) = &compiled.timing
         && !timing.program.fits()
     {
-        return Some(Diagnosis::Overflow {
-            culprit: lawful_culprit(model),
-        });
+        return Some(Diagnosis::Overflow { culprit: lawful_culprit(model) });
     }
     let far = |number: f64| number.abs().log10().abs();
-    let worst = all
-        .into_iter()
-        .max_by(|(_, a), (_, b)| far(*a).total_cmp(&far(*b)));
-    Some(Diagnosis::Overflow {
-        culprit: worst.map(|(culprit, _)| culprit),
-    })
+    let worst = all.into_iter().max_by(|(_, a), (_, b)| far(*a).total_cmp(&far(*b)));
+    Some(Diagnosis::Overflow { culprit: worst.map(|(culprit, _)| culprit) })
 }
 
 /// Whether the forces at the start are numbers, if nothing moves and no load acts.
@@ -52,18 +46,13 @@ fn is_finite_at_start<T: Real>(program: &Program) -> bool {
     let still = vec![T::ZERO; program.inputs()];
     let loads = vec![T::ZERO; loads.len()];
     let machine = Machine::<T>::new(program);
-    machine.forces(
-        &still[..program.motors.len()],
-        &still[..program.motors.len()],
-        &loads,
-    ) != Err(Stop::Overflow)
+    machine.forces(&still[..program.motors.len()], &still[..program.motors.len()], &loads)
+        != Err(Stop::Overflow)
 }
 
 /// All numbers that forces are made from, but for zeros, and whose they are.
 fn extremes(model: &Model) -> Vec<(Extreme, f64)> {
-    let masses = model
-        .link_ids()
-        .filter_map(|link| Some((link, model.link(link).mass?)));
+    let masses = model.link_ids().filter_map(|link| Some((link, model.link(link).mass?)));
     let masses = masses.flat_map(|(link, mass)| {
         let numbers = [mass.mass, mass.inertia, mass.center[0], mass.center[1]];
         numbers.map(|number| (Extreme::Mass(link), number))

@@ -20,9 +20,8 @@ pub(super) fn check(model: &Model, inverse: &Inverse, moving: &Program) -> Resul
     if moves_every_way(model, inverse, moving, 0.0) {
         return Ok(());
     }
-    let is_bound = ![STEP, -STEP]
-        .into_iter()
-        .any(|step| moves_every_way(model, inverse, moving, step));
+    let is_bound =
+        ![STEP, -STEP].into_iter().any(|step| moves_every_way(model, inverse, moving, step));
     let trouble = if is_bound {
         InverseTrouble::Bound
     } else {
@@ -61,9 +60,8 @@ fn moves_every_way(model: &Model, inverse: &Inverse, moving: &Program, step: f64
     let Some(columns) = columns.collect::<Option<Vec<[f64; 3]>>>() else {
         return false;
     };
-    let matrix = DMatrix::from_fn(inverse.given().len(), columns.len(), |row, column| {
-        columns[column][row]
-    });
+    let matrix =
+        DMatrix::from_fn(inverse.given().len(), columns.len(), |row, column| columns[column][row]);
     let singular = matrix.singular_values();
     singular.min() > ROUNDING * singular.max()
 }

@@ -26,9 +26,7 @@ pub(super) fn check(model: &Model, compiled: &Compiled) -> Result<(), Diagnosis>
     let mut inverse = Machine::<f64>::new(&inverted.compiled.program);
     let times = model.period().map_or(vec![0.0], |period| {
         let places = (0..=PLACES).map(f64::from);
-        places
-            .map(|place| period * place / f64::from(PLACES))
-            .collect()
+        places.map(|place| period * place / f64::from(PLACES)).collect()
     });
     for time in times {
         let given: Vec<f64> = laws.iter().map(|law| law.at(time, &params)).collect();

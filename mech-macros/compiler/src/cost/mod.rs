@@ -30,11 +30,7 @@ const fn cycles(target: Target, precision: Precision) -> [f64; 7] {
 pub fn weight(cost: Cost, target: Target, precision: Precision) -> f64 {
     let cycles = cycles(target, precision);
     let counts = cost.counts().map(f64::from);
-    counts
-        .iter()
-        .zip(cycles)
-        .map(|(count, one)| count * one)
-        .sum()
+    counts.iter().zip(cycles).map(|(count, one)| count * one).sum()
 }
 
 /// The cost of an operation. A cosine is counted with its sine, if that is needed too, which `sine` decides.
@@ -104,13 +100,8 @@ pub fn of_program(program: &Program) -> Cost {
 /// The cost of rates beyond that of a position.
 #[must_use]
 pub fn of_rates(program: &Program, moving: &Program) -> Cost {
-    let systems = moving
-        .live_systems()
-        .map(|system| of_dense(system.columns.len()));
-    let tests = Cost {
-        selections: in_32_bits(moving.rate_margins().len()),
-        ..Cost::default()
-    };
+    let systems = moving.live_systems().map(|system| of_dense(system.columns.len()));
+    let tests = Cost { selections: in_32_bits(moving.rate_margins().len()), ..Cost::default() };
     let all: Cost = of_program(moving) + systems.sum() + tests;
     all.without(of_program(program))
 }
@@ -170,22 +161,15 @@ fn tests(program: &Program, block: &Block, iteration: Option<&Iteration>) -> Cos
         (BlockKind::Newton(newton), Some(iteration)) => (newton, iteration),
         (BlockKind::ClosedForm(closed), _) => {
             let may_fail = !matches!(program.node(closed.margin).op, Op::Constant(_));
-            return Cost {
-                selections: u32::from(may_fail),
-                ..Cost::default()
-            };
+            return Cost { selections: u32::from(may_fail), ..Cost::default() };
         }
         _ => return Cost::default(),
     };
     // The greatest of the gap against a limit, and the determinant against its floor.
     let gap = in_32_bits(newton.gap.len());
     let grown = u32::from(newton.extent.is_some());
-    let test = Cost {
-        additions: grown,
-        multiplications: grown,
-        selections: 2 * gap,
-        ..Cost::default()
-    };
+    let test =
+        Cost { additions: grown, multiplications: grown, selections: 2 * gap, ..Cost::default() };
     let in_rounds = match newton.rounds {
         Rounds::Exactly(_) => Cost::default(),
         Rounds::UntilClosed(_) => test * (iteration.rounds + 1),
@@ -196,11 +180,8 @@ fn tests(program: &Program, block: &Block, iteration: Option<&Iteration>) -> Cos
         Cost::default()
     };
     let rounds = newton.contracting_step().map_or(0, |_| iteration.rounds);
-    let contraction_and_det = Cost {
-        multiplications: rounds,
-        selections: 2 * rounds + 1,
-        ..Cost::default()
-    };
+    let contraction_and_det =
+        Cost { multiplications: rounds, selections: 2 * rounds + 1, ..Cost::default() };
     in_rounds + dense + test + contraction_and_det
 }
 

@@ -19,10 +19,7 @@ fn model(text: &str) -> Model {
 }
 
 fn program(method: Method) -> Program {
-    let model = Model {
-        method: Some(method),
-        ..model(FOUR_BAR)
-    };
+    let model = Model { method: Some(method), ..model(FOUR_BAR) };
     compile(&model).expect("coherent").program
 }
 
@@ -39,11 +36,8 @@ fn made(operations: &[fn(&[Value]) -> Op]) -> Program {
         name: None,
     });
     program.ssa.nodes = nodes.collect();
-    program.ssa.blocks = vec![Block {
-        name: String::new(),
-        title: String::new(),
-        kind: BlockKind::Straight,
-    }];
+    program.ssa.blocks =
+        vec![Block { name: String::new(), title: String::new(), kind: BlockKind::Straight }];
     program
 }
 
@@ -85,11 +79,7 @@ fn each_operation_is_counted_once() {
 
 #[test]
 fn what_nothing_needs_costs_nothing() {
-    let mut program = made(&[
-        |_| Op::Input(InputId::new(0)),
-        |v| Op::Cos(v[0]),
-        |v| Op::Sin(v[0]),
-    ]);
+    let mut program = made(&[|_| Op::Input(InputId::new(0)), |v| Op::Cos(v[0]), |v| Op::Sin(v[0])]);
     program.live = vec![true, true, false];
     assert_eq!(of_program(&program).sine_cosine_pairs, 1);
     program.live = vec![true, false, false];
@@ -127,9 +117,8 @@ fn a_dense_system_is_counted_as_it_is_solved() {
 
 #[test]
 fn each_round_costs_the_same() {
-    let costs: Vec<Cost> = (1..=4)
-        .map(|rounds| of_program(&program(Method::NewtonSteps(rounds))))
-        .collect();
+    let costs: Vec<Cost> =
+        (1..=4).map(|rounds| of_program(&program(Method::NewtonSteps(rounds)))).collect();
     let round = Cost {
         additions: costs[1].additions - costs[0].additions,
         multiplications: costs[1].multiplications - costs[0].multiplications,
@@ -157,15 +146,8 @@ fn a_dyad_in_closed_form_is_the_cheapest() {
     for (target, precision) in targets {
         let weight = |method| weight(of_program(&program(method)), target, precision);
         let exact = weight(Method::Exact);
-        for method in [
-            Method::NewtonSteps(1),
-            Method::NewtonSteps(2),
-            Method::Newton,
-        ] {
-            assert!(
-                exact < weight(method),
-                "{target:?} {precision:?} {method:?}"
-            );
+        for method in [Method::NewtonSteps(1), Method::NewtonSteps(2), Method::Newton] {
+            assert!(exact < weight(method), "{target:?} {precision:?} {method:?}");
         }
     }
 }

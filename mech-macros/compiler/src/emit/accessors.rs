@@ -20,10 +20,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
     }
     for point in shown_points(model) {
         let name = emitter.ident(&point.ident(), point.origin);
-        let doc = format!(
-            " Point `{}` of link `{}`, in the scene.",
-            point.name, point.link_name
-        );
+        let doc = format!(" Point `{}` of link `{}`, in the scene.", point.name, point.link_name);
         let place = emitter.point(point.axis);
         let value = quote! {
             let [x, y] = #place;

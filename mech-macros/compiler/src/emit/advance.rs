@@ -11,11 +11,7 @@ use quote::quote;
 /// The path of a program's step for motors within the reduced range.
 pub(super) fn step_reduced(program: &Program) -> TokenStream {
     let module = module::name(program);
-    if takes_sines(program) {
-        quote!(#module::step_reduced)
-    } else {
-        quote!(#module::step)
-    }
+    if takes_sines(program) { quote!(#module::step_reduced) } else { quote!(#module::step) }
 }
 
 /// The move of a position to `target`.
@@ -85,21 +81,14 @@ impl Target {
                 value: quote!(motors),
             }
         } else {
-            Self {
-                before: TokenStream::new(),
-                value: quote!(Motors::new(motors)),
-            }
+            Self { before: TokenStream::new(), value: quote!(Motors::new(motors)) }
         }
     }
 }
 
 /// The result of a move, with motors alone in its error.
 pub(super) fn strip_params(emitter: &Emitter<'_>, result: TokenStream) -> TokenStream {
-    if emitter.has_params() {
-        quote!(#result.map_err(generated::blocked_motors))
-    } else {
-        result
-    }
+    if emitter.has_params() { quote!(#result.map_err(generated::blocked_motors)) } else { result }
 }
 
 /// The error of a mechanism that stays where it is because of the variable `stop`.
@@ -110,11 +99,7 @@ pub(super) fn refusal(emitter: &Emitter<'_>) -> TokenStream {
 /// The same with an expression for `stop`.
 pub(super) fn refusal_by(emitter: &Emitter<'_>, stop: &TokenStream) -> TokenStream {
     let refusal = quote!(Position::refuse(&self.position, #stop, known::MOVE_LIMITS.inputs));
-    if emitter.has_params() {
-        quote!(generated::blocked_motors(#refusal))
-    } else {
-        refusal
-    }
+    if emitter.has_params() { quote!(generated::blocked_motors(#refusal)) } else { refusal }
 }
 
 /// The statements after a move without rates: everything stands still, and points are traced.
@@ -140,15 +125,12 @@ pub(super) fn with_end(emitter: &Emitter<'_>, advance: TokenStream) -> TokenStre
 pub(super) fn standstill(emitter: &Emitter<'_>, instance: &TokenStream) -> TokenStream {
     let Emitter { links, motors, .. } = emitter;
     let effects = emitter.model.effects;
-    let velocities = effects
-        .velocity
-        .then(|| quote!(#instance.velocities = [Velocity::ZERO; #links];));
+    let velocities =
+        effects.velocity.then(|| quote!(#instance.velocities = [Velocity::ZERO; #links];));
     let accelerations = effects
         .acceleration
         .then(|| quote!(#instance.accelerations = [Acceleration::ZERO; #links];));
-    let rates = effects
-        .dynamics
-        .then(|| quote!(#instance.rates = [0.0; #motors];));
+    let rates = effects.dynamics.then(|| quote!(#instance.rates = [0.0; #motors];));
     quote!(#velocities #accelerations #rates)
 }
 

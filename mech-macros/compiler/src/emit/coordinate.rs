@@ -26,11 +26,7 @@ impl CoordinateAxes {
             JointKind::Prismatic(a, b) => (false, a, b),
             _ => return None,
         };
-        (!declared.hidden).then(|| Self {
-            turns,
-            from: model.seen_axis(a),
-            to: model.seen_axis(b),
-        })
+        (!declared.hidden).then(|| Self { turns, from: model.seen_axis(a), to: model.seen_axis(b) })
     }
 }
 
@@ -54,11 +50,7 @@ pub(super) fn coordinate(emitter: &Emitter<'_>, joint: JointId) -> Option<Coordi
     let CoordinateAxes { turns, from, to } = CoordinateAxes::new(emitter.model, joint)?;
     let (measure, value) = if let Some(motor) = emitter.model.motor_of(joint) {
         let index = integer(motor.index());
-        let measure = if turns {
-            Measure::Turns
-        } else {
-            Measure::Length
-        };
+        let measure = if turns { Measure::Turns } else { Measure::Length };
         (measure, quote!(Self::motors(self)[#index]))
     } else if let Some(state) = emitter.program.angle_state(joint) {
         (Measure::Turns, emitter.state(state))

@@ -49,15 +49,8 @@ pub(super) fn extra_cost(
 
 /// A cost as an expression.
 pub(super) fn literal(cost: Cost) -> TokenStream {
-    let [
-        additions,
-        multiplications,
-        divisions,
-        square_roots,
-        pairs,
-        arctangents,
-        selections,
-    ] = cost.counts().map(Literal::u32_unsuffixed);
+    let [additions, multiplications, divisions, square_roots, pairs, arctangents, selections] =
+        cost.counts().map(Literal::u32_unsuffixed);
     quote! {
         Cost {
             additions: #additions,

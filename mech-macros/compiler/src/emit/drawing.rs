@@ -14,12 +14,7 @@ use std::ops::Range;
 
 /// `EXTENT`, `picture`, `poses` and `draw`.
 pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
-    let Emitter {
-        visibility,
-        scalar,
-        model,
-        ..
-    } = emitter;
+    let Emitter { visibility, scalar, model, .. } = emitter;
     let links = integer(emitter.program.poses.len());
     let (picture, doc) = (picture(model), picture_doc(model));
     let painting = painting(emitter);
@@ -47,10 +42,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
                     #painting
                 }
     };
-    let mut parts = Parts {
-        known: symbols_table(emitter),
-        ..Parts::methods(methods)
-    };
+    let mut parts = Parts { known: symbols_table(emitter), ..Parts::methods(methods) };
     // The trait's own method paints what is at the start.
     if model.paints_more() {
         parts.trait_items = trait_draw(emitter);
@@ -98,18 +90,15 @@ fn picture_doc(model: &Model) -> TokenStream {
 fn painting(emitter: &Emitter<'_>) -> TokenStream {
     let shapes = &emitter.looks.painted;
     let traces = emitter.model.traces.iter();
-    let mut traces: Vec<(usize, &Trace)> = traces
-        .map(|trace| (emitter.looks.behind(trace.plane), trace))
-        .collect();
+    let mut traces: Vec<(usize, &Trace)> =
+        traces.map(|trace| (emitter.looks.behind(trace.plane), trace)).collect();
     traces.sort_by_key(|(behind, _)| *behind);
     let mut traces = traces.into_iter().peekable();
     let mut tokens = TokenStream::new();
     // From this shape on nothing is painted yet: as many as possible are painted at once.
     let mut first = 0;
     for number in 0..=shapes.len() {
-        let fill = shapes
-            .get(number)
-            .and_then(|painted| fill(emitter, painted));
+        let fill = shapes.get(number).and_then(|painted| fill(emitter, painted));
         let is_next = |(behind, _): &(usize, &Trace)| *behind == number;
         let ends = number == shapes.len() || fill.is_some() || traces.peek().is_some_and(is_next);
         if ends && first < number {

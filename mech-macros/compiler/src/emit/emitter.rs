@@ -50,11 +50,7 @@ impl<'a> Emitter<'a> {
         parsed: &'a Parsed,
         compiled: &'a Compiled,
     ) -> Self {
-        let of = Declared {
-            krate,
-            header,
-            places: &parsed.places,
-        };
+        let of = Declared { krate, header, places: &parsed.places };
         let looks = looks(&parsed.model, compiled);
         Self::of(of, &parsed.model, compiled, looks, quote!(self.position))
     }
@@ -70,24 +66,13 @@ impl<'a> Emitter<'a> {
     }
 
     fn unseen(&self, model: &'a Model, compiled: &'a Compiled, at: TokenStream) -> Self {
-        let of = Declared {
-            krate: self.krate,
-            header: self.header,
-            places: self.places,
-        };
-        let looks = Looks {
-            painted: Vec::new(),
-            symbols: None,
-        };
+        let of = Declared { krate: self.krate, header: self.header, places: self.places };
+        let looks = Looks { painted: Vec::new(), symbols: None };
         Self::of(of, model, compiled, looks, at)
     }
 
     fn of(
-        Declared {
-            krate,
-            header,
-            places,
-        }: Declared<'a>,
+        Declared { krate, header, places }: Declared<'a>,
         model: &'a Model,
         compiled: &'a Compiled,
         looks: Looks,

@@ -33,9 +33,7 @@ impl Owners {
     pub(super) fn owner(&self, method: &Ident) -> Option<(usize, String)> {
         let name = method.to_string();
         // A beginning ends with two underscores; the longest one counts.
-        let ends = name
-            .char_indices()
-            .map(|(at, letter)| at + letter.len_utf8());
+        let ends = name.char_indices().map(|(at, letter)| at + letter.len_utf8());
         let ends = ends.rev().filter(|end| name[..*end].ends_with("__"));
         let mut owners = ends.filter_map(|end| {
             let number = self.0.get(&name[..end])?;

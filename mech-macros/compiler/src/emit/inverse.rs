@@ -51,17 +51,11 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
 }
 
 fn reach(emitter: &Emitter<'_>, inverse: &Inverse, lead: &TokenStream) -> TokenStream {
-    let Emitter {
-        visibility,
-        scalar,
-        model,
-        ..
-    } = emitter;
+    let Emitter { visibility, scalar, model, .. } = emitter;
     let count = count(inverse);
     let motors = inverse.motors.iter();
-    let motors: Vec<String> = motors
-        .map(|motor| format!("`{}`", motor_name(emitter, *motor)))
-        .collect();
+    let motors: Vec<String> =
+        motors.map(|motor| format!("`{}`", motor_name(emitter, *motor))).collect();
     let doc = format!(
         " Leads `{}` to this place on the straight way, and moves {} and everything else after it.",
         inverse.name(model),
@@ -91,12 +85,7 @@ fn at_time(emitter: &Emitter<'_>, inverse: &Inverse) -> TokenStream {
     if inverse.trajectory.is_empty() {
         return TokenStream::new();
     }
-    let Emitter {
-        visibility,
-        scalar,
-        model,
-        ..
-    } = emitter;
+    let Emitter { visibility, scalar, model, .. } = emitter;
     let laws = inverse.trajectory.iter().map(|law| model.law(*law));
     let laws: Vec<&str> = laws.map(|law| law.written.as_str()).collect();
     let doc = format!(
@@ -106,11 +95,7 @@ fn at_time(emitter: &Emitter<'_>, inverse: &Inverse) -> TokenStream {
     );
     let (count, here) = (count(inverse), here(emitter, inverse));
     let given = given_in_time(model.effects);
-    let lead = if given.len() == 1 {
-        quote!(reach)
-    } else {
-        quote!(reach_with)
-    };
+    let lead = if given.len() == 1 { quote!(reach) } else { quote!(reach_with) };
     quote! {
         #[doc = #doc]
         ///
@@ -132,11 +117,8 @@ fn at_time(emitter: &Emitter<'_>, inverse: &Inverse) -> TokenStream {
 
 /// The names of what a path gives at a time, as far as effects ask for it.
 fn given_in_time(effects: Effects) -> Vec<Ident> {
-    let all = [
-        ("place", true),
-        ("velocity", effects.velocity),
-        ("acceleration", effects.acceleration),
-    ];
+    let all =
+        [("place", true), ("velocity", effects.velocity), ("acceleration", effects.acceleration)];
     let all = all.into_iter().filter(|(_, is_asked)| *is_asked);
     all.map(|(name, _)| format_ident!("{name}")).collect()
 }
@@ -147,11 +129,8 @@ fn trajectory(emitter: &Emitter<'_>, inverse: &Inverse, other: &Emitter<'_>) -> 
         return TokenStream::new();
     };
     let laws = laws(other, timing);
-    let (scalar, count, given) = (
-        &emitter.scalar,
-        count(inverse),
-        given_in_time(emitter.model.effects),
-    );
+    let (scalar, count, given) =
+        (&emitter.scalar, count(inverse), given_in_time(emitter.model.effects));
     let (inputs, numbers) = (integer(other.program.inputs()), integer(given.len()));
     let motors = inverse.motors.iter().map(|motor| integer(motor.index()));
     let chosen = quote!([#(all[#motors]),*]);

@@ -20,12 +20,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
 }
 
 fn reach_with(emitter: &Emitter<'_>, inverse: &Inverse, moving: &Program) -> TokenStream {
-    let Emitter {
-        visibility,
-        scalar,
-        model,
-        ..
-    } = emitter;
+    let Emitter { visibility, scalar, model, .. } = emitter;
     let (count, here) = (count(inverse), here(emitter, inverse));
     let ([pattern, store], record) = (stored_rates(emitter), record(emitter));
     let store_rates = model.effects.dynamics.then(|| quote!(self.rates = rates;));
@@ -92,10 +87,7 @@ fn following(emitter: &Emitter<'_>, inverse: &Inverse, moving: &Program) -> Toke
     let Emitter { scalar, motors, .. } = emitter;
     let name = inverse.name(emitter.model);
     let found = |arguments: TokenStream| rates_at(moving, &quote!(self.position), &arguments);
-    let Rates {
-        velocity,
-        acceleration,
-    } = Rates::new(emitter, inverse);
+    let Rates { velocity, acceleration } = Rates::new(emitter, inverse);
     let solve = |given: TokenStream| {
         if inverse.is_least {
             quote!(generated::least_rates(&inverse::LED, #given, influence, led)?)
@@ -120,10 +112,8 @@ fn following(emitter: &Emitter<'_>, inverse: &Inverse, moving: &Program) -> Toke
             Result::Ok((rates, found))
         };
     }
-    let (unresisted, all) = (
-        found(quote!(, rates, [0.0; #motors])),
-        found(quote!(, rates, accelerations)),
-    );
+    let (unresisted, all) =
+        (found(quote!(, rates, [0.0; #motors])), found(quote!(, rates, accelerations)));
     let rates = rates(quote!(Result::map(#unresisted, |(velocities, _)| velocities)));
     let solved = solve(quote!(wanted));
     quote! {

@@ -23,38 +23,19 @@ pub(crate) fn items(
     compiled: &Compiled,
 ) -> TokenStream {
     let emitter = &Emitter::new(krate, header, parsed, compiled);
-    let Parts {
-        fields,
-        start,
-        known: tables,
-        methods,
-        trait_items,
-        modules,
-    } = parts(emitter);
+    let Parts { fields, start, known: tables, methods, trait_items, modules } = parts(emitter);
     let this = alias(&header.name);
-    let site = Site {
-        krate,
-        visibility: &header.visibility,
-        this: &this,
-    };
-    let Views {
-        methods,
-        items: views,
-    } = views(&site, &parsed.model, methods);
+    let site = Site { krate, visibility: &header.visibility, this: &this };
+    let Views { methods, items: views } = views(&site, &parsed.model, methods);
     let costs = costs::emit(emitter);
     let (cost_tables, cost_methods) = (costs.known, costs.methods);
     let known = known_module(emitter, &quote!(#cost_tables #tables));
     let (attributes, visibility, name) = (&header.attributes, &header.visibility, &header.name);
-    let (implementation, tracing) = (
-        implementation(emitter, &this, &trait_items),
-        traces::implementation(emitter, &this),
-    );
+    let (implementation, tracing) =
+        (implementation(emitter, &this, &trait_items), traces::implementation(emitter, &this));
     let step = step(krate, emitter.program);
     let program = emitter.program;
-    let (scalar, doc) = (
-        emitter.scalar_path(),
-        format!("\n```text\n{}```", compiled.report),
-    );
+    let (scalar, doc) = (emitter.scalar_path(), format!("\n```text\n{}```", compiled.report));
     let sizes = [program.inputs(), program.poses.len(), program.state.len()].map(integer);
     quote! {
         #(#attributes)*
@@ -164,13 +145,7 @@ fn alias(name: &Ident) -> Ident {
 
 /// The implementation of `Mechanism`, by the inherent methods.
 fn implementation(emitter: &Emitter<'_>, this: &Ident, trait_items: &TokenStream) -> TokenStream {
-    let Emitter {
-        scalar,
-        values,
-        blocked,
-        program,
-        ..
-    } = emitter;
+    let Emitter { scalar, values, blocked, program, .. } = emitter;
     let (motor_names, link_names) = (&program.motors, &program.links);
     let name = emitter.header.name.to_string();
     quote! {

@@ -12,12 +12,7 @@ use quote::{format_ident, quote};
 
 /// `JOINTS` and `joints`.
 pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
-    let Emitter {
-        visibility,
-        scalar,
-        model,
-        ..
-    } = emitter;
+    let Emitter { visibility, scalar, model, .. } = emitter;
     let (mut joints, mut values) = (Vec::new(), Vec::new());
     for joint in model.declared_joints() {
         let coordinate = Some(joint).filter(|&joint| model.shows_joint(joint));

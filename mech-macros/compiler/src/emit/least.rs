@@ -44,10 +44,7 @@ fn velocities(emitter: &Emitter<'_>, moving: &Program) -> TokenStream {
 /// The module of what is led.
 pub(super) fn module(emitter: &Emitter<'_>, inverse: &Inverse) -> TokenStream {
     let (krate, scalar, count) = (emitter.krate, &emitter.scalar, count(inverse));
-    let (given, name) = (
-        given(inverse),
-        format!("to `{}`", inverse.name(emitter.model)),
-    );
+    let (given, name) = (given(inverse), format!("to `{}`", inverse.name(emitter.model)));
     let motors = inverse.motors.iter().map(|motor| integer(motor.index()));
     let size = emitter.model.size();
     let weights = inverse.motors.iter().map(|motor| {

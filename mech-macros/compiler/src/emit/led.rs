@@ -23,9 +23,7 @@ pub(super) fn given(inverse: &Inverse) -> TokenStream {
 pub(super) fn here(emitter: &Emitter<'_>, inverse: &Inverse) -> TokenStream {
     let pose = emitter.pose(inverse.link);
     let origin = || quote!([#pose.x, #pose.y]);
-    let place = inverse
-        .point
-        .map_or_else(origin, |point| emitter.point(point));
+    let place = inverse.point.map_or_else(origin, |point| emitter.point(point));
     if !inverse.gives_angle() {
         return place;
     }
@@ -61,9 +59,7 @@ impl Rates {
     pub(super) fn new(emitter: &Emitter<'_>, inverse: &Inverse) -> Self {
         let (index, pose) = (emitter.index(inverse.link), emitter.pose(inverse.link));
         let origin = || quote!([0.0, 0.0]);
-        let point = inverse
-            .point
-            .map_or_else(origin, |point| emitter.place(point));
+        let point = inverse.point.map_or_else(origin, |point| emitter.place(point));
         let with_angle = |place: TokenStream, rate: TokenStream| {
             if inverse.gives_angle() {
                 quote!({ let [x, y] = #place; [x, y, #rate.angular] })
@@ -77,10 +73,7 @@ impl Rates {
                 quote!(Acceleration::of_point(#acceleration, #pose, #velocity.angular, #point)),
                 acceleration,
             ),
-            velocity: with_angle(
-                quote!(Velocity::of_point(#velocity, #pose, #point)),
-                velocity,
-            ),
+            velocity: with_angle(quote!(Velocity::of_point(#velocity, #pose, #point)), velocity),
         }
     }
 }

@@ -12,15 +12,7 @@ use quote::quote;
 
 /// `solve_many` and `move_many`.
 pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
-    let Emitter {
-        visibility,
-        scalar,
-        values,
-        links,
-        model,
-        program,
-        ..
-    } = emitter;
+    let Emitter { visibility, scalar, values, links, model, program, .. } = emitter;
     let reduced_range = emitter.number(reduced_range(program, &emitter.compiled.plan));
     // So many numbers fill a few vector registers of any x86-64; with more lanes, registers spill.
     let lanes = integer(match program.precision {

@@ -43,10 +43,7 @@ fn merged_piece(pieces: &[Piece], this: &TokenStream, index: &TokenStream) -> Op
             });
             let numbers: Vec<&TokenStream> = numbers.collect::<Option<_>>()?;
             let first_text = first.to_string();
-            if numbers
-                .iter()
-                .all(|number| number.to_string() == first_text)
-            {
+            if numbers.iter().all(|number| number.to_string() == first_text) {
                 return Some(first.clone());
             }
             Some(quote!([#(#numbers),*][#index]))
@@ -69,11 +66,7 @@ fn merged_piece(pieces: &[Piece], this: &TokenStream, index: &TokenStream) -> Op
             if is_word(first, "Self") || !pieces.iter().all(is_same) {
                 return None;
             }
-            Some(if is_word(first, "self") {
-                this.clone()
-            } else {
-                first.clone().into()
-            })
+            Some(if is_word(first, "self") { this.clone() } else { first.clone().into() })
         }
     }
 }
@@ -146,10 +139,8 @@ mod tests {
 
     #[test]
     fn numbers_become_a_table() {
-        let merged = merge(&[
-            "self.poses[3].apply([1.0, -2.0])",
-            "self.poses[9].apply([1.0, 4.5])",
-        ]);
+        let merged =
+            merge(&["self.poses[3].apply([1.0, -2.0])", "self.poses[9].apply([1.0, 4.5])"]);
         let expected = "self.whole.poses[[3,9][self.number]].apply([1.0,[-2.0,4.5][self.number]])";
         assert_eq!(merged.as_deref(), Some(expected));
     }

@@ -12,12 +12,7 @@ use quote::quote;
 
 /// `motors`, `move_to` and `move_toward`.
 pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
-    let Emitter {
-        visibility,
-        values,
-        blocked,
-        ..
-    } = emitter;
+    let Emitter { visibility, values, blocked, .. } = emitter;
     let position = quote!(self.position);
     let Target { before, value } = Target::new(emitter, &position);
     let move_to = strip_params(emitter, advance(emitter, &position, &value));
@@ -62,14 +57,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
 
 /// `turn_to`: phases for the motors that turn, values for those that slide.
 pub(super) fn phases(emitter: &Emitter<'_>) -> Parts {
-    let Emitter {
-        visibility,
-        scalar,
-        blocked,
-        model,
-        program,
-        ..
-    } = emitter;
+    let Emitter { visibility, scalar, blocked, model, program, .. } = emitter;
     let (mut values, mut phases) = (Vec::new(), TokenStream::new());
     let (mut turning, mut sliding) = (0, 0);
     let refusal = refusal(emitter);
@@ -127,12 +115,7 @@ pub(super) fn phases(emitter: &Emitter<'_>) -> Parts {
 
 /// `range` and `move_within`; nothing if a move may fail.
 pub(super) fn ranges(emitter: &Emitter<'_>) -> Parts {
-    let Emitter {
-        visibility,
-        values,
-        program,
-        ..
-    } = emitter;
+    let Emitter { visibility, values, program, .. } = emitter;
     if !program.never_fails() {
         return Parts::default();
     }

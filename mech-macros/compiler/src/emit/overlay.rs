@@ -170,12 +170,7 @@ impl Table {
     ) -> Self {
         let symbols = symbols.iter().map(|symbol| symbol.expression(emitter));
         let scalar = &emitter.scalar;
-        Self {
-            name,
-            doc,
-            kind: quote!(&[Symbol<#scalar>]),
-            value: quote!(&[#(#symbols),*]),
-        }
+        Self { name, doc, kind: quote!(&[Symbol<#scalar>]), value: quote!(&[#(#symbols),*]) }
     }
 
     /// The constant; nothing if there is none.
@@ -183,12 +178,7 @@ impl Table {
         if varies(emitter) {
             return TokenStream::new();
         }
-        let Self {
-            name,
-            doc,
-            kind,
-            value,
-        } = self;
+        let Self { name, doc, kind, value } = self;
         let name = format_ident!("{name}");
         quote! {
             #[doc = #doc]

@@ -8,14 +8,7 @@ use quote::quote;
 
 /// `PARAMS`, `params` and `set_params`, and two methods for each param; nothing without params.
 pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
-    let Emitter {
-        visibility,
-        scalar,
-        params: count,
-        model,
-        program,
-        ..
-    } = emitter;
+    let Emitter { visibility, scalar, params: count, model, program, .. } = emitter;
     if !emitter.has_params() {
         return Parts::default();
     }

@@ -22,10 +22,7 @@ pub(super) struct Parts {
 impl Parts {
     /// Associated constants and methods alone.
     pub(super) fn methods(methods: TokenStream) -> Self {
-        Self {
-            methods,
-            ..Self::default()
-        }
+        Self { methods, ..Self::default() }
     }
 }
 

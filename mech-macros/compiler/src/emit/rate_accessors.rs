@@ -11,11 +11,8 @@ use quote::quote;
 pub(super) fn rate_accessors(emitter: &Emitter<'_>) -> TokenStream {
     let (model, scalar) = (emitter.model, &emitter.scalar);
     let mut tokens = TokenStream::new();
-    let orders: &[Order] = if model.effects.acceleration {
-        &[Order::First, Order::Second]
-    } else {
-        &[Order::First]
-    };
+    let orders: &[Order] =
+        if model.effects.acceleration { &[Order::First, Order::Second] } else { &[Order::First] };
     for id in shown_links(model) {
         let (link, index) = (model.link(id), emitter.index(id));
         for order in orders {

@@ -12,12 +12,7 @@ use quote::quote;
 
 /// The rates of links, points and joints; nothing if they are not asked for.
 pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
-    let Emitter {
-        krate,
-        links,
-        compiled,
-        ..
-    } = emitter;
+    let Emitter { krate, links, compiled, .. } = emitter;
     let Some(moving) = &compiled.moving else {
         return Parts::default();
     };
@@ -37,12 +32,8 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
         ..Parts::default()
     };
     if emitter.model.effects.acceleration {
-        parts
-            .fields
-            .extend(quote!(accelerations: [#krate::Acceleration<#scalar>; #links],));
-        parts
-            .start
-            .extend(quote!(accelerations: [Acceleration::ZERO; #links],));
+        parts.fields.extend(quote!(accelerations: [#krate::Acceleration<#scalar>; #links],));
+        parts.start.extend(quote!(accelerations: [Acceleration::ZERO; #links],));
     }
     parts
 }
@@ -88,15 +79,7 @@ pub(super) fn advance_at_rates(
 
 /// `move_with`, `velocities`, `accelerations` and `influence_coefficients`.
 fn methods(emitter: &Emitter<'_>, moving: &Program) -> TokenStream {
-    let Emitter {
-        visibility,
-        scalar,
-        values,
-        links,
-        motors,
-        blocked,
-        ..
-    } = emitter;
+    let Emitter { visibility, scalar, values, links, motors, blocked, .. } = emitter;
     let parameters = parameters(moving);
     let Target { before, value } = Target::new(emitter, &quote!(self.position));
     let advance = advance_at_rates(emitter, moving, &value);

@@ -15,15 +15,7 @@ use quote::quote;
 
 /// `sensitivities`, a method for each link, point and joint, and what they cost; nothing if that is not asked for.
 pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
-    let Emitter {
-        visibility,
-        scalar,
-        links,
-        params,
-        blocked,
-        model,
-        ..
-    } = emitter;
+    let Emitter { visibility, scalar, links, params, blocked, model, .. } = emitter;
     let Some(program) = &emitter.compiled.sensitive else {
         return Parts::default();
     };
@@ -92,9 +84,5 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
         let rate = quote!(|(_, _, joints)| joints[#index]);
         add(&joint.name, joint.origin, &what, scalar.clone(), rate);
     }
-    Parts {
-        methods,
-        modules: step(emitter.krate, program),
-        ..Parts::default()
-    }
+    Parts { methods, modules: step(emitter.krate, program), ..Parts::default() }
 }

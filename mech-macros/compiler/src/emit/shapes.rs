@@ -58,9 +58,7 @@ fn outline(
             let name = wheel_name(wheels, wheel);
             return quote!(&#name);
         }
-        let points = points
-            .iter()
-            .map(|place| place.map(&measure).expression(emitter));
+        let points = points.iter().map(|place| place.map(&measure).expression(emitter));
         quote!(&[#(#points),*])
     };
     painted.outline.map(&measure, points).expression(emitter)
@@ -117,9 +115,8 @@ fn wheel_constant(emitter: &Emitter<'_>, name: &Ident, wheel: &Toothed) -> Token
 /// The constants `SHAPES` and `EXTENT`, the box around all of them wherever they move.
 pub(super) fn shapes(emitter: &Emitter<'_>) -> TokenStream {
     let wheels = wheels(emitter);
-    let constants = wheels
-        .iter()
-        .map(|wheel| wheel_constant(emitter, &wheel_name(&wheels, wheel), wheel));
+    let constants =
+        wheels.iter().map(|wheel| wheel_constant(emitter, &wheel_name(&wheels, wheel), wheel));
     let shapes = if emitter.looks.painted.len() < MANY {
         shape_list(emitter, &wheels)
     } else {

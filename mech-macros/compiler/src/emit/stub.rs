@@ -41,26 +41,11 @@ const RUNTIME: [&str; 21] = [
 /// The struct and the signatures of its methods. None of it is ever run. The number of motors is not certain as long as there are
 /// errors, so `move_to` takes any number.
 pub(crate) fn stub(krate: &TokenStream, header: &Header, parsed: &Parsed) -> TokenStream {
-    let Header {
-        attributes,
-        visibility,
-        name,
-    } = header;
-    let stub = Stub {
-        krate,
-        header,
-        parsed,
-    };
-    let site = Site {
-        krate,
-        visibility,
-        this: name,
-    };
+    let Header { attributes, visibility, name } = header;
+    let stub = Stub { krate, header, parsed };
+    let site = Site { krate, visibility, this: name };
     let methods = without_duplicates(&stub.items(Item::method));
-    let Views {
-        methods,
-        items: views,
-    } = views(&site, &parsed.model, methods);
+    let Views { methods, items: views } = views(&site, &parsed.model, methods);
     let trait_items = stub.items(Item::trait_item);
     quote! {
         #(#attributes)*
@@ -120,11 +105,7 @@ struct Part {
 
 impl Part {
     fn new(name: &str, origin: Origin) -> Self {
-        Self {
-            name: name.to_owned(),
-            origin,
-            length: 0,
-        }
+        Self { name: name.to_owned(), origin, length: 0 }
     }
 }
 
@@ -139,9 +120,7 @@ impl Stub<'_> {
     /// The items of the table that have this text, once for each part that they are for.
     fn items(&self, text: fn(&Item) -> Option<String>) -> TokenStream {
         let Parsed { model, asked, .. } = self.parsed;
-        let items = TABLE
-            .iter()
-            .filter(|item| item.condition.is_met(model, *asked));
+        let items = TABLE.iter().filter(|item| item.condition.is_met(model, *asked));
         let items = items.filter_map(|item| {
             let text = text(item)?;
             let Ok(tokens) = text.parse::<TokenStream>() else {
@@ -166,18 +145,16 @@ impl Stub<'_> {
         let loads = |is_force: bool| {
             let loads = model.actions.loads.iter();
             let loads = loads.filter(|load| matches!(load.kind, LoadKind::Force(_)) == is_force);
-            loads
-                .map(|load| Part::new(&load.name, load.origin))
-                .collect()
+            loads.map(|load| Part::new(&load.name, load.origin)).collect()
         };
         Some(match subject {
             Subject::Mechanism | Subject::Both | Subject::Trait => return None,
             Subject::Link => shown_links(model)
                 .map(|id| Part::new(&model.link(id).name, model.link(id).origin))
                 .collect(),
-            Subject::Point => shown_points(model)
-                .map(|point| Part::new(&point.ident(), point.origin))
-                .collect(),
+            Subject::Point => {
+                shown_points(model).map(|point| Part::new(&point.ident(), point.origin)).collect()
+            }
             Subject::Joint => model.shown_joints().map(joint).collect(),
             Subject::DependentJoint => model.dependent_joints().map(joint).collect(),
             Subject::Force => loads(true),
@@ -191,17 +168,12 @@ impl Stub<'_> {
             }
             Subject::Param => {
                 let params = model.params.all().iter();
-                params
-                    .map(|param| Part::new(&param.name, param.origin))
-                    .collect()
+                params.map(|param| Part::new(&param.name, param.origin)).collect()
             }
             Subject::Trace => {
                 let traces = model.traces.iter().map(|trace| {
                     let point = NamedPoint::new(model, trace.point);
-                    Part {
-                        length: trace.length,
-                        ..Part::new(&point.ident(), point.origin)
-                    }
+                    Part { length: trace.length, ..Part::new(&point.ident(), point.origin) }
                 });
                 traces.collect()
             }

@@ -15,20 +15,11 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
     let Some(timing) = &emitter.compiled.timing else {
         return Parts::default();
     };
-    Parts {
-        methods: at_time(emitter),
-        modules: laws(emitter, timing),
-        ..Parts::default()
-    }
+    Parts { methods: at_time(emitter), modules: laws(emitter, timing), ..Parts::default() }
 }
 
 fn at_time(emitter: &Emitter<'_>) -> TokenStream {
-    let Emitter {
-        visibility,
-        blocked,
-        model,
-        ..
-    } = emitter;
+    let Emitter { visibility, blocked, model, .. } = emitter;
     let laws = model.lawful_motors().map(|(motor, law)| {
         let joint = &model.joint(model.motor(motor).joint).name;
         format!("`{joint} = {}`", law.written)

@@ -15,22 +15,13 @@ pub(super) fn integer(value: usize) -> Literal {
 
 /// A literal of this precision, in the shortest form that gives exactly this number.
 pub(super) fn number(precision: Precision, value: f64) -> TokenStream {
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "rounding is what is asked for"
-    )]
+    #[expect(clippy::cast_possible_truncation, reason = "rounding is what is asked for")]
     let text = match precision {
         Precision::F32 => format!("{:?}", (value as f32).abs()),
         Precision::F64 => format!("{:?}", value.abs()),
     };
-    let literal = text
-        .parse::<Literal>()
-        .unwrap_or_else(|_| bug!("{value} is to be a constant"));
-    if value < 0.0 {
-        quote!(-#literal)
-    } else {
-        quote!(#literal)
-    }
+    let literal = text.parse::<Literal>().unwrap_or_else(|_| bug!("{value} is to be a constant"));
+    if value < 0.0 { quote!(-#literal) } else { quote!(#literal) }
 }
 
 /// The scalar type of a precision.
@@ -74,10 +65,7 @@ pub(super) fn user_ident(name: &str, places: &Places, origin: Origin) -> Ident {
 /// one at its end, so no two paths become the same.
 pub(super) fn hidden_method(path: &str) -> String {
     cancel::check();
-    format!(
-        "__{}",
-        path.replace('[', "_").replace(']', "").replace('.', "__")
-    )
+    format!("__{}", path.replace('[', "_").replace(']', "").replace('.', "__"))
 }
 
 /// The name of the method that sets something, which may be in an instance of a part.

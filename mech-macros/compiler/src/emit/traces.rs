@@ -10,13 +10,7 @@ use quote::quote;
 
 /// A field and a method for each trace, and `clear_traces`; nothing without traces.
 pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
-    let Emitter {
-        krate,
-        visibility,
-        scalar,
-        model,
-        ..
-    } = emitter;
+    let Emitter { krate, visibility, scalar, model, .. } = emitter;
     if model.traces.is_empty() {
         return Parts::default();
     }
@@ -24,17 +18,13 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
     let mut parts = Parts::default();
     let mut clears = TokenStream::new();
     for trace in &model.traces {
-        let NamedPoint {
-            link_name, name, ..
-        } = NamedPoint::new(model, trace.point);
+        let NamedPoint { link_name, name, .. } = NamedPoint::new(model, trace.point);
         let (field, length) = (trace_ident(emitter, trace), integer(trace.length));
         let doc = format!(
             " The last places of point `{link_name}.{name}` in the scene, {length} at most: one for each move."
         );
         let kind = quote!(&Trace<#scalar, #length>);
-        parts
-            .fields
-            .extend(quote!(#field: #krate::Trace<#scalar_path, #length>,));
+        parts.fields.extend(quote!(#field: #krate::Trace<#scalar_path, #length>,));
         parts.start.extend(quote!(#field: Trace::new(),));
         clears.extend(quote!(Trace::clear(&mut self.#field);));
         let accessor = emitter.constant_accessor(&field, &doc, &kind, &quote!(&self.#field));

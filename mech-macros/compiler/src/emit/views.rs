@@ -44,11 +44,7 @@ pub(super) fn views(site: &Site<'_>, model: &Model, methods: TokenStream) -> Vie
         if let Some((instance, local)) = owners.owner(&method.name) {
             method.hide();
             let method = method.clone();
-            owned.push(Owned {
-                instance,
-                local,
-                method,
-            });
+            owned.push(Owned { instance, local, method });
         }
     }
     let mut kinds = kinds(model);
@@ -66,10 +62,7 @@ pub(super) fn views(site: &Site<'_>, model: &Model, methods: TokenStream) -> Vie
         let setter = setter(site, model, kind, &kinds, &Holder::Mechanism);
         quote!(#getter #setter)
     });
-    Views {
-        methods: quote!(#(#methods)* #(#getters)*),
-        items,
-    }
+    Views { methods: quote!(#(#methods)* #(#getters)*), items }
 }
 
 /// The instances that one use has, in all instances of the part that uses it.
@@ -92,9 +85,7 @@ impl<'o> Kind<'o> {
     /// The kinds of the views that one of this kind returns.
     fn inner<'k>(&'k self, kinds: &'k [Self]) -> impl Iterator<Item = &'k Kind<'o>> {
         let is_this = |parent: usize| kinds[parent].path == self.path;
-        kinds
-            .iter()
-            .filter(move |inner| inner.parent.is_some_and(is_this))
+        kinds.iter().filter(move |inner| inner.parent.is_some_and(is_this))
     }
 }
 
@@ -145,25 +136,18 @@ enum Holder {
 
 /// The types of the views of a kind, and their methods.
 fn view(site: &Site<'_>, model: &Model, kinds: &[Kind<'_>], kind: &Kind<'_>) -> TokenStream {
-    let Site {
-        visibility, this, ..
-    } = site;
+    let Site { visibility, this, .. } = site;
     let (name, mutable) = (&kind.name, mutable(kind));
     let [reads, changes] = [false, true].map(|changes| -> TokenStream {
-        let all = kind
-            .methods
-            .iter()
-            .filter(|all| all.takes_mutable() == changes);
+        let all = kind.methods.iter().filter(|all| all.takes_mutable() == changes);
         all.map(|all| method(site, model, all)).collect()
     });
     let inner = kind.inner(kinds);
-    let inner: TokenStream = inner
-        .map(|inner| getter(site, model, inner, kinds, &Holder::View))
-        .collect();
+    let inner: TokenStream =
+        inner.map(|inner| getter(site, model, inner, kinds, &Holder::View)).collect();
     let inner_mut = kind.inner(kinds);
-    let inner_mut: TokenStream = inner_mut
-        .filter_map(|inner| setter(site, model, inner, kinds, &Holder::View))
-        .collect();
+    let inner_mut: TokenStream =
+        inner_mut.filter_map(|inner| setter(site, model, inner, kinds, &Holder::View)).collect();
     let doc = format!(" An instance of `{}`.", kind.path);
     let mutable = has_changes(kind, kinds).then(|| {
         quote! {
@@ -230,11 +214,7 @@ fn method(site: &Site<'_>, model: &Model, shared: &Shared<'_>) -> TokenStream {
         Some(one) => {
             let method = &one.method.name;
             let call = quote!(self.mechanism.#method(#(#arguments),*));
-            if is_optional {
-                quote!(#krate::generated::Option::Some(#call))
-            } else {
-                call
-            }
+            if is_optional { quote!(#krate::generated::Option::Some(#call)) } else { call }
         }
     });
     let body = shared.body.clone();
@@ -260,10 +240,7 @@ fn choose(all: Vec<TokenStream>) -> TokenStream {
 fn in_view(attribute: &Attribute, path: &str) -> TokenStream {
     if let Meta::NameValue(doc) = &attribute.meta
         && doc.path.is_ident("doc")
-        && let Expr::Lit(ExprLit {
-            lit: Lit::Str(text),
-            ..
-        }) = &doc.value
+        && let Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) = &doc.value
     {
         let text = text.value().replace(&format!("{path}."), "");
         return quote!(#[doc = #text]);
@@ -301,14 +278,9 @@ fn getter(
     kinds: &[Kind<'_>],
     holder: &Holder,
 ) -> TokenStream {
-    let Site {
-        krate, visibility, ..
-    } = site;
-    let (view, of, doc) = (
-        &kind.name,
-        Ident::new(&kind.of, Span::call_site()),
-        view_doc(model, kind),
-    );
+    let Site { krate, visibility, .. } = site;
+    let (view, of, doc) =
+        (&kind.name, Ident::new(&kind.of, Span::call_site()), view_doc(model, kind));
     let index = kind.is_array.then(|| quote!(, k: usize));
     let number = number(krate, model, kinds, kind);
     let (lifetime, mechanism) = match holder {
@@ -336,14 +308,8 @@ fn setter(
     if !has_changes(kind, kinds) {
         return None;
     }
-    let Site {
-        krate, visibility, ..
-    } = site;
-    let (view, of, doc) = (
-        mutable(kind),
-        format_ident!("{}_mut", kind.of),
-        view_doc(model, kind),
-    );
+    let Site { krate, visibility, .. } = site;
+    let (view, of, doc) = (mutable(kind), format_ident!("{}_mut", kind.of), view_doc(model, kind));
     let index = kind.is_array.then(|| quote!(, k: usize));
     let number = number(krate, model, kinds, kind);
     let mechanism = match holder {
@@ -376,9 +342,7 @@ fn number(krate: &TokenStream, model: &Model, kinds: &[Kind<'_>], kind: &Kind<'_
     };
     let choices = holders.into_iter().map(|holder| {
         let of = is_in(holder);
-        let Some(&first) = of.first() else {
-            bug!("a part is used without instances")
-        };
+        let Some(&first) = of.first() else { bug!("a part is used without instances") };
         let [first, count] = [first, of.len()].map(integer);
         let name = &kind.of;
         if kind.is_array {

@@ -19,11 +19,7 @@ pub(super) fn limit<T: Real, R: Interpolated<T>>(
     here: &Position<T>,
     compute: impl Fn(&Position<T>) -> Result<R, Stop>,
 ) -> Result<R, Stop> {
-    let beside = Beside {
-        runner,
-        here,
-        compute: &compute,
-    };
+    let beside = Beside { runner, here, compute: &compute };
     let mut sines = beside.passing().map(|watch| here.state[watch.sine]);
     if sines.any(limit::is_near)
         && let Some(rates) = limit::rates(&beside, here)
@@ -60,10 +56,7 @@ impl<T: Real, R: Interpolated<T>, F: Fn(&Position<T>) -> Result<R, Stop>> Surrou
 
     fn sine(&self, position: &Position<T>) -> T {
         let sines = self.passing().map(|watch| position.state[watch.sine].abs());
-        sines.fold(
-            T::ONE,
-            |least, sine| if sine < least { sine } else { least },
-        )
+        sines.fold(T::ONE, |least, sine| if sine < least { sine } else { least })
     }
 
     fn rate(&self, input: usize) -> T {
@@ -107,17 +100,14 @@ fn of_links<T: Real>(
 ) -> Vec<[T; 3]> {
     let part = |link: usize, index: usize| nodes.map(|node| node[link][index]);
     let links = 0..nodes[0].len();
-    links
-        .map(|link| [0, 1, 2].map(|index| by(part(link, index))))
-        .collect()
+    links.map(|link| [0, 1, 2].map(|index| by(part(link, index)))).collect()
 }
 
 impl<T: Real> Interpolated<T> for Forces<T> {
     fn interpolate(nodes: &[Self; NODES], by: &mut impl FnMut([T; NODES]) -> T) -> Self {
         // Transmission angles are not smooth where they are zero; their squares are.
-        let squared = nodes
-            .each_ref()
-            .map(|node| node.with_transmission(|angle| angle * angle).roots());
+        let squared =
+            nodes.each_ref().map(|node| node.with_transmission(|angle| angle * angle).roots());
         let mut number = 0;
         let found = nodes[0].map(|_| {
             number += 1;

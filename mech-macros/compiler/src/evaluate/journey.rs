@@ -81,9 +81,8 @@ impl<T: Real> Journey<T> for Move<'_, '_, T> {
             return self.runner.step(last, (self.values, self.turns));
         }
         let start = self.start.motors.iter().zip(&self.displacements);
-        let motors: Vec<T> = start
-            .map(|(value, displacement)| *value + *displacement * part)
-            .collect();
+        let motors: Vec<T> =
+            start.map(|(value, displacement)| *value + *displacement * part).collect();
         self.runner.step(last, (&motors, &self.start.turns))
     }
 
@@ -118,10 +117,7 @@ impl<T: Real> Journey<T> for Move<'_, '_, T> {
     fn turn(&self, index: usize) -> Turn<T> {
         let follow = &self.runner.program.follows[index];
         let rates = follow.rates.iter().map(|rate| T::from_f64(*rate));
-        Turn {
-            change: motors::change(rates, &self.displacements),
-            guessed: follow.guessed,
-        }
+        Turn { change: motors::change(rates, &self.displacements), guessed: follow.guessed }
     }
 
     fn angle(&self, position: &Position<T>, index: usize) -> T {
@@ -163,10 +159,7 @@ impl<T: Real> Journey<T> for Move<'_, '_, T> {
         for (pose, before) in beyond.poses.iter_mut().zip(&before.poses) {
             *pose = motors::mirrored_pose(*before, *pose);
         }
-        let watched = program
-            .watches
-            .iter()
-            .map(|watch| [watch.sine, watch.rounding_square]);
+        let watched = program.watches.iter().map(|watch| [watch.sine, watch.rounding_square]);
         motors::mirror_state(
             &mut beyond.state,
             &before.state,

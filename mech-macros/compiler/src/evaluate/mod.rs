@@ -47,23 +47,14 @@ impl<'p, T: Real> Machine<'p, T> {
     #[must_use]
     pub fn new(program: &'p Program) -> Self {
         let start = &program.start;
-        let position = Position {
-            turns: vec![0; start.motors.len()],
-            ..start.map(T::from_f64)
-        };
-        Self {
-            runner: Runner::new(program),
-            position,
-        }
+        let position = Position { turns: vec![0; start.motors.len()], ..start.map(T::from_f64) };
+        Self { runner: Runner::new(program), position }
     }
 
     /// The mechanism at a position that it had before. The program is the one that was prepared.
     #[must_use]
     pub fn at(program: &'p Program, prepared: &'p Prepared<T>, position: Position<T>) -> Self {
-        Self {
-            runner: Runner::of(program, prepared),
-            position,
-        }
+        Self { runner: Runner::of(program, prepared), position }
     }
 
     /// Its position; the machine is done with.
@@ -115,8 +106,7 @@ impl<'p, T: Real> Machine<'p, T> {
     /// # Errors
     /// The reason why it cannot go there; it then stays where it was.
     pub fn move_to(&mut self, motors: &[T]) -> Result<(), Stop> {
-        self.advance(motors, &vec![0; motors.len()])
-            .map_err(|halt| halt.stop)
+        self.advance(motors, &vec![0; motors.len()]).map_err(|halt| halt.stop)
     }
 
     /// Gives the params these values, one for each in order of declaration; the motors stay where they are.
@@ -148,12 +138,9 @@ impl<'p, T: Real> Machine<'p, T> {
     pub fn turn_to(&mut self, phases: &[Phase]) -> Result<(), Stop> {
         let split = phases.iter().map(|phase| T::of_phase(*phase));
         let (turns, motors): (Vec<i64>, Vec<T>) = split.unzip();
-        let turns: Option<Vec<i32>> = turns
-            .into_iter()
-            .map(|turns| turns.try_into().ok())
-            .collect();
-        self.advance(&motors, &turns.ok_or(Stop::Overflow)?)
-            .map_err(|halt| halt.stop)
+        let turns: Option<Vec<i32>> =
+            turns.into_iter().map(|turns| turns.try_into().ok()).collect();
+        self.advance(&motors, &turns.ok_or(Stop::Overflow)?).map_err(|halt| halt.stop)
     }
 
     /// Moves towards these values of the motors as far as it can. Gives the reason if it does not arrive.
@@ -163,10 +150,7 @@ impl<'p, T: Real> Machine<'p, T> {
     pub fn move_toward(&mut self, motors: &[T]) -> Result<Option<Stop>, Stop> {
         match self.advance(motors, &vec![0; motors.len()]) {
             Ok(()) => Ok(None),
-            Err(Halt {
-                stop: stop @ (Stop::MotorCount | Stop::NotFinite(_)),
-                ..
-            }) => Err(stop),
+            Err(Halt { stop: stop @ (Stop::MotorCount | Stop::NotFinite(_)), .. }) => Err(stop),
             Err(halt) => {
                 self.position = halt.position;
                 Ok(Some(halt.stop))
@@ -182,9 +166,7 @@ impl<'p, T: Real> Machine<'p, T> {
     /// program does not compute rates.
     pub fn motion(&self, rates: &[T], accelerations: &[T]) -> Result<LinkRates<T>, Stop> {
         let given = self.given(rates, accelerations, &[])?;
-        beside::limit(&self.runner, &self.position, |at| {
-            self.runner.motion(at, given)
-        })
+        beside::limit(&self.runner, &self.position, |at| self.runner.motion(at, given))
     }
 
     /// The forces where it is, if the motors move at these rates and second rates, and the loads are these numbers: at a
@@ -195,9 +177,7 @@ impl<'p, T: Real> Machine<'p, T> {
     /// the program does not compute forces.
     pub fn forces(&self, rates: &[T], accelerations: &[T], loads: &[T]) -> Result<Forces<T>, Stop> {
         let given = self.given(rates, accelerations, loads)?;
-        beside::limit(&self.runner, &self.position, |at| {
-            self.runner.forces(at, given)
-        })
+        beside::limit(&self.runner, &self.position, |at| self.runner.forces(at, given))
     }
 
     fn given<'g>(
@@ -211,21 +191,13 @@ impl<'p, T: Real> Machine<'p, T> {
             return Err(Stop::MotorCount);
         }
         let finite = |(rate, second): (&T, &T)| rate.is_finite() && second.is_finite();
-        if let Some(motor) = rates
-            .iter()
-            .zip(accelerations)
-            .position(|both| !finite(both))
-        {
+        if let Some(motor) = rates.iter().zip(accelerations).position(|both| !finite(both)) {
             return Err(Stop::NotFinite(motor));
         }
         if loads.iter().any(|load| !load.is_finite()) {
             return Err(Stop::Overflow);
         }
-        Ok(MotionInputs {
-            rates,
-            accelerations,
-            loads,
-        })
+        Ok(MotionInputs { rates, accelerations, loads })
     }
 
     /// Runs the program once for these values of motors and params, without looking at the way there.
@@ -242,11 +214,7 @@ impl<'p, T: Real> Machine<'p, T> {
     /// goes there in one step.
     pub(crate) fn look_at(&mut self, inputs: &[T], wanted: &[Value]) -> Option<Vec<T>> {
         let zero = vec![T::ZERO; inputs.len()];
-        let given = MotionInputs {
-            rates: &zero,
-            accelerations: &zero,
-            loads: &[],
-        };
+        let given = MotionInputs { rates: &zero, accelerations: &zero, loads: &[] };
         let goal = (inputs, &self.position.turns[..]);
         let values = self.runner.values_even_if_open(&self.position, goal, given);
         let values = values.ok()?;
@@ -258,11 +226,7 @@ impl<'p, T: Real> Machine<'p, T> {
 
     /// Exactly as the generated code's runtime does it.
     fn advance(&mut self, motors: &[T], turns: &[i32]) -> Result<(), Halt<Position<T>, Stop, T>> {
-        let refuse = |stop| Halt {
-            position: self.position.clone(),
-            part: T::ZERO,
-            stop,
-        };
+        let refuse = |stop| Halt { position: self.position.clone(), part: T::ZERO, stop };
         let (all, own) = (self.position.motors.len(), self.runner.program.motors.len());
         if motors.len() != all && motors.len() != own || turns.len() != motors.len() {
             return Err(refuse(Stop::MotorCount));
@@ -306,20 +270,11 @@ pub fn sensitivities<T: Real>(
     at: &Position<T>,
 ) -> Result<Vec<ParamRates<T>>, Stop> {
     let sensitivity = program.sensitivity().ok_or(Stop::Unasked)?;
-    let given = MotionInputs {
-        rates: &[],
-        accelerations: &[],
-        loads: &[],
-    };
+    let given = MotionInputs { rates: &[], accelerations: &[], loads: &[] };
     let values = Runner::new(program).determined_values(at, given)?;
     let rates = sensitivity.of_params.iter();
-    let rates: Vec<ParamRates<T>> = rates
-        .map(|rates| rates.map(|value: Value| values[value.index()]))
-        .collect();
+    let rates: Vec<ParamRates<T>> =
+        rates.map(|rates| rates.map(|value: Value| values[value.index()])).collect();
     let is_finite = |rates: &ParamRates<T>| rates.roots().all(Real::is_finite);
-    if rates.iter().all(is_finite) {
-        Ok(rates)
-    } else {
-        Err(Stop::Overflow)
-    }
+    if rates.iter().all(is_finite) { Ok(rates) } else { Err(Stop::Overflow) }
 }

@@ -79,12 +79,7 @@ impl<T: Real> Prepared<T> {
         let margins = program.margins().map(|(_, closed)| &closed.margin);
         let last = poses.chain(&program.state).chain(margins).max();
         let of_position = steps.partition_point(|step| Some(&step.value) <= last);
-        Self {
-            constants,
-            steps,
-            of_position,
-            rounds,
-        }
+        Self { constants, steps, of_position, rounds }
     }
 }
 
@@ -117,11 +112,7 @@ impl<'p, T: Real> Runner<'p, T> {
         let steps = &self.prepared.steps[..self.prepared.of_position];
         self.spend(steps.len() + 1)?;
         let zero = vec![T::ZERO; motors.len()];
-        let given = MotionInputs {
-            rates: &zero,
-            accelerations: &zero,
-            loads: &[],
-        };
+        let given = MotionInputs { rates: &zero, accelerations: &zero, loads: &[] };
         let mut values = self.values.take();
         if values.is_empty() {
             values.clone_from(&self.prepared.constants);
@@ -153,11 +144,7 @@ impl<'p, T: Real> Runner<'p, T> {
         };
         let values = self.determined_values(at, given)?;
         let moved = rates.map(|value| values[value.index()]);
-        if moved.roots().all(Real::is_finite) {
-            Ok(moved)
-        } else {
-            Err(Stop::Overflow)
-        }
+        if moved.roots().all(Real::is_finite) { Ok(moved) } else { Err(Stop::Overflow) }
     }
 
     /// The forces at a position.
@@ -252,11 +239,7 @@ impl<'p, T: Real> Runner<'p, T> {
     ) -> Result<Vec<T>, Stop> {
         let reduced = |(input, (&value, &turns)): (usize, (&T, &i32))| {
             let is_reduced = self.program.reduced.get(input) == Some(&true);
-            if is_reduced {
-                mech_core::motors::reduced(value, turns)
-            } else {
-                (value, turns)
-            }
+            if is_reduced { mech_core::motors::reduced(value, turns) } else { (value, turns) }
         };
         let inputs = motors.iter().zip(turns).enumerate().map(reduced);
         let (motors, turns): (Vec<T>, Vec<i32>) = inputs.unzip();
@@ -301,23 +284,14 @@ impl<'p, T: Real> Runner<'p, T> {
         (motors, turns): (&[T], &[i32]),
     ) -> Result<Position<T>, Stop> {
         let get = |value: &Value| values[value.index()];
-        let poses: Vec<[T; 4]> = self
-            .program
-            .poses
-            .iter()
-            .map(|pose| pose.map(|value| get(&value)))
-            .collect();
+        let poses: Vec<[T; 4]> =
+            self.program.poses.iter().map(|pose| pose.map(|value| get(&value))).collect();
         let state: Vec<T> = self.program.state.iter().map(get).collect();
         let mut numbers = poses.iter().flatten().chain(&state);
         if numbers.any(|number| !number.is_finite()) {
             return Err(Stop::Overflow);
         }
-        Ok(Position {
-            motors: motors.to_vec(),
-            turns: turns.to_vec(),
-            poses,
-            state,
-        })
+        Ok(Position { motors: motors.to_vec(), turns: turns.to_vec(), poses, state })
     }
 
     /// An unknown of a linear system, or after these its determinant.
@@ -374,11 +348,8 @@ impl<'p, T: Real> Runner<'p, T> {
             {
                 break;
             }
-            let next: Vec<T> = newton
-                .scalars
-                .iter()
-                .map(|scalar| values[scalar.next.index()])
-                .collect();
+            let next: Vec<T> =
+                newton.scalars.iter().map(|scalar| values[scalar.next.index()]).collect();
             for (scalar, next) in newton.scalars.iter().zip(next) {
                 values[scalar.now.index()] = next;
             }

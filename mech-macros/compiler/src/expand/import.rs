@@ -24,9 +24,7 @@ impl Import {
     pub fn first(text: &TokenStream) -> Option<Self> {
         let trees: Vec<TokenTree> = text.clone().into_iter().collect();
         let mut starts = trees.iter().enumerate().filter(|(index, tree)| {
-            let begins = index
-                .checked_sub(1)
-                .is_none_or(|before| ends(&trees[before]));
+            let begins = index.checked_sub(1).is_none_or(|before| ends(&trees[before]));
             begins && matches!(tree, TokenTree::Ident(word) if word == "use")
         });
         let (start, length) =
@@ -34,10 +32,7 @@ impl Import {
         let path = trees[start + 1..=start + length].iter().cloned().collect();
         let mut others = trees;
         others.drain(start..start + length + 2);
-        Some(Self {
-            path,
-            others: others.into_iter().collect(),
-        })
+        Some(Self { path, others: others.into_iter().collect() })
     }
 
     /// A text in which all imported parts are written out. `part` gives the text of each, from its name on.
@@ -210,22 +205,14 @@ impl PartText {
 
     /// All parts of a Rust file that can be read.
     pub fn all(source: &str) -> impl Iterator<Item = Self> {
-        let calls = source
-            .parse()
-            .map(|tokens| macro_calls(tokens, "mechanism_part"));
+        let calls = source.parse().map(|tokens| macro_calls(tokens, "mechanism_part"));
         let calls = calls.unwrap_or_default().into_iter();
         calls.filter_map(|part| Self::read(&part).ok())
     }
 
     /// The macro that adds the part to the text of a mechanism.
     fn exported_macro(&self) -> TokenStream {
-        let Self {
-            name,
-            body,
-            attributes,
-            visibility,
-            is_public,
-        } = self;
+        let Self { name, body, attributes, visibility, is_public } = self;
         let kept = format_ident!("__part_{name}", span = name.span());
         let export = is_public.then(|| quote!(#[doc(hidden)] #[macro_export]));
         quote! {
@@ -245,10 +232,8 @@ impl PartText {
 /// Expands the body of a `mechanism_part!`.
 #[must_use]
 pub fn expand_part(input: &TokenStream) -> TokenStream {
-    PartText::read(input).map_or_else(
-        |errors| compile_errors(&errors),
-        |part| part.exported_macro(),
-    )
+    PartText::read(input)
+        .map_or_else(|errors| compile_errors(&errors), |part| part.exported_macro())
 }
 
 /// The tokens in the brackets of each call of a macro in a Rust source, outside of all other brackets.
@@ -256,11 +241,11 @@ pub fn expand_part(input: &TokenStream) -> TokenStream {
 pub fn macro_calls(source: TokenStream, name: &str) -> Vec<TokenStream> {
     let trees: Vec<TokenTree> = source.into_iter().collect();
     let call = |trees: &[TokenTree]| match trees {
-        [
-            TokenTree::Ident(ident),
-            TokenTree::Punct(mark),
-            TokenTree::Group(group),
-        ] if ident == name && mark.as_char() == '!' => Some(group.stream()),
+        [TokenTree::Ident(ident), TokenTree::Punct(mark), TokenTree::Group(group)]
+            if ident == name && mark.as_char() == '!' =>
+        {
+            Some(group.stream())
+        }
         _ => None,
     };
     trees.windows(3).filter_map(call).collect()

@@ -24,11 +24,7 @@ pub fn expand(input: TokenStream) -> TokenStream {
         };
         return guard::beside_stub(&fault, || stub(&krate, without_imports(import)));
     }
-    guard::guard(
-        &body,
-        || analyse_and_emit(&krate, body.clone()),
-        || stub(&krate, body.clone()),
-    )
+    guard::guard(&body, || analyse_and_emit(&krate, body.clone()), || stub(&krate, body.clone()))
 }
 
 /// The items of a mechanism, or its errors beside a stub of its type.
@@ -57,9 +53,7 @@ pub fn write(krate: &TokenStream, analysis: &Analysis) -> TokenStream {
 fn stub(krate: &TokenStream, body: TokenStream) -> TokenStream {
     let parsed = syntax::parse(body);
     let header = parsed.header.as_ref();
-    header.map_or_else(TokenStream::new, |header| {
-        emit::stub(krate, header, &parsed)
-    })
+    header.map_or_else(TokenStream::new, |header| emit::stub(krate, header, &parsed))
 }
 
 /// Returns a text without an import and the imports after it.

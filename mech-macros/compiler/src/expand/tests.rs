@@ -25,11 +25,8 @@ fn mechanisms() -> Vec<String> {
     let acting = "load push = force(arm.tip); load twist = torque(arm);
         spring coil = linear(ground.post, arm.tip) stiffness 1;";
     let with_effects = EFFECTS.map(|effects| {
-        let acts = if effects.contains("force") || effects.contains("dynamics") {
-            acting
-        } else {
-            ""
-        };
+        let acts =
+            if effects.contains("force") || effects.contains("dynamics") { acting } else { "" };
         format!(
             "struct Crank; ground {{ point post = (3, 0); }} {CRANK} motor hinge; {acts} {effects}"
         )
@@ -71,11 +68,7 @@ fn signatures(expansion: TokenStream, of_trait: bool) -> BTreeMap<String, String
     let wanted = all.filter(|item| match &item.trait_ {
         None => !of_trait,
         Some((path, _)) => {
-            of_trait
-                && path
-                    .segments
-                    .last()
-                    .is_some_and(|name| name.ident == "Mechanism")
+            of_trait && path.segments.last().is_some_and(|name| name.ident == "Mechanism")
         }
     });
     let items = wanted.flat_map(|item| item.items);
@@ -93,20 +86,14 @@ fn signatures(expansion: TokenStream, of_trait: bool) -> BTreeMap<String, String
         }
         _ => None,
     });
-    signatures
-        .map(|(name, signature)| (name, plain(&signature)))
-        .collect()
+    signatures.map(|(name, signature)| (name, plain(&signature))).collect()
 }
 
 /// A signature without the paths of its types. Each mechanism here has one motor, which may be a parameter of a stub, and how many
 /// loops are dyads is not known there.
 fn plain(signature: &TokenStream) -> String {
     let mut text: String = signature.to_string().split_whitespace().collect();
-    for path in [
-        "::mech_runtime::generated::",
-        "::mech_runtime::overlay::",
-        "::mech_runtime::",
-    ] {
+    for path in ["::mech_runtime::generated::", "::mech_runtime::overlay::", "::mech_runtime::"] {
         text = text.replace(path, "");
     }
     for parameter in ["MOTORS", "TURNING", "SLIDING", "PARAMS"] {

@@ -12,11 +12,7 @@ pub(super) fn dot(graph: &Graph) -> String {
 }
 
 fn write(text: &mut String, graph: &Graph) -> std::fmt::Result {
-    let (kind, arrow) = if graph.directed {
-        ("digraph", "->")
-    } else {
-        ("graph", "--")
-    };
+    let (kind, arrow) = if graph.directed { ("digraph", "->") } else { ("graph", "--") };
     writeln!(text, "{kind} {} {{", quote(&[&graph.name]))?;
     writeln!(text, "  node [shape=box, style=rounded];")?;
     for (index, vertex) in graph.vertices.iter().enumerate() {
@@ -35,11 +31,7 @@ fn write(text: &mut String, graph: &Graph) -> std::fmt::Result {
 /// Writes the loops of each level into one row. Links may stand wherever there is room.
 fn write_levels(text: &mut String, graph: &Graph) -> std::fmt::Result {
     let is_loop = |vertex: &&Vertex| vertex.kind == VertexKind::Loop;
-    let levels = graph
-        .vertices
-        .iter()
-        .filter(is_loop)
-        .map(|vertex| vertex.level);
+    let levels = graph.vertices.iter().filter(is_loop).map(|vertex| vertex.level);
     for level in 0..=levels.max().unwrap_or(0) {
         let in_row = |(_, vertex): &(usize, &Vertex)| is_loop(vertex) && vertex.level == level;
         let row = graph.vertices.iter().enumerate().filter(in_row);

@@ -27,11 +27,7 @@ pub(super) fn drivers(model: &Model, plan: &Plan) -> Vec<Driver> {
             let drives = is_member || (ring.needs.is_empty() && by.is_some());
             if drives && !all.contains(&motor) {
                 all.push(motor);
-                drivers.push(Driver {
-                    motor,
-                    ring: number,
-                    by,
-                });
+                drivers.push(Driver { motor, ring: number, by });
             }
         }
         known.push(all);
@@ -46,10 +42,8 @@ fn connecting_joint(model: &Model, motor: MotorId, ring: &Loop) -> Option<JointI
         ends.any(|(a, b)| a == link || b == link)
     };
     let (a, b) = model.ends(model.motor(motor).joint);
-    let mut moved: Vec<LinkId> = [a, b]
-        .into_iter()
-        .filter(|&link| link != LinkId::GROUND)
-        .collect();
+    let mut moved: Vec<LinkId> =
+        [a, b].into_iter().filter(|&link| link != LinkId::GROUND).collect();
     let mut next = 0;
     while let Some(&link) = moved.get(next) {
         next += 1;
@@ -70,8 +64,5 @@ fn connecting_joint(model: &Model, motor: MotorId, ring: &Loop) -> Option<JointI
 
 /// Whether a joint passes motion on and has no coordinate of its own, as gears do.
 fn passes_on(model: &Model, joint: JointId) -> bool {
-    !matches!(
-        model.joint(joint).kind,
-        JointKind::Revolute(..) | JointKind::Prismatic(..)
-    )
+    !matches!(model.joint(joint).kind, JointKind::Revolute(..) | JointKind::Prismatic(..))
 }

@@ -83,11 +83,7 @@ pub enum EdgeKind {
 pub fn kinematic(model: &Model, structure: &Structure) -> Graph {
     let distances = distances(model);
     let vertices = model.link_ids().map(|id| Vertex {
-        kind: if id == LinkId::GROUND {
-            VertexKind::Ground
-        } else {
-            VertexKind::Link
-        },
+        kind: if id == LinkId::GROUND { VertexKind::Ground } else { VertexKind::Link },
         name: model.link(id).name.clone(),
         detail: String::new(),
         level: distances[id.index()],
@@ -97,11 +93,7 @@ pub fn kinematic(model: &Model, structure: &Structure) -> Graph {
         Edge {
             from: from.index(),
             to: to.index(),
-            kind: if structure.arms.contains(&id) {
-                EdgeKind::Arm
-            } else {
-                EdgeKind::Trunk
-            },
+            kind: if structure.arms.contains(&id) { EdgeKind::Arm } else { EdgeKind::Trunk },
             name: model.joint(id).name.clone(),
             detail: model.joint(id).kind.plain().word().to_owned(),
             motor: model.motor_of(id).is_some(),
@@ -216,10 +208,7 @@ fn loop_vertices(model: &Model, plan: &Plan) -> impl Iterator<Item = Vertex> {
 }
 
 fn names(model: &Model, joints: impl IntoIterator<Item = JointId>) -> String {
-    let names = joints
-        .into_iter()
-        .map(|id| model.joint(id).name.as_str())
-        .collect::<Vec<_>>();
+    let names = joints.into_iter().map(|id| model.joint(id).name.as_str()).collect::<Vec<_>>();
     names.join(" ")
 }
 

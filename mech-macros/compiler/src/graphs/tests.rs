@@ -29,9 +29,7 @@ fn compiled(text: &str) -> (Model, Compiled) {
 
 fn edge_names(graph: &Graph) -> Vec<(usize, usize, &str)> {
     let edges = graph.edges.iter();
-    edges
-        .map(|edge| (edge.from, edge.to, edge.name.as_str()))
-        .collect()
+    edges.map(|edge| (edge.from, edge.to, edge.name.as_str())).collect()
 }
 
 #[test]
@@ -40,10 +38,7 @@ fn loops_in_a_row() {
     let graph = loops(&model, &compiled.plan);
     // The motor of the arm leads to no loop.
     let kinds: Vec<_> = graph.vertices.iter().map(|vertex| vertex.kind).collect();
-    assert_eq!(
-        kinds,
-        [VertexKind::Motor, VertexKind::Loop, VertexKind::Loop]
-    );
+    assert_eq!(kinds, [VertexKind::Motor, VertexKind::Loop, VertexKind::Loop]);
     let levels: Vec<_> = graph.vertices.iter().map(|vertex| vertex.level).collect();
     assert_eq!(levels, [0, 1, 2]);
     assert_eq!(edge_names(&graph), [(0, 1, ""), (1, 2, "")]);

@@ -70,19 +70,9 @@ pub(super) fn body(
     color: u8,
     form: Form,
 ) -> Body {
-    let mut builder = Builder {
-        scene,
-        link,
-        color,
-        body: Body::default(),
-    };
+    let mut builder = Builder { scene, link, color, body: Body::default() };
     let mounts = scene.mounts(link);
-    let planes = scene
-        .model
-        .link(link)
-        .shapes
-        .iter()
-        .map(|shape| shape.plane);
+    let planes = scene.model.link(link).shapes.iter().map(|shape| shape.plane);
     builder.body.over = planes.max().unwrap_or(i32::MIN);
     if scene.is_drawn(link) {
         builder.wheels(wheels, Side::Outside);
@@ -158,10 +148,7 @@ impl Builder<'_, '_> {
         let mut places: Vec<Place> = outside.iter().map(|mount| mount.place).collect();
         for place in blocks {
             let at = Point2::from(place.map(Measure::at_start));
-            if points
-                .iter()
-                .all(|point| (point - at).norm() > 0.5 * self.scene.width)
-            {
+            if points.iter().all(|point| (point - at).norm() > 0.5 * self.scene.width) {
                 points.push(at);
                 places.push(place);
             }
@@ -178,16 +165,11 @@ impl Builder<'_, '_> {
         let pins = ends.map(|end| places[end]);
         let lines = bar(&pins, self.width(), self.color).into_iter().take(2);
         self.body.outlines.extend(lines);
-        self.body
-            .footprint
-            .add_bar(ends.map(|end| points[end]), self.scene.width);
+        self.body.footprint.add_bar(ends.map(|end| points[end]), self.scene.width);
     }
 
     fn many(&mut self, wheels: &Wheels, points: &[Point2<f64>], places: &[Place], form: Form) {
-        let varies = places
-            .iter()
-            .flatten()
-            .any(|measure| measure.formula.is_some());
+        let varies = places.iter().flatten().any(|measure| measure.formula.is_some());
         let corners = hull(points, 0.6 * self.scene.width);
         if corners.is_empty() || varies || form == Form::Branches {
             self.body.is_plate = !corners.is_empty() && !varies && form == Form::Plate;
@@ -198,27 +180,20 @@ impl Builder<'_, '_> {
         }
         self.body.is_plate = true;
         // A ring is open: what meshes within it is seen.
-        let hole = wheels
-            .on(self.link)
-            .find(|wheel| wheel.side == Side::Inside);
+        let hole = wheels.on(self.link).find(|wheel| wheel.side == Side::Inside);
         let hole = hole.map(|wheel| (wheel.center, rolling::rim(wheel)));
         let mut around: Vec<Place> = corners.iter().map(|&corner| places[corner]).collect();
         let filled = Outline::Polygon(with_hole(around.clone(), hole).into());
         around.push(around[0]);
         for (share, color) in [(1.0, darker(self.color)), (FACE, self.color)] {
-            let edge = Outline::Line {
-                points: around.clone().into(),
-                width: self.width().times(share),
-            };
+            let edge =
+                Outline::Line { points: around.clone().into(), width: self.width().times(share) };
             self.paint(edge, color);
         }
         self.paint(filled, self.color);
         let corners: Vec<Point2<f64>> = corners.iter().map(|&corner| points[corner]).collect();
         if let Some(inset) = inset(&corners, INSET * self.scene.width) {
-            self.paint(
-                Outline::Polygon(with_hole(inset, hole).into()),
-                lighter(self.color),
-            );
+            self.paint(Outline::Polygon(with_hole(inset, hole).into()), lighter(self.color));
         }
         self.body.footprint.add_plate(corners, self.scene.width);
         if let Some((center, radius)) = hole {
@@ -233,9 +208,7 @@ impl Builder<'_, '_> {
             let own = if guides { guide } else { block };
             own == self.link && guide != LinkId::GROUND || !guides && block == self.link
         });
-        slides
-            .filter(|slide| guides || slide.pin.is_none())
-            .collect()
+        slides.filter(|slide| guides || slide.pin.is_none()).collect()
     }
 
     /// Where the blocks of this link are on it.
@@ -281,10 +254,7 @@ impl Builder<'_, '_> {
                 self.barrel(cylinder.barrel.map(place), CHEEKS * width);
                 continue;
             }
-            let ends = [
-                place(low - BLOCK[0] * width),
-                place(high + BLOCK[0] * width),
-            ];
+            let ends = [place(low - BLOCK[0] * width), place(high + BLOCK[0] * width)];
             self.rod(ends, ROD * width, self.color);
             self.reach_mounts(ends, mounts);
         }
@@ -318,13 +288,7 @@ impl Builder<'_, '_> {
     fn line(&mut self, ends: [Point2<f64>; 2], width: f64, color: u8) {
         let points = ends.map(|end| fixed([end.x, end.y])).to_vec();
         let width = Measure::fixed(width);
-        self.paint(
-            Outline::Line {
-                points: points.into(),
-                width,
-            },
-            color,
-        );
+        self.paint(Outline::Line { points: points.into(), width }, color);
     }
 
     /// Joins a guide with the pins of its link.
@@ -378,9 +342,7 @@ impl Builder<'_, '_> {
             self.paint(polygon(&corners), color);
         }
         let half = along * ((BLOCK[0] - BLOCK[1]) * self.scene.width);
-        self.body
-            .footprint
-            .add_bar([at - half, at + half], 2.0 * BLOCK[1] * self.scene.width);
+        self.body.footprint.add_bar([at - half, at + half], 2.0 * BLOCK[1] * self.scene.width);
     }
 
     /// The eye of a pin, or the mark of a point; around the pin of a motor a ring.
@@ -388,18 +350,12 @@ impl Builder<'_, '_> {
         let center = mount.place;
         if !mount.is_joint {
             let radius = self.width().times(POINT);
-            self.body
-                .top
-                .push((Outline::Circle { center, radius }, INK));
+            self.body.top.push((Outline::Circle { center, radius }, INK));
             return;
         }
         if self.scene.is_driven(self.link, mount.at) {
             let [radius, hole] = MOTOR.map(|share| self.width().times(share));
-            let ring = Outline::Ring {
-                center,
-                radius,
-                hole,
-            };
+            let ring = Outline::Ring { center, radius, hole };
             self.body.top.push((ring, INK));
         }
         if !self.scene.has_eye(self.link, mount.at) {
@@ -409,12 +365,7 @@ impl Builder<'_, '_> {
 }
 
 fn polygon(corners: &[Point2<f64>]) -> Outline {
-    Outline::Polygon(
-        corners
-            .iter()
-            .map(|corner| fixed([corner.x, corner.y]))
-            .collect(),
-    )
+    Outline::Polygon(corners.iter().map(|corner| fixed([corner.x, corner.y])).collect())
 }
 
 /// The corners of a polygon with a round hole, if it has one: a line leads to the hole and back, so that it is one polygon.
@@ -438,9 +389,8 @@ fn with_hole(mut corners: Vec<Place>, hole: Option<(Point2<f64>, f64)>) -> Vec<P
 fn branches(points: &[Point2<f64>]) -> Vec<[usize; 2]> {
     let length = |a: usize, b: usize| (points[a] - points[b]).norm();
     // For each point that is free yet the nearest of the others, and how far that is.
-    let mut free: Vec<(usize, usize, f64)> = (1..points.len())
-        .map(|point| (point, 0, length(0, point)))
-        .collect();
+    let mut free: Vec<(usize, usize, f64)> =
+        (1..points.len()).map(|point| (point, 0, length(0, point))).collect();
     let mut lines = Vec::new();
     while let Some(next) = (0..free.len()).min_by(|a, b| free[*a].2.total_cmp(&free[*b].2)) {
         cancel::check();
@@ -460,16 +410,12 @@ fn branches(points: &[Point2<f64>]) -> Vec<[usize; 2]> {
 fn inset(corners: &[Point2<f64>], by: f64) -> Option<Vec<Place>> {
     #[expect(clippy::cast_precision_loss, reason = "a few corners")]
     let share = 1.0 / corners.len() as f64;
-    let middle = corners
-        .iter()
-        .fold(Vector2::zeros(), |sum, corner| sum + corner.coords * share);
+    let middle = corners.iter().fold(Vector2::zeros(), |sum, corner| sum + corner.coords * share);
     let middle = Point2::from(middle);
     let room = super::hull::depth(corners, middle);
     let scale = 1.0 - by / room;
     (scale > LEAST_INSET).then(|| {
-        let inner = corners
-            .iter()
-            .map(|corner| middle + (corner - middle) * scale);
+        let inner = corners.iter().map(|corner| middle + (corner - middle) * scale);
         inner.map(|corner| fixed([corner.x, corner.y])).collect()
     })
 }

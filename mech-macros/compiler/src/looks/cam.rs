@@ -23,8 +23,7 @@ pub(super) struct CamBody {
 /// The cams that turn about a shaft and whose laws come back to where they began.
 pub(super) fn cams(scene: &Scene<'_>) -> Vec<CamBody> {
     let cams = scene.model.cams();
-    cams.filter_map(|(id, shaft, follower, law)| cam(scene, id, [shaft, follower], law))
-        .collect()
+    cams.filter_map(|(id, shaft, follower, law)| cam(scene, id, [shaft, follower], law)).collect()
 }
 
 fn cam(
@@ -65,11 +64,7 @@ fn cam(
         let (here, ahead) = (pitch(turned), pitch(turned + 1e-4) - pitch(turned - 1e-4));
         // The curve goes clockwise about the cam if the shaft turns forwards: the cam is inside of it.
         let normal = Vector2::new(-ahead.y, ahead.x).normalize();
-        let inwards = if normal.dot(&here) > 0.0 {
-            -normal
-        } else {
-            normal
-        };
+        let inwards = if normal.dot(&here) > 0.0 { -normal } else { normal };
         let edge = here + inwards * radius;
         let is_thick = edge.norm() > THINNEST * scene.width;
         if !is_thick {
@@ -79,10 +74,7 @@ fn cam(
         corners.push(fixed([place.x, place.y]));
     }
     let roller = start.frame(link)?.inverse() * point;
-    Some(CamBody {
-        disc: (cam_link, corners),
-        roller: (link, roller, radius),
-    })
+    Some(CamBody { disc: (cam_link, corners), roller: (link, roller, radius) })
 }
 
 /// The angle from one axis to another at the start.
@@ -138,27 +130,15 @@ impl CamBody {
         let corners = self.disc.1.clone();
         let mut edge = corners.clone();
         edge.extend(corners.first().copied());
-        let line = Outline::Line {
-            points: edge.into(),
-            width: Measure::fixed(0.16 * scene.width),
-        };
-        vec![
-            (Outline::Polygon(corners.into()), color),
-            (line, darker(color)),
-        ]
+        let line = Outline::Line { points: edge.into(), width: Measure::fixed(0.16 * scene.width) };
+        vec![(Outline::Polygon(corners.into()), color), (line, darker(color))]
     }
 
     /// The middle of the disc, and the radius of a circle within it.
     pub(super) fn extent(&self) -> (Point2<f64>, f64) {
-        let corners = self
-            .disc
-            .1
-            .iter()
-            .map(|place| Point2::from(place.map(Measure::at_start)));
+        let corners = self.disc.1.iter().map(|place| Point2::from(place.map(Measure::at_start)));
         let corners: Vec<Point2<f64>> = corners.collect();
-        let sum = corners
-            .iter()
-            .fold(Vector2::zeros(), |sum, corner| sum + corner.coords);
+        let sum = corners.iter().fold(Vector2::zeros(), |sum, corner| sum + corner.coords);
         let middle = Point2::from(sum / f64::from(CORNERS));
         let away = corners.iter().map(|corner| (corner - middle).norm());
         (middle, away.fold(f64::INFINITY, f64::min))
@@ -172,11 +152,6 @@ impl CamBody {
             let radius = Measure::fixed(share * radius);
             (Outline::Circle { center, radius }, color)
         };
-        vec![
-            disc(1.0, darker(color)),
-            disc(0.8, lighter(color)),
-            disc(0.36, INK),
-            disc(0.16, EYE),
-        ]
+        vec![disc(1.0, darker(color)), disc(0.8, lighter(color)), disc(0.36, INK), disc(0.16, EYE)]
     }
 }

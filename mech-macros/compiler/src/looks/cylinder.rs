@@ -28,10 +28,7 @@ impl Scene<'_> {
         if slide.pin.is_some() || guide == LinkId::GROUND {
             return None;
         }
-        let [foot, head] = [
-            self.only_on(guide, slide.guide)?,
-            self.only_on(block, slide.block)?,
-        ];
+        let [foot, head] = [self.only_on(guide, slide.guide)?, self.only_on(block, slide.block)?];
         // Displacements of the block's line along the guide's; the pin of the rod is `head` farther.
         let travel = self.travel(slide)?;
         let [near, far] = travel.map(|offset| offset + head - foot);
@@ -40,11 +37,7 @@ impl Scene<'_> {
         let at_start = start.place(self.model, slide.block)?;
         let at_start = start.along(self.model, slide.guide, at_start)? + head - foot;
         let sign = 1.0_f64.copysign(at_start);
-        let [near, far] = if sign < 0.0 {
-            [-far, -near]
-        } else {
-            [near, far]
-        };
+        let [near, far] = if sign < 0.0 { [-far, -near] } else { [near, far] };
         if at_start.abs() < 3.0 * self.width {
             return None;
         }
@@ -53,10 +46,7 @@ impl Scene<'_> {
         let held = |offset: f64| offset - length + HELD * self.width;
         let within = held(far).min(near - 0.5 * self.width);
         let within = within.max(held(at_start.abs()));
-        Some(Cylinder {
-            barrel: [foot, foot + sign * length],
-            rod: [head, head - sign * within],
-        })
+        Some(Cylinder { barrel: [foot, foot + sign * length], rod: [head, head - sign * within] })
     }
 
     /// Returns the place of a link's joints along a line of it, if all are at one place on the line.
@@ -77,11 +67,8 @@ impl Scene<'_> {
                 return false;
             };
             let carrier = self.model.axis(a).link;
-            let driven = if carrier == link && self.model.axis(b).link == LinkId::GROUND {
-                a
-            } else {
-                b
-            };
+            let driven =
+                if carrier == link && self.model.axis(b).link == LinkId::GROUND { a } else { b };
             let axis = self.model.axis(driven);
             axis.link == link && (Point2::from(axis.at) - at).norm() < ON_LINE * self.width
         })

@@ -18,15 +18,10 @@ pub(super) fn outlines(link: LinkId, shape: &Shape) -> Vec<Painted> {
     let point = |index: usize| [measure(2 * index), measure(2 * index + 1)];
     let length = |index: usize| measure(2 * count + index);
     let outline = match shape.kind {
-        ShapeKind::Circle { .. } => Outline::Circle {
-            center: point(0),
-            radius: length(0),
-        },
-        ShapeKind::Ring { .. } => Outline::Ring {
-            center: point(0),
-            radius: length(0),
-            hole: length(1),
-        },
+        ShapeKind::Circle { .. } => Outline::Circle { center: point(0), radius: length(0) },
+        ShapeKind::Ring { .. } => {
+            Outline::Ring { center: point(0), radius: length(0), hole: length(1) }
+        }
         ShapeKind::Polygon(_) => Outline::Polygon((0..count).map(point).collect()),
         ShapeKind::Figure(_) => {
             bug!("a figure is painted before it is known how the mechanism moves")
@@ -43,10 +38,8 @@ pub(super) fn outlines(link: LinkId, shape: &Shape) -> Vec<Painted> {
 /// A bar with a dark edge and an eye at each pin, as `mech_runtime::raster::bar` draws it: outlines and their colours, from back to
 /// front.
 pub(super) fn bar(pins: &[Place], width: Measure, color: u8) -> Vec<(Outline, u8)> {
-    let line = |share: f64| Outline::Line {
-        points: pins.to_vec().into(),
-        width: width.times(share),
-    };
+    let line =
+        |share: f64| Outline::Line { points: pins.to_vec().into(), width: width.times(share) };
     let mut all = vec![(line(1.0), darker(color)), (line(FACE), color)];
     all.extend(pins.iter().flat_map(|pin| eye(*pin, width)));
     all
@@ -54,9 +47,6 @@ pub(super) fn bar(pins: &[Place], width: Measure, color: u8) -> Vec<(Outline, u8
 
 /// The pin of a bar of this width.
 pub(super) fn eye(center: Place, width: Measure) -> [(Outline, u8); 2] {
-    let circle = |share: f64| Outline::Circle {
-        center,
-        radius: width.times(share),
-    };
+    let circle = |share: f64| Outline::Circle { center, radius: width.times(share) };
     [(circle(PIN), INK), (circle(HOLE), EYE)]
 }

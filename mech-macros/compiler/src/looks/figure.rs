@@ -24,18 +24,9 @@ pub(super) fn outlines(
     figure: &Figure,
 ) -> Vec<Painted> {
     let outlines = match figure {
-        Figure::Gear {
-            center,
-            radius,
-            teeth,
-            turned,
-        } => gear(
-            scene,
-            wheels,
-            link,
-            (*center, *radius, *teeth, *turned),
-            shape.color,
-        ),
+        Figure::Gear { center, radius, teeth, turned } => {
+            gear(scene, wheels, link, (*center, *radius, *teeth, *turned), shape.color)
+        }
         Figure::Stand { at, height, turned } => {
             let usual = ground::HEIGHT * scene.width;
             let height = height.unwrap_or(usual);
@@ -57,12 +48,7 @@ pub(super) fn outlines(
         Figure::Spring { ends, width } => {
             vec![(spring(ends.map(Point2::from), *width), shape.color)]
         }
-        Figure::Text {
-            at,
-            height,
-            turned,
-            text,
-        } => lettering(*at, *height, *turned, text)
+        Figure::Text { at, height, turned, text } => lettering(*at, *height, *turned, text)
             .into_iter()
             .map(|outline| (outline, shape.color))
             .collect(),
@@ -149,9 +135,7 @@ fn lettering(at: [f64; 2], height: f64, turned: f64, text: &str) -> Option<Outli
     }
     let start = strokes.first()?[0];
     // One polygon: each stroke is a detour from the first corner, and back the same way.
-    let corners = strokes
-        .into_iter()
-        .flat_map(|[a, b, c, d]| [start, a, b, c, d, a]);
+    let corners = strokes.into_iter().flat_map(|[a, b, c, d]| [start, a, b, c, d, a]);
     Some(Outline::Polygon(corners.collect()))
 }
 

@@ -73,18 +73,11 @@ impl Footprint {
 
     /// The radius of a circle around the link's origin that holds everything.
     pub(super) fn reach(&self) -> f64 {
-        let bars = self
-            .bars
-            .iter()
-            .flat_map(|(ends, half)| ends.map(|end| end.coords.norm() + half));
-        let discs = self
-            .discs
-            .iter()
-            .map(|(center, radius)| center.coords.norm() + radius);
+        let bars =
+            self.bars.iter().flat_map(|(ends, half)| ends.map(|end| end.coords.norm() + half));
+        let discs = self.discs.iter().map(|(center, radius)| center.coords.norm() + radius);
         let plate = self.plate.iter().flat_map(|(corners, beyond)| {
-            corners
-                .iter()
-                .map(move |corner| corner.coords.norm() + beyond)
+            corners.iter().map(move |corner| corner.coords.norm() + beyond)
         });
         bars.chain(discs).chain(plate).fold(0.0, f64::max)
     }

@@ -48,9 +48,7 @@ pub(super) fn stands(scene: &Scene<'_>, wheels: &Wheels) -> Vec<(Outline, u8)> {
     for hangs in [false, true] {
         let up = if hangs { 1.0 } else { -1.0 };
         let own = stands.iter().filter(|stand| stand.hangs == hangs);
-        let base = own
-            .map(|stand| up * stand.at.y + stand.height)
-            .reduce(f64::max);
+        let base = own.map(|stand| up * stand.at.y + stand.height).reduce(f64::max);
         let own = stands.iter_mut().filter(|stand| stand.hangs == hangs);
         for (stand, base) in own.zip(base.into_iter().cycle()) {
             let height = base - up * stand.at.y;
@@ -61,12 +59,7 @@ pub(super) fn stands(scene: &Scene<'_>, wheels: &Wheels) -> Vec<(Outline, u8)> {
     }
     let stands = stands.into_iter().flat_map(|stand| {
         let up = if stand.hangs { 1.0 } else { -1.0 };
-        self::stand(
-            stand.place,
-            Vector2::new(0.0, up),
-            [scene.width, stand.height],
-            GROUND,
-        )
+        self::stand(stand.place, Vector2::new(0.0, up), [scene.width, stand.height], GROUND)
     });
     stands.collect()
 }
@@ -81,13 +74,9 @@ fn pivots(scene: &Scene<'_>, wheels: &Wheels) -> Vec<Stand> {
         let axis = scene.model.axis(axis);
         let at = Point2::from(axis.at);
         let movers: Vec<LinkId> = pin.members.iter().map(|member| member.0).collect();
-        let is_seen = movers
-            .iter()
-            .any(|&link| scene.is_shown(link) && link != LinkId::GROUND);
+        let is_seen = movers.iter().any(|&link| scene.is_shown(link) && link != LinkId::GROUND);
         let is_seen = is_seen && !scene.is_covered(LinkId::GROUND, at);
-        let is_new = all
-            .iter()
-            .all(|known| distance(&known.at, &at) > 0.5 * scene.width);
+        let is_new = all.iter().all(|known| distance(&known.at, &at) > 0.5 * scene.width);
         if is_seen && is_new {
             // A stand looks out from behind a wheel.
             let on_pivot =
@@ -139,13 +128,7 @@ pub(super) fn stand(
     let base = base.into_iter().map(|[ahead, below]| at(ahead, below));
     vec![
         (Outline::Polygon(body.into_iter().collect()), color),
-        (
-            Outline::Circle {
-                center: place,
-                radius,
-            },
-            color,
-        ),
+        (Outline::Circle { center: place, radius }, color),
         (Outline::Polygon(base.collect()), darker(color)),
     ]
 }
@@ -182,9 +165,7 @@ pub(super) fn rails(scene: &Scene<'_>) -> Vec<(Outline, u8)> {
         guide == LinkId::GROUND && scene.is_shown(block) && !is_drawn
     };
     let slides = scene.slides().filter(on_ground);
-    slides
-        .flat_map(|slide| rails_of(scene, slide).unwrap_or_default())
-        .collect()
+    slides.flat_map(|slide| rails_of(scene, slide).unwrap_or_default()).collect()
 }
 
 /// The rail of a slide on the ground, or both of a pin in a slot; none if it is never seen.
@@ -196,9 +177,7 @@ fn rails_of(scene: &Scene<'_>, slide: Slide) -> Option<Vec<(Outline, u8)>> {
     let ends = [low - BEYOND * width, high + BEYOND * width].map(|offset| at + along * offset);
     let (below, style) = (side(along), (width, darker(GROUND)));
     Some(if slide.pin.is_some() {
-        [below, -below]
-            .map(|side| rail(ends, side, BESIDE_PIN, style))
-            .to_vec()
+        [below, -below].map(|side| rail(ends, side, BESIDE_PIN, style)).to_vec()
     } else {
         vec![rail(ends, below, ABOVE, style)]
     })

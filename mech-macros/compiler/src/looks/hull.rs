@@ -12,11 +12,7 @@ pub(super) fn hull(points: &[Point2<f64>], width: f64) -> Vec<usize> {
     let lower = chain(points, order.iter().copied());
     let upper = chain(points, order.iter().rev().copied());
     let corners: Vec<usize> = [&lower[..lower.len() - 1], &upper[..upper.len() - 1]].concat();
-    if is_thin(points, &corners, width) {
-        Vec::new()
-    } else {
-        corners
-    }
+    if is_thin(points, &corners, width) { Vec::new() } else { corners }
 }
 
 /// One side of the hull of ordered points.
@@ -38,19 +34,14 @@ fn chain(points: &[Point2<f64>], order: impl Iterator<Item = usize>) -> Vec<usiz
 /// Whether a hull is nowhere wider than this.
 fn is_thin(points: &[Point2<f64>], corners: &[usize], width: f64) -> bool {
     let edges = corners.iter().zip(corners.iter().cycle().skip(1));
-    edges
-        .map(|(&a, &b)| breadth(points, corners, a, b))
-        .fold(f64::INFINITY, f64::min)
-        < width
+    edges.map(|(&a, &b)| breadth(points, corners, a, b)).fold(f64::INFINITY, f64::min) < width
 }
 
 /// Returns the greatest distance of corners from the line through two of them.
 fn breadth(points: &[Point2<f64>], corners: &[usize], a: usize, b: usize) -> f64 {
     let along = points[b] - points[a];
     let length = along.norm().max(f64::MIN_POSITIVE);
-    let away = corners
-        .iter()
-        .map(|&corner| along.perp(&(points[corner] - points[a])).abs());
+    let away = corners.iter().map(|&corner| along.perp(&(points[corner] - points[a])).abs());
     away.fold(0.0, f64::max) / length
 }
 
@@ -70,11 +61,8 @@ pub(super) fn distance_to([a, b]: [Point2<f64>; 2], point: Point2<f64>) -> f64 {
     let along = [b.x - a.x, b.y - a.y];
     let [x, y] = [point.x - a.x, point.y - a.y];
     let square = along[0] * along[0] + along[1] * along[1];
-    let part = if square > 0.0 {
-        ((x * along[0] + y * along[1]) / square).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
+    let part =
+        if square > 0.0 { ((x * along[0] + y * along[1]) / square).clamp(0.0, 1.0) } else { 0.0 };
     let [x, y] = [x - along[0] * part, y - along[1] * part];
     (x * x + y * y).sqrt()
 }

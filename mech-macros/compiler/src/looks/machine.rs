@@ -51,23 +51,15 @@ struct Arrangement {
 impl Arrangement {
     fn new(scene: &Scene<'_>, wheels: &Wheels) -> Self {
         let links: Vec<LinkId> = scene.shown().collect();
-        let wardrobe = Wardrobe {
-            scene,
-            wheels,
-            cams: cams(scene),
-            colors: Colors::new(scene.model),
-        };
+        let wardrobe =
+            Wardrobe { scene, wheels, cams: cams(scene), colors: Colors::new(scene.model) };
         let before = in_front(scene);
         let arrange = |forms: &[Form]| {
             let pairs = links.iter().zip(forms);
             let bodies = pairs.map(|(&link, &form)| wardrobe.dress(link, form));
             let bodies: Vec<Body> = bodies.collect();
             let order = order(scene, &links, &bodies, &before);
-            Self {
-                links: links.clone(),
-                bodies,
-                order,
-            }
+            Self { links: links.clone(), bodies, order }
         };
         let plates = arrange(&vec![Form::Plate; links.len()]);
         // A plate that crosses a pin wherever it lies leaves its corners open instead.
@@ -76,23 +68,17 @@ impl Arrangement {
             return plates;
         }
         let branches = arrange(&forms);
-        if branches.conflicts() < plates.conflicts() {
-            branches
-        } else {
-            plates
-        }
+        if branches.conflicts() < plates.conflicts() { branches } else { plates }
     }
 
     /// Returns the form of each link if plates that cross a pin become branches.
     fn forms_of_branches(&self) -> impl Iterator<Item = Form> {
         let pairs = self.bodies.iter().zip(&self.order.conflicts);
-        pairs.map(|(body, &conflicts)| {
-            if body.is_plate && conflicts > 0 {
-                Form::Branches
-            } else {
-                Form::Plate
-            }
-        })
+        pairs.map(
+            |(body, &conflicts)| {
+                if body.is_plate && conflicts > 0 { Form::Branches } else { Form::Plate }
+            },
+        )
     }
 
     fn conflicts(&self) -> usize {
@@ -131,9 +117,7 @@ impl Arrangement {
 
     /// The outlines of all bodies.
     fn painted(self) -> Vec<Painted> {
-        let planes: Vec<i32> = (0..self.links.len())
-            .map(|number| self.plane_of(number))
-            .collect();
+        let planes: Vec<i32> = (0..self.links.len()).map(|number| self.plane_of(number)).collect();
         let bodies = self.links.into_iter().zip(self.bodies).zip(planes);
         let outlines = bodies.flat_map(|((link, body), plane)| {
             // No shape of a link covers its pins.
@@ -195,14 +179,10 @@ fn slot_pins(scene: &Scene<'_>, arrangement: &Arrangement) -> Vec<Painted> {
 /// The pins that bodies in front of them hide at the start: they are seen through these.
 fn hidden_pins(scene: &Scene<'_>, arrangement: &Arrangement) -> Vec<Painted> {
     let front = arrangement.links.len();
-    let front = (0..front)
-        .map(|number| arrangement.plane_of(number) + 2)
-        .max();
+    let front = (0..front).map(|number| arrangement.plane_of(number) + 2).max();
     let pins = scene.structure.pins.iter().filter_map(|pin| {
         let own = pin.members.iter().filter(|member| scene.is_shown(member.0));
-        let &(link, axis) = own
-            .clone()
-            .max_by_key(|member| arrangement.plane(member.0))?;
+        let &(link, axis) = own.clone().max_by_key(|member| arrangement.plane(member.0))?;
         let place = scene.survey.start().place(scene.model, axis)?;
         let is_hidden = arrangement.covers(scene, place, arrangement.plane(link));
         let eye = eye(scene.model.axis(axis).place(), Measure::fixed(scene.width));
@@ -223,17 +203,12 @@ fn belts(scene: &Scene<'_>, wheels: &Wheels, arrangement: &Arrangement) -> Vec<P
 
 /// Stands and rails, and wheels and racks that do not move.
 fn ground(scene: &Scene<'_>, wheels: &Wheels, elastic: Option<&Symbols>) -> Vec<Painted> {
-    let fixed = wheels
-        .on(LinkId::GROUND)
-        .filter(|wheel| !wheel.is_drawn(scene));
+    let fixed = wheels.on(LinkId::GROUND).filter(|wheel| !wheel.is_drawn(scene));
     let fixed = fixed.flat_map(|wheel| rolling::wheel(scene, wheel, GROUND));
     let racks = wheels.racks_on(LinkId::GROUND);
     let racks = racks.filter_map(|rack| rolling::rack(scene, wheels, rack, GROUND));
     let outlines = rails(scene).into_iter().chain(stands(scene, wheels));
-    let outlines = outlines
-        .chain(fixed)
-        .chain(racks.flatten())
-        .chain(anchors(scene, elastic));
+    let outlines = outlines.chain(fixed).chain(racks.flatten()).chain(anchors(scene, elastic));
     painted(LinkId::GROUND, GROUND_PLANE, outlines).collect()
 }
 
@@ -263,11 +238,7 @@ fn in_front(scene: &Scene<'_>) -> Vec<Pair<LinkId>> {
         } else {
             (block, guide, LAID)
         };
-        Pair {
-            front,
-            back,
-            weight,
-        }
+        Pair { front, back, weight }
     });
     pairs.collect()
 }
@@ -278,9 +249,8 @@ struct Colors(Vec<u8>);
 impl Colors {
     pub(super) fn new(model: &Model) -> Self {
         let parts = model.instances.iter();
-        let parts: HashMap<&str, &str> = parts
-            .map(|instance| (&instance.path[..], &instance.part[..]))
-            .collect();
+        let parts: HashMap<&str, &str> =
+            parts.map(|instance| (&instance.path[..], &instance.part[..])).collect();
         let mut numbers: HashMap<(Option<&str>, &str), usize> = HashMap::new();
         let colors = model.link_ids().map(|link| {
             if link == LinkId::GROUND {

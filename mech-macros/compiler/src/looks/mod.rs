@@ -108,20 +108,16 @@ pub fn looks(model: &Model, compiled: &Compiled) -> Looks {
         shapes.map(move |shape| (link, shape))
     });
     let shapes: Vec<(LinkId, &Shape)> = shapes.collect();
-    let has_figures = shapes
-        .iter()
-        .any(|(_, shape)| matches!(shape.kind, ShapeKind::Figure(_)));
+    let has_figures = shapes.iter().any(|(_, shape)| matches!(shape.kind, ShapeKind::Figure(_)));
     // The scene depends on how the mechanism moves.
     let scene = (look == Look::Machine || has_figures).then(|| Scene::new(model, compiled));
     let scene = scene.as_ref().map(|scene| (scene, Wheels::new(scene)));
-    let outlines = shapes
-        .into_iter()
-        .flat_map(|(link, shape)| match (&shape.kind, &scene) {
-            (ShapeKind::Figure(figure), Some((scene, wheels))) => {
-                figure::outlines(scene, wheels, link, shape, figure)
-            }
-            _ => declared::outlines(link, shape),
-        });
+    let outlines = shapes.into_iter().flat_map(|(link, shape)| match (&shape.kind, &scene) {
+        (ShapeKind::Figure(figure), Some((scene, wheels))) => {
+            figure::outlines(scene, wheels, link, shape, figure)
+        }
+        _ => declared::outlines(link, shape),
+    });
     let mut painted: Vec<Painted> = outlines.collect();
     let mut symbols = None;
     if look == Look::Diagram {

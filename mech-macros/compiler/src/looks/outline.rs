@@ -48,10 +48,7 @@ impl From<Vec<Place>> for Points {
 
 impl From<Toothed> for Points {
     fn from(wheel: Toothed) -> Self {
-        Self {
-            places: wheel.corners().into_iter().map(fixed).collect(),
-            wheel: Some(wheel),
-        }
+        Self { places: wheel.corners().into_iter().map(fixed).collect(), wheel: Some(wheel) }
     }
 }
 
@@ -86,9 +83,8 @@ impl Toothed {
     #[must_use]
     pub fn corners(&self) -> Vec<[f64; 2]> {
         let (center, tooth, turn) = (self.center, &self.tooth, self.turn());
-        let mut teeth: Vec<[f64; 2]> = (0..self.count)
-            .flat_map(|_| tooth.iter().copied())
-            .collect();
+        let mut teeth: Vec<[f64; 2]> =
+            (0..self.count).flat_map(|_| tooth.iter().copied()).collect();
         match self.rim {
             None => fill_wheel(&mut teeth, center, tooth, turn),
             Some(rim) => {
@@ -118,20 +114,9 @@ pub(super) fn rounded(outline: &Outline, grid: Grid) -> Outline {
         Some(_) => points.clone(),
     };
     match (outline.map(number, points), outline) {
-        (
-            Outline::Arc {
-                center,
-                start,
-                width,
-                ..
-            },
-            &Outline::Arc { angle, .. },
-        ) => Outline::Arc {
-            center,
-            start,
-            angle,
-            width,
-        },
+        (Outline::Arc { center, start, width, .. }, &Outline::Arc { angle, .. }) => {
+            Outline::Arc { center, start, angle, width }
+        }
         (rounded, _) => rounded,
     }
 }
@@ -176,12 +161,7 @@ pub(super) fn painted(
     plane: i32,
     outlines: impl IntoIterator<Item = (Outline, u8)>,
 ) -> impl Iterator<Item = Painted> {
-    outlines.into_iter().map(move |(outline, color)| Painted {
-        link,
-        plane,
-        outline,
-        color,
-    })
+    outlines.into_iter().map(move |(outline, color)| Painted { link, plane, outline, color })
 }
 
 impl Painted {
@@ -206,12 +186,7 @@ impl Painted {
                 None => (points.at_start(), 0.0),
             },
             Outline::Line { points, width } => (points.at_start(), 0.5 * width.at_start()),
-            Outline::Arc {
-                center,
-                start,
-                width,
-                ..
-            } => {
+            Outline::Arc { center, start, width, .. } => {
                 let [center, start] = [center, start].map(at_start);
                 let radius = (start[0] - center[0]).hypot(start[1] - center[1]);
                 (vec![center], radius + 0.5 * width.at_start())

@@ -76,11 +76,7 @@ pub(super) fn order(
 ) -> Order {
     let number = |link: &LinkId| links.iter().position(|known| known == link);
     let pairs = pairs.iter().filter_map(|pair| {
-        Some(Pair {
-            front: number(&pair.front)?,
-            back: number(&pair.back)?,
-            weight: pair.weight,
-        })
+        Some(Pair { front: number(&pair.front)?, back: number(&pair.back)?, weight: pair.weight })
     });
     let rules = if links.len() <= MOST_LINKS {
         Rules::new(scene, links, bodies, pairs.collect())
@@ -91,9 +87,7 @@ pub(super) fn order(
     let mut order: Vec<usize> = (0..links.len()).rev().collect();
     order = rules.best(&order);
     let ranks = ranks_of(&order);
-    let conflicts = (0..links.len())
-        .map(|link| rules.crossings_of(link, &ranks))
-        .collect();
+    let conflicts = (0..links.len()).map(|link| rules.crossings_of(link, &ranks)).collect();
     Order { ranks, conflicts }
 }
 
@@ -147,8 +141,7 @@ impl Rules {
         cancel::check();
         let crossings = self.crossings.iter().map(|(crossing, _)| *crossing);
         let own = crossings.filter(|crossing| crossing.link == link);
-        own.filter(|crossing| self.is_crossed(*crossing, ranks))
-            .count()
+        own.filter(|crossing| self.is_crossed(*crossing, ranks)).count()
     }
 
     fn is_crossed(&self, crossing: Crossing, ranks: &[usize]) -> bool {
@@ -189,10 +182,7 @@ impl Rules {
         for attempt in 0..attempts {
             let mut mixed = order.to_vec();
             for place in (1..count).filter(|_| attempt > 0) {
-                mixed.swap(
-                    place,
-                    (attempt * (place + 7) * 31 + attempt * attempt) % (place + 1),
-                );
+                mixed.swap(place, (attempt * (place + 7) * 31 + attempt * attempt) % (place + 1));
             }
             self.improve(&mut mixed);
             let faults = self.faults(&ranks_of(&mixed));
@@ -340,7 +330,5 @@ fn is_on(scene: &Scene<'_>, pin: &Pin, link: LinkId) -> bool {
 
 /// Where a pin is at a position.
 fn place(scene: &Scene<'_>, frames: &Frames, pin: &Pin) -> Option<Point2<f64>> {
-    pin.members
-        .iter()
-        .find_map(|member| frames.place(scene.model, member.1))
+    pin.members.iter().find_map(|member| frames.place(scene.model, member.1))
 }

@@ -34,10 +34,7 @@ pub(super) fn wheel(scene: &Scene<'_>, wheel: &Wheel, color: u8) -> Vec<(Outline
         (Outline::Circle { center, radius }, color)
     };
     let Some(teeth) = wheel.teeth else {
-        let mut all = vec![
-            disc(wheel.radius, darker(color)),
-            disc(GROOVE * wheel.radius, color),
-        ];
+        let mut all = vec![disc(wheel.radius, darker(color)), disc(GROOVE * wheel.radius, color)];
         all.extend(web(scene, GROOVE * wheel.radius, color, disc));
         return all;
     };
@@ -72,11 +69,7 @@ fn web(
         return Vec::new();
     }
     let [edge, face] = WEB.map(|part| part * root);
-    vec![
-        disc(edge, darker(color)),
-        disc(face, lighter(color)),
-        disc(hub, color),
-    ]
+    vec![disc(edge, darker(color)), disc(face, lighter(color)), disc(hub, color)]
 }
 
 /// A toothed bar, in the frame of its link.
@@ -86,17 +79,8 @@ pub(super) fn rack(
     rack: &Rack,
     color: u8,
 ) -> Option<Vec<(Outline, u8)>> {
-    let [
-        (RollingEnd::Wheel(pinion_link), _),
-        (
-            RollingEnd::Bar {
-                link,
-                slide,
-                forwards,
-            },
-            _,
-        ),
-    ] = rack.rolling.ends
+    let [(RollingEnd::Wheel(pinion_link), _), (RollingEnd::Bar { link, slide, forwards }, _)] =
+        rack.rolling.ends
     else {
         return None;
     };
@@ -141,10 +125,7 @@ pub(super) fn rack(
         fixed([place.x, place.y])
     };
     let toothed = rack_teeth(module, from, to);
-    let mut corners: Vec<_> = toothed
-        .iter()
-        .map(|&[ahead, height]| place(ahead, height))
-        .collect();
+    let mut corners: Vec<_> = toothed.iter().map(|&[ahead, height]| place(ahead, height)).collect();
     let back = -BACK * module;
     let ends = [toothed.last()?[0], toothed.first()?[0]];
     let strip = |height: [f64; 2]| {
@@ -154,12 +135,7 @@ pub(super) fn rack(
             (ends[1], height[1]),
             (ends[0], height[1]),
         ];
-        Outline::Polygon(
-            corners
-                .into_iter()
-                .map(|(ahead, height)| place(ahead, height))
-                .collect(),
-        )
+        Outline::Polygon(corners.into_iter().map(|(ahead, height)| place(ahead, height)).collect())
     };
     corners.extend(ends.map(|ahead| place(ahead, back)));
     Some(vec![
@@ -193,10 +169,7 @@ pub(super) fn belt(
     };
     let width = BELT * scene.width;
     let strand = |direction: f64| Outline::Line {
-        points: [0, 1]
-            .map(|end| fixed(touch(end, direction)))
-            .into_iter()
-            .collect(),
+        points: [0, 1].map(|end| fixed(touch(end, direction))).into_iter().collect(),
         width: Measure::fixed(width),
     };
     let arc = |end: usize, from: f64, angle: f64| Outline::Arc {

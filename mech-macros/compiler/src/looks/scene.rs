@@ -40,10 +40,7 @@ pub(super) struct Mount {
 impl<'a> Scene<'a> {
     pub(super) fn new(model: &'a Model, compiled: &'a Compiled) -> Self {
         let structure = &compiled.structure;
-        let slides: Vec<Slide> = model
-            .joint_ids()
-            .filter_map(|id| Slide::of(model, id))
-            .collect();
+        let slides: Vec<Slide> = model.joint_ids().filter_map(|id| Slide::of(model, id)).collect();
         let survey = Survey::new(model, &compiled.plan, &compiled.program, &slides);
         let mut scene = Self {
             model,
@@ -167,11 +164,7 @@ fn mounts(model: &Model, structure: &Structure) -> Vec<Vec<Mount>> {
             (known.at.x - at.x).abs() <= 2.0 * reach && distance(&known.at, &at) <= reach
         };
         if !own.iter().any(is_near) {
-            own.push(Mount {
-                at,
-                place: axis.place(),
-                is_joint,
-            });
+            own.push(Mount { at, place: axis.place(), is_joint });
         }
     }
     mounts
@@ -197,9 +190,9 @@ fn is_within(kind: &ShapeKind, place: Point2<f64>) -> bool {
             let last = [points[points.len() - 1], points[0]];
             is_inside(&points, place) || points.windows(2).any(is_near_line) || is_near_line(&last)
         }
-        ShapeKind::Circle { .. } | ShapeKind::Ring { .. } | ShapeKind::Figure(_) => points
-            .iter()
-            .any(|point| (place - point).norm() <= reach + near),
+        ShapeKind::Circle { .. } | ShapeKind::Ring { .. } | ShapeKind::Figure(_) => {
+            points.iter().any(|point| (place - point).norm() <= reach + near)
+        }
     }
 }
 

@@ -18,10 +18,6 @@ impl Slide {
     pub(super) fn of(model: &Model, joint: JointId) -> Option<Self> {
         let [guide, block] = model.guide_and_block(joint)?;
         let die = model.link(model.axis(block).link).die;
-        Some(Self {
-            guide,
-            block,
-            pin: die.map(|(pin, _)| pin),
-        })
+        Some(Self { guide, block, pin: die.map(|(pin, _)| pin) })
     }
 }

@@ -93,18 +93,14 @@ impl Survey {
         let size = size.unwrap_or(1.0);
         let mut surveyor = Surveyor::new(model, program, (slides, size));
         let most_turns = MostTurns::OfMotor(MOST_TURNS);
-        sweep_each(model, plan, (most_turns, size), &mut |sweep| {
-            surveyor.sweep_alone(sweep)
-        });
+        sweep_each(model, plan, (most_turns, size), &mut |sweep| surveyor.sweep_alone(sweep));
         if model.motors.len() > 1 {
             sweep_together(model, &mut |sweep| surveyor.sweep_within_ranges(sweep));
             surveyor.stretch();
         }
         let positions = surveyor.positions.iter();
         let frames = positions.map(|position| Frames::new(model, program, &position.poses));
-        Self {
-            positions: frames.collect(),
-        }
+        Self { positions: frames.collect() }
     }
 
     /// The frames at the start.
@@ -193,8 +189,7 @@ impl<'a> Surveyor<'a> {
             let came = self.sweep(&from, sweep);
             let way = &self.positions[known..];
             let bases = (1..=BASES).map(|base| (base * way.len()).div_ceil(BASES).max(1) - 1);
-            self.bases
-                .extend(bases.map(|base| (motor, Rc::clone(&way[base]))));
+            self.bases.extend(bases.map(|base| (motor, Rc::clone(&way[base]))));
             from = self.walker.here();
             if came && (self.slides.is_empty() || self.is_as_at_start()) {
                 return true;
@@ -212,18 +207,12 @@ impl<'a> Surveyor<'a> {
     /// Moves all motors from the start, as far as none leaves its range.
     fn sweep_within_ranges(&mut self, sweep: &Sweep) -> bool {
         let start = Rc::clone(&self.positions[0]);
-        let Sweep {
-            mut displacements,
-            turns,
-        } = sweep.clone();
+        let Sweep { mut displacements, turns } = sweep.clone();
         let values = displacements.iter_mut().zip(&start.motors);
         for ((displacement, start), [low, high]) in values.zip(&self.ranges) {
             *displacement = displacement.max(low - start).min(high - start);
         }
-        let sweep = Sweep {
-            displacements,
-            turns,
-        };
+        let sweep = Sweep { displacements, turns };
         self.sweep(&start, &sweep)
     }
 

@@ -40,8 +40,7 @@ impl Wheel {
     pub(super) fn is_drawn(&self, scene: &Scene<'_>) -> bool {
         let rim = (0..8).map(|eighth| Rotation2::new(f64::from(eighth) * FRAC_PI_4));
         let rim = rim.map(|turn| self.center + turn * Vector2::x() * (OF_WHEEL * self.radius));
-        rim.into_iter()
-            .all(|place| scene.is_covered(self.link, place))
+        rim.into_iter().all(|place| scene.is_covered(self.link, place))
     }
 }
 
@@ -79,12 +78,8 @@ struct Hub {
 
 impl Wheels {
     pub(super) fn new(scene: &Scene<'_>) -> Self {
-        let mut wheels = Self {
-            all: Vec::new(),
-            racks: Vec::new(),
-            belts: Vec::new(),
-            meshes: Vec::new(),
-        };
+        let mut wheels =
+            Self { all: Vec::new(), racks: Vec::new(), belts: Vec::new(), meshes: Vec::new() };
         for rolling in &scene.structure.rollings {
             // Wheels of links without poses are not drawn.
             let _ = wheels.add(scene, rolling);
@@ -112,10 +107,7 @@ impl Wheels {
         let [(RollingEnd::Wheel(a), _), (RollingEnd::Wheel(b), _)] = rolling.ends else {
             return None;
         };
-        let hubs = [
-            hub(scene, a, rolling.carrier)?,
-            hub(scene, b, rolling.carrier)?,
-        ];
+        let hubs = [hub(scene, a, rolling.carrier)?, hub(scene, b, rolling.carrier)?];
         let apart = distance(&hubs[0].on_carrier, &hubs[1].on_carrier);
         match scene.model.joint(rolling.joint).kind {
             JointKind::Gear { ratio, .. } => {
@@ -128,26 +120,16 @@ impl Wheels {
                     center: hubs[end].own,
                     radius: radii[end],
                     teeth: teeth.map(|teeth| teeth[end]),
-                    side: if sizes[end] < 0.0 {
-                        Side::Inside
-                    } else {
-                        Side::Outside
-                    },
+                    side: if sizes[end] < 0.0 { Side::Inside } else { Side::Outside },
                     phase: 0.0,
                 });
                 let carrier = scene.survey.at_start(rolling.carrier)?;
                 let direction = carrier * (hubs[1].on_carrier - hubs[0].on_carrier);
-                if radii
-                    .iter()
-                    .any(|radius| !radius.is_finite() || *radius <= 0.0)
-                {
+                if radii.iter().any(|radius| !radius.is_finite() || *radius <= 0.0) {
                     return None;
                 }
                 let wheels = wheels.map(|wheel| self.number(scene, wheel));
-                self.meshes.push(Mesh {
-                    wheels,
-                    direction: angle(direction),
-                });
+                self.meshes.push(Mesh { wheels, direction: angle(direction) });
             }
             JointKind::Belt { ratio, .. } => {
                 let radii = ratio.pulley_radii(apart);
@@ -199,11 +181,7 @@ impl Wheels {
                 phase: 0.0,
             },
         );
-        self.racks.push(Rack {
-            rolling: *rolling,
-            pinion,
-            radius,
-        });
+        self.racks.push(Rack { rolling: *rolling, pinion, radius });
         Some(())
     }
 
@@ -269,11 +247,7 @@ fn fitting_phase(scene: &Scene<'_>, [one, other]: [Wheel; 2], direction: f64) ->
     let pitch = |wheel: Wheel| Some(TAU / f64::from(wheel.teeth?));
     let beyond_tooth = (from_one - turned(one)? - one.phase) / pitch(one)?;
     // A tooth meets a gap; the gaps of a ring are the teeth of its outline.
-    let beyond_other = if one.side == other.side {
-        0.5 - beyond_tooth
-    } else {
-        beyond_tooth
-    };
+    let beyond_other = if one.side == other.side { 0.5 - beyond_tooth } else { beyond_tooth };
     Some(from_other - turned(other)? - beyond_other * pitch(other)?)
 }
 
@@ -291,9 +265,7 @@ fn teeth(ratio: Ratio, radii: [f64; 2], module: f64) -> Option<[u32; 2]> {
                 })
             };
             let middle = (2.0 * least / module).round().clamp(10.0, 60.0);
-            let mut counts = (0..64)
-                .map(f64::from)
-                .flat_map(|off| [middle + off, middle - off]);
+            let mut counts = (0..64).map(f64::from).flat_map(|off| [middle + off, middle - off]);
             let count = counts
                 .find(|count| *count >= low.max(9.0) && *count <= high.max(30.0) && fits(count))?;
             #[expect(clippy::cast_possible_truncation, reason = "a few hundred teeth")]

@@ -31,10 +31,7 @@ impl Corner {
     pub(crate) fn place(self) -> [f64; 2] {
         match self {
             Self::End { at, .. } => at,
-            Self::Circle {
-                center: [x, y],
-                radius,
-            } => [x + radius, y],
+            Self::Circle { center: [x, y], radius } => [x + radius, y],
         }
     }
 }
@@ -66,11 +63,7 @@ impl Boundary {
     fn add(&mut self, shape: &ShapeKind) -> Option<()> {
         match shape {
             ShapeKind::Circle { center, radius } => self.add_circle(*center, *radius),
-            ShapeKind::Ring {
-                center,
-                radius,
-                hole,
-            } => {
+            ShapeKind::Ring { center, radius, hole } => {
                 self.add_circle(*center, *radius);
                 self.add_circle(*center, *hole);
             }
@@ -90,10 +83,7 @@ impl Boundary {
         let next = places.iter().cycle().skip(1);
         let count = places.len() - usize::from(!is_closed);
         let lines = places.iter().zip(next).take(count);
-        self.curves.extend(lines.map(|(from, to)| Curve::Line {
-            ends: [*from, *to],
-            radius,
-        }));
+        self.curves.extend(lines.map(|(from, to)| Curve::Line { ends: [*from, *to], radius }));
         let ends = places.iter().map(|at| Corner::End { at: *at, radius });
         self.corners.extend(ends);
     }

@@ -29,11 +29,7 @@ impl DrawnAxis {
 
     /// An axis of sliding.
     pub(crate) fn line(at: [f64; 2], direction: [f64; 2]) -> Self {
-        Self {
-            kind: AxisKind::Line,
-            direction,
-            ..Self::point(at)
-        }
+        Self { kind: AxisKind::Line, direction, ..Self::point(at) }
     }
 
     /// Whether an axis of its link is this one.
@@ -53,13 +49,7 @@ impl Model {
         drawn: DrawnAxis,
         origin: Origin,
     ) -> AxisId {
-        let DrawnAxis {
-            kind,
-            at,
-            formulas,
-            direction,
-            direction_formulas,
-        } = drawn;
+        let DrawnAxis { kind, at, formulas, direction, direction_formulas } = drawn;
         let id = AxisId::new(self.axes.len());
         self.axes.push(Axis {
             link,

@@ -371,10 +371,7 @@ impl FormulaArithmetic for Slopes<'_> {
         (b, db): (f64, f64),
     ) -> (f64, f64) {
         let [by_a, by_b] = function.slopes_at(a, b);
-        (
-            function.at(a, b),
-            Self::along(by_a, da) + Self::along(by_b, db),
-        )
+        (function.at(a, b), Self::along(by_a, da) + Self::along(by_b, db))
     }
 
     fn stairs(&mut self, stairs: Staircase, (a, da): (f64, f64), share: Number) -> (f64, f64) {

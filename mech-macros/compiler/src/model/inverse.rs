@@ -37,11 +37,7 @@ impl Inverse {
     /// Whether the angle of the link is given, too.
     #[must_use]
     pub fn gives_angle(&self) -> bool {
-        if self.is_least {
-            self.point.is_none()
-        } else {
-            self.motors.len() == Self::GIVEN.len()
-        }
+        if self.is_least { self.point.is_none() } else { self.motors.len() == Self::GIVEN.len() }
     }
 
     /// The names of what is given.
@@ -125,29 +121,15 @@ impl Model {
             ..DrawnAxis::point(point.at)
         });
         let tip = self.add_drawn_axis(inverse.link, place, origin);
-        let last = if inverse.gives_angle() {
-            Inverse::GIVEN[2].to_owned()
-        } else {
-            inverse.name(self)
-        };
+        let last =
+            if inverse.gives_angle() { Inverse::GIVEN[2].to_owned() } else { inverse.name(self) };
         let kinds = [
-            (
-                Inverse::GIVEN[0].to_owned(),
-                JointKind::Prismatic(rails[0], rails[1]),
-            ),
-            (
-                Inverse::GIVEN[1].to_owned(),
-                JointKind::Prismatic(guides[0], guides[1]),
-            ),
+            (Inverse::GIVEN[0].to_owned(), JointKind::Prismatic(rails[0], rails[1])),
+            (Inverse::GIVEN[1].to_owned(), JointKind::Prismatic(guides[0], guides[1])),
             (last, JointKind::Revolute(pin, tip)),
         ];
         kinds.map(|(name, kind)| {
-            self.joints.push(Joint {
-                name,
-                origin,
-                kind,
-                hidden: false,
-            });
+            self.joints.push(Joint { name, origin, kind, hidden: false });
             JointId::new(self.joints.len() - 1)
         })
     }

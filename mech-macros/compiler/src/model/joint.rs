@@ -98,10 +98,7 @@ impl JointKind {
     /// Whether it is a pair of wheels, or a wheel and a bar, that roll: it ties two coordinates and has none of its own.
     #[must_use]
     pub fn rolls(self) -> bool {
-        matches!(
-            self,
-            Self::Gear { .. } | Self::Belt { .. } | Self::Rack { .. }
-        )
+        matches!(self, Self::Gear { .. } | Self::Belt { .. } | Self::Rack { .. })
     }
 }
 
@@ -211,12 +208,6 @@ impl Motor {
     /// A motor without a declared range, step or law.
     #[must_use]
     pub fn new(joint: JointId, origin: Origin) -> Self {
-        Self {
-            joint,
-            origin,
-            range: None,
-            step: None,
-            law: None,
-        }
+        Self { joint, origin, range: None, step: None, law: None }
     }
 }

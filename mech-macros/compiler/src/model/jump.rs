@@ -55,11 +55,8 @@ impl Law {
         }
         let place = |number: u32| low + (high - low) * f64::from(number) / f64::from(SAMPLES);
         let at = |variable: f64| {
-            let (value, slope) = self.evaluate(&mut Slopes {
-                variables: &[(variable, 1.0)],
-                params,
-                by: None,
-            });
+            let (value, slope) =
+                self.evaluate(&mut Slopes { variables: &[(variable, 1.0)], params, by: None });
             [value, slope]
         };
         let samples: Vec<[f64; 2]> = (0..=SAMPLES).map(|number| at(place(number))).collect();
@@ -67,10 +64,7 @@ impl Law {
         let found = [0, 1].map(|which| {
             let numbers = samples.windows(2).zip(0..);
             let change = |pair: &[[f64; 2]]| (pair[1][which] - pair[0][which]).abs();
-            let greatest = samples
-                .windows(2)
-                .map(change)
-                .filter(|change| change.is_finite());
+            let greatest = samples.windows(2).map(change).filter(|change| change.is_finite());
             let greatest = greatest.fold(0.0, f64::max);
             let sizes = samples.iter().map(|sample| sample[which].abs());
             let size = sizes.filter(|size| size.is_finite()).fold(0.0, f64::max);
@@ -86,11 +80,7 @@ impl Law {
                 let size = |[before, after]: [f64; 2]| {
                     let change = (after - before).abs();
                     let is_value = is_angle && which == 0;
-                    let turns = if is_value {
-                        (change / TAU).round()
-                    } else {
-                        0.0
-                    };
+                    let turns = if is_value { (change / TAU).round() } else { 0.0 };
                     (change - turns * TAU).abs()
                 };
                 let (ends, nearer) = (both(beside), both(NEARER * beside));

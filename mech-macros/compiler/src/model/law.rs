@@ -26,12 +26,7 @@ impl Law {
     /// The function that is this one of some formulas.
     #[must_use]
     pub fn new(formulas: Formulas, value: FormulaId, written: String, origin: Origin) -> Self {
-        Self {
-            formulas,
-            value,
-            written,
-            origin,
-        }
+        Self { formulas, value, written, origin }
     }
 
     /// All formulas that it is made from, each after those that it needs.
@@ -54,10 +49,7 @@ impl Law {
     /// Its value for a value of the variable and of all params: not finite where it has none.
     #[must_use]
     pub fn at(&self, variable: f64, params: &[f64]) -> f64 {
-        self.evaluate(&mut Now {
-            variables: &[variable],
-            params,
-        })
+        self.evaluate(&mut Now { variables: &[variable], params })
     }
 }
 
@@ -87,8 +79,7 @@ impl Winding {
     /// Combines two of them: `turns` gives the turns of the result from those of both.
     fn join(self, other: Self, turns: impl FnOnce(f64, f64) -> Option<f64>) -> Self {
         let both = self.by().zip(other.by());
-        both.and_then(|(a, b)| turns(a, b))
-            .map_or(Self::Else, Self::By)
+        both.and_then(|(a, b)| turns(a, b)).map_or(Self::Else, Self::By)
     }
 }
 
@@ -139,11 +130,7 @@ impl Formulas {
 /// The sum of two numbers; zero, if only rounding is left of them.
 fn sum(a: f64, b: f64) -> f64 {
     let sum = a + b;
-    if sum.abs() <= ROUNDING * a.abs() {
-        0.0
-    } else {
-        sum
-    }
+    if sum.abs() <= ROUNDING * a.abs() { 0.0 } else { sum }
 }
 
 /// The arithmetic of how numbers change over a whole turn.

@@ -22,11 +22,7 @@ impl Model {
     pub fn look(&self) -> Look {
         self.look.unwrap_or_else(|| {
             let mut seen = self.links.iter().filter(|link| link.die.is_none());
-            if seen.all(|link| !link.shapes.is_empty()) {
-                Look::Shapes
-            } else {
-                Look::Machine
-            }
+            if seen.all(|link| !link.shapes.is_empty()) { Look::Shapes } else { Look::Machine }
         })
     }
 

@@ -19,34 +19,19 @@ impl Mass {
     /// The mass of shapes of a density: mass a unit of area. Where shapes overlap, each counts.
     #[must_use]
     pub fn of_shapes(shapes: &[Shape], density: f64) -> Self {
-        let parts: Vec<Self> = shapes
-            .iter()
-            .map(|shape| Self::of_area(&shape.kind))
-            .collect();
+        let parts: Vec<Self> = shapes.iter().map(|shape| Self::of_area(&shape.kind)).collect();
         let whole = Self::together(&parts);
-        Self {
-            mass: density * whole.mass,
-            inertia: density * whole.inertia,
-            ..whole
-        }
+        Self { mass: density * whole.mass, inertia: density * whole.inertia, ..whole }
     }
 
     /// Some masses as one.
     fn together(parts: &[Self]) -> Self {
         let area: f64 = parts.iter().map(|part| part.mass).sum();
         if area <= 0.0 {
-            return Self {
-                mass: 0.0,
-                center: [0.0, 0.0],
-                inertia: 0.0,
-            };
+            return Self { mass: 0.0, center: [0.0, 0.0], inertia: 0.0 };
         }
         let along = |axis: usize| {
-            parts
-                .iter()
-                .map(|part| part.mass * part.center[axis])
-                .sum::<f64>()
-                / area
+            parts.iter().map(|part| part.mass * part.center[axis]).sum::<f64>() / area
         };
         let center = [along(0), along(1)];
         let about = |part: &Self| {
@@ -54,11 +39,7 @@ impl Mass {
             part.inertia + part.mass * (x * x + y * y)
         };
         let inertia: f64 = parts.iter().map(about).sum();
-        Self {
-            mass: area,
-            center,
-            inertia,
-        }
+        Self { mass: area, center, inertia }
     }
 
     /// The area of a shape, as if that were its mass.
@@ -66,17 +47,9 @@ impl Mass {
         match kind {
             ShapeKind::Circle { center, radius } => {
                 let area = std::f64::consts::PI * radius * radius;
-                Self {
-                    mass: area,
-                    center: *center,
-                    inertia: 0.5 * area * radius * radius,
-                }
+                Self { mass: area, center: *center, inertia: 0.5 * area * radius * radius }
             }
-            ShapeKind::Ring {
-                center,
-                radius,
-                hole,
-            } => {
+            ShapeKind::Ring { center, radius, hole } => {
                 let area = std::f64::consts::PI * (radius * radius - hole * hole);
                 Self {
                     mass: area,
@@ -86,20 +59,11 @@ impl Mass {
             }
             ShapeKind::Bar { pins, width } => Self::of_bar(pins, *width),
             ShapeKind::Polygon(corners) => Self::of_polygon(corners),
-            ShapeKind::Figure(Figure::Gear {
-                center,
-                radius: Some(radius),
-                ..
-            }) => Self::of_area(&ShapeKind::Circle {
-                center: *center,
-                radius: *radius,
-            }),
+            ShapeKind::Figure(Figure::Gear { center, radius: Some(radius), .. }) => {
+                Self::of_area(&ShapeKind::Circle { center: *center, radius: *radius })
+            }
             // A drawing of what weighs nothing.
-            ShapeKind::Figure(_) => Self {
-                mass: 0.0,
-                center: [0.0; 2],
-                inertia: 0.0,
-            },
+            ShapeKind::Figure(_) => Self { mass: 0.0, center: [0.0; 2], inertia: 0.0 },
         }
     }
 
@@ -124,11 +88,8 @@ impl Mass {
             let area = std::f64::consts::PI * half * half / 2.0;
             // The centre of a half disc lies so far from its straight side.
             let ahead = 4.0 * half / (3.0 * std::f64::consts::PI);
-            let along = if length > 0.0 {
-                [(x - u) / length, (y - v) / length]
-            } else {
-                [1.0, 0.0]
-            };
+            let along =
+                if length > 0.0 { [(x - u) / length, (y - v) / length] } else { [1.0, 0.0] };
             parts.push(Self {
                 mass: area,
                 center: [x + ahead * along[0], y + ahead * along[1]],
@@ -143,17 +104,9 @@ impl Mass {
         // An area without corners has no mass, wherever it is.
         let [x0, y0] = corners.first().copied().unwrap_or([0.0, 0.0]);
         let near: Vec<[f64; 2]> = corners.iter().map(|[x, y]| [x - x0, y - y0]).collect();
-        let Moments {
-            area,
-            first: [x, y],
-            second,
-        } = Moments::of(&near);
+        let Moments { area, first: [x, y], second } = Moments::of(&near);
         if area == 0.0 {
-            return Self {
-                mass: 0.0,
-                center: [x0, y0],
-                inertia: 0.0,
-            };
+            return Self { mass: 0.0, center: [x0, y0], inertia: 0.0 };
         }
         let (cx, cy) = (x / area, y / area);
         Self {
@@ -185,11 +138,7 @@ mod tests {
         }
         let center = [x / mass, y / mass];
         let inertia = square - mass * (center[0].powi(2) + center[1].powi(2));
-        Mass {
-            mass,
-            center,
-            inertia,
-        }
+        Mass { mass, center, inertia }
     }
 
     #[track_caller]
@@ -215,13 +164,7 @@ mod tests {
             let along = along.clamp(0.0, 1.0);
             (a - x - along * offset[0]).hypot(b - y - along * offset[1]) <= width / 2.0
         };
-        assert_near(
-            Mass::of_area(&ShapeKind::Bar {
-                pins: pins.clone(),
-                width,
-            }),
-            sample(inside),
-        );
+        assert_near(Mass::of_area(&ShapeKind::Bar { pins: pins.clone(), width }), sample(inside));
     }
 
     #[test]
@@ -229,11 +172,7 @@ mod tests {
         let (center, radius, hole) = ([0.3, -0.4], 1.5, 0.7);
         let inside =
             |a: f64, b: f64| (hole..=radius).contains(&(a - center[0]).hypot(b - center[1]));
-        let ring = ShapeKind::Ring {
-            center,
-            radius,
-            hole,
-        };
+        let ring = ShapeKind::Ring { center, radius, hole };
         assert_near(Mass::of_area(&ring), sample(inside));
     }
 }

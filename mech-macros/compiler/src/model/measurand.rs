@@ -21,12 +21,7 @@ impl Measurand {
         measured: Vec<Measured>,
         subject: FormulaId,
     ) -> Self {
-        Self {
-            name,
-            formulas,
-            measured,
-            subject,
-        }
+        Self { name, formulas, measured, subject }
     }
 
     /// A quantity alone.
@@ -64,10 +59,7 @@ impl Measurand {
     /// The quantity, if it is one and nothing else.
     #[must_use]
     pub fn quantity(&self) -> Option<Quantity> {
-        match (
-            self.formulas.all()[self.subject.index()],
-            &self.measured[..],
-        ) {
+        match (self.formulas.all()[self.subject.index()], &self.measured[..]) {
             (super::Formula::Variable(0), [only]) => only.quantity(),
             _ => None,
         }
@@ -76,21 +68,14 @@ impl Measurand {
     /// Its value, where its variables have these: not finite where it has none.
     #[must_use]
     pub fn value(&self, variables: &[f64]) -> f64 {
-        let mut now = Now {
-            variables,
-            params: &[],
-        };
+        let mut now = Now { variables, params: &[] };
         self.formulas.evaluate_one(self.subject, &mut now)
     }
 
     /// The slope of a formula, where the variables have these values and slopes.
     #[must_use]
     pub fn slope(&self, of: FormulaId, variables: &[(f64, f64)]) -> f64 {
-        let mut slopes = Slopes {
-            variables,
-            params: &[],
-            by: None,
-        };
+        let mut slopes = Slopes { variables, params: &[], by: None };
         self.formulas.evaluate_one(of, &mut slopes).1
     }
 }

@@ -26,11 +26,7 @@ impl Measure {
     /// A number that may depend on params.
     pub(crate) fn new(value: f64, formula: Option<FormulaId>) -> Self {
         let share = 1.0;
-        Self {
-            value,
-            formula,
-            share,
-        }
+        Self { value, formula, share }
     }
 
     /// So many times this number.

@@ -271,14 +271,8 @@ impl Model {
         let in_range = |range: &Range| squared(range.low) && squared(range.high);
         let in_joint = |joint: &Joint| match joint.kind {
             JointKind::Rack { radius, .. } => squared(radius),
-            JointKind::Gear {
-                ratio: Ratio::Radii(a, b),
-                ..
-            }
-            | JointKind::Belt {
-                ratio: Ratio::Radii(a, b),
-                ..
-            } => squared(a) && squared(b),
+            JointKind::Gear { ratio: Ratio::Radii(a, b), .. }
+            | JointKind::Belt { ratio: Ratio::Radii(a, b), .. } => squared(a) && squared(b),
             _ => true,
         };
         let mut ranges = self.motors.iter().flat_map(|motor| &motor.range);
@@ -287,10 +281,7 @@ impl Model {
             && shapes.all(in_shape)
             && self.axes.iter().all(in_axis)
             && self.start.values.iter().all(in_start)
-            && self
-                .params
-                .values()
-                .all(|value| self.precision.holds(value))
+            && self.params.values().all(|value| self.precision.holds(value))
     }
 
     /// The places of a link's axes in its frame.
@@ -353,11 +344,7 @@ impl Model {
     #[must_use]
     pub fn unit_of(&self, motor: MotorId) -> f64 {
         let size = self.size();
-        if self.turns(self.motor(motor).joint) || size == 0.0 {
-            1.0
-        } else {
-            size
-        }
+        if self.turns(self.motor(motor).joint) || size == 0.0 { 1.0 } else { size }
     }
 
     /// Whether anything moves by laws of the time: motors, or a point on its path.
@@ -369,17 +356,13 @@ impl Model {
 
     /// The motors that follow laws, in the order of their declaration.
     pub fn lawful_motors(&self) -> impl Iterator<Item = (MotorId, &Law)> {
-        self.motor_ids()
-            .filter_map(|id| Some((id, self.law(self.motor(id).law?))))
+        self.motor_ids().filter_map(|id| Some((id, self.law(self.motor(id).law?))))
     }
 
     /// The motor that drives this joint, if one does.
     #[must_use]
     pub fn motor_of(&self, joint: JointId) -> Option<MotorId> {
-        self.motors
-            .iter()
-            .position(|motor| motor.joint == joint)
-            .map(MotorId::new)
+        self.motors.iter().position(|motor| motor.joint == joint).map(MotorId::new)
     }
 
     /// The two links of this joint, in the order in which they were declared: the coordinate is that of the second
@@ -392,9 +375,7 @@ impl Model {
             }
             JointKind::Gear { a, b, .. } | JointKind::Belt { a, b, .. } => (a, b),
             JointKind::Rack { pinion, bar, .. } => (pinion, bar),
-            JointKind::Cam {
-                shaft, follower, ..
-            } => {
+            JointKind::Cam { shaft, follower, .. } => {
                 let (shaft, follower) = (self.axes_of(shaft), self.axes_of(follower));
                 // If they share none, that is an error: either link will do here.
                 let carrier = common(shaft, follower).unwrap_or(shaft.0);
@@ -422,22 +403,15 @@ impl Model {
 
     /// The links of the axes that a joint makes coincide; what has none joins the ground to itself.
     fn axes_of(&self, id: JointId) -> (LinkId, LinkId) {
-        self.joint(id)
-            .kind
-            .axes()
-            .map_or((LinkId::GROUND, LinkId::GROUND), |[a, b]| {
-                (self.axis(a).link, self.axis(b).link)
-            })
+        self.joint(id).kind.axes().map_or((LinkId::GROUND, LinkId::GROUND), |[a, b]| {
+            (self.axis(a).link, self.axis(b).link)
+        })
     }
 
     /// The cams: the joint, its shaft, its follower and its law.
     pub fn cams(&self) -> impl Iterator<Item = (JointId, JointId, JointId, &Law)> {
         self.joint_ids().filter_map(|id| match self.joint(id).kind {
-            JointKind::Cam {
-                shaft,
-                follower,
-                law,
-            } => Some((id, shaft, follower, self.law(law))),
+            JointKind::Cam { shaft, follower, law } => Some((id, shaft, follower, self.law(law))),
             _ => None,
         })
     }
@@ -465,24 +439,16 @@ impl Model {
             AxisId::new(self.axes.len() - 1)
         };
         let (pivot, guide) = (axis(AxisKind::Point), axis(AxisKind::Line));
-        let joint = |kind, hidden| Joint {
-            name: name.to_owned(),
-            origin,
-            kind,
-            hidden,
-        };
-        self.joints
-            .push(joint(JointKind::Revolute(point, pivot), true));
-        self.joints
-            .push(joint(JointKind::Prismatic(line, guide), false));
+        let joint = |kind, hidden| Joint { name: name.to_owned(), origin, kind, hidden };
+        self.joints.push(joint(JointKind::Revolute(point, pivot), true));
+        self.joints.push(joint(JointKind::Prismatic(line, guide), false));
         JointId::new(self.joints.len() - 1)
     }
 
     /// The ids of the links that were declared and can move: all but the ground and the dies of slots.
     #[must_use]
     pub fn declared_links(&self) -> impl DoubleEndedIterator<Item = LinkId> + '_ {
-        self.moving_links()
-            .filter(|&link| self.link(link).die.is_none())
+        self.moving_links().filter(|&link| self.link(link).die.is_none())
     }
 
     /// The ids of all links, the ground first.
@@ -517,9 +483,7 @@ impl Model {
 
 /// A link that two joints both join, by their ends.
 fn common(first: (LinkId, LinkId), second: (LinkId, LinkId)) -> Option<LinkId> {
-    [first.0, first.1]
-        .into_iter()
-        .find(|&link| link == second.0 || link == second.1)
+    [first.0, first.1].into_iter().find(|&link| link == second.0 || link == second.1)
 }
 
 /// The other end of a joint.

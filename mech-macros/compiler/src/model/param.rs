@@ -124,21 +124,13 @@ impl Model {
     #[must_use]
     pub fn param_scale(&self, param: ParamId) -> Option<f64> {
         let params: Vec<f64> = self.params.values().collect();
-        let slopes = self.params.evaluate(&mut Slopes {
-            variables: &[],
-            params: &params,
-            by: Some(param),
-        });
+        let slopes =
+            self.params.evaluate(&mut Slopes { variables: &[], params: &params, by: Some(param) });
         let size = self.size().max(f64::MIN_POSITIVE);
         let slope = |formula: FormulaId| slopes[formula.index()].1.abs();
         let axes = self.axes.iter().map(|axis| {
-            let [placed, turned] = [axis.formulas, axis.direction_formulas].map(|formulas| {
-                formulas
-                    .into_iter()
-                    .flatten()
-                    .map(slope)
-                    .fold(0.0, f64::max)
-            });
+            let [placed, turned] = [axis.formulas, axis.direction_formulas]
+                .map(|formulas| formulas.into_iter().flatten().map(slope).fold(0.0, f64::max));
             placed.max(size * turned)
         });
         let followers = self.cams().map(|(_, _, follower, law)| {
@@ -156,11 +148,8 @@ fn steepest(law: &Law, by: ParamId, params: &[f64]) -> f64 {
     const PLACES: u8 = 16;
     let places = (0..PLACES).map(|place| TAU * f64::from(place) / f64::from(PLACES));
     let slopes = places.map(|variable| {
-        let (_, slope) = law.evaluate(&mut Slopes {
-            variables: &[(variable, 0.0)],
-            params,
-            by: Some(by),
-        });
+        let (_, slope) =
+            law.evaluate(&mut Slopes { variables: &[(variable, 0.0)], params, by: Some(by) });
         slope.abs()
     });
     // Places where it has none do not count.

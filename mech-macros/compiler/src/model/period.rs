@@ -35,10 +35,7 @@ impl Model {
 
     fn common_period<'m>(&self, laws: impl Iterator<Item = (&'m Law, Option<f64>)>) -> Option<f64> {
         let params: Vec<f64> = self.params.values().collect();
-        let mut courses = Courses(Now {
-            variables: &[],
-            params: &params,
-        });
+        let mut courses = Courses(Now { variables: &[], params: &params });
         let mut period = 0.0;
         for (law, round) in laws {
             let course = law.evaluate(&mut courses)?;
@@ -109,11 +106,7 @@ impl Arithmetic for Courses<'_> {
     type Scalar = Option<Course>;
 
     fn constant(&mut self, value: f64) -> Option<Course> {
-        Some(Course {
-            value,
-            rate: 0.0,
-            period: 0.0,
-        })
+        Some(Course { value, rate: 0.0, period: 0.0 })
     }
 
     fn neg(&mut self, a: Option<Course>) -> Option<Course> {
@@ -146,11 +139,7 @@ impl Arithmetic for Courses<'_> {
             [a, b],
             |a, b| a / b,
             |a, b| {
-                if b.is_fixed() {
-                    Some(a.rate / b.value)
-                } else {
-                    Self::still(a, b)
-                }
+                if b.is_fixed() { Some(a.rate / b.value) } else { Self::still(a, b) }
             },
         )
     }
@@ -158,11 +147,7 @@ impl Arithmetic for Courses<'_> {
 
 impl FormulaArithmetic for Courses<'_> {
     fn variable(&mut self, _: usize) -> Option<Course> {
-        Some(Course {
-            value: 0.0,
-            rate: 1.0,
-            period: 0.0,
-        })
+        Some(Course { value: 0.0, rate: 1.0, period: 0.0 })
     }
 
     fn param(&mut self, param: ParamId) -> Option<Course> {
@@ -202,10 +187,7 @@ impl FormulaArithmetic for Courses<'_> {
         };
         let value = |a, b| self.0.of_both(function, a, b);
         let joined = Self::join([a, b], value, |_, _| Some(rate))?;
-        Some(Course {
-            period: common(joined.period, round)?,
-            ..joined
-        })
+        Some(Course { period: common(joined.period, round)?, ..joined })
     }
 
     fn stairs(
@@ -233,9 +215,5 @@ impl FormulaArithmetic for Courses<'_> {
 /// The sum of two rates; zero, if only rounding is left of them.
 fn sum(a: f64, b: f64) -> f64 {
     let sum = a + b;
-    if sum.abs() <= 1e-12 * a.abs() {
-        0.0
-    } else {
-        sum
-    }
+    if sum.abs() <= 1e-12 * a.abs() { 0.0 } else { sum }
 }

@@ -55,11 +55,7 @@ impl Moments {
     }
 
     fn negative(self) -> Self {
-        Self {
-            area: -self.area,
-            first: self.first.map(|part| -part),
-            second: -self.second,
-        }
+        Self { area: -self.area, first: self.first.map(|part| -part), second: -self.second }
     }
 }
 
@@ -124,10 +120,8 @@ fn trapezoids(edges: &[[Point; 2]]) -> Vec<[[Point; 2]; 2]> {
         sides.sort_by(|a, b| (a[0] + a[1]).total_cmp(&(b[0] + b[1])));
         for pair in sides.chunks_exact(2) {
             let [left, right] = [pair[0], pair[1]];
-            trapezoids.push([
-                [[left[0], low], [right[0], low]],
-                [[left[1], high], [right[1], high]],
-            ]);
+            trapezoids
+                .push([[[left[0], low], [right[0], low]], [[left[1], high], [right[1], high]]]);
         }
     }
     trapezoids
@@ -195,10 +189,7 @@ mod tests {
             (found.second, expected.second),
         ];
         for (found, expected) in pairs {
-            prop_assert!(
-                (found - expected).abs() < tolerance,
-                "{found} is not {expected}"
-            );
+            prop_assert!((found - expected).abs() < tolerance, "{found} is not {expected}");
         }
         Ok(())
     }
@@ -215,10 +206,7 @@ mod tests {
         let radius = f64::midpoint(3.0, -5.0_f64.sqrt());
         let star = 5.0 * radius * 36_f64.to_radians().sin();
         let pentagon = 2.5 * radius * radius * 72_f64.to_radians().sin();
-        assert!(
-            (moments.area - (star - pentagon)).abs() < 1e-12,
-            "{moments:?}"
-        );
+        assert!((moments.area - (star - pentagon)).abs() < 1e-12, "{moments:?}");
     }
 
     #[test]

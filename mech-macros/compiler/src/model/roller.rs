@@ -26,21 +26,11 @@ impl Model {
     /// The axes that place a cam and its roller.
     #[must_use]
     pub fn axes_of_contact(&self, cam: JointId) -> Vec<AxisId> {
-        let mut axes: Vec<AxisId> = self
-            .roller_of(cam)
-            .map(|roller| roller.point)
-            .into_iter()
-            .collect();
-        if let JointKind::Cam {
-            shaft, follower, ..
-        } = self.joint(cam).kind
-        {
+        let mut axes: Vec<AxisId> =
+            self.roller_of(cam).map(|roller| roller.point).into_iter().collect();
+        if let JointKind::Cam { shaft, follower, .. } = self.joint(cam).kind {
             let joints = [shaft, follower].into_iter();
-            axes.extend(
-                joints
-                    .filter_map(|joint| self.joint(joint).kind.axes())
-                    .flatten(),
-            );
+            axes.extend(joints.filter_map(|joint| self.joint(joint).kind.axes()).flatten());
         }
         axes
     }
@@ -52,10 +42,6 @@ impl Model {
         else {
             return None;
         };
-        Some(if self.axis(a).link == carrier {
-            (b, 1.0)
-        } else {
-            (a, -1.0)
-        })
+        Some(if self.axis(a).link == carrier { (b, 1.0) } else { (a, -1.0) })
     }
 }

@@ -27,10 +27,7 @@ impl Model {
     #[must_use]
     pub fn scale_trouble(&self) -> Option<ScaleTrouble> {
         let holds = |kind: JointKind| {
-            matches!(
-                kind,
-                JointKind::Revolute(..) | JointKind::Prismatic(..) | JointKind::Weld(..)
-            )
+            matches!(kind, JointKind::Revolute(..) | JointKind::Prismatic(..) | JointKind::Weld(..))
         };
         let joints = self.joints.iter().filter(|joint| holds(joint.kind));
         // A tree has one joint fewer than links.

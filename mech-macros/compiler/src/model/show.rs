@@ -40,9 +40,9 @@ impl Model {
             Shown::Point(point) => vec![self.axis(point).link],
             Shown::Joint(joint) if self.motor_of(joint).is_some() => Vec::new(),
             Shown::Joint(joint) => match self.joint(joint).kind {
-                JointKind::Revolute(a, b) | JointKind::Prismatic(a, b) => [a, b]
-                    .map(|axis| self.axis(self.seen_axis(axis)).link)
-                    .to_vec(),
+                JointKind::Revolute(a, b) | JointKind::Prismatic(a, b) => {
+                    [a, b].map(|axis| self.axis(self.seen_axis(axis)).link).to_vec()
+                }
                 _ => Vec::new(),
             },
         }
@@ -76,8 +76,7 @@ impl Model {
 
     /// The joints whose coordinates are asked for and follow from those of the motors.
     pub fn dependent_joints(&self) -> impl Iterator<Item = JointId> + '_ {
-        self.shown_joints()
-            .filter(|&id| self.motor_of(id).is_none())
+        self.shown_joints().filter(|&id| self.motor_of(id).is_none())
     }
 
     /// Whether the pose of a link is asked for.
@@ -111,18 +110,14 @@ impl Model {
         });
         let sprung = sprung.filter(|_| self.effects.needs_actions());
         let asked = self.continuous.iter().copied();
-        let mut joints: Vec<JointId> = asked
-            .chain(sprung)
-            .filter(|&joint| self.motor_of(joint).is_none())
-            .collect();
+        let mut joints: Vec<JointId> =
+            asked.chain(sprung).filter(|&joint| self.motor_of(joint).is_none()).collect();
         joints.sort_unstable();
         joints.dedup();
         joints
     }
 
     fn shows(&self, wanted: Shown) -> bool {
-        self.show
-            .as_ref()
-            .is_none_or(|shown| shown.contains(&wanted))
+        self.show.as_ref().is_none_or(|shown| shown.contains(&wanted))
     }
 }

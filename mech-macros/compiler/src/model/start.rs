@@ -19,9 +19,7 @@ impl Start {
     #[must_use]
     pub fn value(&self, joint: JointId) -> f64 {
         let mut listed = self.values.iter().chain(&self.known);
-        listed
-            .find(|value| value.joint == joint)
-            .map_or(0.0, |value| value.value)
+        listed.find(|value| value.joint == joint).map_or(0.0, |value| value.value)
     }
 }
 

@@ -57,10 +57,8 @@ pub struct NearMiss {
 
 /// The places where loops come near change points as motors move alone: for each loop and motor the nearest.
 pub(crate) fn near_misses(model: &Model, plan: &Plan, program: &Program) -> Vec<NearMiss> {
-    let loops: Vec<Flatness> = program
-        .closed_forms()
-        .filter_map(|(_, closed)| Flatness::new(program, closed))
-        .collect();
+    let loops: Vec<Flatness> =
+        program.closed_forms().filter_map(|(_, closed)| Flatness::new(program, closed)).collect();
     if loops.is_empty() {
         return Vec::new();
     }
@@ -89,21 +87,16 @@ pub(crate) fn near_misses(model: &Model, plan: &Plan, program: &Program) -> Vec<
         left: 0,
     };
     let mut last = None;
-    sweep_each(
-        model,
-        plan,
-        (MostTurns::OfFastest(TURNS), model.size()),
-        &mut |sweep| {
-            let displaced = sweep.displacements.iter().position(|by| *by != 0.0);
-            let Some(motor) = displaced else { return true };
-            if last != Some(motor) {
-                found.extend(way.finish());
-                (way.motor, way.left) = (motor, way.positions);
-                last = Some(motor);
-            }
-            way.follow(sweep.displacements[motor], sweep.turns)
-        },
-    );
+    sweep_each(model, plan, (MostTurns::OfFastest(TURNS), model.size()), &mut |sweep| {
+        let displaced = sweep.displacements.iter().position(|by| *by != 0.0);
+        let Some(motor) = displaced else { return true };
+        if last != Some(motor) {
+            found.extend(way.finish());
+            (way.motor, way.left) = (motor, way.positions);
+            last = Some(motor);
+        }
+        way.follow(sweep.displacements[motor], sweep.turns)
+    });
     found.extend(way.finish());
     found.retain(|miss: &NearMiss| {
         let range = model.motor(miss.motor).range;
@@ -169,10 +162,7 @@ impl<'p> Flatness<'p> {
                 let (most, least) = (a + b, (a - b).abs());
                 let area = (most - goal) * (most + goal) * (goal - least) * (goal + least);
                 let sine_square = area / (4.0 * a * a * b * b);
-                [
-                    flat(most, goal, sine_square),
-                    flat(goal, least, sine_square),
-                ]
+                [flat(most, goal, sine_square), flat(goal, least, sine_square)]
             }
             Dyad::CircleAndLine { .. } => {
                 let radius = length(vector(1));
@@ -240,12 +230,7 @@ impl Way<'_, '_> {
             Some(one.of(own))
         });
         let flats = flats.collect();
-        Some(Sample {
-            at,
-            flats,
-            position: self.machine.position().clone(),
-            is_open,
-        })
+        Some(Sample { at, flats, position: self.machine.position().clone(), is_open })
     }
 
     /// Moves the motor from the start by this displacement, and one sample farther. Returns whether it came there.
@@ -296,9 +281,7 @@ impl Way<'_, '_> {
         samples.sort_by(|a, b| a.at.total_cmp(&b.at));
         let mut found: Vec<NearMiss> = Vec::new();
         for number in 0..self.loops.len() {
-            let all = samples
-                .windows(3)
-                .flat_map(|around| [0, 1].map(|way| (around, way)));
+            let all = samples.windows(3).flat_map(|around| [0, 1].map(|way| (around, way)));
             let near = all.filter_map(|(around, way)| self.least(around, (number, way)));
             let near: Vec<NearMiss> = near.collect();
             let nearest = |a: &NearMiss, b: &NearMiss| a.distance.total_cmp(&b.distance);
@@ -360,10 +343,7 @@ impl Way<'_, '_> {
 /// Where a parabola through three places is least, and how little.
 fn vertex([a, b, c]: &[(f64, Flat); 3]) -> Option<(f64, f64)> {
     let (low, high) = (a.0 - b.0, c.0 - b.0);
-    let (left, right) = (
-        (a.1.square - b.1.square) / low,
-        (c.1.square - b.1.square) / high,
-    );
+    let (left, right) = ((a.1.square - b.1.square) / low, (c.1.square - b.1.square) / high);
     let bend = (right - left) / (high - low);
     let slope = left - bend * low;
     let by = -slope / (2.0 * bend);

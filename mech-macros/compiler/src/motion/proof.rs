@@ -44,10 +44,7 @@ pub(crate) fn prove_ranges(
     }
     if !program.has_loops() {
         // Nothing can be in the way.
-        let program = Program {
-            range: Some(ends(model)),
-            ..program
-        };
+        let program = Program { range: Some(ends(model)), ..program };
         return Ok((program, choices));
     }
     let touching = find_touching(model, plan, &choices, &program, ranged)?;
@@ -67,10 +64,7 @@ pub(crate) fn prove_ranges(
             watching: choice
                 .watching
                 .filter(|_| is_asked)
-                .map(|watching| Watching {
-                    at_zero: AtZero::Stay,
-                    ..watching
-                }),
+                .map(|watching| Watching { at_zero: AtZero::Stay, ..watching }),
             proved: !is_asked,
             ..choice
         }
@@ -94,11 +88,8 @@ fn find_touching(
     ranged: usize,
 ) -> Result<Vec<BlockId>, Diagnosis> {
     let domain = Domain::new(model, program, choices.len());
-    let whole = Cuts {
-        through: &|_| true,
-        own: None,
-        into: &|angle| domain.parts(angle).is_some(),
-    };
+    let whole =
+        Cuts { through: &|_| true, own: None, into: &|angle| domain.parts(angle).is_some() };
     // A loop that is free wherever motors move needs no other proof.
     let is_free = |closed: &ClosedForm| {
         let choice = choices.get(closed.number);
@@ -109,10 +100,8 @@ fn find_touching(
     let tested = program.margins().filter(|(_, closed)| !is_free(closed));
     let tested: Vec<Value> = tested.map(|(_, closed)| closed.discriminant).collect();
     let read = domain.read(&tested, &whole);
-    let ranges: Vec<Interval> = model
-        .motor_ids()
-        .map(|motor| range(&domain, &read, motor))
-        .collect::<Result<_, _>>()?;
+    let ranges: Vec<Interval> =
+        model.motor_ids().map(|motor| range(&domain, &read, motor)).collect::<Result<_, _>>()?;
     let unknowns = |block: BlockId| unknowns(plan, program, block);
     let trouble = |motor: usize, block: BlockId, trouble| Diagnosis::Range {
         motor: MotorId::new(motor),
@@ -123,10 +112,7 @@ fn find_touching(
     let touching = match verdict {
         Verdict::Proved { touching } => touching,
         Verdict::Blocked(blocked) => {
-            let others = blocked
-                .motors
-                .iter()
-                .filter(|motor| **motor != blocked.motor);
+            let others = blocked.motors.iter().filter(|motor| **motor != blocked.motor);
             let others = others.map(|&motor| (MotorId::new(motor), blocked.at[motor]));
             let (low, high) = (blocked.interval.low(), blocked.interval.high());
             let onwards = (high - blocked.limit).abs() >= (low - blocked.limit).abs();
@@ -137,11 +123,7 @@ fn find_touching(
             };
             return Err(trouble(blocked.motor, blocked.block, blocking));
         }
-        Verdict::Undecided {
-            block,
-            motors,
-            place,
-        } => {
+        Verdict::Undecided { block, motors, place } => {
             let between = |&motor: &usize| {
                 let place = place[motor];
                 (MotorId::new(motor), (place.low(), place.high()))
@@ -172,11 +154,8 @@ fn asked_for(plan: &Plan, choices: &[Choice], touches: &[usize]) -> BTreeSet<usi
         });
         near.collect::<Vec<usize>>()
     };
-    let mut asked: BTreeSet<usize> = plan
-        .turning
-        .iter()
-        .flat_map(|(_, bound)| near(bound))
-        .collect();
+    let mut asked: BTreeSet<usize> =
+        plan.turning.iter().flat_map(|(_, bound)| near(bound)).collect();
     // Bounds ask for earlier loops only.
     for (number, choice) in choices.iter().enumerate().rev() {
         if let Some(watching) = &choice.watching
@@ -232,10 +211,7 @@ fn ranged_of(model: &Model, motors: &[usize]) -> Option<usize> {
 
 /// The joints of unknown coordinate of the loop that a block closes.
 pub(crate) fn unknowns(plan: &Plan, program: &Program, block: BlockId) -> Vec<JointId> {
-    let Some(ring) = program
-        .loop_of(block)
-        .and_then(|number| plan.loops().nth(number))
-    else {
+    let Some(ring) = program.loop_of(block).and_then(|number| plan.loops().nth(number)) else {
         bug!("block {} closes no loop of the plan", block.index());
     };
     ring.unknowns()

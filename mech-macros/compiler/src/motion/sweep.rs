@@ -44,9 +44,7 @@ impl MostTurns {
 /// The values of the motors after a part of their displacements from the start.
 pub(crate) fn interpolate(start: &[f64], displacements: &[f64], part: f64) -> Vec<f64> {
     let pairs = start.iter().zip(displacements);
-    pairs
-        .map(|(start, displacement)| start + displacement * part)
-        .collect()
+    pairs.map(|(start, displacement)| start + displacement * part).collect()
 }
 
 /// Makes all sweeps, of at most so many turns: behind gears it takes several until everything has turned. `run` moves the mechanism along a
@@ -92,15 +90,9 @@ fn sweep_alone(
     let mut run_to = |displacement: f64| {
         let mut displacements = vec![0.0; model.inputs()];
         displacements[index] = displacement;
-        let turns = if is_revolute {
-            turns_of_fastest(&parts, displacement / TAU)
-        } else {
-            TURNS_OF_SLIDE
-        };
-        run(&Sweep {
-            displacements,
-            turns,
-        })
+        let turns =
+            if is_revolute { turns_of_fastest(&parts, displacement / TAU) } else { TURNS_OF_SLIDE };
+        run(&Sweep { displacements, turns })
     };
     if let Some(range) = model.motor(motor).range {
         run_to(range.high - start);
@@ -132,10 +124,7 @@ pub(crate) fn sweep_together(model: &Model, run: &mut impl FnMut(&Sweep) -> bool
             part * whole
         });
         let of_params = model.params.ids().map(|_| 0.0);
-        run(&Sweep {
-            displacements: displacements.chain(of_params).collect(),
-            turns: 1,
-        });
+        run(&Sweep { displacements: displacements.chain(of_params).collect(), turns: 1 });
     }
 }
 
@@ -161,22 +150,14 @@ fn turns_until_whole(parts: &[&Rational], most_turns: i64) -> i64 {
 
 /// Returns the number of turns that the fastest makes in so many turns of the motor, as far as they are examined one by one.
 fn turns_of_fastest(parts: &[&Rational], turns: f64) -> usize {
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "between 1 and 64"
-    )]
-    let turns = (turns.abs() * fastest(parts))
-        .ceil()
-        .clamp(1.0, MOST_TURNS_OF_FASTEST) as usize;
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 1 and 64")]
+    let turns = (turns.abs() * fastest(parts)).ceil().clamp(1.0, MOST_TURNS_OF_FASTEST) as usize;
     turns
 }
 
 /// Returns the number of turns that the fastest makes in one turn of the motor.
 fn fastest(parts: &[&Rational]) -> f64 {
     // A ratio beyond the floats is beyond the most that is examined anyway.
-    let ratios = parts
-        .iter()
-        .map(|part| part.abs().to_f64().unwrap_or(f64::INFINITY));
+    let ratios = parts.iter().map(|part| part.abs().to_f64().unwrap_or(f64::INFINITY));
     ratios.fold(1.0, f64::max)
 }

@@ -364,9 +364,7 @@ impl<'p> Walker<'p> {
         let roots: Vec<f64> = places.iter().map(|place| root(place.0)).collect();
         let weight = |(number, own): (usize, &f64)| {
             let others = roots.iter().enumerate().filter(|other| other.0 != number);
-            others
-                .map(|(_, other)| (root(1.0) - other) / (own - other))
-                .product::<f64>()
+            others.map(|(_, other)| (root(1.0) - other) / (own - other)).product::<f64>()
         };
         let weights: Vec<f64> = roots.iter().enumerate().map(weight).collect();
         let sum = |value: &dyn Fn(&Position<f64>) -> f64| -> f64 {
@@ -409,9 +407,7 @@ impl<'p> Walker<'p> {
                 let [a, b] = [a, b].map(|position| &position.poses[link]);
                 square(a[part] - b[part], a[part + 1] - b[part + 1])
             };
-            let gone: Vec<f64> = (0..to.poses.len())
-                .map(|link| apart([from, to], link))
-                .collect();
+            let gone: Vec<f64> = (0..to.poses.len()).map(|link| apart([from, to], link)).collect();
             let least = SLOW * SLOW * gone.iter().copied().fold(0.0, f64::max);
             let sizes = to.poses.iter();
             let sizes = sizes.map(|pose| square(pose[part], pose[part + 1]));
@@ -487,9 +483,8 @@ impl<'p> Walker<'p> {
     fn travel(&mut self, target: &[f64]) -> Arrival {
         let before = self.position().clone();
         let allowed = self.left.min(self.of_way).min(MOST_OF_JOURNEY * self.price);
-        let came = self.paid(allowed, |machine| {
-            machine.move_toward(target).ok().flatten().is_none()
-        });
+        let came =
+            self.paid(allowed, |machine| machine.move_toward(target).ok().flatten().is_none());
         self.of_way -= (allowed - self.machine.left()).min(self.of_way);
         match came {
             Some(true) => Arrival::There,
@@ -572,11 +567,7 @@ impl<'t> Way<'t> {
 
     /// The motors where this part of the way is done.
     fn motors(&self, done: f64) -> Vec<f64> {
-        if done < 1.0 {
-            interpolate(&self.start, &self.vector, done)
-        } else {
-            self.target.to_vec()
-        }
+        if done < 1.0 { interpolate(&self.start, &self.vector, done) } else { self.target.to_vec() }
     }
 }
 

@@ -120,11 +120,7 @@ impl Algebra<f64> for Numbers {
     }
 
     fn difference(&mut self, a: f64, b: f64) -> f64 {
-        if are_equal(a, b, f64::EPSILON) {
-            0.0
-        } else {
-            a - b
-        }
+        if are_equal(a, b, f64::EPSILON) { 0.0 } else { a - b }
     }
 }
 
@@ -144,10 +140,7 @@ pub(crate) struct Pose<S> {
 
 impl<S: Copy> Pose<S> {
     pub(crate) fn identity(algebra: &mut impl Algebra<S>) -> Self {
-        Self {
-            direction: algebra.vector([1.0, 0.0]),
-            origin: algebra.vector([0.0, 0.0]),
-        }
+        Self { direction: algebra.vector([1.0, 0.0]), origin: algebra.vector([0.0, 0.0]) }
     }
 
     /// Cosine, sine, x and y.
@@ -184,19 +177,13 @@ impl<S: Copy> Pose<S> {
     pub(crate) fn then(self, algebra: &mut impl Algebra<S>, inner: Self) -> Self {
         let direction = algebra.rotate(self.direction, inner.direction);
         let offset = algebra.rotate(self.direction, inner.origin);
-        Self {
-            direction,
-            origin: algebra.plus(self.origin, offset),
-        }
+        Self { direction, origin: algebra.plus(self.origin, offset) }
     }
 
     /// The pose of the outer frame, seen from this one.
     pub(crate) fn inverse(self, algebra: &mut impl Algebra<S>) -> Self {
         let direction = algebra.conjugate(self.direction);
         let [x, y] = algebra.rotate(direction, self.origin);
-        Self {
-            direction,
-            origin: [algebra.neg(x), algebra.neg(y)],
-        }
+        Self { direction, origin: [algebra.neg(x), algebra.neg(y)] }
     }
 }

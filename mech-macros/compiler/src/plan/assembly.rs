@@ -135,8 +135,7 @@ impl Draft<'_> {
         Ok(match step {
             Step::Weld(weld) => {
                 let direction = Solution::Direction(weld.direction);
-                self.placement
-                    .connect(&mut Numbers, weld.connection, direction);
+                self.placement.connect(&mut Numbers, weld.connection, direction);
                 self
             }
             Step::Drive(drive) => {
@@ -170,16 +169,9 @@ impl Draft<'_> {
         let shaft = self.coordinate(model, steps, shaft);
         let follower = model.at_start(model.law(law), shaft);
         if !model.precision.holds(follower) {
-            return Err(Diagnosis::CamWithoutValue {
-                joint: cam.by,
-                at: shaft,
-            });
+            return Err(Diagnosis::CamWithoutValue { joint: cam.by, at: shaft });
         }
-        self.cams.push(CamStart {
-            cam: cam.by,
-            shaft,
-            follower,
-        });
+        self.cams.push(CamStart { cam: cam.by, shaft, follower });
         Ok(self.put(cam.connection, follower))
     }
 
@@ -203,21 +195,11 @@ impl Draft<'_> {
 
     fn finish(&self, model: &Model, sources: &[Source]) -> Assembly {
         Assembly {
-            poses: model
-                .link_ids()
-                .map(|link| self.placement.pose(link).numbers())
-                .collect(),
-            motors: model
-                .motors
-                .iter()
-                .map(|motor| model.start.value(motor.joint))
-                .collect(),
+            poses: model.link_ids().map(|link| self.placement.pose(link).numbers()).collect(),
+            motors: model.motors.iter().map(|motor| model.start.value(motor.joint)).collect(),
             meshes: self.meshes.clone(),
             cams: self.cams.clone(),
-            sources: sources
-                .iter()
-                .map(|source| self.source(model, *source))
-                .collect(),
+            sources: sources.iter().map(|source| self.source(model, *source)).collect(),
         }
     }
 
@@ -275,11 +257,7 @@ fn close_loop<'m>(
     let Some(across) = ring.and_then(|ring| ring.get(1).or(ring.first())) else {
         bug!("a loop has no connection across which it closes");
     };
-    Err(Diagnosis::CannotClose {
-        unknowns,
-        gap,
-        axes: (across.from, across.to),
-    })
+    Err(Diagnosis::CannotClose { unknowns, gap, axes: (across.from, across.to) })
 }
 
 /// The angle in which the start wants the base of a cluster. It is given by any link of the cluster that has a wish or is drawn: the base
@@ -300,9 +278,7 @@ fn wanted_angle(placement: &Placement<'_, f64>, base: LinkId) -> Option<f64> {
 
 /// The greatest distance of an axis from the origin of its link.
 fn size(model: &Model) -> f64 {
-    model.axes.iter().fold(0.0_f64, |size, axis| {
-        size.max(axis.at[0].abs()).max(axis.at[1].abs())
-    })
+    model.axes.iter().fold(0.0_f64, |size, axis| size.max(axis.at[0].abs()).max(axis.at[1].abs()))
 }
 
 /// Whether the pose of a link is known in all drafts.
@@ -408,16 +384,9 @@ fn several(model: &Model, steps: &[Step], drafts: &[Draft<'_>], many: bool) -> D
             links.push(link);
         }
     }
-    let angles = drafts
-        .iter()
-        .map(|draft| links.iter().map(|&link| angle(draft, link)).collect())
-        .collect();
-    Diagnosis::SeveralAssemblies {
-        links,
-        angles,
-        loops: open_loops(model, steps, drafts),
-        many,
-    }
+    let angles =
+        drafts.iter().map(|draft| links.iter().map(|&link| angle(draft, link)).collect()).collect();
+    Diagnosis::SeveralAssemblies { links, angles, loops: open_loops(model, steps, drafts), many }
 }
 
 /// The loops that have several assemblies while all others are as in the first draft.
@@ -451,9 +420,7 @@ fn open_loop(
             .iter()
             .enumerate()
             .flat_map(|(number, a)| drafts[..number].iter().map(move |b| (a, b)));
-        pairs
-            .map(|(a, b)| differ(a, b))
-            .fold(f64::INFINITY, f64::min)
+        pairs.map(|(a, b)| differ(a, b)).fold(f64::INFINITY, f64::min)
     };
     let best = |all: Vec<(f64, usize)>| all.into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
     let unknowns = closing.unknowns();
@@ -484,9 +451,5 @@ fn open_loop(
         angle: angle(draft, link),
         coordinate: draft.coordinate(model, steps, joint),
     });
-    Some(OpenLoop {
-        joint,
-        link,
-        assemblies: assemblies.collect(),
-    })
+    Some(OpenLoop { joint, link, assemblies: assemblies.collect() })
 }

@@ -24,11 +24,7 @@ pub(super) struct Between {
 impl Between {
     /// The connection, from this cluster to the other.
     pub(super) fn from(self, base: LinkId) -> Connection {
-        if base == self.a {
-            self.connection
-        } else {
-            self.connection.reverse()
-        }
+        if base == self.a { self.connection } else { self.connection.reverse() }
     }
 
     /// The cluster on the other side.
@@ -49,12 +45,7 @@ impl Between {
 /// The connection of two links on a pin, named by the pin's first joint.
 pub(super) fn pivot(pin: &Pin, from: LinkId, to: LinkId) -> Option<Connection> {
     let (from, to) = (pin.axis_of(from)?, pin.axis_of(to)?);
-    Some(Connection {
-        kind: ConnectionKind::Revolute,
-        from,
-        to,
-        joint: *pin.joints.first()?,
-    })
+    Some(Connection { kind: ConnectionKind::Revolute, from, to, joint: *pin.joints.first()? })
 }
 
 /// The ring of three connections between three clusters: from the lowest to the next, across, and back. With it stand the
@@ -89,10 +80,7 @@ pub(super) struct Sliding {
 
 impl Default for Sliding {
     fn default() -> Self {
-        Self {
-            places: BTreeMap::new(),
-            joined: UnionFind::new_empty(),
-        }
+        Self { places: BTreeMap::new(), joined: UnionFind::new_empty() }
     }
 }
 

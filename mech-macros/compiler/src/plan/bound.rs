@@ -53,11 +53,7 @@ impl Bound {
     /// The bound of something that does not change with any of so many inputs.
     #[must_use]
     pub fn still(inputs: usize) -> Self {
-        Self {
-            rates: vec![0.0; inputs],
-            growth: Vec::new(),
-            guessed: false,
-        }
+        Self { rates: vec![0.0; inputs], growth: Vec::new(), guessed: false }
     }
 
     /// A motor or param itself.

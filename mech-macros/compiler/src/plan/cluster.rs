@@ -15,10 +15,7 @@ impl Clusters {
     /// Every link by itself.
     pub(crate) fn new(links: usize) -> Self {
         let base: Vec<LinkId> = (0..links).map(LinkId::new).collect();
-        Self {
-            next: base.clone(),
-            base,
-        }
+        Self { next: base.clone(), base }
     }
 
     /// The base of the cluster this link is in.

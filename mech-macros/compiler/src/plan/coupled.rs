@@ -58,13 +58,10 @@ fn drop_redundant(connections: &[Between]) -> Vec<Between> {
             kept.push(between);
             continue;
         };
-        let index = on_pin
-            .iter()
-            .position(|(known, _)| *known == pin)
-            .unwrap_or_else(|| {
-                on_pin.push((pin, vec![between.a]));
-                on_pin.len() - 1
-            });
+        let index = on_pin.iter().position(|(known, _)| *known == pin).unwrap_or_else(|| {
+            on_pin.push((pin, vec![between.a]));
+            on_pin.len() - 1
+        });
         let joined = &mut on_pin[index].1;
         match (joined.contains(&between.a), joined.contains(&between.b)) {
             (true, false) => joined.push(between.b),
@@ -79,9 +76,7 @@ fn drop_redundant(connections: &[Between]) -> Vec<Between> {
 /// Takes away, from the outside, clusters that hang on the rest by one connection or one pin: they are in no ring.
 fn leave_ends(left: &mut Vec<Between>) {
     let is_end = |left: &[Between], base: LinkId| {
-        let mut own = left
-            .iter()
-            .filter(|between| between.a == base || between.b == base);
+        let mut own = left.iter().filter(|between| between.a == base || between.b == base);
         let first = own.next();
         own.all(|other| first.is_some_and(|first| other.pin.is_some() && other.pin == first.pin))
     };
@@ -115,11 +110,7 @@ fn spanning_tree(left: &[Between], first: LinkId) -> (Vec<Branch>, Vec<Between>)
             if touches && !reached.contains(&to) {
                 reached.push(to);
                 queue.push_back(to);
-                tree.push(Branch {
-                    from: base,
-                    to,
-                    connection: between.from(base),
-                });
+                tree.push(Branch { from: base, to, connection: between.from(base) });
                 chords.retain(|chord| *chord != between);
             }
         }

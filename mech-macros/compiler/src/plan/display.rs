@@ -70,13 +70,7 @@ impl PlanText<'_> {
     fn loop_text(&self, closing: &Loop, number: usize, clusters: &Clusters) -> String {
         let unknowns: Vec<String> = closing
             .connections()
-            .map(|unknown| {
-                format!(
-                    "{} ({})",
-                    self.joint(unknown.joint),
-                    coordinate(unknown.kind)
-                )
-            })
+            .map(|unknown| format!("{} ({})", self.joint(unknown.joint), coordinate(unknown.kind)))
             .collect();
         let kind = self.kind(closing, clusters);
         let mut text = format!("loop {number}: {kind}, unknown {}", unknowns.join(", "));
@@ -96,11 +90,7 @@ impl PlanText<'_> {
                 })
                 .collect()
         };
-        let tied = if closing.ties.is_empty() {
-            ""
-        } else {
-            "tied, "
-        };
+        let tied = if closing.ties.is_empty() { "" } else { "tied, " };
         match &closing.rings[..] {
             rings if rings.len() > 1 => {
                 let triad = Triad::of(closing, |axis| clusters.base(self.link_of(axis)));
@@ -112,10 +102,7 @@ impl PlanText<'_> {
             [ring] if closing.ties.is_empty() && ring.len() <= 3 => {
                 format!("dyad {}", letters(ring))
             }
-            rings => format!(
-                "{tied}ring {}",
-                rings.iter().map(letters).collect::<String>()
-            ),
+            rings => format!("{tied}ring {}", rings.iter().map(letters).collect::<String>()),
         }
     }
 

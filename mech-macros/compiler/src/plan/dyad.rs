@@ -15,17 +15,9 @@ pub(crate) enum Dyad<S> {
     /// Two circles, u·a + v·b = goal: the arms turn, and reach the goal together.
     TwoCircles { goal: [S; 2], arms: [[S; 2]; 2] },
     /// A circle and a line, u·arm + t·along = goal: the arm turns, and a displacement along a known direction leads on to the goal.
-    CircleAndLine {
-        goal: [S; 2],
-        arm: [S; 2],
-        along: [S; 2],
-    },
+    CircleAndLine { goal: [S; 2], arm: [S; 2], along: [S; 2] },
     /// A line that turns with an arm, u·(arm + t·along) = goal, and reaches the goal.
-    TurningLine {
-        goal: [S; 2],
-        arm: [S; 2],
-        along: [S; 2],
-    },
+    TurningLine { goal: [S; 2], arm: [S; 2], along: [S; 2] },
     /// Two lines, s·a + t·b = goal: two displacements along known directions.
     TwoLines { goal: [S; 2], lines: [[S; 2]; 2] },
 }
@@ -39,19 +31,14 @@ impl<S: Copy + PartialEq> Dyad<S> {
         let goal = ring.offset.map(|part| algebra.neg(part));
         let slide = |unknown: usize| ring.slides.iter().find(|slide| slide.unknown == unknown);
         Some(match (first, second) {
-            (Unknown::Direction(_), Unknown::Direction(_)) => Self::TwoCircles {
-                goal,
-                arms: [ring.arms[0]?, ring.arms[1]?],
-            },
+            (Unknown::Direction(_), Unknown::Direction(_)) => {
+                Self::TwoCircles { goal, arms: [ring.arms[0]?, ring.arms[1]?] }
+            }
             (Unknown::Direction(_), Unknown::Slide(_)) => {
                 let slide = slide(1)?;
                 let along = slide.along;
                 match slide.turned_by {
-                    None => Self::CircleAndLine {
-                        goal,
-                        arm: ring.arms[0]?,
-                        along,
-                    },
+                    None => Self::CircleAndLine { goal, arm: ring.arms[0]?, along },
                     // The line may turn about the very point.
                     Some(_) => Self::TurningLine {
                         goal,
@@ -60,10 +47,9 @@ impl<S: Copy + PartialEq> Dyad<S> {
                     },
                 }
             }
-            (Unknown::Slide(_), Unknown::Slide(_)) => Self::TwoLines {
-                goal,
-                lines: [slide(0)?.along, slide(1)?.along],
-            },
+            (Unknown::Slide(_), Unknown::Slide(_)) => {
+                Self::TwoLines { goal, lines: [slide(0)?.along, slide(1)?.along] }
+            }
             // Directions come first.
             (Unknown::Slide(_), Unknown::Direction(_)) => return None,
         })
@@ -72,11 +58,9 @@ impl<S: Copy + PartialEq> Dyad<S> {
     /// All vectors that it is made from: the goal, the arms, the lines.
     pub(crate) fn vectors(&self) -> Vec<[S; 2]> {
         match *self {
-            Self::TwoCircles { goal, arms: [a, b] }
-            | Self::TwoLines {
-                goal,
-                lines: [a, b],
-            } => vec![goal, a, b],
+            Self::TwoCircles { goal, arms: [a, b] } | Self::TwoLines { goal, lines: [a, b] } => {
+                vec![goal, a, b]
+            }
             Self::CircleAndLine { goal, arm, along } | Self::TurningLine { goal, arm, along } => {
                 vec![goal, arm, along]
             }
@@ -87,24 +71,18 @@ impl<S: Copy + PartialEq> Dyad<S> {
     pub(crate) fn map(&self, other: impl Fn(S) -> S) -> Self {
         let vector = |of: [S; 2]| of.map(&other);
         match *self {
-            Self::TwoCircles { goal, arms } => Self::TwoCircles {
-                goal: vector(goal),
-                arms: arms.map(vector),
-            },
-            Self::CircleAndLine { goal, arm, along } => Self::CircleAndLine {
-                goal: vector(goal),
-                arm: vector(arm),
-                along: vector(along),
-            },
-            Self::TurningLine { goal, arm, along } => Self::TurningLine {
-                goal: vector(goal),
-                arm: vector(arm),
-                along: vector(along),
-            },
-            Self::TwoLines { goal, lines } => Self::TwoLines {
-                goal: vector(goal),
-                lines: lines.map(vector),
-            },
+            Self::TwoCircles { goal, arms } => {
+                Self::TwoCircles { goal: vector(goal), arms: arms.map(vector) }
+            }
+            Self::CircleAndLine { goal, arm, along } => {
+                Self::CircleAndLine { goal: vector(goal), arm: vector(arm), along: vector(along) }
+            }
+            Self::TurningLine { goal, arm, along } => {
+                Self::TurningLine { goal: vector(goal), arm: vector(arm), along: vector(along) }
+            }
+            Self::TwoLines { goal, lines } => {
+                Self::TwoLines { goal: vector(goal), lines: lines.map(vector) }
+            }
         }
     }
 
@@ -228,20 +206,13 @@ pub(crate) struct Line<S> {
 
 impl<S: Copy> Line<S> {
     pub(crate) fn new(algebra: &mut impl Algebra<S>, point: [S; 2], along: [S; 2]) -> Self {
-        Self {
-            along,
-            foot: algebra.dot(point, along),
-            height: algebra.cross(along, point),
-        }
+        Self { along, foot: algebra.dot(point, along), height: algebra.cross(along, point) }
     }
 
     /// The vector from the foot to the point, and the vector along the line by this displacement.
     fn legs(&self, algebra: &mut impl Algebra<S>, displacement: S) -> [[S; 2]; 2] {
         let across = [algebra.neg(self.along[1]), self.along[0]];
-        [
-            algebra.scale(self.height, across),
-            algebra.scale(displacement, self.along),
-        ]
+        [algebra.scale(self.height, across), algebra.scale(displacement, self.along)]
     }
 }
 
@@ -280,10 +251,7 @@ impl<S: Copy> CircleAndLine<S> {
         let [up, back] = self.line.legs(algebra, root);
         let tip = algebra.minus(up, back);
         let direction = direction(algebra, tip, self.arm, self.square);
-        [
-            Solution::Direction(direction),
-            Solution::Slide(displacement),
-        ]
+        [Solution::Direction(direction), Solution::Slide(displacement)]
     }
 }
 
@@ -305,12 +273,7 @@ impl<S: Copy> TurningLine<S> {
         let square = algebra.label(square, "distance_square");
         let height_square = algebra.mul(line.height, line.height);
         let discriminant = algebra.sub(square, height_square);
-        Self {
-            line,
-            goal,
-            square,
-            discriminant: algebra.label(discriminant, "discriminant"),
-        }
+        Self { line, goal, square, discriminant: algebra.label(discriminant, "discriminant") }
     }
 
     /// The arm's direction and the displacement, from the root of the discriminant with the sign of the side.
@@ -324,10 +287,7 @@ impl<S: Copy> TurningLine<S> {
         let back = algebra.conjugate(tip);
         let turn = algebra.rotate(self.goal, back);
         let direction = algebra.scale(inverse, turn);
-        [
-            Solution::Direction(direction),
-            Solution::Slide(displacement),
-        ]
+        [Solution::Direction(direction), Solution::Slide(displacement)]
     }
 }
 

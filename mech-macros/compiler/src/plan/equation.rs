@@ -122,11 +122,7 @@ impl<S: Copy + PartialEq> Equation<S> {
                 unknowns.push(unknown);
             }
         }
-        let mut equation = Self {
-            rings: Vec::new(),
-            unknowns,
-            classes,
-        };
+        let mut equation = Self { rings: Vec::new(), unknowns, classes };
         for ring in &closing.rings {
             let ring = equation.ring(algebra, placement, ring);
             equation.rings.push(ring);
@@ -159,10 +155,9 @@ impl<S: Copy + PartialEq> Equation<S> {
                 Some(unknown) => extend(algebra, &mut arms[unknown], part),
             }
             let slide = Unknown::Slide(connection.joint);
-            if let (ConnectionKind::Prismatic, Some(unknown)) = (
-                connection.kind,
-                self.unknowns.iter().position(|unknown| *unknown == slide),
-            ) {
+            if let (ConnectionKind::Prismatic, Some(unknown)) =
+                (connection.kind, self.unknowns.iter().position(|unknown| *unknown == slide))
+            {
                 let heading = placement.heading(algebra, connection.from);
                 let [x, y] = algebra.rotate(class.turn, heading);
                 let along = if placement.as_declared(*connection) {
@@ -170,19 +165,10 @@ impl<S: Copy + PartialEq> Equation<S> {
                 } else {
                     [algebra.neg(x), algebra.neg(y)]
                 };
-                slides.push(Slide {
-                    unknown,
-                    along,
-                    turned_by: class.unknown,
-                });
+                slides.push(Slide { unknown, along, turned_by: class.unknown });
             }
         }
-        let mut ring = Ring {
-            offset,
-            across: None,
-            arms,
-            slides,
-        };
+        let mut ring = Ring { offset, across: None, arms, slides };
         if let [(turn, from, to)] = known[..]
             && ring.may_meet(algebra)
             && let Some(chord) = placement.chord(algebra, from, to)
@@ -203,10 +189,7 @@ impl<S: Copy + PartialEq> Equation<S> {
             slides: ring
                 .slides
                 .iter()
-                .map(|slide| Slide {
-                    along: both(slide.along),
-                    ..*slide
-                })
+                .map(|slide| Slide { along: both(slide.along), ..*slide })
                 .collect(),
         });
         Self {
@@ -222,11 +205,7 @@ impl<S: Copy + PartialEq> Equation<S> {
         algebra: &mut impl Algebra<S>,
         now: &[Solution<S>],
     ) -> Residuals<S> {
-        let rings = self
-            .rings
-            .iter()
-            .map(|ring| self.ring_residual(algebra, ring, now))
-            .collect();
+        let rings = self.rings.iter().map(|ring| self.ring_residual(algebra, ring, now)).collect();
         Residuals { rings }
     }
 
@@ -265,11 +244,7 @@ impl<S: Copy + PartialEq> Equation<S> {
                 columns[unknown] = [algebra.neg(side[1]), side[0]];
             }
         }
-        RingResidual {
-            gap,
-            columns,
-            sides,
-        }
+        RingResidual { gap, columns, sides }
     }
 
     /// Places the clusters by the solution: they become one.
@@ -340,10 +315,7 @@ impl Equation<f64> {
         angle: impl Fn(LinkId) -> Option<f64>,
     ) -> Vec<Option<[f64; 2]>> {
         let of_class = |unknown: Option<usize>| {
-            let mut alike = self
-                .classes
-                .iter()
-                .filter(|(_, class)| class.unknown == unknown);
+            let mut alike = self.classes.iter().filter(|(_, class)| class.unknown == unknown);
             alike.find_map(|(base, class)| {
                 let [cos, sin] = class.turn;
                 Some(angle(*base)? - sin.atan2(cos))
@@ -370,20 +342,10 @@ fn classes<S: Copy>(
 ) -> (Vec<(LinkId, Class<S>)>, Vec<Unknown>) {
     let one = algebra.vector([1.0, 0.0]);
     let mut unknowns = Vec::new();
-    let Some(first) = closing
-        .tree
-        .first()
-        .map(|connection| placement.base(connection.from))
-    else {
+    let Some(first) = closing.tree.first().map(|connection| placement.base(connection.from)) else {
         return (Vec::new(), unknowns);
     };
-    let mut classes = vec![(
-        first,
-        Class {
-            unknown: None,
-            turn: one,
-        },
-    )];
+    let mut classes = vec![(first, Class { unknown: None, turn: one })];
     let slides: Vec<Connection> = closing
         .rings
         .iter()
@@ -395,13 +357,7 @@ fn classes<S: Copy>(
     for connection in &closing.tree {
         let base = placement.base(connection.to);
         if class_of(&classes, base).is_none() {
-            classes.push((
-                base,
-                Class {
-                    unknown: Some(unknowns.len()),
-                    turn: one,
-                },
-            ));
+            classes.push((base, Class { unknown: Some(unknowns.len()), turn: one }));
             unknowns.push(Unknown::Direction(base));
             spread(algebra, placement, &slides, &mut classes);
         }
@@ -425,10 +381,7 @@ fn spread<S: Copy>(
     let mut grown = true;
     while std::mem::take(&mut grown) {
         for &connection in slides {
-            let (from, to) = (
-                placement.base(connection.from),
-                placement.base(connection.to),
-            );
+            let (from, to) = (placement.base(connection.from), placement.base(connection.to));
             if let (Some(class), None) = (class_of(classes, from), class_of(classes, to)) {
                 let turn = across_slide(algebra, placement, connection);
                 let turn = algebra.rotate(class.turn, turn);

@@ -54,11 +54,7 @@ impl LinearForm {
     /// The turn of a link relative to another.
     pub(crate) fn turn(from: LinkId, to: LinkId) -> Self {
         let of = |link| {
-            if link == LinkId::GROUND {
-                Self::default()
-            } else {
-                Self::term(Variable::Turn(link))
-            }
+            if link == LinkId::GROUND { Self::default() } else { Self::term(Variable::Turn(link)) }
         };
         of(to).plus(&-Rational::one(), &of(from))
     }
@@ -138,9 +134,8 @@ impl LinearRelations {
             .iter()
             .enumerate()
             .map(|(index, combination)| {
-                let found = relations
-                    .value(combination)
-                    .map(|parts| split(parts, combinations.len()));
+                let found =
+                    relations.value(combination).map(|parts| split(parts, combinations.len()));
                 if found.is_none() {
                     let own = LinearForm::source(usize::MAX - index);
                     relations.add(&combination.clone().plus(&-Rational::one(), &own));
@@ -151,13 +146,13 @@ impl LinearRelations {
     }
 
     fn reduce(&self, combination: &LinearForm) -> LinearForm {
-        combination.0.iter().fold(
-            LinearForm::default(),
-            |sum, (variable, coefficient)| match self.0.get(variable) {
-                Some(value) => sum.plus(coefficient, value),
-                None => sum.plus(coefficient, &LinearForm::term(*variable)),
-            },
-        )
+        combination.0.iter().fold(LinearForm::default(), |sum, (variable, coefficient)| match self
+            .0
+            .get(variable)
+        {
+            Some(value) => sum.plus(coefficient, value),
+            None => sum.plus(coefficient, &LinearForm::term(*variable)),
+        })
     }
 }
 
@@ -165,15 +160,9 @@ impl LinearRelations {
 pub(crate) type Parts = (Vec<(usize, Rational)>, Vec<(usize, Rational)>);
 
 fn split(parts: Vec<(usize, Rational)>, combinations: usize) -> Parts {
-    let (own, sources): (Vec<_>, Vec<_>) = parts
-        .into_iter()
-        .partition(|(number, _)| usize::MAX - number < combinations);
-    (
-        own.into_iter()
-            .map(|(number, part)| (usize::MAX - number, part))
-            .collect(),
-        sources,
-    )
+    let (own, sources): (Vec<_>, Vec<_>) =
+        parts.into_iter().partition(|(number, _)| usize::MAX - number < combinations);
+    (own.into_iter().map(|(number, part)| (usize::MAX - number, part)).collect(), sources)
 }
 
 #[cfg(test)]
@@ -199,9 +188,6 @@ mod tests {
         assert_eq!(relations.value(&LinearForm::turn(ground, arm)), None);
         relations.add(&LinearForm::turn(ground, sun).plus(&whole(-1), &LinearForm::source(0)));
         let five_twelfths = Rational::new(5.into(), 12.into());
-        assert_eq!(
-            relations.value(&LinearForm::turn(ground, arm)),
-            Some(vec![(0, five_twelfths)])
-        );
+        assert_eq!(relations.value(&LinearForm::turn(ground, arm)), Some(vec![(0, five_twelfths)]));
     }
 }

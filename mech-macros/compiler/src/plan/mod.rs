@@ -66,13 +66,9 @@ impl Plan {
 
     /// The loops, in the order in which they are solved.
     pub fn loops(&self) -> impl Iterator<Item = &Loop> {
-        self.steps.iter().filter_map(|step| {
-            if let Step::Close(closing) = step {
-                Some(closing)
-            } else {
-                None
-            }
-        })
+        self.steps
+            .iter()
+            .filter_map(|step| if let Step::Close(closing) = step { Some(closing) } else { None })
     }
 }
 
@@ -83,12 +79,7 @@ impl Plan {
 pub fn plan(model: &Model, structure: &Structure) -> Result<Plan, Diagnosis> {
     let sequence = sequence::sequence(model, structure)?;
     let start = assembly::assemble(model, &sequence.steps, &sequence.sources)?;
-    Ok(Plan {
-        steps: sequence.steps,
-        turning: Vec::new(),
-        sources: sequence.sources,
-        start,
-    })
+    Ok(Plan { steps: sequence.steps, turning: Vec::new(), sources: sequence.sources, start })
 }
 
 /// Whether the steps planned for one mechanism are those for another: joints, motors and params are the same, and axes differ only in where
@@ -96,19 +87,8 @@ pub fn plan(model: &Model, structure: &Structure) -> Result<Plan, Diagnosis> {
 #[must_use]
 pub fn have_same_steps(planned: &Model, other: &Model) -> bool {
     let is_same_axis = |(a, b): (&Axis, &Axis)| {
-        (
-            a.link,
-            a.kind,
-            a.direction,
-            a.formulas,
-            a.direction_formulas,
-        ) == (
-            b.link,
-            b.kind,
-            b.direction,
-            b.formulas,
-            b.direction_formulas,
-        )
+        (a.link, a.kind, a.direction, a.formulas, a.direction_formulas)
+            == (b.link, b.kind, b.direction, b.formulas, b.direction_formulas)
     };
     let is_same_link = |(a, b): (&Link, &Link)| (a.drawn, a.die) == (b.drawn, b.die);
     planned.axes.len() == other.axes.len()

@@ -18,10 +18,7 @@ impl Plan {
     /// All of it.
     #[must_use]
     pub fn whole(&self) -> PlanPart {
-        PlanPart {
-            steps: vec![true; self.steps.len()],
-            sources: vec![true; self.sources.len()],
-        }
+        PlanPart { steps: vec![true; self.steps.len()], sources: vec![true; self.sources.len()] }
     }
 
     /// The steps that the poses of these links depend on. The plan is read backwards: a step is needed if it places a link that is
@@ -47,10 +44,7 @@ impl Plan {
                 let own = base(*link);
                 Some(own) != stays && ends[index].iter().any(|&end| base(end) == own)
             };
-            if model
-                .link_ids()
-                .any(|link| wanted[link.index()] && moved(&link))
-            {
+            if model.link_ids().any(|link| wanted[link.index()] && moved(&link)) {
                 needed.steps[index] = true;
                 for end in &ends[index] {
                     wanted[end.index()] = true;
@@ -74,9 +68,7 @@ impl Plan {
     /// For each source the first step that reads it.
     fn first_readers(&self) -> Vec<Option<usize>> {
         let first = |number: usize| {
-            self.steps
-                .iter()
-                .position(|step| step.sources().any(|(source, _)| *source == number))
+            self.steps.iter().position(|step| step.sources().any(|(source, _)| *source == number))
         };
         (0..self.sources.len()).map(first).collect()
     }

@@ -59,10 +59,7 @@ impl<'m, S: Copy> Placement<'m, S> {
     pub(crate) fn sliding_coordinate(&self, algebra: &mut impl Algebra<S>, joint: JointId) -> S {
         let joint = self.model.joint(joint);
         let JointKind::Prismatic(from, to) = joint.kind else {
-            bug!(
-                "joint `{}` does not slide and is asked how far it did",
-                joint.name
-            );
+            bug!("joint `{}` does not slide and is asked how far it did", joint.name);
         };
         let heading = self.heading(algebra, from);
         let span = self.span(algebra, from, to);
@@ -118,11 +115,7 @@ impl<'m, S: Copy> Placement<'m, S> {
         to: AxisId,
     ) -> Option<Chord<S>> {
         let route = self.route(from, to);
-        let [
-            Leg::Within(_, pin),
-            Leg::Over(joining, _),
-            Leg::Within(other, _),
-        ] = route.legs[..]
+        let [Leg::Within(_, pin), Leg::Over(joining, _), Leg::Within(other, _)] = route.legs[..]
         else {
             return None;
         };
@@ -140,10 +133,7 @@ impl<'m, S: Copy> Placement<'m, S> {
         let across = algebra.scale(scale, difference);
         let off = algebra.dot(sum, across);
         let off = algebra.scale(off, across);
-        Some(Chord {
-            vector: algebra.minus(sum, off),
-            across,
-        })
+        Some(Chord { vector: algebra.minus(sum, off), across })
     }
 
     /// Whether two axes of a cluster are much farther from its base, or from the origins of their links, than from each other, or may come so
@@ -204,11 +194,7 @@ impl<'m, S: Copy> Placement<'m, S> {
                         continue;
                     };
                     let [x, y] = self.heading(algebra, joining.connection.from);
-                    let along = if forwards {
-                        [x, y]
-                    } else {
-                        [algebra.neg(x), algebra.neg(y)]
-                    };
+                    let along = if forwards { [x, y] } else { [algebra.neg(x), algebra.neg(y)] };
                     algebra.scale(displacement, along)
                 }
             };
@@ -237,13 +223,7 @@ impl<'m, S: Copy> Placement<'m, S> {
         let own = algebra.mirrored_direction(to);
         let direction = algebra.rotate(facing, own);
         let spot = algebra.place(to);
-        self.hang(
-            algebra,
-            connection.from,
-            to.link,
-            [meeting, spot],
-            direction,
-        );
+        self.hang(algebra, connection.from, to.link, [meeting, spot], direction);
         let displacement = match coordinate {
             Solution::Direction(_) => None,
             Solution::Slide(displacement) => Some(displacement),
@@ -270,10 +250,7 @@ impl<'m, S: Copy> Placement<'m, S> {
     /// Notes what a connection has brought together, and how far it slides.
     fn hold(&mut self, connection: Connection, displacement: Option<S>) {
         let links = [connection.from, connection.to].map(|axis| self.axis(axis).link);
-        let joining = Joining {
-            connection,
-            displacement,
-        };
+        let joining = Joining { connection, displacement };
         self.tree.join(links, joining);
     }
 
@@ -292,11 +269,7 @@ impl<'m, S: Copy> Placement<'m, S> {
         let pose = Pose { direction, origin };
         let (stay, come) = (self.base(from), self.clusters.base(link));
         let seen_from_link = self.pose(link).inverse(algebra);
-        let base = if come == link {
-            pose
-        } else {
-            pose.then(algebra, seen_from_link)
-        };
+        let base = if come == link { pose } else { pose.then(algebra, seen_from_link) };
         if stay < come {
             self.move_cluster(algebra, come, base);
         } else {
@@ -310,11 +283,7 @@ impl<'m, S: Copy> Placement<'m, S> {
         for link in self.clusters.links(base) {
             self.moved.push(link);
             let old = self.poses[link.index()];
-            self.poses[link.index()] = if link == base {
-                pose
-            } else {
-                pose.then(algebra, old)
-            };
+            self.poses[link.index()] = if link == base { pose } else { pose.then(algebra, old) };
         }
     }
 }

@@ -30,11 +30,7 @@ pub(super) fn search(
     let open = wanted.iter().any(Option::is_none);
     // Rolling ties turns, not places: where it takes unknowns away, the start is free, and what is nearest to what is wanted is meant.
     let free = equation.unknowns.len() > 2 * equation.rings.len();
-    let starts = if !open || free {
-        1
-    } else {
-        STARTS * equation.unknowns.len()
-    };
+    let starts = if !open || free { 1 } else { STARTS * equation.unknowns.len() };
     let mut sequence = Halton::default();
     let mut solutions: Vec<Vec<Solution<f64>>> = Vec::new();
     let (mut least, mut dead) = (f64::INFINITY, false);
@@ -58,11 +54,7 @@ pub(super) fn search(
             let mut known = solutions.iter();
             known.any(|known| !differ(known, found, size))
         };
-        let scouted = if start == 0 {
-            None
-        } else {
-            scout(equation, &now, size)
-        };
+        let scouted = if start == 0 { None } else { scout(equation, &now, size) };
         let result = match scouted {
             Some(NewtonResult::Solution(found)) if !is_known(&found) => newton(equation, now, size),
             Some(result) => result,

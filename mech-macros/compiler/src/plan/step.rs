@@ -133,11 +133,7 @@ impl Connection {
     /// The same connection, from its second axis to its first.
     #[must_use]
     pub fn reverse(self) -> Self {
-        Self {
-            from: self.to,
-            to: self.from,
-            ..self
-        }
+        Self { from: self.to, to: self.from, ..self }
     }
 
     /// Whether its links slide along it.
@@ -192,11 +188,7 @@ impl Loop {
     pub fn connections(&self) -> impl Iterator<Item = Connection> {
         let unknowns = self.unknowns().into_iter();
         unknowns.filter_map(|joint| {
-            self.rings
-                .iter()
-                .flatten()
-                .find(|connection| connection.joint == joint)
-                .copied()
+            self.rings.iter().flatten().find(|connection| connection.joint == joint).copied()
         })
     }
 
@@ -204,8 +196,7 @@ impl Loop {
     #[must_use]
     pub fn is_redundant(&self) -> bool {
         let turns = |ring: &Vec<Connection>| {
-            ring.iter()
-                .any(|connection| connection.kind == ConnectionKind::Revolute)
+            ring.iter().any(|connection| connection.kind == ConnectionKind::Revolute)
         };
         self.rings.iter().any(|ring| ring.len() == 2 && turns(ring))
     }

@@ -49,27 +49,19 @@ struct Parts {
 
 impl Parts {
     fn of(connections: &[Between]) -> Self {
-        let ends = connections
-            .iter()
-            .flat_map(|between| [between.a, between.b]);
+        let ends = connections.iter().flat_map(|between| [between.a, between.b]);
         let mut clusters: Vec<LinkId> = ends.collect();
         clusters.sort_unstable();
         clusters.dedup();
         let mut classes = UnionFind::<usize>::new(clusters.len());
-        for between in connections
-            .iter()
-            .filter(|between| between.connection.slides())
-        {
+        for between in connections.iter().filter(|between| between.connection.slides()) {
             let [a, b] = [between.a, between.b].map(|base| clusters.binary_search(&base));
             if let (Ok(a), Ok(b)) = (a, b) {
                 classes.union(a, b);
             }
         }
         let angles = (0..clusters.len()).map(|cluster| clusters.len() + classes.find(cluster));
-        Self {
-            angles: angles.collect(),
-            clusters,
-        }
+        Self { angles: angles.collect(), clusters }
     }
 
     /// The parts of these clusters, each once.
@@ -93,12 +85,7 @@ impl Parts {
     /// For each part its freedoms, where there are so many pins.
     fn freedoms(&self, pins: usize) -> Vec<usize> {
         let clusters = self.clusters.len();
-        [
-            vec![PLACE; clusters],
-            vec![ANGLE; clusters],
-            vec![PLACE; pins],
-        ]
-        .concat()
+        [vec![PLACE; clusters], vec![ANGLE; clusters], vec![PLACE; pins]].concat()
     }
 }
 
@@ -145,11 +132,7 @@ struct Count {
 
 impl Count {
     fn new(free: Vec<usize>, equations: Vec<Vec<usize>>) -> Self {
-        let mut count = Self {
-            taken: vec![Vec::new(); free.len()],
-            free,
-            equations,
-        };
+        let mut count = Self { taken: vec![Vec::new(); free.len()], free, equations };
         for equation in 0..count.equations.len() {
             let ends = count.equations[equation].clone();
             // An equation that follows from those before takes no freedom.

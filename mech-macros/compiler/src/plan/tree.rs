@@ -74,21 +74,13 @@ impl<S: Copy> Tree<S> {
         let (stays, comes) = (self.root(from), self.root(to));
         let upwards = comes < stays;
         let (mut link, on) = if upwards { (from, to) } else { (to, from) };
-        let mut hold = Hold {
-            on,
-            joining,
-            upwards,
-        };
+        let mut hold = Hold { on, joining, upwards };
         if stays == comes {
             return;
         }
         // The link on which this one hung now hangs on it.
         while let Some(before) = self.0[link.index()].replace(hold) {
-            hold = Hold {
-                on: link,
-                upwards: !before.upwards,
-                ..before
-            };
+            hold = Hold { on: link, upwards: !before.upwards, ..before };
             link = before.on;
         }
     }
@@ -108,19 +100,13 @@ impl<S: Copy> Tree<S> {
         let (mut start, mut end) = (from.1, to.1);
         for (_, hold) in up {
             let [own, next] = hold.axes();
-            legs.extend([
-                Leg::Within(start, own),
-                Leg::Over(hold.joining, hold.upwards),
-            ]);
+            legs.extend([Leg::Within(start, own), Leg::Over(hold.joining, hold.upwards)]);
             start = next;
         }
         let mut back = Vec::new();
         for (_, hold) in down {
             let [own, next] = hold.axes();
-            back.extend([
-                Leg::Within(own, end),
-                Leg::Over(hold.joining, !hold.upwards),
-            ]);
+            back.extend([Leg::Within(own, end), Leg::Over(hold.joining, !hold.upwards)]);
             end = next;
         }
         legs.push(Leg::Within(start, end));

@@ -33,35 +33,24 @@ impl Triad {
                 connections.push(*connection);
             }
         }
-        let turns = connections
-            .iter()
-            .all(|connection| connection.kind == ConnectionKind::Revolute);
+        let turns =
+            connections.iter().all(|connection| connection.kind == ConnectionKind::Revolute);
         if !turns || connections.len() != 6 || closing.tree.len() != 4 {
             return None;
         }
         let from = |start: LinkId, end: LinkId| {
-            let both = connections
-                .iter()
-                .flat_map(|connection| [*connection, connection.reverse()]);
+            let both =
+                connections.iter().flat_map(|connection| [*connection, connection.reverse()]);
             both.into_iter()
                 .find(|connection| base(connection.from) == start && base(connection.to) == end)
         };
         let others = || closing.tree.iter().map(|connection| base(connection.to));
         let middle = others().find(|&middle| from(first, middle).is_none())?;
         let leg = |leg: LinkId| {
-            Some(Leg {
-                base: leg,
-                foot: from(first, leg)?,
-                head: from(leg, middle)?,
-            })
+            Some(Leg { base: leg, foot: from(first, leg)?, head: from(leg, middle)? })
         };
-        let legs: Vec<Leg> = others()
-            .filter(|&other| other != middle)
-            .map(leg)
-            .collect::<Option<_>>()?;
-        Some(Self {
-            middle,
-            legs: legs.try_into().ok()?,
-        })
+        let legs: Vec<Leg> =
+            others().filter(|&other| other != middle).map(leg).collect::<Option<_>>()?;
+        Some(Self { middle, legs: legs.try_into().ok()? })
     }
 }

@@ -49,11 +49,7 @@ pub(super) struct StateNumber {
 impl SsaBuilder {
     /// Begins a program for a mechanism that is at `start` and is computed in this precision.
     pub(super) fn new(start: Position<f64>, precision: Precision) -> Self {
-        Self {
-            start,
-            epsilon: precision.epsilon(),
-            ..Self::default()
-        }
+        Self { start, epsilon: precision.epsilon(), ..Self::default() }
     }
 
     /// Goes on with a program that was built: what it computes already is made no second time.
@@ -61,9 +57,7 @@ impl SsaBuilder {
         let nodes = program.ssa.nodes.iter().enumerate();
         let kept = nodes.filter(|(_, node)| !node.iterated);
         Self {
-            known: kept
-                .map(|(index, node)| (node.op, Value::at(index)))
-                .collect(),
+            known: kept.map(|(index, node)| (node.op, Value::at(index))).collect(),
             at_start: program.values_at_start(),
             varies: vec![false; program.ssa.nodes.len()],
             ssa: program.ssa.clone(),
@@ -129,11 +123,7 @@ impl SsaBuilder {
 
     /// Begins a new block.
     pub(super) fn block(&mut self, name: String, title: String) -> BlockId {
-        self.ssa.blocks.push(Block {
-            name,
-            title,
-            kind: BlockKind::Straight,
-        });
+        self.ssa.blocks.push(Block { name, title, kind: BlockKind::Straight });
         self.current()
     }
 
@@ -181,12 +171,7 @@ impl SsaBuilder {
             op => op.operands().any(|operand| self.varies(operand)),
         };
         self.varies.push(varies);
-        self.ssa.nodes.push(Node {
-            op,
-            block,
-            iterated,
-            name: None,
-        });
+        self.ssa.nodes.push(Node { op, block, iterated, name: None });
         self.known.insert(op, value);
         if let (true, Some(inside)) = (iterated, &mut self.inside) {
             inside.push(op);
@@ -210,10 +195,7 @@ impl SsaBuilder {
 
     /// Gives the two numbers of a vector names.
     pub(super) fn name_vector(&mut self, v: [Value; 2], name: &str) -> [Value; 2] {
-        [
-            self.name(v[0], format!("{name}_x")),
-            self.name(v[1], format!("{name}_y")),
-        ]
+        [self.name(v[0], format!("{name}_x")), self.name(v[1], format!("{name}_y"))]
     }
 
     /// Gives the cosine and sine of a direction names.
@@ -221,10 +203,7 @@ impl SsaBuilder {
         for [part, other] in [v, [v[1], v[0]]] {
             self.of_directions.entry(part).or_insert(other);
         }
-        [
-            self.name(v[0], format!("{name}_cos")),
-            self.name(v[1], format!("{name}_sin")),
-        ]
+        [self.name(v[0], format!("{name}_cos")), self.name(v[1], format!("{name}_sin"))]
     }
 
     pub(super) fn abs(&mut self, a: Value) -> Value {

@@ -10,11 +10,7 @@ pub(super) fn calibrate(program: &mut Program) {
     let length = |[x, y]: [Value; 2]| values[x.index()].hypot(values[y.index()]);
     let number = |value: Value| values[value.index()];
     let det = |newton: &Newton| {
-        if newton.dense {
-            determinant(&newton.columns, number)
-        } else {
-            number(newton.det)
-        }
+        if newton.dense { determinant(&newton.columns, number) } else { number(newton.det) }
     };
     let nodes = &program.ssa.nodes;
     // Where a side is carried its sign is taken out of the determinant.

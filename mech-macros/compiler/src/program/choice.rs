@@ -57,10 +57,7 @@ impl Choice {
     /// All loops as the mechanism declares it: in closed form, if it declares no method.
     #[must_use]
     pub fn declared(model: &Model) -> Self {
-        Self {
-            predictor: model.predictor,
-            ..Self::by(model.method.unwrap_or_default())
-        }
+        Self { predictor: model.predictor, ..Self::by(model.method.unwrap_or_default()) }
     }
 
     /// All loops by this method.
@@ -72,13 +69,6 @@ impl Choice {
             Method::Newton => Solver::Newton(Rounds::UntilClosed(MOST_ROUNDS)),
             Method::NewtonSteps(rounds) => Solver::Newton(Rounds::Exactly(rounds)),
         };
-        Self {
-            solver,
-            predictor: 0,
-            watching: None,
-            proved: false,
-            pins_near: false,
-            side: None,
-        }
+        Self { solver, predictor: 0, watching: None, proved: false, pins_near: false, side: None }
     }
 }

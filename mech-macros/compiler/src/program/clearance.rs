@@ -41,8 +41,7 @@ impl Ordered<Value> for SsaBuilder {
 pub(crate) fn corners(boundaries: &[Boundary; 2]) -> Vec<(usize, Corner)> {
     let own = |number: usize| boundaries[number].corners.iter();
     let all = [0, 1].into_iter();
-    all.flat_map(|number| own(number).map(move |corner| (number, *corner)))
-        .collect()
+    all.flat_map(|number| own(number).map(move |corner| (number, *corner))).collect()
 }
 
 /// The distance of a corner from all curves of another body, in whose frame it is where `place` puts it. Where the corner is across a
@@ -72,13 +71,7 @@ fn gap_of_curve<S: Copy, A: Ordered<S>>(a: &mut A, corner: Corner, at: [S; 2], c
             let both = a.constant(radius + own);
             a.sub(apart, both)
         }
-        (
-            Corner::End { radius, .. },
-            Curve::Circle {
-                center,
-                radius: own,
-            },
-        ) => {
+        (Corner::End { radius, .. }, Curve::Circle { center, radius: own }) => {
             let apart = from_place(a, at, center);
             let (outside, inside) = (a.constant(own + radius), a.constant(own - radius));
             either_side(a, [apart, apart], [outside, inside])
@@ -90,13 +83,7 @@ fn gap_of_curve<S: Copy, A: Ordered<S>>(a: &mut A, corner: Corner, at: [S; 2], c
             let (outside, inside) = (a.constant(radius + own), a.constant(radius - own));
             either_side(a, [apart, far], [outside, inside])
         }
-        (
-            Corner::Circle { radius, .. },
-            Curve::Circle {
-                center,
-                radius: own,
-            },
-        ) => {
+        (Corner::Circle { radius, .. }, Curve::Circle { center, radius: own }) => {
             let apart = from_place(a, at, center);
             let (outside, inside) = (a.constant(radius + own), a.constant((radius - own).abs()));
             either_side(a, [apart, apart], [outside, inside])
@@ -142,13 +129,11 @@ fn from_line<S: Copy, A: Ordered<S>>(a: &mut A, at: [S; 2], [from, to]: [[f64; 2
 #[must_use]
 pub fn clearance(model: &Model, links: [LinkId; 2], poses: [[f64; 4]; 2]) -> Option<f64> {
     let boundaries = Boundary::of_both(model, links)?;
-    let gaps = corners(&boundaries)
-        .into_iter()
-        .filter_map(|(own, corner)| {
-            let [from, to] = [poses[own], poses[1 - own]];
-            let curves = &boundaries[1 - own].curves;
-            gap(&mut Numbers, corner, curves, |_, at| moved(from, to, at))
-        });
+    let gaps = corners(&boundaries).into_iter().filter_map(|(own, corner)| {
+        let [from, to] = [poses[own], poses[1 - own]];
+        let curves = &boundaries[1 - own].curves;
+        gap(&mut Numbers, corner, curves, |_, at| moved(from, to, at))
+    });
     let least = gaps.fold(f64::INFINITY, f64::min);
     let holds = |inner: usize, outer: usize| {
         let shapes = &model.link(links[outer]).shapes;
@@ -172,13 +157,10 @@ fn moved(from: [f64; 4], to: [f64; 4], [u, v]: [f64; 2]) -> [f64; 2] {
 /// Whether lines of two boundaries cross each other.
 fn lines_cross(boundaries: &[Boundary; 2], poses: [[f64; 4]; 2]) -> bool {
     let lines = |number: usize| {
-        let lines = boundaries[number]
-            .curves
-            .iter()
-            .filter_map(|curve| match curve {
-                Curve::Line { ends, .. } => Some(*ends),
-                Curve::Circle { .. } => None,
-            });
+        let lines = boundaries[number].curves.iter().filter_map(|curve| match curve {
+            Curve::Line { ends, .. } => Some(*ends),
+            Curve::Circle { .. } => None,
+        });
         lines.map(move |ends| ends.map(|end| moved(poses[number], poses[0], end)))
     };
     // Whether both ends of one lie on two sides of the other.
@@ -194,11 +176,7 @@ fn contains(shape: &ShapeKind, at @ [x, y]: [f64; 2]) -> bool {
     let apart = |[u, v]: [f64; 2]| (x - u).hypot(y - v);
     match shape {
         ShapeKind::Circle { center, radius } => apart(*center) <= *radius,
-        ShapeKind::Ring {
-            center,
-            radius,
-            hole,
-        } => (*hole..=*radius).contains(&apart(*center)),
+        ShapeKind::Ring { center, radius, hole } => (*hole..=*radius).contains(&apart(*center)),
         ShapeKind::Bar { pins, width } => pins
             .windows(2)
             .any(|pins| from_line(&mut Numbers, at, [pins[0], pins[1]]) <= 0.5 * width),

@@ -114,12 +114,7 @@ impl CamContact {
     #[must_use]
     pub fn new(model: &Model, program: &Program, cam: JointId) -> Option<Self> {
         let roller = model.roller_of(cam)?;
-        let JointKind::Cam {
-            shaft,
-            follower,
-            law,
-        } = model.joint(cam).kind
-        else {
+        let JointKind::Cam { shaft, follower, law } = model.joint(cam).kind else {
             return None;
         };
         let JointKind::Revolute(..) = model.joint(shaft).kind else {
@@ -128,11 +123,7 @@ impl CamContact {
         let carrier = model.carrier_of_cam(shaft, follower)?;
         let (center, sense) = model.beside(shaft, carrier)?;
         let (own, forwards) = model.beside(follower, carrier)?;
-        let at_start = AtStart {
-            model,
-            start: &program.start,
-            program,
-        };
+        let at_start = AtStart { model, start: &program.start, program };
         let guide = match model.joint(follower).kind {
             JointKind::Prismatic(from, _) => {
                 let [x, y] = at_start.direction(from)?;

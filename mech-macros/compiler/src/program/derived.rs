@@ -45,11 +45,7 @@ impl<V: Copy> LinkRates<V> {
     /// All values that they consist of.
     pub fn roots(&self) -> impl Iterator<Item = V> + '_ {
         let accelerations = self.accelerations.iter().flatten();
-        self.velocities
-            .iter()
-            .chain(accelerations)
-            .flatten()
-            .copied()
+        self.velocities.iter().chain(accelerations).flatten().copied()
     }
 
     /// The same rates, each number replaced by what `each` makes of it.

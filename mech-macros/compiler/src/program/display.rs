@@ -41,11 +41,7 @@ impl Display for Program {
 impl Program {
     fn inputs_and_state(&self, f: &mut Formatter<'_>) -> fmt::Result {
         for (number, (name, start)) in self.input_names().zip(&self.start.motors).enumerate() {
-            let kind = if number < self.motors.len() {
-                "motor"
-            } else {
-                "param"
-            };
+            let kind = if number < self.motors.len() { "motor" } else { "param" };
             writeln!(f, "{kind} {name}, at the start {start:?}")?;
         }
         for (number, start) in self.start.state.iter().enumerate() {
@@ -69,20 +65,10 @@ impl Program {
         if self.layout.motion_signs.is_some_and(signs) {
             return ": sign of an input's last motion".to_owned();
         }
-        if let Some(angle) = self
-            .layout
-            .joint_angles
-            .iter()
-            .find(|angle| angle.state == number)
-        {
+        if let Some(angle) = self.layout.joint_angles.iter().find(|angle| angle.state == number) {
             return format!(": coordinate of joint {}", angle.joint.index());
         }
-        match self
-            .layout
-            .places
-            .iter()
-            .find(|place| place.state == number)
-        {
+        match self.layout.places.iter().find(|place| place.state == number) {
             Some(place) => format!(": formula {} of params", place.formula.index()),
             None => String::new(),
         }
@@ -153,9 +139,8 @@ impl Program {
         let end = values.iter().find(is_after).copied();
         let (rounds, outside): (Vec<Value>, Vec<Value>) =
             values.iter().partition(|&&value| self.node(value).iterated);
-        let (after, before): (Vec<Value>, Vec<Value>) = outside
-            .iter()
-            .partition(|&&value| end.is_some_and(|end| value >= end));
+        let (after, before): (Vec<Value>, Vec<Value>) =
+            outside.iter().partition(|&&value| end.is_some_and(|end| value >= end));
         self.operations(f, "  ", &before)?;
         let times = match newton.rounds {
             Rounds::UntilClosed(most) => format!("until closed, at most {most} rounds"),
@@ -213,12 +198,7 @@ impl Program {
     fn watches(&self, f: &mut Formatter<'_>) -> fmt::Result {
         writeln!(f)?;
         for watch in &self.watches {
-            let Watch {
-                number,
-                sine,
-                rates,
-                ..
-            } = watch;
+            let Watch { number, sine, rates, .. } = watch;
             let at_zero = match watch.at_zero {
                 AtZero::Stay => "touches it at most",
                 AtZero::ChangeBranch => "goes over to the other side",
@@ -235,10 +215,7 @@ impl Program {
         for follow in &self.follows {
             let bounds = if follow.guessed { "guessed" } else { "bounded" };
             let rates = short(&follow.rates);
-            writeln!(
-                f,
-                "follow an angle over whole turns: rates {bounds} {rates}"
-            )?;
+            writeln!(f, "follow an angle over whole turns: rates {bounds} {rates}")?;
         }
         Ok(())
     }
@@ -254,11 +231,7 @@ impl Program {
         }
         for margin in self.rate_margins() {
             let value = self.operand(margin.margin);
-            writeln!(
-                f,
-                "rates of {} are determined if {value} >= 0",
-                margin.place
-            )?;
+            writeln!(f, "rates of {} are determined if {value} >= 0", margin.place)?;
         }
         Ok(())
     }
@@ -284,10 +257,8 @@ impl Program {
     fn rows(&self, f: &mut Formatter<'_>, what: &str, rows: &[[Value; 3]]) -> fmt::Result {
         for (number, row) in rows.iter().enumerate() {
             let stored = self.place_of(LinkId::new(number + 1));
-            let name = stored.map_or_else(
-                || format!("link {}", number + 1),
-                |place| self.links[place].clone(),
-            );
+            let name = stored
+                .map_or_else(|| format!("link {}", number + 1), |place| self.links[place].clone());
             writeln!(f, "{what} {name} = {}", self.list(row))?;
         }
         Ok(())

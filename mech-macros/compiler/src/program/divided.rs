@@ -77,10 +77,7 @@ impl Program {
         let mut bound = vec![0_usize; self.ssa.blocks.len()];
         let mut known = BTreeMap::new();
         let is_in_long = |value: Value| long[self.node(value).block.index()];
-        for value in self
-            .live_values()
-            .filter(|&value| is_in_long(value) && lets[value.index()])
-        {
+        for value in self.live_values().filter(|&value| is_in_long(value) && lets[value.index()]) {
             let node = self.node(value);
             let together = match node.op {
                 Op::Sin(angle) | Op::Cos(angle) => LetGroup::Sines(angle),
@@ -94,10 +91,7 @@ impl Program {
             });
         }
         // A value without a name stands in the part of its only use.
-        let values: Vec<Value> = self
-            .live_values()
-            .filter(|&value| is_in_long(value))
-            .collect();
+        let values: Vec<Value> = self.live_values().filter(|&value| is_in_long(value)).collect();
         for &value in values.iter().rev() {
             for operand in self.read_by(value) {
                 let here = self.node(operand).block == self.node(value).block;
@@ -141,10 +135,7 @@ impl Program {
                 solved.insert(system, parts[value.index()]);
             }
         }
-        let systems = divided
-            .derived
-            .iter_mut()
-            .flat_map(|derived| &mut derived.equations.systems);
+        let systems = divided.derived.iter_mut().flat_map(|derived| &mut derived.equations.systems);
         for (number, system) in systems.enumerate() {
             // A system that nothing reads may stand anywhere.
             let part = solved.get(&number).copied().unwrap_or(0);

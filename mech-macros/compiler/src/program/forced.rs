@@ -112,11 +112,7 @@ impl SsaBuilder {
             };
             made.push(value);
         }
-        let poses = program
-            .poses
-            .iter()
-            .flatten()
-            .map(|value| made[value.index()]);
+        let poses = program.poses.iter().flatten().map(|value| made[value.index()]);
         let is_same = poses.eq(positions.poses.iter().flatten().copied());
         is_same.then(|| forces.map(|value| made[value.index()]))
     }

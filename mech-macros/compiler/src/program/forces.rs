@@ -67,11 +67,7 @@ impl<V: Copy> Forces<V> {
             Self::Holding(torques) => Forces::Holding(row(torques)),
             Self::InverseDynamics(inverse_dynamics) => Forces::InverseDynamics(InverseDynamics {
                 torques: row(&inverse_dynamics.torques),
-                velocity_ratios: inverse_dynamics
-                    .velocity_ratios
-                    .iter()
-                    .map(&mut row)
-                    .collect(),
+                velocity_ratios: inverse_dynamics.velocity_ratios.iter().map(&mut row).collect(),
                 transmission: row(&inverse_dynamics.transmission),
                 reactions: inverse_dynamics
                     .reactions

@@ -61,20 +61,10 @@ impl InTime {
                 node.op = nodes[value.index()].op;
                 Value::at(index)
             });
-            motors.push(Following {
-                motor,
-                value,
-                rate,
-                second,
-            });
+            motors.push(Following { motor, value, rate, second });
         }
         program.live = live(&program);
-        Self {
-            program,
-            time,
-            motors,
-            laws: nodes.len(),
-        }
+        Self { program, time, motors, laws: nodes.len() }
     }
 
     /// Lets a builder that goes on with this program read motors and their rates from it.
@@ -134,14 +124,8 @@ impl Program {
             },
             ..block.clone()
         };
-        let others = others.iter().map(|node| Node {
-            block: BlockId::FIRST,
-            ..node.clone()
-        });
-        let own = self.ssa.nodes.iter().map(|node| Node {
-            op: node.op.map(moved),
-            ..node.clone()
-        });
+        let others = others.iter().map(|node| Node { block: BlockId::FIRST, ..node.clone() });
+        let own = self.ssa.nodes.iter().map(|node| Node { op: node.op.map(moved), ..node.clone() });
         let solutions = self.solutions.iter().map(|(number, solutions)| {
             let solutions = solutions.iter();
             (*number, solutions.map(|one| one.map(moved)).collect())
@@ -155,9 +139,7 @@ impl Program {
             poses: self.poses.iter().map(|pose| pose.map(moved)).collect(),
             state: self.state.iter().map(|value| moved(*value)).collect(),
             solutions: solutions.collect(),
-            followed: followed
-                .map(|(what, value)| (*what, moved(*value)))
-                .collect(),
+            followed: followed.map(|(what, value)| (*what, moved(*value))).collect(),
             derived: None,
             live: Vec::new(),
             ..self.clone()

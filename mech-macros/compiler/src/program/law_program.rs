@@ -26,11 +26,7 @@ impl LawProgram {
         let mut tangents = Tangents::new(Seed::Given, model.motors.len());
         let first = tangents.of_all_up_to(&mut ssa, value);
         let second = tangents.of_all_up_to(&mut ssa, first);
-        Self {
-            ssa: ssa.ssa,
-            motors: model.motors.len(),
-            values: [value, first, second],
-        }
+        Self { ssa: ssa.ssa, motors: model.motors.len(), values: [value, first, second] }
     }
 
     /// Its value and both derivatives, with these params: not finite where it has none.
@@ -41,9 +37,7 @@ impl LawProgram {
                 Op::Time => variable,
                 Op::Input(input) => self.param(input, params),
                 // Rates of params are zero: they rest.
-                op => op
-                    .apply(|value: Value| values[value.index()])
-                    .unwrap_or(0.0),
+                op => op.apply(|value: Value| values[value.index()]).unwrap_or(0.0),
             };
             values.push(value);
         }

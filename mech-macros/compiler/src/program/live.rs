@@ -32,10 +32,7 @@ fn live_with(program: &Program, wanted: &[Value]) -> Vec<bool> {
 
 /// A program that computes these values, too.
 pub(crate) fn computing(program: &Program, wanted: &[Value]) -> Program {
-    Program {
-        live: live_with(program, wanted),
-        ..program.clone()
-    }
+    Program { live: live_with(program, wanted), ..program.clone() }
 }
 
 /// The values that an iteration needs; they may stand in blocks before it.
@@ -43,10 +40,8 @@ pub(crate) fn iteration(blocks: &[Block], block: BlockId) -> Vec<Value> {
     match &blocks[block.index()].kind {
         BlockKind::Straight | BlockKind::ClosedForm(_) => Vec::new(),
         BlockKind::Newton(newton) => {
-            let scalars = newton
-                .scalars
-                .iter()
-                .flat_map(|scalar| [scalar.first, scalar.now, scalar.next]);
+            let scalars =
+                newton.scalars.iter().flat_map(|scalar| [scalar.first, scalar.now, scalar.next]);
             let columns = newton.columns.iter().flatten().filter(|_| newton.dense);
             scalars
                 .chain(newton.gap.iter().copied())

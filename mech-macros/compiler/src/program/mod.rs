@@ -204,11 +204,7 @@ impl Program {
         let followed = self.follows.iter().flat_map(|follow| &follow.rates);
         let steps = self.max_steps.iter().flatten();
         let emitted = watched.chain(followed).chain(steps);
-        start
-            .chain(emitted)
-            .copied()
-            .chain(constants)
-            .all(|number| self.precision.holds(number))
+        start.chain(emitted).copied().chain(constants).all(|number| self.precision.holds(number))
     }
 
     /// The number of inputs: motors, and after these params.
@@ -242,11 +238,7 @@ impl Program {
 
     /// All values that something depends on, each after those it is made from.
     pub fn live_values(&self) -> impl Iterator<Item = Value> + '_ {
-        (0u32..)
-            .map(Value)
-            .zip(&self.live)
-            .filter(|(_, live)| **live)
-            .map(|(value, _)| value)
+        (0u32..).map(Value).zip(&self.live).filter(|(_, live)| **live).map(|(value, _)| value)
     }
 
     /// Its results, besides the margins of its loops: poses, state, and whatever else it computes.
@@ -320,23 +312,16 @@ impl Program {
     /// The loops that it solves, by their numbers in the plan.
     #[must_use]
     pub fn solved_loops(&self) -> Vec<usize> {
-        self.ssa
-            .blocks
-            .iter()
-            .filter_map(Block::loop_number)
-            .collect()
+        self.ssa.blocks.iter().filter_map(Block::loop_number).collect()
     }
 
     /// The linear systems of the motion that something depends on.
     pub fn live_systems(&self) -> impl Iterator<Item = &System> {
-        self.systems()
-            .iter()
-            .enumerate()
-            .filter_map(|(number, system)| {
-                let is_of =
-                    |value: Value| matches!(self.node(value).op, Op::Linear(of, _) if of == number);
-                self.live_values().any(is_of).then_some(system)
-            })
+        self.systems().iter().enumerate().filter_map(|(number, system)| {
+            let is_of =
+                |value: Value| matches!(self.node(value).op, Op::Linear(of, _) if of == number);
+            self.live_values().any(is_of).then_some(system)
+        })
     }
 
     /// Whether a step that fails is subdivided: where loops are iterated until they close. A fixed number of rounds is a promise
@@ -394,8 +379,7 @@ impl Program {
 
     /// All closed forms, in the order in which they are found.
     pub fn closed_forms(&self) -> impl Iterator<Item = (BlockId, &ClosedForm)> {
-        self.block_ids()
-            .filter_map(|block| Some((block, self.closed_form(block)?)))
+        self.block_ids().filter_map(|block| Some((block, self.closed_form(block)?)))
     }
 
     /// The ids of all blocks, in the order in which they run.

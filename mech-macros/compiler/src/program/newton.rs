@@ -124,8 +124,7 @@ impl Newton {
     /// The square of its step, if each must be smaller than the one before: a single round has nothing to compare.
     #[must_use]
     pub fn contracting_step(&self) -> Option<Value> {
-        self.step
-            .filter(|_| !matches!(self.rounds, Rounds::Exactly(0 | 1)))
+        self.step.filter(|_| !matches!(self.rounds, Rounds::Exactly(0 | 1)))
     }
 
     /// A gap, as a part of the loop's size, at which no further round is worth while.

@@ -29,12 +29,10 @@ impl Program {
 
     /// The links whose last pose is read, while poses are numbered among those of all links.
     pub(super) fn read_back(&self) -> Vec<LinkId> {
-        let read = self
-            .live_values()
-            .filter_map(|value| match self.node(value).op {
-                Op::Last(Slot::Pose(number, _)) => Some(LinkId::new(number + 1)),
-                _ => None,
-            });
+        let read = self.live_values().filter_map(|value| match self.node(value).op {
+            Op::Last(Slot::Pose(number, _)) => Some(LinkId::new(number + 1)),
+            _ => None,
+        });
         read.collect()
     }
 
@@ -42,10 +40,7 @@ impl Program {
     pub(super) fn number_stored(&mut self) {
         let Position { poses, .. } = &mut self.start;
         let all = std::mem::take(poses);
-        let numbers = self
-            .stored
-            .iter()
-            .filter_map(|&link| number_among_all(link));
+        let numbers = self.stored.iter().filter_map(|&link| number_among_all(link));
         poses.extend(numbers.map(|number| all[number]));
         for node in &mut self.ssa.nodes {
             if let Op::Last(Slot::Pose(number, part)) = node.op {

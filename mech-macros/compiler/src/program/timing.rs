@@ -72,10 +72,7 @@ fn build_laws(model: &Model, laws: Vec<(MotorId, &Law)>, effects: Effects) -> Op
         return None;
     }
     let mut ssa = SsaBuilder::new(at_rest(model), Precision::F64);
-    ssa.block(
-        "laws".to_owned(),
-        "What the laws of the motors say.".to_owned(),
-    );
+    ssa.block("laws".to_owned(), "What the laws of the motors say.".to_owned());
     let time = ssa.make(Op::Time);
     let params = ssa.params(model);
     let mut tangents = Tangents::new(Seed::Given, model.motors.len());
@@ -90,18 +87,11 @@ fn build_laws(model: &Model, laws: Vec<(MotorId, &Law)>, effects: Effects) -> Op
             let rate = tangents.of_all_up_to(&mut ssa, value);
             ssa.name(rate, name)
         };
-        let rate = effects
-            .velocity
-            .then(|| differentiate(value, format!("{name}_rate")));
+        let rate = effects.velocity.then(|| differentiate(value, format!("{name}_rate")));
         let second = rate
             .filter(|_| effects.acceleration)
             .map(|rate| differentiate(rate, format!("{name}_acceleration")));
-        motors.push(LawValues {
-            motor,
-            value,
-            rate,
-            second,
-        });
+        motors.push(LawValues { motor, value, rate, second });
     }
     let values = |timed: &LawValues| [Some(timed.value), timed.rate, timed.second];
     let mut program = Program {
@@ -113,11 +103,7 @@ fn build_laws(model: &Model, laws: Vec<(MotorId, &Law)>, effects: Effects) -> Op
     };
     program.live = live(&program);
     program.cut_chains();
-    Some(Timing {
-        program,
-        motors,
-        params,
-    })
+    Some(Timing { program, motors, params })
 }
 
 /// A position without links: motors at zero, and the params as they are at the start.

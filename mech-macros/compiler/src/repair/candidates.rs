@@ -11,11 +11,7 @@ use crate::structure::{self, Diagnosis, InverseTrouble, MeshTrouble};
 /// All single changes that might cure this, the likely ones first.
 pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Vec<Repair> {
     match of {
-        Diagnosis::Blocked {
-            motor,
-            part,
-            joints,
-        } => {
+        Diagnosis::Blocked { motor, part, joints } => {
             let mut repairs = relocations(model, all, &[*motor]);
             repairs.push(Repair::RemoveMotor(*motor));
             let mut links = ends(model, joints);
@@ -78,9 +74,9 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
             let free: Vec<JointId> = model.joint_ids().collect();
             free_to_move(model, all, of, &free, candidates)
         }
-        Diagnosis::Undetermined {
-            free, candidates, ..
-        } => free_to_move(model, all, of, free, candidates),
+        Diagnosis::Undetermined { free, candidates, .. } => {
+            free_to_move(model, all, of, free, candidates)
+        }
         Diagnosis::OnOnePin { joints, .. } => free_to_move(model, all, of, joints, &[]),
         Diagnosis::NotSequential { .. } => {
             let mut repairs = vec![Repair::AllowCoupled];
@@ -117,10 +113,9 @@ fn followers(model: &Model, trouble: &InverseTrouble) -> Vec<Repair> {
     };
     let motors = inverse.motors.iter();
     let mut repairs = match trouble {
-        InverseTrouble::DeadStart { .. } => motors
-            .rev()
-            .flat_map(|motor| elsewhere(model, *motor))
-            .collect(),
+        InverseTrouble::DeadStart { .. } => {
+            motors.rev().flat_map(|motor| elsewhere(model, *motor)).collect()
+        }
         InverseTrouble::Coupled { .. } => vec![Repair::AllowCoupled],
         InverseTrouble::Idle { .. } | InverseTrouble::Bound => Vec::new(),
         InverseTrouble::StartsOutside { .. }
@@ -130,9 +125,7 @@ fn followers(model: &Model, trouble: &InverseTrouble) -> Vec<Repair> {
     if inverse.is_least {
         return repairs;
     }
-    let lawless = model
-        .motor_ids()
-        .filter(|id| model.motor(*id).law.is_none());
+    let lawless = model.motor_ids().filter(|id| model.motor(*id).law.is_none());
     let lawless: Vec<MotorId> = lawless.collect();
     let sets = several(&lawless, inverse.motors.len());
     let mut named = inverse.motors.clone();
@@ -157,11 +150,8 @@ fn free_to_move(
         Diagnosis::NoMotor { freedom: 1, .. } | Diagnosis::Undetermined { freedom: 1, .. }
     );
     let joints = completions::joints(model, &sketch);
-    let mut repairs = if is_one {
-        [joints, guides.slots()].concat()
-    } else {
-        [guides.slides(), joints].concat()
-    };
+    let mut repairs =
+        if is_one { [joints, guides.slots()].concat() } else { [guides.slides(), joints].concat() };
     repairs.extend(unions(model, &sketch, free));
     repairs.extend(motors(model, all, of, candidates));
     let on_ground = |joint: JointId| {
@@ -204,10 +194,7 @@ fn added(joints: &[JointId]) -> Repair {
 }
 
 fn moved(motor: MotorId, to: JointId) -> Repair {
-    Repair::MoveMotor {
-        motor,
-        to: to.into(),
-    }
+    Repair::MoveMotor { motor, to: to.into() }
 }
 
 /// Whether these are the same joints, in whatever order.
@@ -227,34 +214,15 @@ fn on_wheels(model: &Model, of: &Diagnosis) -> Vec<Repair> {
     match of {
         Diagnosis::NotCarrier { joint, .. } => {
             let named = structure::carriers(model, *joint).into_iter().map(Some);
-            [None]
-                .into_iter()
-                .chain(named)
-                .map(|on| Repair::Carry { joint: *joint, on })
-                .collect()
+            [None].into_iter().chain(named).map(|on| Repair::Carry { joint: *joint, on }).collect()
         }
-        Diagnosis::NoMesh {
-            joint,
-            trouble: MeshTrouble::OneShaft,
-            ..
-        } => {
+        Diagnosis::NoMesh { joint, trouble: MeshTrouble::OneShaft, .. } => {
             let (a, b) = model.ends(*joint);
             let links = [b, a].map(Repair::RemoveLink);
-            [Repair::RemoveJoint(*joint)]
-                .into_iter()
-                .chain(links)
-                .collect()
+            [Repair::RemoveJoint(*joint)].into_iter().chain(links).collect()
         }
-        Diagnosis::NoMesh {
-            joint,
-            ratio,
-            trouble,
-            ..
-        } => {
-            let resize = |sizes| Repair::Resize {
-                joint: *joint,
-                sizes,
-            };
+        Diagnosis::NoMesh { joint, ratio, trouble, .. } => {
+            let resize = |sizes| Repair::Resize { joint: *joint, sizes };
             let sizes = sizes::fitting_sizes(*ratio, *trouble).into_iter();
             sizes.map(resize).collect()
         }
@@ -272,10 +240,7 @@ fn on_part(model: &Model, links: &[LinkId], joints: &[JointId]) -> Vec<Repair> {
     let turns = |joint: &JointId| model.turns(*joint) && model.motor_of(*joint).is_none();
     let welded = |joint: &JointId| matches!(model.joint(*joint).kind, JointKind::Weld(..));
     let slots = joints.iter().copied().filter(turns).flat_map(|joint| {
-        [[1.0, 0.0], [0.0, 1.0]].map(|along| Repair::Replace {
-            joint,
-            by: NewKind::Slot(along),
-        })
+        [[1.0, 0.0], [0.0, 1.0]].map(|along| Repair::Replace { joint, by: NewKind::Slot(along) })
     });
     let kinds: [Vec<Repair>; 4] = [
         links.map(Repair::RemoveLink).collect(),
@@ -284,19 +249,14 @@ fn on_part(model: &Model, links: &[LinkId], joints: &[JointId]) -> Vec<Repair> {
             .iter()
             .copied()
             .filter(welded)
-            .map(|joint| Repair::Replace {
-                joint,
-                by: NewKind::Revolute,
-            })
+            .map(|joint| Repair::Replace { joint, by: NewKind::Revolute })
             .collect(),
         slots.collect(),
     ];
     let longest = kinds.iter().map(Vec::len).max().unwrap_or(0);
     (0..longest)
         .flat_map(|index| {
-            kinds
-                .iter()
-                .filter_map(move |kind| kind.iter().rev().nth(index).cloned())
+            kinds.iter().filter_map(move |kind| kind.iter().rev().nth(index).cloned())
         })
         .collect()
 }
@@ -304,11 +264,7 @@ fn on_part(model: &Model, links: &[LinkId], joints: &[JointId]) -> Vec<Repair> {
 /// The motors that could drive what is left free instead.
 fn relocations(model: &Model, all: &[Diagnosis], motors: &[MotorId]) -> Vec<Repair> {
     let free = all.iter().find_map(|diagnosis| match diagnosis {
-        Diagnosis::Undetermined {
-            freedom: 1,
-            candidates,
-            ..
-        } => Some(candidates),
+        Diagnosis::Undetermined { freedom: 1, candidates, .. } => Some(candidates),
         _ => None,
     });
     let to = |motor| {
@@ -348,10 +304,8 @@ fn ground_first(
 
 /// The links that these joints join.
 fn ends(model: &Model, joints: &[JointId]) -> Vec<LinkId> {
-    let mut links: Vec<LinkId> = joints
-        .iter()
-        .flat_map(|&joint| <[LinkId; 2]>::from(model.ends(joint)))
-        .collect();
+    let mut links: Vec<LinkId> =
+        joints.iter().flat_map(|&joint| <[LinkId; 2]>::from(model.ends(joint))).collect();
     links.sort();
     links.dedup();
     links
@@ -383,9 +337,7 @@ fn with_slides(model: &Model, joints: &[JointId], links: &mut Vec<LinkId>) -> Ve
         let before = (joints.len(), links.len());
         for &slide in &slides {
             let (a, b) = model.ends(slide);
-            let touches = [a, b]
-                .iter()
-                .any(|link| *link != LinkId::GROUND && links.contains(link));
+            let touches = [a, b].iter().any(|link| *link != LinkId::GROUND && links.contains(link));
             if touches {
                 joints.push(slide);
                 links.extend([a, b]);

@@ -110,10 +110,7 @@ fn between_axes(model: &Model, joined: &Joined) -> Vec<Repair> {
             NewKind::Prismatic(_) => "guide",
             NewKind::Slot(_) => "slot",
         };
-        let mut some: Vec<_> = pairs
-            .iter()
-            .filter(|(kind, _)| of_word(kind) == word)
-            .collect();
+        let mut some: Vec<_> = pairs.iter().filter(|(kind, _)| of_word(kind) == word).collect();
         some.sort_by_key(|(_, ends)| differ(ends));
         let joint = |&&(kind, [a, b]): &&(NewKind, [AxisId; 2])| {
             let joint = NewJoint {
@@ -156,15 +153,11 @@ fn reaching_joints(
         let idle = block.links.iter().copied().filter(is_idle);
         idle.map(|link| (link, None, block.at))
     });
-    let moving = ends
-        .chain(blocks)
-        .filter(|(link, ..)| *link != LinkId::GROUND);
+    let moving = ends.chain(blocks).filter(|(link, ..)| *link != LinkId::GROUND);
     let joints = moving.flat_map(|(end, name, at)| {
         let others = bare.iter().map(|(link, _)| *link);
         let others = others.filter(move |&link| {
-            let here = sketch
-                .pin_at(at)
-                .is_some_and(|pin| pin.links.contains(&link));
+            let here = sketch.pin_at(at).is_some_and(|pin| pin.links.contains(&link));
             link != end && !here && !joined.are_held([link, end])
         });
         others.map(move |link| {
@@ -198,11 +191,7 @@ pub(super) fn connecting_links(model: &Model, sketch: &Sketch) -> Vec<Repair> {
         let nearest =
             moving.min_by(|a, b| distance(a.at, end.at).total_cmp(&distance(b.at, end.at)));
         found.extend(nearest.into_iter().filter_map(|pin| {
-            let pin = LooseEnd {
-                link: *pin.links.first()?,
-                name: None,
-                at: pin.at,
-            };
+            let pin = LooseEnd { link: *pin.links.first()?, name: None, at: pin.at };
             Some([pin, end.clone()])
         }));
     }
@@ -210,11 +199,7 @@ pub(super) fn connecting_links(model: &Model, sketch: &Sketch) -> Vec<Repair> {
         let first = pins.iter().find(|pin| pin.links.contains(&LinkId::GROUND));
         let height = first?.at[1];
         let moves = !Joined::of(model).are_joined([LinkId::GROUND, end.link]);
-        let foot = LooseEnd {
-            link: LinkId::GROUND,
-            name: None,
-            at: [end.at[0], height],
-        };
+        let foot = LooseEnd { link: LinkId::GROUND, name: None, at: [end.at[0], height] };
         (moves && end.at[1] != height).then(|| [end.clone(), foot])
     }));
     found.iter().map(|ends| connect(model, ends)).collect()
@@ -225,11 +210,7 @@ fn idle_blocks(model: &Model, sketch: &Sketch) -> Vec<LooseEnd> {
     let idle = leaves(model).into_iter().filter_map(|(link, joint)| {
         let (a, b) = model.ends(joint);
         let block = sketch.blocks.iter().find(|block| block.links == [link])?;
-        let end = LooseEnd {
-            link,
-            name: None,
-            at: block.at,
-        };
+        let end = LooseEnd { link, name: None, at: block.at };
         (a == LinkId::GROUND || b == LinkId::GROUND).then_some(end)
     });
     idle.collect()
@@ -242,10 +223,7 @@ fn connect(model: &Model, ends: &[LooseEnd; 2]) -> Repair {
     let joints = ends.each_ref().map(|end| NewJoint {
         name: names.like(end.name.as_deref(), "pin"),
         kind: NewKind::Revolute,
-        ends: Ends::Drawn {
-            links: [end.link, new],
-            at: end.at,
-        },
+        ends: Ends::Drawn { links: [end.link, new], at: end.at },
     });
     Repair::Declare(Declaration {
         purpose: Purpose::Connect,
@@ -271,10 +249,7 @@ pub(super) fn fix_to_ground(model: &Model, links: &[LinkId]) -> Vec<Repair> {
         let joint = NewJoint {
             name: NewNames::new(model).like(None, "frame"),
             kind: NewKind::Weld,
-            ends: Ends::Drawn {
-                links: [LinkId::GROUND, link],
-                at: *places.first()?,
-            },
+            ends: Ends::Drawn { links: [LinkId::GROUND, link], at: *places.first()? },
         };
         Some(Declaration::joint(Purpose::Fix, joint).into())
     };

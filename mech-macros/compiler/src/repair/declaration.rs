@@ -109,32 +109,20 @@ impl Ends {
 impl Declaration {
     /// One joint besides all others.
     pub(super) fn joint(purpose: Purpose, joint: NewJoint) -> Self {
-        Self {
-            purpose,
-            link: None,
-            joints: vec![joint],
-            replaced: Vec::new(),
-        }
+        Self { purpose, link: None, joints: vec![joint], replaced: Vec::new() }
     }
 
     /// One joint in place of another.
     pub(super) fn instead(purpose: Purpose, joint: NewJoint, replaced: JointId) -> Self {
-        Self {
-            replaced: vec![replaced],
-            ..Self::joint(purpose, joint)
-        }
+        Self { replaced: vec![replaced], ..Self::joint(purpose, joint) }
     }
 
     /// The kind and the links of the joint, wherever it is, if a declaration has that alone.
     pub(super) fn only_joint(&self) -> Option<(std::mem::Discriminant<NewKind>, [LinkId; 2])> {
         match &self.joints[..] {
-            [
-                NewJoint {
-                    kind,
-                    ends: Ends::Drawn { links: [a, b], .. },
-                    ..
-                },
-            ] if self.link.is_none() && self.replaced.is_empty() => {
+            [NewJoint { kind, ends: Ends::Drawn { links: [a, b], .. }, .. }]
+                if self.link.is_none() && self.replaced.is_empty() =>
+            {
                 Some((std::mem::discriminant(kind), [*a.min(b), *a.max(b)]))
             }
             _ => None,
@@ -196,9 +184,7 @@ impl Declaration {
     /// The names of the joints that it stands for and that have no heir of that name.
     pub(crate) fn dropped_names<'m>(&self, model: &'m Model) -> Vec<&'m str> {
         let names = self.replaced.iter().map(|&id| &*model.joint(id).name);
-        names
-            .filter(|name| self.joints.iter().all(|joint| joint.name != *name))
-            .collect()
+        names.filter(|name| self.joints.iter().all(|joint| joint.name != *name)).collect()
     }
 }
 
@@ -210,11 +196,7 @@ pub(super) fn on_ground(model: &Model, link: LinkId, name: Option<&str>, at: [f6
 
 /// A joint that turns, at a place.
 pub(super) fn join(purpose: Purpose, name: String, links: [LinkId; 2], at: [f64; 2]) -> Repair {
-    let joint = NewJoint {
-        name,
-        kind: NewKind::Revolute,
-        ends: Ends::Drawn { links, at },
-    };
+    let joint = NewJoint { name, kind: NewKind::Revolute, ends: Ends::Drawn { links, at } };
     Declaration::joint(purpose, joint).into()
 }
 
@@ -232,10 +214,7 @@ pub(super) struct NewNames<'m> {
 
 impl<'m> NewNames<'m> {
     pub(super) fn new(model: &'m Model) -> Self {
-        Self {
-            model,
-            given: Vec::new(),
-        }
+        Self { model, given: Vec::new() }
     }
 
     /// This name, if nothing is called so and no method of the generated struct could be; else a plain one with a number.
@@ -247,9 +226,7 @@ impl<'m> NewNames<'m> {
         let hint = hint.filter(|hint| hint.chars().all(|letter| letter.is_ascii_alphanumeric()));
         let hints = hint.map(ToOwned::to_owned).into_iter();
         let mut names = hints.chain((1..).map(plain_one));
-        let name = names
-            .find(|name| self.is_new(name))
-            .unwrap_or_else(|| plain.to_owned());
+        let name = names.find(|name| self.is_new(name)).unwrap_or_else(|| plain.to_owned());
         self.given.push(name.clone());
         name
     }

@@ -17,8 +17,7 @@ pub(super) fn bare_leaves(model: &Model, sketch: &Sketch) -> Vec<(LinkId, [f64; 
         let ends = sketch.ends.iter().any(|end| end.link == *link);
         model.link(*link).shapes.is_empty() && !ends
     });
-    bare.filter_map(|(link, joint)| Some((link, drawn_joint(model, joint)?.1)))
-        .collect()
+    bare.filter_map(|(link, joint)| Some((link, drawn_joint(model, joint)?.1))).collect()
 }
 
 /// If nothing says how long the last link of a chain is: it ends at the height of the first pivot on the ground. If it hangs on a joint
@@ -34,9 +33,7 @@ pub(super) fn below(
         return Vec::new();
     };
     let is_half = |link: LinkId| {
-        let mut joints = model
-            .joint_ids()
-            .filter(|&joint| model.motor_of(joint).is_some());
+        let mut joints = model.joint_ids().filter(|&joint| model.motor_of(joint).is_some());
         joints.any(|joint| {
             let slides = matches!(model.joint(joint).kind, JointKind::Prismatic(..));
             slides && both(model, joint).contains(&link)
@@ -83,10 +80,8 @@ pub(super) fn apexes(model: &Model, joined: &Joined, bare: &[(LinkId, [f64; 2])]
 /// A place over the middle of two others.
 pub(super) fn apex(p: [f64; 2], q: [f64; 2]) -> [f64; 2] {
     let over = if q[0] < p[0] { -0.5 } else { 0.5 };
-    let at = [
-        0.5 * (p[0] + q[0]) - over * (q[1] - p[1]),
-        0.5 * (p[1] + q[1]) + over * (q[0] - p[0]),
-    ];
+    let at =
+        [0.5 * (p[0] + q[0]) - over * (q[1] - p[1]), 0.5 * (p[1] + q[1]) + over * (q[0] - p[0])];
     at.map(|part| handy(part, distance(p, q)))
 }
 
@@ -120,10 +115,7 @@ fn slide_on_ground(model: &Model, link: LinkId, at: [f64; 2], along: [f64; 2]) -
     let joint = NewJoint {
         name: NewNames::new(model).like(None, "guide"),
         kind: NewKind::Prismatic(along),
-        ends: Ends::Drawn {
-            links: [LinkId::GROUND, link],
-            at,
-        },
+        ends: Ends::Drawn { links: [LinkId::GROUND, link], at },
     };
     Declaration::joint(Purpose::Slide, joint).into()
 }

@@ -53,11 +53,7 @@ const Y: [f64; 2] = [0.0, 1.0];
 
 fn across([x, y]: [f64; 2]) -> [f64; 2] {
     // To the right, or upwards.
-    if y > 0.0 || y == 0.0 && x < 0.0 {
-        [y, 0.0 - x]
-    } else {
-        [0.0 - y, x]
-    }
+    if y > 0.0 || y == 0.0 && x < 0.0 { [y, 0.0 - x] } else { [0.0 - y, x] }
 }
 
 impl<'m> Guides<'m> {
@@ -103,10 +99,7 @@ impl<'m> Guides<'m> {
                 let known = f64::from(u8::from(is_leaf)) + 2.0 * f64::from(u8::from(named));
                 let mut add = |purpose: Purpose, more: f64, along: [f64; 2]| {
                     let kind = NewKind::Prismatic(along);
-                    guesses.push((
-                        purpose,
-                        (known + more, kind, [LinkId::GROUND, link], tie.at),
-                    ));
+                    guesses.push((purpose, (known + more, kind, [LinkId::GROUND, link], tie.at)));
                 };
                 if let Some(along) = tie.along() {
                     // A cylinder is held by pins.
@@ -116,10 +109,7 @@ impl<'m> Guides<'m> {
                     continue;
                 }
                 for along in [X, Y] {
-                    if self
-                        .pivots()
-                        .any(|pivot| self.is_in_line(tie.at, pivot, along))
-                    {
+                    if self.pivots().any(|pivot| self.is_in_line(tie.at, pivot, along)) {
                         add(Purpose::Slide, 1.0, along);
                     }
                 }
@@ -136,9 +126,7 @@ impl<'m> Guides<'m> {
         }
         guesses.retain(|(_, guess)| guess.0 >= 1.5);
         let of = |wanted: Purpose| {
-            let some = guesses
-                .iter()
-                .filter(move |(purpose, _)| *purpose == wanted);
+            let some = guesses.iter().filter(move |(purpose, _)| *purpose == wanted);
             some.map(|(_, guess)| *guess).collect()
         };
         let slides = self.declared(Purpose::Slide, of(Purpose::Slide));
@@ -211,10 +199,7 @@ impl<'m> Guides<'m> {
         let ends = self.sketch.ends.iter().filter(|end| end.link == pin);
         let end = ends.map(|end| end.at).min_by(|a, b| {
             let far = |at: &[f64; 2]| {
-                rails
-                    .iter()
-                    .map(|&other| distance(*at, other))
-                    .fold(f64::MAX, f64::min)
+                rails.iter().map(|&other| distance(*at, other)).fold(f64::MAX, f64::min)
             };
             far(a).total_cmp(&far(b))
         });
@@ -226,9 +211,7 @@ impl<'m> Guides<'m> {
             let [u, v] = [at[0] - x, at[1] - y];
             [u / u.hypot(v), v / u.hypot(v)]
         });
-        [along, across(along)]
-            .map(|along| (likely, NewKind::Slot(along), [pin, rail], at))
-            .into()
+        [along, across(along)].map(|along| (likely, NewKind::Slot(along), [pin, rail], at)).into()
     }
 
     /// What hangs on one joint, and slides in another link or lets that slide: a crank that drives nothing, and what nothing drives where
@@ -249,9 +232,7 @@ impl<'m> Guides<'m> {
                 let ends = self.sketch.ends.iter().filter(|end| end.link == other);
                 let end = ends.min_by(|a, b| {
                     let far = |at: [f64; 2]| {
-                        self.of(leaf)
-                            .map(|tie| distance(tie.at, at))
-                            .fold(f64::MAX, f64::min)
+                        self.of(leaf).map(|tie| distance(tie.at, at)).fold(f64::MAX, f64::min)
                     };
                     far(a.at).total_cmp(&far(b.at))
                 });
@@ -282,12 +263,7 @@ impl<'m> Guides<'m> {
                 continue;
             }
             let mut add = |likely: f64, along: [f64; 2]| {
-                guesses.push((
-                    likely,
-                    NewKind::Slot(along),
-                    [end.link, LinkId::GROUND],
-                    end.at,
-                ));
+                guesses.push((likely, NewKind::Slot(along), [end.link, LinkId::GROUND], end.at));
             };
             let guides = self.of(LinkId::GROUND);
             for (at, along) in guides.filter_map(|tie| Some((tie.at, tie.along()?))) {
@@ -296,10 +272,7 @@ impl<'m> Guides<'m> {
                 }
             }
             for along in [X, Y] {
-                if self
-                    .pivots()
-                    .any(|pivot| self.is_in_line(end.at, pivot, along))
-                {
+                if self.pivots().any(|pivot| self.is_in_line(end.at, pivot, along)) {
                     add(1.5, along);
                 }
             }
@@ -315,9 +288,7 @@ impl<'m> Guides<'m> {
             let loose = self.loose.contains(&a) || self.loose.contains(&b);
             moves && loose && !self.is_leaf(a) && !self.is_leaf(b) && !self.joined.are_held([a, b])
         });
-        pairs
-            .flat_map(|[a, b]| self.slot(1.0 + self.nearness(a, b), b, a))
-            .collect()
+        pairs.flat_map(|[a, b]| self.slot(1.0 + self.nearness(a, b), b, a)).collect()
     }
 
     /// The pins in line with a pivot on the ground, which may keep to that line.
@@ -331,11 +302,7 @@ impl<'m> Guides<'m> {
                     && !self.joined.are_joined([LinkId::GROUND, link])
             });
             for along in [X, Y] {
-                if is_inside
-                    && self
-                        .pivots()
-                        .any(|pivot| self.is_in_line(tie.at, pivot, along))
-                {
+                if is_inside && self.pivots().any(|pivot| self.is_in_line(tie.at, pivot, along)) {
                     guesses.push((
                         1.0,
                         NewKind::Slot(along),

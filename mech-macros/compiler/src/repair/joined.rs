@@ -46,9 +46,7 @@ pub(super) fn gaps(model: &Model) -> BTreeSet<[LinkId; 2]> {
     for pair in joints.windows(2) {
         let [before, after] = [pair[0], pair[1]].map(|joint| both(model, joint));
         if before.iter().all(|link| !after.contains(link)) {
-            let pairs = before
-                .iter()
-                .flat_map(|&a| after.map(|b| [a.min(b), a.max(b)]));
+            let pairs = before.iter().flat_map(|&a| after.map(|b| [a.min(b), a.max(b)]));
             gaps.extend(pairs);
         }
     }

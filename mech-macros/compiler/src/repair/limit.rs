@@ -26,11 +26,7 @@ pub(crate) fn nearest_limit(
     let statement = statements.filter(|one| one.is("expect")).nth(number)?;
     let limit = limit_of(requirement, witness.is_upper)?;
     let written = find(&statement, limit)?;
-    let proved = if written.is_in_degrees {
-        proved.to_degrees()
-    } else {
-        proved
-    };
+    let proved = if written.is_in_degrees { proved.to_degrees() } else { proved };
     let words = written.words.clone().map(|index| statement.word(index));
     let old: String = words.collect();
     let mut changes = DIGITS.iter().map(|digits| {
@@ -79,15 +75,8 @@ fn find(statement: &StatementText<'_>, limit: f64) -> Option<Written> {
         let begins = ["expect", "<", ">", "=", "in"].contains(&statement.word(words.start - 1));
         let ends = ["<", ">", ",", ";", "for", "at", "."].contains(&after);
         let value = if is_negative { -value } else { value };
-        let value = if is_in_degrees {
-            value.to_radians()
-        } else {
-            value
-        };
+        let value = if is_in_degrees { value.to_radians() } else { value };
         let is_it = (value - limit).abs() <= 4.0 * f64::EPSILON * limit.abs();
-        (is_it && begins && ends).then_some(Written {
-            words,
-            is_in_degrees,
-        })
+        (is_it && begins && ends).then_some(Written { words, is_in_degrees })
     })
 }

@@ -119,10 +119,8 @@ pub struct NewNumbers {
 
 /// Whether a motor could sit on this joint, and none does.
 fn drivable(model: &Model, joint: JointId) -> bool {
-    let moves = matches!(
-        model.joint(joint).kind,
-        JointKind::Revolute(..) | JointKind::Prismatic(..)
-    );
+    let moves =
+        matches!(model.joint(joint).kind, JointKind::Revolute(..) | JointKind::Prismatic(..));
     moves && !model.joint(joint).hidden && model.motor_of(joint).is_none()
 }
 

@@ -62,11 +62,7 @@ pub(super) fn slides(model: &Model, joint: JointId) -> bool {
 pub(super) fn value_text(model: &Model, joint: JointId, value: f64) -> String {
     let degrees = (value.to_degrees() * 1e9).round() / 1e9;
     let is_exact = (degrees.to_radians() - value).abs() < 1e-12;
-    if !slides(model, joint) && is_exact {
-        format!("{degrees} deg")
-    } else {
-        format!("{value}")
-    }
+    if !slides(model, joint) && is_exact { format!("{degrees} deg") } else { format!("{value}") }
 }
 
 /// The same change with motors that have ranges, in the order in which these are tried; the change as it is where that is asked for.
@@ -74,41 +70,26 @@ pub(super) fn variants(model: &Model, repairs: &[Repair]) -> Vec<Vec<Repair>> {
     let is_ranged = model.motors.iter().any(|motor| motor.range.is_some());
     let with = |number: usize| -> Vec<Repair> {
         let repairs = repairs.iter();
-        repairs
-            .map(|repair| with_range(model, repair, number))
-            .collect()
+        repairs.map(|repair| with_range(model, repair, number)).collect()
     };
     let ranged: Vec<Vec<Repair>> = (0..ANGLES.len()).map(with).collect();
     let same = repairs.to_vec();
     if ranged[0] == same {
         return vec![same];
     }
-    let adds = repairs
-        .iter()
-        .any(|repair| matches!(repair, Repair::AddMotors(_)));
+    let adds = repairs.iter().any(|repair| matches!(repair, Repair::AddMotors(_)));
     // A motor that is moved keeps its range; one that is added has one where others have.
-    if adds && is_ranged {
-        ranged
-    } else {
-        [vec![same], ranged].concat()
-    }
+    if adds && is_ranged { ranged } else { [vec![same], ranged].concat() }
 }
 
 fn with_range(model: &Model, repair: &Repair, number: usize) -> Repair {
     match repair {
         Repair::AddMotors(motors) => {
             let motors = motors.iter();
-            Repair::AddMotors(
-                motors
-                    .map(|motor| motor.with_range(model, number))
-                    .collect(),
-            )
+            Repair::AddMotors(motors.map(|motor| motor.with_range(model, number)).collect())
         }
         Repair::MoveMotor { motor, to } if model.motor(*motor).range.is_some() => {
-            Repair::MoveMotor {
-                motor: *motor,
-                to: to.with_range(model, number),
-            }
+            Repair::MoveMotor { motor: *motor, to: to.with_range(model, number) }
         }
         other => other.clone(),
     }

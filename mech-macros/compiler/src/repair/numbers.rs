@@ -15,10 +15,7 @@ const SCALES: [f64; 10] = [1.25, 0.8, 1.5, 0.65, 2.0, 0.5, 3.0, 0.3, 5.0, 0.2];
 
 impl NewNumbers {
     fn moved(&self, at: [f64; 2]) -> Repair {
-        Repair::Numbers(Self {
-            new: format!("({}, {})", at[0], at[1]),
-            ..self.clone()
-        })
+        Repair::Numbers(Self { new: format!("({}, {})", at[0], at[1]), ..self.clone() })
     }
 }
 
@@ -102,9 +99,7 @@ fn tidy(value: f64) -> f64 {
 /// The numbers in the places of the links of a loop, and in constants.
 fn numbers_of(trials: &Trials<'_>, unknowns: &[JointId]) -> Vec<Number> {
     let model = trials.model;
-    let links = unknowns
-        .iter()
-        .flat_map(|&joint| <[LinkId; 2]>::from(model.ends(joint)));
+    let links = unknowns.iter().flat_map(|&joint| <[LinkId; 2]>::from(model.ends(joint)));
     let names: Vec<&str> = links.map(|link| &*model.link(link).name).collect();
     let mut numbers = Vec::new();
     for statement in trials.tokens().statements() {
@@ -160,18 +155,12 @@ fn places(trials: &Trials<'_>, joints: impl Iterator<Item = JointId>) -> Vec<Rep
         let (a, b) = model.ends(joint);
         let [first, second] = [a, b].map(|link| {
             let others = ties.iter().filter(move |tie| tie.has(link));
-            others
-                .filter(|tie| !sketch.is_same(tie.at, here))
-                .collect::<Vec<_>>()
+            others.filter(|tie| !sketch.is_same(tie.at, here)).collect::<Vec<_>>()
         });
-        let slides = first
-            .iter()
-            .chain(&second)
-            .filter(|tie| tie.along().is_some());
+        let slides = first.iter().chain(&second).filter(|tie| tie.along().is_some());
         let slides = slides.map(|tie| tie.at.map(|part| handy(part, distance(tie.at, here))));
-        let between = first
-            .iter()
-            .flat_map(|one| second.iter().map(|other| apex(one.at, other.at)));
+        let between =
+            first.iter().flat_map(|one| second.iter().map(|other| apex(one.at, other.at)));
         let beside = first.iter().chain(&second).map(|tie| apex(here, tie.at));
         changes.extend(slides.chain(between).chain(beside).map(|at| old.moved(at)));
     }
@@ -197,10 +186,7 @@ fn in_mesh(trials: &Trials<'_>, gear: JointId, carrier: LinkId, ratio: Ratio) ->
             ends.contains(&carrier) && (ends.contains(&a) || ends.contains(&b))
         })
         .collect();
-    let places: Vec<_> = shafts
-        .into_iter()
-        .filter_map(|joint| place_of(trials, joint))
-        .collect();
+    let places: Vec<_> = shafts.into_iter().filter_map(|joint| place_of(trials, joint)).collect();
     let [(_, from), (last, to)] = &places[..] else {
         return Vec::new();
     };
@@ -233,11 +219,7 @@ fn place_of(trials: &Trials<'_>, joint: JointId) -> Option<(NewNumbers, [f64; 2]
     let close = (open..statement.len()).find(|&index| statement.word(index) == ")")?;
     let words: Vec<&str> = (open..=close).map(|index| statement.word(index)).collect();
     let old = words.concat().replace(',', ", ");
-    let [x, y] = old
-        .strip_prefix('(')?
-        .strip_suffix(')')?
-        .split(", ")
-        .collect::<Vec<_>>()[..]
+    let [x, y] = old.strip_prefix('(')?.strip_suffix(')')?.split(", ").collect::<Vec<_>>()[..]
     else {
         return None;
     };

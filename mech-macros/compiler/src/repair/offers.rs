@@ -54,10 +54,7 @@ const LARGEST: usize = 1000;
 #[must_use]
 pub fn offers(model: &Model, source: &Source, diagnoses: &[Diagnosis]) -> Vec<Offers> {
     if model.links.len() + model.joints.len() > LARGEST {
-        let none = Offers {
-            search: Search::Bounded,
-            ..Offers::default()
-        };
+        let none = Offers { search: Search::Bounded, ..Offers::default() };
         return vec![none; diagnoses.len()];
     }
     let mut trials = Trials::new(model, source);
@@ -72,10 +69,7 @@ pub fn offers(model: &Model, source: &Source, diagnoses: &[Diagnosis]) -> Vec<Of
             one,
             Diagnosis::NoCarrier { .. } | Diagnosis::NotCarrier { .. } | Diagnosis::NoMesh { .. }
         );
-        let waits = matches!(
-            one,
-            Diagnosis::NotSequential { .. } | Diagnosis::DeadStart { .. }
-        );
+        let waits = matches!(one, Diagnosis::NotSequential { .. } | Diagnosis::DeadStart { .. });
         is_held(one) || is_free(one) || is_apart(one) || on_wheels || waits
     };
     if diagnoses.iter().any(joins) && !offers.iter().any(is_enough) {
@@ -129,9 +123,7 @@ fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {
         if one_is_enough {
             let motor = offers.partial.iter().position(is_motor);
             let mut number = 0..;
-            offers
-                .partial
-                .retain(|repair| number.next() == motor || !is_motor(repair));
+            offers.partial.retain(|repair| number.next() == motor || !is_motor(repair));
         }
     }
     // What is left then is a range.
@@ -145,16 +137,10 @@ fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {
     });
     if one_is_enough && !(offers.single.is_empty() && offers.elsewhere.is_empty()) {
         offers.coupled.clear();
-        offers
-            .elsewhere
-            .truncate(usize::from(offers.single.is_empty()));
+        offers.elsewhere.truncate(usize::from(offers.single.is_empty()));
     }
     let ranking = Ranking::new(trials.model, diagnosis);
-    for list in [
-        &mut offers.single,
-        &mut offers.elsewhere,
-        &mut offers.partial,
-    ] {
+    for list in [&mut offers.single, &mut offers.elsewhere, &mut offers.partial] {
         ranking.sort(list);
     }
     // The sizes of wheels are as likely wrong as their places.
@@ -163,9 +149,7 @@ fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {
     offers.single.splice(first..first, numbers);
     // The same in another direction.
     let single = &offers.single;
-    offers
-        .elsewhere
-        .retain(|repair| !single.iter().any(|known| same_place(known, repair)));
+    offers.elsewhere.retain(|repair| !single.iter().any(|known| same_place(known, repair)));
     for list in [&mut offers.elsewhere, &mut offers.partial] {
         list.dedup_by(|next, first| same_place(first, next));
     }
@@ -196,19 +180,13 @@ impl Offers {
 
 /// Whether motors are added or moved.
 fn is_motor(repair: &Repair) -> bool {
-    matches!(
-        repair,
-        Repair::AddMotors(_) | Repair::MoveMotor { .. } | Repair::StartAt { .. }
-    )
+    matches!(repair, Repair::AddMotors(_) | Repair::MoveMotor { .. } | Repair::StartAt { .. })
 }
 
 /// Whether there are new joints enough that serve the same purpose.
 fn has_enough(found: &[Repair], repair: &Repair) -> bool {
     let enough = match repair {
-        Repair::Declare(Declaration {
-            purpose: Purpose::Guess,
-            ..
-        }) => 1,
+        Repair::Declare(Declaration { purpose: Purpose::Guess, .. }) => 1,
         _ => 2,
     };
     let purpose = |repair: &Repair| match repair {
@@ -249,30 +227,15 @@ fn is_free(diagnosis: &Diagnosis) -> bool {
 }
 
 fn is_apart(diagnosis: &Diagnosis) -> bool {
-    matches!(
-        diagnosis,
-        Diagnosis::Loose { .. } | Diagnosis::Disconnected { .. }
-    )
+    matches!(diagnosis, Diagnosis::Loose { .. } | Diagnosis::Disconnected { .. })
 }
 
 fn is_misplaced(diagnosis: &Diagnosis) -> bool {
-    matches!(
-        diagnosis,
-        Diagnosis::NoMesh {
-            trouble: MeshTrouble::Distance { .. },
-            ..
-        }
-    )
+    matches!(diagnosis, Diagnosis::NoMesh { trouble: MeshTrouble::Distance { .. }, .. })
 }
 
 fn is_one_shaft(diagnosis: &Diagnosis) -> bool {
-    matches!(
-        diagnosis,
-        Diagnosis::NoMesh {
-            trouble: MeshTrouble::OneShaft,
-            ..
-        }
-    )
+    matches!(diagnosis, Diagnosis::NoMesh { trouble: MeshTrouble::OneShaft, .. })
 }
 
 /// Whether a change mends this diagnosis, and nothing new is wrong.
@@ -375,10 +338,7 @@ fn seconds(trials: &mut Trials<'_>, first: &Repair, found: &[Diagnosis]) -> Vec<
     }
     let adds = |repair: &Repair| matches!(repair, Repair::AddMotors(_));
     let (motors, others): (Vec<Repair>, Vec<Repair>) = seconds.into_iter().partition(adds);
-    others
-        .into_iter()
-        .chain(motors.into_iter().take(MOTORS))
-        .collect()
+    others.into_iter().chain(motors.into_iter().take(MOTORS)).collect()
 }
 
 /// The changes of one end of a joint after which nothing is wrong: of those first that a diagnosis names. What was declared last is the

@@ -15,13 +15,7 @@ fn last_first(index: usize) -> usize {
 
 /// Whether two links would be joined where one of them ends.
 fn is_at_end(repair: &Repair) -> bool {
-    matches!(
-        repair,
-        Repair::Declare(Declaration {
-            purpose: Purpose::Join { .. },
-            ..
-        })
-    )
+    matches!(repair, Repair::Declare(Declaration { purpose: Purpose::Join { .. }, .. }))
 }
 
 /// Ranks the changes that mend the same: the least comes first.
@@ -67,10 +61,7 @@ impl<'m> Ranking<'m> {
             },
             Repair::RemoveJoint(joint) if self.is_copy(*joint) => (0, 4),
             Repair::RemoveLink(link) if self.incomplete => (1, link.index()),
-            Repair::Replace {
-                by: NewKind::Revolute,
-                joint,
-            } => (2, last_first(joint.index())),
+            Repair::Replace { by: NewKind::Revolute, joint } => (2, last_first(joint.index())),
             // Where it is enough that a joint goes, no link has to.
             Repair::RemoveJoint(joint) if self.pins_again(*joint) => (4, last_first(joint.index())),
             Repair::RemoveJoint(joint) => (5, last_first(joint.index())),
@@ -88,18 +79,12 @@ impl<'m> Ranking<'m> {
         let likely = match repairs.first() {
             Some(Repair::AddMotors(_)) => repairs.iter().position(|one| self.is_often_meant(one)),
             Some(Repair::RemoveLink(_)) => repairs.iter().position(|one| {
-                matches!(
-                    one,
-                    Repair::Declare(Declaration {
-                        purpose: Purpose::Split,
-                        ..
-                    })
-                )
+                matches!(one, Repair::Declare(Declaration { purpose: Purpose::Split, .. }))
             }),
             // Two ends may be tips.
-            Some(first) if is_at_end(first) && repairs.get(1).is_some_and(is_at_end) => repairs
-                .iter()
-                .position(|one| !is_at_end(one) && self.of(one) <= (0, 2)),
+            Some(first) if is_at_end(first) && repairs.get(1).is_some_and(is_at_end) => {
+                repairs.iter().position(|one| !is_at_end(one) && self.of(one) <= (0, 2))
+            }
             _ => None,
         };
         if let Some(likely) = likely {
@@ -120,10 +105,8 @@ impl<'m> Ranking<'m> {
                 joints.all(|joint| !declared.replaced.contains(&joint))
             }
             Purpose::Connect => {
-                let mut ends = declared
-                    .joints
-                    .iter()
-                    .flat_map(|joint| joint.ends.links(self.model));
+                let mut ends =
+                    declared.joints.iter().flat_map(|joint| joint.ends.links(self.model));
                 self.is_open
                     || ends.any(|end| leaves.iter().any(|leaf| leaf.0 == end && slides(leaf.1)))
             }

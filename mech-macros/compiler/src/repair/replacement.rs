@@ -37,14 +37,7 @@ pub(super) fn welds(model: &Model, joints: &[JointId]) -> Vec<Repair> {
     });
     let weld = |joint: JointId| {
         let (links, at) = drawn_joint(model, joint)?;
-        Some(rewrite(
-            model,
-            Purpose::Stiffen,
-            joint,
-            NewKind::Weld,
-            links,
-            at,
-        ))
+        Some(rewrite(model, Purpose::Stiffen, joint, NewKind::Weld, links, at))
     };
     inner.into_iter().filter_map(weld).take(WELDS).collect()
 }
@@ -59,9 +52,7 @@ fn bend(model: &Model, joint: JointId) -> f64 {
         let others = model.joint_ids().filter(|&other| other != joint);
         let drawn = others.filter_map(|other| drawn_joint(model, other));
         let own = drawn.filter(|(links, _)| links.contains(&link));
-        own.fold([0.0, 0.0], |[x, y], (_, [u, v])| {
-            [x + (u - at[0]), y + (v - at[1])]
-        })
+        own.fold([0.0, 0.0], |[x, y], (_, [u, v])| [x + (u - at[0]), y + (v - at[1])])
     });
     bend_between(arms)
 }
@@ -69,11 +60,7 @@ fn bend(model: &Model, joint: JointId) -> f64 {
 /// The same of two arms.
 fn bend_between([[a, b], [c, d]]: [[f64; 2]; 2]) -> f64 {
     let cosine = (a * c + b * d) / (a.hypot(b) * c.hypot(d));
-    if cosine.is_nan() {
-        MOST_BENT
-    } else {
-        1.0 + cosine
-    }
+    if cosine.is_nan() { MOST_BENT } else { 1.0 + cosine }
 }
 
 /// The slots among these joints whose pins could keep their direction.
@@ -88,9 +75,7 @@ pub(super) fn guides(model: &Model, joints: &[JointId]) -> Vec<Repair> {
             matches!(kind, JointKind::Prismatic(guide, other) if guide == line && model.axis(other).link == model.axis(die).link)
         })?;
         let (point, line) = (model.axis(point), model.axis(line));
-        let is_drawn = [point, line]
-            .iter()
-            .all(|axis| axis.name.is_none() && !axis.varies());
+        let is_drawn = [point, line].iter().all(|axis| axis.name.is_none() && !axis.varies());
         is_drawn.then(|| {
             let links = [line.link, point.link];
             let kind = NewKind::Prismatic(line.direction);
@@ -109,12 +94,9 @@ pub(super) fn slots(model: &Model, joints: &[JointId]) -> Vec<Repair> {
         let ([a, b], at) = drawn_joint(model, joint)?;
         let kind = NewKind::Slot(model.axis(line).direction);
         let moving = |link: &LinkId| *link != LinkId::GROUND;
-        let repairs = [[b, a], [a, b]]
-            .into_iter()
-            .filter(move |ends| moving(&ends[0]));
-        let repairs: Vec<Repair> = repairs
-            .map(|links| rewrite(model, Purpose::Turn, joint, kind, links, at))
-            .collect();
+        let repairs = [[b, a], [a, b]].into_iter().filter(move |ends| moving(&ends[0]));
+        let repairs: Vec<Repair> =
+            repairs.map(|links| rewrite(model, Purpose::Turn, joint, kind, links, at)).collect();
         Some(repairs)
     };
     joints.iter().filter_map(slot).flatten().take(FEW).collect()
@@ -128,11 +110,8 @@ fn rewrite(
     links: [LinkId; 2],
     at: [f64; 2],
 ) -> Repair {
-    let new = NewJoint {
-        name: model.joint(joint).name.clone(),
-        kind,
-        ends: Ends::Drawn { links, at },
-    };
+    let new =
+        NewJoint { name: model.joint(joint).name.clone(), kind, ends: Ends::Drawn { links, at } };
     Declaration::instead(purpose, new, joint).into()
 }
 
@@ -146,12 +125,8 @@ pub(super) fn free_from_ground(model: &Model, joints: &[JointId]) -> Vec<Repair>
             _ => None,
         }
     };
-    let all: Vec<(JointId, LinkId, [f64; 2])> = model
-        .joint_ids()
-        .collect::<Vec<_>>()
-        .iter()
-        .filter_map(pinned)
-        .collect();
+    let all: Vec<(JointId, LinkId, [f64; 2])> =
+        model.joint_ids().collect::<Vec<_>>().iter().filter_map(pinned).collect();
     let sketch = Sketch::of(model);
     let mut found = Vec::new();
     for (number, &(first, base, at)) in all.iter().enumerate() {
@@ -165,10 +140,7 @@ pub(super) fn free_from_ground(model: &Model, joints: &[JointId]) -> Vec<Repair>
         let joint = |&&(joint, link, _): &&(JointId, LinkId, [f64; 2])| NewJoint {
             name: model.joint(joint).name.clone(),
             kind: NewKind::Revolute,
-            ends: Ends::Drawn {
-                links: [base, link],
-                at,
-            },
+            ends: Ends::Drawn { links: [base, link], at },
         };
         let replaced = std::iter::once(first).chain(others.iter().map(|one| one.0));
         found.push(Repair::Declare(Declaration {
@@ -215,11 +187,7 @@ pub(super) fn splits(model: &Model, links: &[LinkId]) -> Vec<Repair> {
         }
     }
     found.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
-    found
-        .into_iter()
-        .map(|(.., split)| split)
-        .take(FEW)
-        .collect()
+    found.into_iter().map(|(.., split)| split).take(FEW).collect()
 }
 
 /// Two links instead of one: a joint goes to the new one.
@@ -238,18 +206,12 @@ fn split(
     let knee = NewJoint {
         name: names.like(name, "pin"),
         kind: NewKind::Revolute,
-        ends: Ends::Drawn {
-            links: [link, new],
-            at,
-        },
+        ends: Ends::Drawn { links: [link, new], at },
     };
     let moved = NewJoint {
         name: model.joint(joint).name.clone(),
         kind: NewKind::Revolute,
-        ends: Ends::Drawn {
-            links: ends.map(|end| if end == link { new } else { end }),
-            at: place,
-        },
+        ends: Ends::Drawn { links: ends.map(|end| if end == link { new } else { end }), at: place },
     };
     Some(Repair::Declare(Declaration {
         purpose: Purpose::Split,
@@ -267,17 +229,12 @@ pub(super) fn bolts(model: &Model, joints: &[JointId]) -> Option<Repair> {
         return None;
     }
     let (links, at) = drawn_joint(model, first)?;
-    let purpose = if pair[0] == LinkId::GROUND {
-        Purpose::Fix
-    } else {
-        Purpose::Stiffen
-    };
+    let purpose = if pair[0] == LinkId::GROUND { Purpose::Fix } else { Purpose::Stiffen };
     let weld = rewrite(model, purpose, first, NewKind::Weld, links, at);
     match weld {
-        Repair::Declare(declared) => Some(Repair::Declare(Declaration {
-            replaced: joints.to_vec(),
-            ..declared
-        })),
+        Repair::Declare(declared) => {
+            Some(Repair::Declare(Declaration { replaced: joints.to_vec(), ..declared }))
+        }
         _ => None,
     }
 }

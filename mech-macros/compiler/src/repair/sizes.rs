@@ -24,11 +24,7 @@ pub(super) fn fitting_sizes(ratio: Ratio, trouble: MeshTrouble) -> Vec<Ratio> {
     let [a, b] = ratio.sizes();
     let scale = distance / (a + b).abs();
     let signed = |beside: f64| if a + b < 0.0 { -beside } else { beside };
-    let sizes = [
-        [a * scale, b * scale],
-        [a, signed(distance) - a],
-        [signed(distance) - b, b],
-    ];
+    let sizes = [[a * scale, b * scale], [a, signed(distance) - a], [signed(distance) - b, b]];
     let radii = sizes.map(|sizes| sizes.map(of_four_digits));
     let radii = radii.map(|[a, b]| Ratio::Radii(a, b));
     let mut all: Vec<Ratio> = radii.into_iter().filter(is_gear).collect();

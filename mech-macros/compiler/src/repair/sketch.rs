@@ -98,10 +98,7 @@ impl Sketch {
         if axes.iter().all(|axis| scene.draws(axis)) {
             let links = axes.map(|axis| axis.link);
             let moving = links.into_iter().filter(|link| *link != LinkId::GROUND);
-            self.blocks.push(DrawnPin {
-                at: axes[0].at,
-                links: moving.collect(),
-            });
+            self.blocks.push(DrawnPin { at: axes[0].at, links: moving.collect() });
         }
     }
 
@@ -113,10 +110,7 @@ impl Sketch {
         let (at, links) = (axes[0].at, axes.map(|axis| axis.link));
         let known = self.pins.iter().position(|pin| self.is_same(pin.at, at));
         let known = known.unwrap_or_else(|| {
-            self.pins.push(DrawnPin {
-                at,
-                links: Vec::new(),
-            });
+            self.pins.push(DrawnPin { at, links: Vec::new() });
             self.pins.len() - 1
         });
         for link in links {

@@ -37,9 +37,8 @@ pub(super) fn ties(model: &Model) -> Vec<Tie> {
                 let along = model.axis(line).direction;
                 if let Some((pin, _)) = model.link(model.axis(die).link).die {
                     let (pin, line) = (model.axis(pin), model.axis(line));
-                    let is_drawn = [pin, line]
-                        .iter()
-                        .all(|axis| axis.name.is_none() && scene.draws(axis));
+                    let is_drawn =
+                        [pin, line].iter().all(|axis| axis.name.is_none() && scene.draws(axis));
                     return is_drawn.then_some(Tie {
                         kind: NewKind::Slot(along),
                         links: [pin.link, line.link],

@@ -34,20 +34,15 @@ pub(super) fn translate(repair: &Repair, changed: &Model, original: &Model) -> O
     };
     let ends = |ends: &Ends| {
         Some(match *ends {
-            Ends::Drawn { links: [a, b], at } => Ends::Drawn {
-                links: [end(a)?, end(b)?],
-                at,
-            },
+            Ends::Drawn { links: [a, b], at } => Ends::Drawn { links: [end(a)?, end(b)?], at },
             Ends::Points([a, b]) => Ends::Points([point(a)?, point(b)?]),
         })
     };
     let declaration = |declared: &Declaration| {
-        let joints = declared.joints.iter().map(|new| {
-            Some(NewJoint {
-                ends: ends(&new.ends)?,
-                ..new.clone()
-            })
-        });
+        let joints = declared
+            .joints
+            .iter()
+            .map(|new| Some(NewJoint { ends: ends(&new.ends)?, ..new.clone() }));
         let replaced = declared.replaced.iter().map(|&id| joint(id));
         Some(Declaration {
             purpose: declared.purpose,
@@ -60,20 +55,13 @@ pub(super) fn translate(repair: &Repair, changed: &Model, original: &Model) -> O
         Repair::Declare(declared) => Repair::Declare(declaration(declared)?),
         Repair::RemoveJoint(id) => Repair::RemoveJoint(joint(*id)?),
         Repair::RemoveLink(id) => Repair::RemoveLink(link(*id)?),
-        Repair::Replace { joint: id, by } => Repair::Replace {
-            joint: joint(*id)?,
-            by: *by,
-        },
+        Repair::Replace { joint: id, by } => Repair::Replace { joint: joint(*id)?, by: *by },
         Repair::RemoveMotor(id) => {
             Repair::RemoveMotor(original.motor_of(joint(changed.motor(*id).joint)?)?)
         }
         Repair::AddMotors(motors) => {
-            let motors = motors.iter().map(|motor| {
-                Some(NewMotor {
-                    joint: joint(motor.joint)?,
-                    ..*motor
-                })
-            });
+            let motors =
+                motors.iter().map(|motor| Some(NewMotor { joint: joint(motor.joint)?, ..*motor }));
             Repair::AddMotors(motors.collect::<Option<_>>()?)
         }
         _ => return None,

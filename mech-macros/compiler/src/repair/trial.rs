@@ -134,9 +134,7 @@ impl<'m> Trials<'m> {
         self.spend(EXPLAINING);
         // A change that cannot be made breaks nothing.
         let changed = self.model_with(std::slice::from_ref(repair));
-        changed
-            .and_then(|model| structure::analyse(&model).err())
-            .unwrap_or_default()
+        changed.and_then(|model| structure::analyse(&model).err()).unwrap_or_default()
     }
 
     /// The mechanism with these changes; none if they cannot be made to its text.
@@ -191,11 +189,7 @@ fn redrawn(model: &Model, motor: MotorId, value: f64) -> Model {
     let motor = *model.motor(motor);
     let values = &mut model.start.values;
     values.retain(|value| value.joint != motor.joint);
-    values.push(StartValue {
-        joint: motor.joint,
-        value,
-        origin: motor.origin,
-    });
+    values.push(StartValue { joint: motor.joint, value, origin: motor.origin });
     model
 }
 

@@ -120,10 +120,7 @@ fn completed(
     let (mut alike, mut same, mut different) = (0, 0, Vec::new());
     for tie in ties {
         let Some(links) = both(tie) else { continue };
-        if pairs
-            .iter()
-            .any(|(one, other)| std::ptr::eq(*one, tie) && joins(other, links))
-        {
+        if pairs.iter().any(|(one, other)| std::ptr::eq(*one, tie) && joins(other, links)) {
             alike += usize::from(links != tie.links);
             same += usize::from(links == tie.links);
         } else if !ties.iter().any(|other| is_parallel(tie, other, links)) {
@@ -132,10 +129,9 @@ fn completed(
     }
     different.retain(|(_, links)| links[0] != links[1]);
     let &(tie, links) = different.first()?;
-    let is_joined = ties
-        .iter()
-        .any(|other| is_alike(image.kind(tie.kind), other.kind) && joins(other, links))
-        && tie.along().is_none();
+    let is_joined =
+        ties.iter().any(|other| is_alike(image.kind(tie.kind), other.kind) && joins(other, links))
+            && tie.along().is_none();
     // One way back and forth is two likenesses.
     let enough = if is_moved { 2 } else { 3 };
     let is_part = alike < 2 || alike + same < enough || 3 * (alike + same) < ties.len();
@@ -145,9 +141,7 @@ fn completed(
     let at = image.place(tie.at);
     // Where something is drawn already, it is there.
     let ends = sketch.ends.iter().map(|end| (end.link, end.at));
-    let ties = ties
-        .iter()
-        .flat_map(|other| other.links.map(|link| (link, other.at)));
+    let ties = ties.iter().flat_map(|other| other.links.map(|link| (link, other.at)));
     let mut drawn: Vec<[f64; 2]> = ends
         .chain(ties)
         .filter(|(link, other)| {
@@ -161,11 +155,7 @@ fn completed(
     let at = at.unwrap_or_else(|| image.place(tie.at).map(|part| handy(part, fine)));
     // Of two directions of a line the one that is written already.
     let kind = image.kind(tie.kind);
-    let kind = if is_alike(kind, tie.kind) {
-        tie.kind
-    } else {
-        kind
-    };
+    let kind = if is_alike(kind, tie.kind) { tie.kind } else { kind };
     let word = match kind {
         NewKind::Revolute | NewKind::Weld => "pin",
         NewKind::Prismatic(_) => "guide",
@@ -193,11 +183,7 @@ fn images(pairs: &[(&Tie, &Tie)]) -> BTreeMap<LinkId, LinkId> {
     let mut votes: Vec<_> = votes.into_iter().collect();
     // The ground rather stays what it is.
     votes.sort_by_key(|((link, image), count)| {
-        (
-            usize::MAX - count,
-            (*link == LinkId::GROUND) != (*image == LinkId::GROUND),
-            link != image,
-        )
+        (usize::MAX - count, (*link == LinkId::GROUND) != (*image == LinkId::GROUND), link != image)
     });
     let mut images: BTreeMap<LinkId, LinkId> = BTreeMap::new();
     for ((link, image), _) in votes {

@@ -68,9 +68,7 @@ fn places(ties: &[Tie]) -> BTreeMap<LinkId, Vec<[f64; 2]>> {
 }
 
 fn nearest(some: &[[f64; 2]], others: &[[f64; 2]]) -> f64 {
-    let all = some
-        .iter()
-        .flat_map(|&a| others.iter().map(move |&b| distance(a, b)));
+    let all = some.iter().flat_map(|&a| others.iter().map(move |&b| distance(a, b)));
     all.fold(f64::INFINITY, f64::min)
 }
 
@@ -80,9 +78,7 @@ pub(super) fn between(places: [&[[f64; 2]]; 2], sketch: &Sketch) -> Option<[f64;
         return Some(apex(*p, *q)).filter(|_| p != q);
     }
     let middles = places.map(|places| {
-        let sum = places
-            .iter()
-            .fold([0.0, 0.0], |[x, y], at| [x + at[0], y + at[1]]);
+        let sum = places.iter().fold([0.0, 0.0], |[x, y], at| [x + at[0], y + at[1]]);
         #[expect(clippy::cast_precision_loss, reason = "a link has few joints")]
         let count = places.len() as f64;
         sum.map(|part| part / count)

@@ -44,9 +44,8 @@ fn turning(
         };
         let mut carriers: Vec<LinkId> = pin.members.iter().map(|member| member.0).collect();
         carriers.retain(|&link| {
-            let turns = pins
-                .iter()
-                .any(|pin| pin.axis_of(wheel).is_some() && pin.axis_of(link).is_some());
+            let turns =
+                pins.iter().any(|pin| pin.axis_of(wheel).is_some() && pin.axis_of(link).is_some());
             let is_new = link != wheel && link != other && !turns;
             is_new && wheel != LinkId::GROUND && on.is_none_or(|on| link == on)
         });
@@ -58,11 +57,8 @@ fn turning(
                 carrier != LinkId::GROUND && is_pinned && !std::ptr::eq(*shaft, pin)
             });
             for shaft in shafts {
-                let base = shaft
-                    .members
-                    .iter()
-                    .map(|member| member.0)
-                    .find(|&link| link != carrier);
+                let base =
+                    shaft.members.iter().map(|member| member.0).find(|&link| link != carrier);
                 if let (Some(base), Some(at)) = (base, place(model, shaft)) {
                     found.push(axle(model, [base, wheel], at));
                 }
@@ -87,10 +83,7 @@ fn on_bars(
         guided.filter(|tie| matches!(tie.kind, NewKind::Prismatic(_)))
     };
     let mut found = Vec::new();
-    for carrier in model
-        .link_ids()
-        .filter(|&link| on.is_none_or(|on| link == on))
-    {
+    for carrier in model.link_ids().filter(|&link| on.is_none_or(|on| link == on)) {
         let turns = |pin: &&Pin| pin.axis_of(pinion).is_some() && pin.axis_of(carrier).is_some();
         let pin = pins.iter().find(turns);
         let slides = guides(carrier).find(|tie| tie.has(bar));

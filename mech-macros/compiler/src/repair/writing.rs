@@ -23,10 +23,7 @@ pub fn edits(repairs: &[Repair], model: &Model, tokens: &Tokens) -> Option<Edits
 
 /// Whether a repair only takes something out.
 fn takes_out(repair: &Repair) -> bool {
-    matches!(
-        repair,
-        Repair::RemoveJoint(_) | Repair::RemoveLink(_) | Repair::RemoveMotor(_)
-    )
+    matches!(repair, Repair::RemoveJoint(_) | Repair::RemoveLink(_) | Repair::RemoveMotor(_))
 }
 
 /// The text of a mechanism that is being changed.
@@ -194,9 +191,7 @@ impl<'m> Writing<'m> {
         let statement = self.joint(joint)?;
         let close = statement.token(statement.rfind(")")?);
         let clause = on.map(|link| format!("on {}", self.model.link(link).name));
-        let known = statement
-            .find("on")
-            .map(|word| statement.token(word)..close);
+        let known = statement.find("on").map(|word| statement.token(word)..close);
         let edits = &mut self.rewriter.edits;
         match (known, clause) {
             (Some(range), Some(clause)) => edits.replace(range, clause),
@@ -221,9 +216,7 @@ impl<'m> Writing<'m> {
 
     /// Writes other numbers, if the old ones still stand there.
     fn renumber(&mut self, numbers: &NewNumbers) -> Option<()> {
-        let NewNumbers {
-            tokens, old, new, ..
-        } = numbers;
+        let NewNumbers { tokens, old, new, .. } = numbers;
         let mut statements = self.rewriter.statements.iter();
         let statement = statements.find(|one| one.range().contains(&tokens.start))?;
         let first = statement.token(0);

@@ -38,9 +38,7 @@ impl Turn {
         Some(Self {
             radius: contact.radius,
             pressure: greatest(|numbers| numbers.pressure)?,
-            curvature: is_smooth
-                .then(|| greatest(|numbers| numbers.curvature))
-                .flatten(),
+            curvature: is_smooth.then(|| greatest(|numbers| numbers.curvature)).flatten(),
         })
     }
 
@@ -81,11 +79,7 @@ fn greatest(
         }
         let middle = 0.5 * (low + high);
         let best = number(at(middle));
-        if best > value(index) {
-            (middle, best)
-        } else {
-            (angle, value(index))
-        }
+        if best > value(index) { (middle, best) } else { (angle, value(index)) }
     });
     found.max_by(|(_, a), (_, b)| a.total_cmp(b))
 }
@@ -105,10 +99,7 @@ pub(super) fn line(model: &Model, compiled: &Compiled, cam: JointId) -> Option<S
         degrees(at)
     );
     if let Some((at, radius)) = turn.of_disc().filter(|(_, radius)| *radius > 0.0) {
-        text += &format!(
-            "; radius of the disc at least {radius:.4} at q = {}",
-            degrees(at)
-        );
+        text += &format!("; radius of the disc at least {radius:.4} at q = {}", degrees(at));
     }
     Some(text)
 }

@@ -17,21 +17,16 @@ pub(super) fn force_lines(
     let masses = model.links.iter().filter_map(|link| link.mass);
     let (count, mass) = masses.fold((0, 0.0), |(count, sum), mass| (count + 1, sum + mass.mass));
     let actions = &model.actions;
-    let mut parts = vec![format!(
-        "{count} of {} links weigh {mass:.6}",
-        model.declared_links().count()
-    )];
+    let mut parts =
+        vec![format!("{count} of {} links weigh {mass:.6}", model.declared_links().count())];
     if actions.gravity.is_some() {
         parts.push("gravity".to_owned());
     }
     let springs = actions.springs.iter().map(|spring| spring.name.as_str());
     let dampers = actions.dampers.iter().map(|damper| damper.name.as_str());
     let loads = actions.loads.iter().map(|load| load.name.as_str());
-    let all: [(&str, Vec<&str>); 3] = [
-        ("spring", springs.collect()),
-        ("damper", dampers.collect()),
-        ("load", loads.collect()),
-    ];
+    let all: [(&str, Vec<&str>); 3] =
+        [("spring", springs.collect()), ("damper", dampers.collect()), ("load", loads.collect())];
     for (noun, names) in all {
         parts.extend(plural(noun, names.len(), &names.join(", ")));
     }
@@ -48,10 +43,7 @@ pub(super) fn force_lines(
         }
     }
     if model.effects.force && forced.inverse_dynamics.is_none() {
-        writeln!(
-            text,
-            "  reactions are not determined: joints hold links more than once"
-        )?;
+        writeln!(text, "  reactions are not determined: joints hold links more than once")?;
     }
     Ok(())
 }

@@ -24,14 +24,9 @@ pub(super) fn part_lines(model: &Model, plan: &Plan, loops: &[SolvedLoop]) -> Ve
     let line = |(part, instances): (&str, Vec<usize>)| {
         let of = |instance: usize| {
             let owners = owners.iter().enumerate();
-            owners
-                .filter(move |(_, owner)| **owner == Some(instance))
-                .map(|(number, _)| number)
+            owners.filter(move |(_, owner)| **owner == Some(instance)).map(|(number, _)| number)
         };
-        let counts: Vec<usize> = instances
-            .iter()
-            .map(|&instance| of(instance).count())
-            .collect();
+        let counts: Vec<usize> = instances.iter().map(|&instance| of(instance).count()).collect();
         let (least, most) = (counts.iter().min(), counts.iter().max());
         let count = match (least, most) {
             (Some(0), Some(0)) | (None, _) | (_, None) => "no loops".to_owned(),
@@ -46,11 +41,7 @@ pub(super) fn part_lines(model: &Model, plan: &Plan, loops: &[SolvedLoop]) -> Ve
         methods.sort_unstable();
         methods.dedup();
         let methods = methods.iter().map(|method| format!(", {method}"));
-        format!(
-            "{} × {part}: {count}{}",
-            instances.len(),
-            methods.collect::<String>()
-        )
+        format!("{} × {part}: {count}{}", instances.len(), methods.collect::<String>())
     };
     parts.into_iter().map(line).collect()
 }
@@ -101,9 +92,7 @@ pub(super) fn joint_names(model: &Model, ids: &[JointId]) -> Vec<String> {
     let mut shown: Vec<String> = Vec::new();
     for name in names {
         let all = pattern(name);
-        let of = all
-            .rsplit_once('.')
-            .and_then(|(scope, _)| instances.get(scope));
+        let of = all.rsplit_once('.').and_then(|(scope, _)| instances.get(scope));
         if of.is_some_and(|&of| of > 1 && counts.get(&all) == Some(&of)) {
             if !shown.contains(&all) {
                 shown.push(all);

@@ -30,11 +30,7 @@ pub(super) fn notes(model: &Model) -> impl Iterator<Item = String> {
         let jump = law.first_jump_in_turn(&params, model.turns(follower))?;
         let by = format!("cam `{}`", model.joint(cam).name);
         let degrees = jump.at.to_degrees();
-        let degrees = if degrees.abs() < 1e-9 {
-            0.0
-        } else {
-            tidy(degrees)
-        };
+        let degrees = if degrees.abs() < 1e-9 { 0.0 } else { tidy(degrees) };
         let place = format!("at q = {degrees} deg");
         let per = format!(" for each radian of `{}`", model.joint(shaft).name);
         Some(note(model, &jump, follower, [&by, &place, &per]))

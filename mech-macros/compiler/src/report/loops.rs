@@ -25,11 +25,7 @@ pub(super) fn loop_line(model: &Model, closing: &Loop) -> String {
         0 => String::new(),
         ties => format!(", {ties} tied by rolling"),
     };
-    format!(
-        "level {}: {coupled}unknowns {}{tied}",
-        closing.level,
-        unknowns.join(", ")
-    )
+    format!("level {}: {coupled}unknowns {}{tied}", closing.level, unknowns.join(", "))
 }
 
 /// The joints of a loop, and the loops or motors that determine it.

@@ -56,9 +56,8 @@ fn write(text: &mut String, model: &Model, compiled: &Compiled) -> std::fmt::Res
         writeln!(text, "  law       {} = {}", joint.name, law.written)?;
     }
     let params = model.params.all().iter();
-    let params: Vec<String> = params
-        .map(|param| format!("`{}` = {}", param.name, param.value))
-        .collect();
+    let params: Vec<String> =
+        params.map(|param| format!("`{}` = {}", param.name, param.value)).collect();
     if !params.is_empty() {
         writeln!(text, "  params    {}", params.join(", "))?;
     }
@@ -82,12 +81,7 @@ fn write(text: &mut String, model: &Model, compiled: &Compiled) -> std::fmt::Res
         if is_described(model, closing) {
             continue;
         }
-        writeln!(
-            text,
-            "  loop {:<4} {}",
-            index + 1,
-            loop_line(model, closing)
-        )?;
+        writeln!(text, "  loop {:<4} {}", index + 1, loop_line(model, closing))?;
         writeln!(text, "            {}", needs_line(model, plan, closing))?;
         if let Some(solved) = loops.iter().find(|solved| solved.number == index) {
             writeln!(text, "            {}", method_line(solved))?;
@@ -101,19 +95,12 @@ fn write(text: &mut String, model: &Model, compiled: &Compiled) -> std::fmt::Res
         writeln!(text, "  accuracy  {}", accuracy(model, prediction))?;
     }
     if let Some(saved) = saved {
-        writeln!(
-            text,
-            "  left out  {}: {saved}",
-            omissions(model, plan, program)
-        )?;
+        writeln!(text, "  left out  {}: {saved}", omissions(model, plan, program))?;
     }
     writeln!(text, "  cost      {}", cost::of_program(program))?;
     if let Some(moving) = moving {
-        let kinds = if model.effects.acceleration {
-            "velocity and acceleration"
-        } else {
-            "velocity"
-        };
+        let kinds =
+            if model.effects.acceleration { "velocity and acceleration" } else { "velocity" };
         let more = cost::of_rates(program, moving);
         writeln!(text, "  effects   {kinds}: {more} more")?;
     }
@@ -140,19 +127,13 @@ fn mobility(model: &Model, structure: &Structure) -> String {
     let count =
         |wanted: fn(&Joint) -> bool| model.joints.iter().filter(|joint| wanted(joint)).count();
     let slots = count(|joint| joint.hidden);
-    let pairs = count(|joint| {
-        matches!(
-            joint.kind,
-            JointKind::Revolute(..) | JointKind::Prismatic(..)
-        )
-    }) - 2 * slots;
+    let pairs =
+        count(|joint| matches!(joint.kind, JointKind::Revolute(..) | JointKind::Prismatic(..)))
+            - 2 * slots;
     let welds = count(|joint| matches!(joint.kind, JointKind::Weld(..)));
     let rolls = count(|joint| joint.kind.ties());
-    let mut text = format!(
-        "{} = 3·{} − 2·{pairs}",
-        structure.mobility,
-        model.declared_links().count()
-    );
+    let mut text =
+        format!("{} = 3·{} − 2·{pairs}", structure.mobility, model.declared_links().count());
     for (what, times) in [("3·", welds), ("", slots + rolls)] {
         if times > 0 {
             text += &format!(" − {what}{times}");
@@ -214,11 +195,8 @@ const MOST_NEAR: usize = 8;
 /// Returns the notes on loops that come near change points.
 fn near_misses(model: &Model, compiled: &Compiled) -> Vec<String> {
     let all = &compiled.near_misses;
-    let mut notes: Vec<String> = all
-        .iter()
-        .take(MOST_NEAR)
-        .map(|miss| near_miss(model, miss))
-        .collect();
+    let mut notes: Vec<String> =
+        all.iter().take(MOST_NEAR).map(|miss| near_miss(model, miss)).collect();
     if all.len() > MOST_NEAR {
         notes.push(format!("so do {} other loops", all.len() - MOST_NEAR));
     }
@@ -227,14 +205,7 @@ fn near_misses(model: &Model, compiled: &Compiled) -> Vec<String> {
 
 /// ``the loop `b`, `c` passes within 5e-11 of a change point at a = -70.53 deg``.
 fn near_miss(model: &Model, miss: &NearMiss) -> String {
-    let NearMiss {
-        place,
-        motor,
-        at,
-        distance,
-        passes,
-        ..
-    } = miss;
+    let NearMiss { place, motor, at, distance, passes, .. } = miss;
     let joint = model.joint(model.motor(*motor).joint);
     let at = match joint.kind {
         JointKind::Revolute(..) => format!("{:.2} deg", at.to_degrees()),

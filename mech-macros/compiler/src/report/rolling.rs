@@ -10,9 +10,7 @@ use crate::structure::{Rolling, Structure};
 /// The lines about what gears, belts, racks and cams couple.
 pub(super) fn coupling_lines(model: &Model, structure: &Structure, plan: &Plan) -> Vec<String> {
     let rollings = structure.rollings.iter();
-    let rollings: Vec<String> = rollings
-        .map(|rolling| rolling_line(model, rolling))
-        .collect();
+    let rollings: Vec<String> = rollings.map(|rolling| rolling_line(model, rolling)).collect();
     let moved = plan.steps.iter().filter_map(|step| match step {
         Step::Mesh(mesh) => Some(mesh_line(model, plan, mesh)),
         _ => None,
@@ -72,11 +70,7 @@ fn rolling_line(model: &Model, rolling: &Rolling) -> String {
         kind => bug!("{kind:?} is reported as something that rolls"),
     };
     let [a, b] = rolling.ends.map(|(end, _)| name(model, end.link()));
-    format!(
-        "{}: {a} and {b}, {size}, on {}",
-        joint.name,
-        name(model, rolling.carrier)
-    )
+    format!("{}: {a} and {b}, {size}, on {}", joint.name, name(model, rolling.carrier))
 }
 
 /// The factors of motors, angles and displacements in the coordinate of a joint that gears, belts or racks move.
@@ -103,12 +97,7 @@ fn mesh_line(model: &Model, plan: &Plan, mesh: &Mesh) -> String {
 /// The joints of a cam, and its law.
 fn cam_line(model: &Model, cam: &Cam) -> String {
     let joint = model.joint(cam.by);
-    let JointKind::Cam {
-        shaft,
-        follower,
-        law,
-    } = joint.kind
-    else {
+    let JointKind::Cam { shaft, follower, law } = joint.kind else {
         return String::new();
     };
     format!(

@@ -14,11 +14,7 @@ const LISTED: usize = 4;
 impl Words<'_> {
     pub(super) fn assembly(&self, diagnosis: &Diagnosis, offers: &Offers) -> (Origin, String) {
         match diagnosis {
-            Diagnosis::CannotClose {
-                unknowns,
-                gap,
-                axes,
-            } => (
+            Diagnosis::CannotClose { unknowns, gap, axes } => (
                 self.middle(unknowns),
                 format!(
                     "the mechanism cannot close at its start: {} and {} stay {} apart\nnote: {} freely, but bring \
@@ -42,23 +38,15 @@ impl Words<'_> {
                     self.start_elsewhere(offers)
                 ),
             ),
-            Diagnosis::SeveralAssemblies {
-                links,
-                angles,
-                loops,
-                many,
-            } => {
+            Diagnosis::SeveralAssemblies { links, angles, loops, many } => {
                 let origin = self.at_link(links.first());
                 let help = if is_long(*many, angles) {
                     self.one_by_one(loops)
                 } else {
                     self.all_assemblies(links, angles, loops)
                 };
-                let count = if *many {
-                    "more than 64".to_owned()
-                } else {
-                    angles.len().to_string()
-                };
+                let count =
+                    if *many { "more than 64".to_owned() } else { angles.len().to_string() };
                 let text = format!(
                     "the mechanism can be assembled in {count} ways; `near` says which one is meant{help}"
                 );
@@ -78,22 +66,13 @@ impl Words<'_> {
 
     pub(super) fn start_elsewhere(&self, offers: &Offers) -> String {
         let help = self.help(offers);
-        if help.is_empty() {
-            "\nhelp: start the motors elsewhere".to_owned()
-        } else {
-            help
-        }
+        if help.is_empty() { "\nhelp: start the motors elsewhere".to_owned() } else { help }
     }
 
     /// For each possible assembly the clauses of a start that choose it. Of very many assemblies, only the clauses of the first.
     pub(super) fn assemblies(&self, diagnosis: &Diagnosis) -> Vec<String> {
         match diagnosis {
-            Diagnosis::SeveralAssemblies {
-                links,
-                angles,
-                loops,
-                many,
-            } => {
+            Diagnosis::SeveralAssemblies { links, angles, loops, many } => {
                 if is_long(*many, angles) {
                     vec![self.first_assembly(loops)]
                 } else {
@@ -122,21 +101,13 @@ impl Words<'_> {
         let clauses = self.all_clauses(links, angles).into_iter().enumerate();
         let lines = clauses.map(|(number, clauses)| {
             let then = match loops {
-                [
-                    OpenLoop {
-                        joint, assemblies, ..
-                    },
-                ] => assemblies.get(number).map(|assembly| {
+                [OpenLoop { joint, assemblies, .. }] => assemblies.get(number).map(|assembly| {
                     let at = self.format_coordinate(*joint, assembly.coordinate);
                     format!(": {} is then at {at}", self.joint(*joint))
                 }),
                 _ => None,
             };
-            format!(
-                "\nhelp: add {}{}",
-                self.in_start(&clauses),
-                then.unwrap_or_default()
-            )
+            format!("\nhelp: add {}{}", self.in_start(&clauses), then.unwrap_or_default())
         });
         lines.collect()
     }
@@ -152,11 +123,8 @@ impl Words<'_> {
 
     /// The direction by which an assembly of a loop is chosen.
     fn clause(&self, open: &OpenLoop, assembly: &LoopAssembly) -> String {
-        let angles: Vec<Vec<f64>> = open
-            .assemblies
-            .iter()
-            .map(|assembly| vec![assembly.angle])
-            .collect();
+        let angles: Vec<Vec<f64>> =
+            open.assemblies.iter().map(|assembly| vec![assembly.angle]).collect();
         let angle = round_to(assembly.angle.to_degrees(), places_enough(1, &angles));
         format!("{} near {angle} deg;", self.model.link(open.link).name)
     }
@@ -174,16 +142,10 @@ impl Words<'_> {
                 format!("`{}` puts it at {there}", self.clause(open, assembly))
             });
             let others: Vec<String> = others.collect();
-            format!(
-                "\nhelp: {joint} is then at {first}; instead {}",
-                others.join(", ")
-            )
+            format!("\nhelp: {joint} is then at {first}; instead {}", others.join(", "))
         });
         let others: String = others.collect();
-        format!(
-            "\nhelp: add {}{others}",
-            self.in_start(&self.first_assembly(loops))
-        )
+        format!("\nhelp: add {}{others}", self.in_start(&self.first_assembly(loops)))
     }
 
     /// Clauses, and where they go.

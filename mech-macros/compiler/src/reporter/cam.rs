@@ -6,10 +6,7 @@ use crate::model::{JointId, JointKind, Origin};
 
 impl Words<'_> {
     pub(super) fn cam_not_driven(&self, cam: JointId) -> String {
-        let JointKind::Cam {
-            shaft, follower, ..
-        } = self.model.joint(cam).kind
-        else {
+        let JointKind::Cam { shaft, follower, .. } = self.model.joint(cam).kind else {
             return String::new();
         };
         let (shaft, follower) = (self.joint(shaft), self.joint(follower));
@@ -45,11 +42,7 @@ impl Words<'_> {
                 (is_known && self.is_drawn(follower) && value.abs() > SLACK)
                     .then_some((cam, follower, law, value))
             })?;
-        let (sign, size) = if value < 0.0 {
-            ('+', -value)
-        } else {
-            ('-', value)
-        };
+        let (sign, size) = if value < 0.0 { ('+', -value) } else { ('-', value) };
         let (_, link) = self.model.ends(follower);
         let change = if law.is_motion() {
             "let the motion begin elsewhere, by `from`".to_owned()

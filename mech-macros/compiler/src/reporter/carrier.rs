@@ -27,11 +27,7 @@ impl Words<'_> {
         } else {
             self.help(offers)
         };
-        format!(
-            "nothing carries {} {}: {holds}{help}",
-            self.rolling(id),
-            self.joint(id)
-        )
+        format!("nothing carries {} {}: {holds}{help}", self.rolling(id), self.joint(id))
     }
 
     pub(super) fn not_carrier(&self, id: JointId, named: LinkId, offers: &Offers) -> String {
@@ -53,10 +49,8 @@ impl Words<'_> {
 
     pub(super) fn several_carriers(&self, id: JointId, carriers: &[LinkId]) -> String {
         let links: Vec<String> = carriers.iter().map(|&link| self.link(link)).collect();
-        let clauses: Vec<String> = carriers
-            .iter()
-            .map(|&link| format!("`on {}`", self.model.link(link).name))
-            .collect();
+        let clauses: Vec<String> =
+            carriers.iter().map(|&link| format!("`on {}`", self.model.link(link).name)).collect();
         let (moves, after) = match self.model.joint(id).kind {
             JointKind::Rack { .. } => ("its pinion turns and its bar slides on", "radius"),
             _ => ("both of its wheels turn on", "ratio"),
@@ -98,11 +92,7 @@ impl Words<'_> {
                 )
             }
             MeshTrouble::Distance { distance, asked } => {
-                let how = if ratio.is_internal() {
-                    "differ by"
-                } else {
-                    "add up to"
-                };
+                let how = if ratio.is_internal() { "differ by" } else { "add up to" };
                 format!(
                     "the radii of {what} do not fit: the axes of {first} and {second} are {} apart on {}, but radii {one} \
                      and {other} {how} {}",

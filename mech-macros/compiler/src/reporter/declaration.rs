@@ -10,18 +10,11 @@ impl Words<'_> {
     /// Returns the purpose of a declaration, and its text.
     pub(super) fn declaration(&self, declared: &Declaration) -> String {
         let text = declared.statements(self.model);
-        let verb = if declared.replaced.is_empty() {
-            "add"
-        } else {
-            "write"
-        };
+        let verb = if declared.replaced.is_empty() { "add" } else { "write" };
         let dropped = declared.dropped_names(self.model).into_iter();
         let dropped: Vec<String> = dropped.map(|name| format!("`joint {name}`")).collect();
-        let without = if dropped.is_empty() {
-            String::new()
-        } else {
-            format!(" without {}", and(&dropped))
-        };
+        let without =
+            if dropped.is_empty() { String::new() } else { format!(" without {}", and(&dropped)) };
         let purpose = self.purpose(declared);
         format!("{purpose}: {verb} `{}`{without}", text.join(" "))
     }
@@ -51,11 +44,9 @@ impl Words<'_> {
             ),
             Purpose::Join { .. } => format!("join {} and {}", name(0), name(1)),
             Purpose::Meet => format!("join {} and {}, for example here", name(0), name(1)),
-            Purpose::Twin => format!(
-                "join {} and {} like their twins, for example here",
-                name(0),
-                name(1)
-            ),
+            Purpose::Twin => {
+                format!("join {} and {} like their twins, for example here", name(0), name(1))
+            }
             Purpose::Connect => format!("connect {} and {}", name(0), name(1)),
             Purpose::Stiffen => format!("make one bent link of {} and {}", name(0), name(1)),
             Purpose::Turn => format!("let {} turn", name(0)),
@@ -63,11 +54,7 @@ impl Words<'_> {
             Purpose::Slide => format!("let {moving} slide on the ground"),
             Purpose::Guess => {
                 let is_slot = matches!(declared.joints[0].kind, NewKind::Slot(_));
-                let (what, on) = if is_slot {
-                    ("a pin of ", (0, 1))
-                } else {
-                    ("", (1, 0))
-                };
+                let (what, on) = if is_slot { ("a pin of ", (0, 1)) } else { ("", (1, 0)) };
                 let (moving, rail) = (name(on.0), name(on.1));
                 format!("let {what}{moving} slide on {rail}, for example here")
             }

@@ -31,21 +31,12 @@ impl Words<'_> {
 
     /// The links that are not in the drawing, as the reason why one that is cannot stay.
     fn not_drawn(&self) -> String {
-        let links: Vec<LinkId> = self
-            .model
-            .declared_links()
-            .filter(|&link| !self.model.link(link).drawn)
-            .collect();
+        let links: Vec<LinkId> =
+            self.model.declared_links().filter(|&link| !self.model.link(link).drawn).collect();
         match links[..] {
             [] => String::new(),
-            [_] => format!(
-                ": {}, which has lengths of its own, does not fit",
-                self.links(&links)
-            ),
-            _ => format!(
-                ": {}, which have lengths of their own, do not fit",
-                self.links(&links)
-            ),
+            [_] => format!(": {}, which has lengths of its own, does not fit", self.links(&links)),
+            _ => format!(": {}, which have lengths of their own, do not fit", self.links(&links)),
         }
     }
 
@@ -79,11 +70,8 @@ impl Words<'_> {
 
     /// Two axes in the scene that a joint cannot bring together, because neither frame can move.
     fn frame_of_the_scene(&self) -> Option<(Origin, String)> {
-        let Apart {
-            joint,
-            given,
-            other,
-        } = self.model.joint_ids().find_map(|joint| self.apart(joint))?;
+        let Apart { joint, given, other } =
+            self.model.joint_ids().find_map(|joint| self.apart(joint))?;
         let axis = self.model.axis(given);
         let place = self.placed_by(axis.link)?;
         let text = format!(
@@ -116,11 +104,7 @@ impl Words<'_> {
             (true, false) => (a, b),
             (false, false) => return None,
         };
-        Some(Apart {
-            joint,
-            given,
-            other,
-        })
+        Some(Apart { joint, given, other })
     }
 
     /// Whether two axes in the scene lie as a joint wants them, wherever its coordinate is.

@@ -29,10 +29,9 @@ impl Words<'_> {
     pub(super) fn overflow(&self, culprit: Option<Extreme>) -> (Origin, String) {
         let (scalar, model) = (self.scalar(), self.model);
         let (origin, what) = match culprit {
-            Some(Extreme::Mass(link)) => (
-                self.at_link(Some(&link)),
-                format!("the mass of {}", self.link(link)),
-            ),
+            Some(Extreme::Mass(link)) => {
+                (self.at_link(Some(&link)), format!("the mass of {}", self.link(link)))
+            }
             Some(Extreme::Spring(number)) => {
                 let spring = &model.actions.springs[number];
                 (spring.origin, format!("spring `{}`", spring.name))
@@ -44,10 +43,7 @@ impl Words<'_> {
             Some(Extreme::Gravity) => (model.origin, "`gravity`".to_owned()),
             Some(Extreme::Law(motor)) => {
                 let name = &model.joint(model.motor(motor).joint).name;
-                (
-                    model.motor(motor).origin,
-                    format!("the law of motor `{name}`"),
-                )
+                (model.motor(motor).origin, format!("the law of motor `{name}`"))
             }
             None => (model.origin, "this mechanism".to_owned()),
         };
@@ -84,11 +80,7 @@ impl Words<'_> {
         let scalar = self.scalar();
         let in_double = best / Precision::F32.epsilon() * Precision::F64.epsilon();
         let best = upwards(best);
-        let or_double = if single && in_double <= accuracy {
-            ", or compute in `f64`"
-        } else {
-            ""
-        };
+        let or_double = if single && in_double <= accuracy { ", or compute in `f64`" } else { "" };
         format!(
             "this accuracy is beyond `{scalar}`: positions of `{}` may be off by {best:.1e}, however its loops are solved\nhelp: \
              write `accuracy {best:.1e};` or more{or_double}",

@@ -15,16 +15,8 @@ impl Words<'_> {
     ) -> String {
         let motor = self.joint(self.model.motor(motor).joint);
         let links = self.moving_links(part);
-        let (form, them) = if links.len() == 1 {
-            ("is", "it")
-        } else {
-            ("form", "them")
-        };
-        let rigid = if part.contains(&LinkId::GROUND) {
-            "`ground`"
-        } else {
-            "each other"
-        };
+        let (form, them) = if links.len() == 1 { ("is", "it") } else { ("form", "them") };
+        let rigid = if part.contains(&LinkId::GROUND) { "`ground`" } else { "each other" };
         format!(
             "motor {motor} is blocked: {} {form} a part that cannot move (mobility 0)\nnote: {} {them} rigidly to {rigid}{}",
             self.links(&links),
@@ -35,16 +27,9 @@ impl Words<'_> {
 
     pub(super) fn too_many(&self, motor: MotorId, among: &[MotorId], offers: &Offers) -> String {
         let joint = |id: MotorId| self.model.motor(id).joint;
-        let others: Vec<JointId> = among
-            .iter()
-            .filter(|&&id| id != motor)
-            .map(|&id| joint(id))
-            .collect();
-        let determine = if others.len() == 1 {
-            "determines"
-        } else {
-            "determine"
-        };
+        let others: Vec<JointId> =
+            among.iter().filter(|&&id| id != motor).map(|&id| joint(id)).collect();
+        let determine = if others.len() == 1 { "determines" } else { "determine" };
         format!(
             "motor {} is one too many: {} already {determine} what moves there{}",
             self.joint(joint(motor)),
@@ -105,9 +90,7 @@ impl Words<'_> {
             (a.min(b), a.max(b))
         };
         let (a, b) = pair(*joints.first()?);
-        let declared = [a, b]
-            .iter()
-            .all(|&link| self.model.link(link).die.is_none());
+        let declared = [a, b].iter().all(|&link| self.model.link(link).die.is_none());
         let same = joints.len() > 1 && joints.iter().all(|&joint| pair(joint) == (a, b));
         (declared && same).then(|| {
             format!(
@@ -120,11 +103,8 @@ impl Words<'_> {
 
     /// There is more freedom than there are motors.
     pub(super) fn undetermined(&self, freedom: usize, free: &[JointId], offers: &Offers) -> String {
-        let missing = if freedom == 1 {
-            "one motor is".to_owned()
-        } else {
-            format!("{freedom} motors are")
-        };
+        let missing =
+            if freedom == 1 { "one motor is".to_owned() } else { format!("{freedom} motors are") };
         format!(
             "{} free when all motors are held: {missing} missing{}{}",
             self.the_joints(free, ["stays", "stay"]),
@@ -180,11 +160,7 @@ impl Words<'_> {
         candidates: &[JointId],
         offers: &Offers,
     ) -> String {
-        let needs = if freedom == 1 {
-            "one motor".to_owned()
-        } else {
-            format!("{freedom} motors")
-        };
+        let needs = if freedom == 1 { "one motor".to_owned() } else { format!("{freedom} motors") };
         let nothing = offers.single.is_empty()
             && offers.elsewhere.is_empty()
             && offers.coupled.is_empty()
@@ -197,10 +173,7 @@ impl Words<'_> {
         } else {
             String::new()
         };
-        format!(
-            "there is no motor: the mechanism needs {needs}{}{alone}",
-            self.motor_help(offers)
-        )
+        format!("there is no motor: the mechanism needs {needs}{}{alone}", self.motor_help(offers))
     }
 
     /// Where motors would do; if some would only under a condition, that the others would without.

@@ -16,9 +16,8 @@ pub(super) struct Reported<'d> {
 /// The diagnoses that are reported: of each joint or link of a part the first.
 pub(super) fn reported<'d>(diagnoses: &[Diagnosis], model: &'d Model) -> Vec<Reported<'d>> {
     let parts = model.instances.iter();
-    let parts: BTreeMap<&str, &str> = parts
-        .map(|instance| (instance.path.as_str(), instance.part.as_str()))
-        .collect();
+    let parts: BTreeMap<&str, &str> =
+        parts.map(|instance| (instance.path.as_str(), instance.part.as_str())).collect();
     let mut reported: Vec<Reported<'d>> = Vec::new();
     let mut first: HashMap<(Discriminant<Diagnosis>, &str, &str), usize> = HashMap::new();
     for (number, diagnosis) in diagnoses.iter().enumerate() {

@@ -33,10 +33,9 @@ impl Words<'_> {
                     format!("{names} {verb} no part in {where_it_is}"),
                 )
             }
-            InverseTrouble::Bound => (
-                None,
-                format!("{motors} do not determine {where_it_is}: it is held on a path"),
-            ),
+            InverseTrouble::Bound => {
+                (None, format!("{motors} do not determine {where_it_is}: it is held on a path"))
+            }
             InverseTrouble::DeadStart { unknowns } if unknowns.is_empty() => (
                 None,
                 format!("at the start {motors} cannot move `{what}` every way; start elsewhere"),
@@ -56,15 +55,8 @@ impl Words<'_> {
                     given_value(*given, *start)
                 ),
             ),
-            InverseTrouble::Region {
-                motor,
-                unknowns,
-                trouble,
-                proved,
-            } => (
-                inverse
-                    .given_by(*motor)
-                    .map(|given| inverse.region[given].origin),
+            InverseTrouble::Region { motor, unknowns, trouble, proved } => (
+                inverse.given_by(*motor).map(|given| inverse.region[given].origin),
                 self.region(*motor, unknowns, trouble, proved),
             ),
             InverseTrouble::Coupled { waiting } => (
@@ -76,10 +68,7 @@ impl Words<'_> {
             ),
             InverseTrouble::Trajectory { time, given, stop } => {
                 let path = inverse.trajectory.first();
-                (
-                    path.map(|law| self.model.law(*law).origin),
-                    self.path(*time, given, stop),
-                )
+                (path.map(|law| self.model.law(*law).origin), self.path(*time, given, stop))
             }
         };
         let help = match trouble {
@@ -114,10 +103,9 @@ impl Words<'_> {
                     self.smaller_region(proved)
                 );
             }
-            RangeTrouble::Cam(cam) => format!(
-                "there is no proof for cams, and {} is a cam",
-                self.joint(*cam)
-            ),
+            RangeTrouble::Cam(cam) => {
+                format!("there is no proof for cams, and {} is a cam", self.joint(*cam))
+            }
             RangeTrouble::Stops => format!(
                 "the loop of {} has a change point there, and `at change points stop` was declared",
                 self.joints(unknowns)
@@ -131,10 +119,7 @@ impl Words<'_> {
                 self.joints(unknowns)
             ),
             RangeTrouble::Varies { param } => {
-                format!(
-                    "param `{}` may change the shape of the mechanism",
-                    self.param(*param)
-                )
+                format!("param `{}` may change the shape of the mechanism", self.param(*param))
             }
             RangeTrouble::Missing => "a motor that does not follow has no range".to_owned(),
         };
@@ -148,20 +133,16 @@ impl Words<'_> {
     fn path(&self, time: f64, given: &[f64], stop: &TrajectoryStop) -> String {
         let what = self.inverse().name(self.model);
         let given = given.iter().enumerate();
-        let given: Vec<String> = given
-            .map(|(given, value)| given_value(given, *value))
-            .collect();
+        let given: Vec<String> = given.map(|(given, value)| given_value(given, *value)).collect();
         let why = match stop {
             TrajectoryStop::Loop(joints) if joints.is_empty() => "a loop does not close".to_owned(),
-            TrajectoryStop::Loop(joints) => format!(
-                "{} close the loop",
-                self.the_joints(joints, ["cannot", "cannot"])
-            ),
+            TrajectoryStop::Loop(joints) => {
+                format!("{} close the loop", self.the_joints(joints, ["cannot", "cannot"]))
+            }
             TrajectoryStop::Region(given) => format!("{} leaves its range", Inverse::GIVEN[*given]),
-            TrajectoryStop::Range(motor) => format!(
-                "motor `{}` would leave its range",
-                self.name_of_motor(*motor)
-            ),
+            TrajectoryStop::Range(motor) => {
+                format!("motor `{}` would leave its range", self.name_of_motor(*motor))
+            }
             TrajectoryStop::Apart => "the motors cannot follow it".to_owned(),
             TrajectoryStop::Law => "one of these is no number".to_owned(),
             TrajectoryStop::TooLarge => "that is too far away".to_owned(),
@@ -195,19 +176,13 @@ impl Words<'_> {
         });
         let ranges: Vec<String> = ranges.collect();
         let what = self.inverse().name(self.model);
-        format!(
-            "\nhelp: `{what}` comes to all of `in ({})`",
-            ranges.join(", ")
-        )
+        format!("\nhelp: `{what}` comes to all of `in ({})`", ranges.join(", "))
     }
 
     /// The statement with these motors instead.
     pub(super) fn follow_line(&self, motors: &[MotorId]) -> String {
         let what = self.inverse().name(self.model);
-        let names: Vec<&str> = motors
-            .iter()
-            .map(|motor| self.name_of_motor(*motor))
-            .collect();
+        let names: Vec<&str> = motors.iter().map(|motor| self.name_of_motor(*motor)).collect();
         format!("write `follow {what} by {};`", names.join(", "))
     }
 

@@ -96,90 +96,60 @@ impl Words<'_> {
     fn of(&self, diagnosis: &Diagnosis, offers: &Offers) -> Vec<(Origin, String)> {
         let messages = match diagnosis {
             Diagnosis::Loose { link } => (self.at_link(Some(link)), self.loose(*link, offers)),
-            Diagnosis::Disconnected { links } => (
-                self.at_link(links.first()),
-                self.disconnected(links, offers),
-            ),
-            Diagnosis::NotCarrier { joint, link } => (
-                self.at_joint(Some(joint)),
-                self.not_carrier(*joint, *link, offers),
-            ),
+            Diagnosis::Disconnected { links } => {
+                (self.at_link(links.first()), self.disconnected(links, offers))
+            }
+            Diagnosis::NotCarrier { joint, link } => {
+                (self.at_joint(Some(joint)), self.not_carrier(*joint, *link, offers))
+            }
             Diagnosis::NoCarrier { joint } => {
                 (self.at_joint(Some(joint)), self.no_carrier(*joint, offers))
             }
-            Diagnosis::SeveralCarriers { joint, carriers } => (
-                self.at_joint(Some(joint)),
-                self.several_carriers(*joint, carriers),
-            ),
-            Diagnosis::NoMesh {
-                joint,
-                carrier,
-                ratio,
-                trouble,
-            } => (
+            Diagnosis::SeveralCarriers { joint, carriers } => {
+                (self.at_joint(Some(joint)), self.several_carriers(*joint, carriers))
+            }
+            Diagnosis::NoMesh { joint, carrier, ratio, trouble } => (
                 self.at_joint(Some(joint)),
                 self.no_mesh(*joint, *carrier, *ratio, *trouble) + &self.help_or_pairs(offers),
             ),
-            Diagnosis::Blocked {
-                motor,
-                part,
-                joints,
-            } => (
-                self.model.motor(*motor).origin,
-                self.blocked(*motor, part, joints, offers),
-            ),
-            Diagnosis::TooManyMotors { motor, among } => (
-                self.model.motor(*motor).origin,
-                self.too_many(*motor, among, offers),
-            ),
+            Diagnosis::Blocked { motor, part, joints } => {
+                (self.model.motor(*motor).origin, self.blocked(*motor, part, joints, offers))
+            }
+            Diagnosis::TooManyMotors { motor, among } => {
+                (self.model.motor(*motor).origin, self.too_many(*motor, among, offers))
+            }
             Diagnosis::Rigid => (self.model.origin, self.rigid(offers)),
-            Diagnosis::Overdetermined { joints, is_mobile } => (
-                self.at_joint(joints.first()),
-                self.overdetermined(joints, *is_mobile, offers),
-            ),
+            Diagnosis::Overdetermined { joints, is_mobile } => {
+                (self.at_joint(joints.first()), self.overdetermined(joints, *is_mobile, offers))
+            }
             Diagnosis::Massless { motors } => return self.massless(motors),
-            Diagnosis::OverconstrainedWithParam { joints, param } => (
-                self.at_joint(joints.first()),
-                self.matched_only(joints, *param),
-            ),
+            Diagnosis::OverconstrainedWithParam { joints, param } => {
+                (self.at_joint(joints.first()), self.matched_only(joints, *param))
+            }
             Diagnosis::Overflow { culprit } => self.overflow(*culprit),
-            Diagnosis::Unmet {
-                requirement,
-                trouble,
-            } => self.unmet(*requirement, trouble, offers),
+            Diagnosis::Unmet { requirement, trouble } => self.unmet(*requirement, trouble, offers),
             Diagnosis::Inverse { trouble } => self.cannot_follow(trouble, offers),
             Diagnosis::TooLarge => (self.model.origin, self.too_large()),
             Diagnosis::TooSmall => (self.model.origin, self.too_small()),
-            Diagnosis::EndlessAccuracy { accuracy, motor } => (
-                self.model.motor(*motor).origin,
-                self.endless_accuracy(*accuracy, *motor),
-            ),
+            Diagnosis::EndlessAccuracy { accuracy, motor } => {
+                (self.model.motor(*motor).origin, self.endless_accuracy(*accuracy, *motor))
+            }
             Diagnosis::TooAccurate { accuracy, best } => {
                 (self.model.origin, self.too_accurate(*accuracy, *best))
             }
-            Diagnosis::NoMotor {
-                freedom,
-                candidates,
-            } => (
-                self.model.origin,
-                self.no_motor(*freedom, candidates, offers),
-            ),
-            Diagnosis::Undetermined { freedom, free, .. } => (
-                self.at_joint(free.first()),
-                self.undetermined(*freedom, free, offers),
-            ),
-            Diagnosis::OnOnePin { link, joints } => (
-                self.at_joint(joints.last()),
-                self.on_one_pin(*link, joints, offers),
-            ),
+            Diagnosis::NoMotor { freedom, candidates } => {
+                (self.model.origin, self.no_motor(*freedom, candidates, offers))
+            }
+            Diagnosis::Undetermined { freedom, free, .. } => {
+                (self.at_joint(free.first()), self.undetermined(*freedom, free, offers))
+            }
+            Diagnosis::OnOnePin { link, joints } => {
+                (self.at_joint(joints.last()), self.on_one_pin(*link, joints, offers))
+            }
             Diagnosis::NotSequential { waiting, rings } => {
                 return self.cycle(waiting, rings, offers);
             }
-            Diagnosis::Range {
-                motor,
-                unknowns,
-                trouble,
-            } => self.range(*motor, unknowns, trouble),
+            Diagnosis::Range { motor, unknowns, trouble } => self.range(*motor, unknowns, trouble),
             Diagnosis::CamNotDriven { joint } => {
                 (self.at_joint(Some(joint)), self.cam_not_driven(*joint))
             }
@@ -214,10 +184,7 @@ impl Words<'_> {
             let joint = self.some_joint(link);
             format!("{help}, or declare a joint, as `joint NAME = {joint};`")
         };
-        format!(
-            "nothing holds link {}: no joint joins it to anything{help}",
-            self.link(link)
-        )
+        format!("nothing holds link {}: no joint joins it to anything{help}", self.link(link))
     }
 
     fn disconnected(&self, links: &[LinkId], offers: &Offers) -> String {

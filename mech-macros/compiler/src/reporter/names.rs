@@ -20,11 +20,9 @@ impl Words<'_> {
         let link = &self.model.link(axis.link).name;
         match (&axis.name, axis.kind) {
             (Some(name), _) => format!("`{link}.{name}`"),
-            (None, AxisKind::Point) => format!(
-                "the point ({}, {}) of `{link}`",
-                brief(axis.at[0]),
-                brief(axis.at[1])
-            ),
+            (None, AxisKind::Point) => {
+                format!("the point ({}, {}) of `{link}`", brief(axis.at[0]), brief(axis.at[1]))
+            }
             (None, AxisKind::Line) => format!(
                 "the line through ({}, {}) of `{link}`",
                 brief(axis.at[0]),
@@ -68,10 +66,7 @@ impl Words<'_> {
     /// `a`, `b` and `c`.
     pub(super) fn joints(&self, ids: &[JointId]) -> String {
         let names = self.joint_names(ids);
-        and(&names
-            .iter()
-            .map(|name| format!("`{name}`"))
-            .collect::<Vec<_>>())
+        and(&names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>())
     }
 
     /// Joints with the word for them, and the verb that fits: `joint a stays` or `joints a, b stay`.

@@ -18,11 +18,7 @@ impl Words<'_> {
         let origin = declared.range.map_or(declared.origin, |range| range.origin);
         let at = |value: f64| self.motor_value(motor, value);
         let text = match trouble {
-            RangeTrouble::Blocked {
-                limit,
-                until,
-                others,
-            } => {
+            RangeTrouble::Blocked { limit, until, others } => {
                 let others: Vec<String> = others
                     .iter()
                     .map(|(other, value)| {
@@ -67,11 +63,7 @@ impl Words<'_> {
                 "the range of motor {name} cannot be proved: the loop of {} is solved by iteration, for which there is no proof\nhelp: \
                  leave the range out; every move is then tested as it is made{}",
                 self.joints(unknowns),
-                if self.model.method.is_some() {
-                    "; or write `method exact`"
-                } else {
-                    ""
-                }
+                if self.model.method.is_some() { "; or write `method exact`" } else { "" }
             ),
             RangeTrouble::Varies { param } => {
                 let param = self.param(*param);
@@ -93,11 +85,8 @@ impl Words<'_> {
     fn places(&self, motor: MotorId, places: &[(MotorId, (f64, f64))]) -> String {
         let place = |&(other, (low, high)): &(MotorId, (f64, f64))| {
             let [low, high] = [low, high].map(|value| self.motor_value(other, value));
-            let place = if low == high {
-                format!("at {low}")
-            } else {
-                format!("between {low} and {high}")
-            };
+            let place =
+                if low == high { format!("at {low}") } else { format!("between {low} and {high}") };
             if other == motor && places.len() == 1 {
                 place
             } else {
@@ -134,10 +123,7 @@ impl Words<'_> {
             JointKind::Revolute(..) => 1.0,
             _ => self.model.size(),
         };
-        #[expect(
-            clippy::cast_possible_truncation,
-            reason = "a power of ten that numbers have"
-        )]
+        #[expect(clippy::cast_possible_truncation, reason = "a power of ten that numbers have")]
         let power = size.log10().floor().clamp(-250.0, 250.0) as i32;
         places - power
     }

@@ -32,9 +32,7 @@ impl Words<'_> {
         }
         lines.truncate(LINES);
         let alone = in_lines(&self.phrases(&offers.partial));
-        let alone = alone
-            .first()
-            .map(|line| format!("\nhelp: for this alone, {line}"));
+        let alone = alone.first().map(|line| format!("\nhelp: for this alone, {line}"));
         let some = !lines.is_empty() || alone.is_some();
         let cut = some && offers.search == Search::Bounded;
         let cut = cut.then(|| "\nnote: not all possible changes were tried".to_owned());
@@ -77,11 +75,7 @@ impl Words<'_> {
     pub(super) fn all_together(&self, repairs: &[Repair]) -> String {
         match repairs {
             [first, second] => self.together(&[first.clone(), second.clone()]),
-            _ => repairs
-                .iter()
-                .map(|one| self.phrase(one))
-                .collect::<Vec<_>>()
-                .join(" and "),
+            _ => repairs.iter().map(|one| self.phrase(one)).collect::<Vec<_>>().join(" and "),
         }
     }
 
@@ -129,12 +123,9 @@ impl Words<'_> {
                     let [from, to] = [*from, *to].map(|link| self.link(link));
                     format!("write {to} for {from} in {}", self.joint_line(*joint))
                 }
-                Repair::Numbers(NewNumbers {
-                    old,
-                    new,
-                    statement,
-                    ..
-                }) => format!("write `{new}` for `{old}` in `{statement}`"),
+                Repair::Numbers(NewNumbers { old, new, statement, .. }) => {
+                    format!("write `{new}` for `{old}` in `{statement}`")
+                }
                 _ => return None,
             };
             Some((place, phrase))
@@ -159,17 +150,11 @@ impl Words<'_> {
                 _ => None,
             }),
             listed("replace ", " by `slot(...)`", &|repair| match repair {
-                Repair::Replace {
-                    joint,
-                    by: NewKind::Slot(_),
-                } => Some(self.joint_line(*joint)),
+                Repair::Replace { joint, by: NewKind::Slot(_) } => Some(self.joint_line(*joint)),
                 _ => None,
             }),
             listed("replace ", " by `revolute(...)`", &|repair| match repair {
-                Repair::Replace {
-                    joint,
-                    by: NewKind::Revolute,
-                } => Some(self.joint_line(*joint)),
+                Repair::Replace { joint, by: NewKind::Revolute } => Some(self.joint_line(*joint)),
                 _ => None,
             }),
             listed("leave ", " out", &|repair| match repair {

@@ -24,11 +24,7 @@ impl Words<'_> {
         let not_proved = format!("it could not be proved that `{written}`");
         let text = match trouble {
             RequirementTrouble::Fails(witness) => self.fails(number, witness, &why),
-            RequirementTrouble::Stops {
-                motor,
-                limit,
-                unknowns,
-            } => {
+            RequirementTrouble::Stops { motor, limit, unknowns } => {
                 let name = &self.model.joint(self.model.motor(*motor).joint).name;
                 format!(
                     "`{written}` does not hold{why}: motor `{name}` goes to {} only, where {} close the loop",
@@ -93,11 +89,7 @@ impl Words<'_> {
             RequirementTrouble::Follows { motor, origin } => {
                 return (*origin, self.follows(*motor));
             }
-            RequirementTrouble::Unreachable {
-                motor,
-                limit,
-                origin,
-            } => {
+            RequirementTrouble::Unreachable { motor, limit, origin } => {
                 let name = &self.model.joint(self.model.motor(*motor).joint).name;
                 let text = format!(
                     "motor `{name}` does not come to all of these values: it goes to {} only",
@@ -123,11 +115,7 @@ impl Words<'_> {
              give the limit more room, or say for which {} it holds, as `for {} in LOW ..= HIGH`",
             self.at_values(at),
             self.circumstances(number),
-            if at.time.is_some() {
-                "times"
-            } else {
-                "values of the motors"
-            },
+            if at.time.is_some() { "times" } else { "values of the motors" },
             self.first_input(at)
         )
     }
@@ -183,28 +171,17 @@ impl Words<'_> {
         let requirement = &self.model.requirements[number];
         let written = &requirement.written;
         let places: Vec<String> = witness.places.iter().map(|at| self.at_values(at)).collect();
-        let places = if places.is_empty() {
-            String::new()
-        } else {
-            format!(" {}", places.join(" and "))
-        };
+        let places =
+            if places.is_empty() { String::new() } else { format!(" {}", places.join(" and ")) };
         let of = if witness.unknowns.is_empty() {
             String::new()
         } else {
             format!(", in the loop of {}", self.joints(&witness.unknowns))
         };
         let limit = witness.proved.map(|proved| {
-            let sign = if witness.is_upper {
-                "at most"
-            } else {
-                "at least"
-            };
+            let sign = if witness.is_upper { "at most" } else { "at least" };
             let proved = self.measured(number, proved, Some(witness.is_upper));
-            let all = if witness.is_in_time {
-                "at all times"
-            } else {
-                "wherever the motors are"
-            };
+            let all = if witness.is_in_time { "at all times" } else { "wherever the motors are" };
             format!("\nhelp: it is {sign} {proved}, {all}")
         });
         format!(
@@ -237,9 +214,7 @@ impl Words<'_> {
         }
         let motor = at.motors.first().map(|(motor, _)| *motor);
         let motor = motor.or_else(|| self.model.motor_ids().next());
-        motor.map_or("MOTOR", |motor| {
-            &self.model.joint(self.model.motor(motor).joint).name
-        })
+        motor.map_or("MOTOR", |motor| &self.model.joint(self.model.motor(motor).joint).name)
     }
 
     /// A motor's value as one would write it in a text.
@@ -256,11 +231,7 @@ impl Words<'_> {
             Condition::Bounds { is_angle, .. } => *is_angle,
             Condition::Turns(_) => true,
         };
-        let (value, unit) = if is_angle {
-            (value.to_degrees(), " deg")
-        } else {
-            (value, "")
-        };
+        let (value, unit) = if is_angle { (value.to_degrees(), " deg") } else { (value, "") };
         format!("`{}{unit}`", significant(value, DIGITS, upwards))
     }
 }

@@ -44,9 +44,7 @@ impl Words<'_> {
             Err(Diagnosis::SeveralAssemblies { links, angles, .. }) => {
                 let places = places_enough(links.len(), &angles);
                 let found = angles.iter().take(MOST).filter_map(|angles| {
-                    let angles = angles
-                        .iter()
-                        .map(|angle| round_to(angle.to_degrees(), places));
+                    let angles = angles.iter().map(|angle| round_to(angle.to_degrees(), places));
                     let angles: Vec<f64> = angles.collect();
                     let value = coordinate_near(&free, joint, &links, &angles)?;
                     Some((value, angles))

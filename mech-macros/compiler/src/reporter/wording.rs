@@ -33,10 +33,7 @@ pub(super) fn places_enough(links: usize, angles: &[Vec<f64>]) -> usize {
     let apart = |places: &u8| {
         let least = 4.0 * 0.1_f64.powi(i32::from(*places));
         (0..links).all(|link| {
-            let angles: Vec<f64> = angles
-                .iter()
-                .map(|angles| angles[link].to_degrees())
-                .collect();
+            let angles: Vec<f64> = angles.iter().map(|angles| angles[link].to_degrees()).collect();
             let pairs = angles
                 .iter()
                 .enumerate()

@@ -12,11 +12,7 @@ pub(super) struct Bound {
 
 impl Default for Bound {
     fn default() -> Self {
-        Self {
-            proved: f64::NEG_INFINITY,
-            seen: f64::INFINITY,
-            place: Vec::new(),
-        }
+        Self { proved: f64::NEG_INFINITY, seen: f64::INFINITY, place: Vec::new() }
     }
 }
 
@@ -52,11 +48,7 @@ pub(super) struct Limit {
 impl Limit {
     /// Whether it is certainly kept.
     pub(super) fn is_kept(self, bound: &Bound) -> bool {
-        if self.is_strict {
-            bound.proved > 0.0
-        } else {
-            bound.proved >= -self.slack
-        }
+        if self.is_strict { bound.proved > 0.0 } else { bound.proved >= -self.slack }
     }
 
     /// Whether it is broken at the place that was seen.

@@ -34,13 +34,7 @@ impl Case<'_, '_> {
         positions: &Program,
         motion: Option<Motion<'_>>,
     ) -> Result<Gauge, RequirementTrouble> {
-        let Self {
-            model,
-            compiled,
-            requirement,
-            setting,
-            ..
-        } = *self;
+        let Self { model, compiled, requirement, setting, .. } = *self;
         let forces = setting.forces(model, compiled, requirement)?;
         let mut circumstances = setting.circumstances(requirement, forces.as_deref());
         if let Some(motion) = motion {
@@ -79,10 +73,7 @@ impl Case<'_, '_> {
         }
         let motors = self.model.motor_ids().zip(place);
         let told = motors.filter(|(motor, _)| told(*motor));
-        WitnessPlace {
-            time: None,
-            motors: told.map(|(motor, value)| (motor, *value)).collect(),
-        }
+        WitnessPlace { time: None, motors: told.map(|(motor, value)| (motor, *value)).collect() }
     }
 
     /// The position at a place, as the mechanism comes there from its start.

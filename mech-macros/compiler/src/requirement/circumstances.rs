@@ -39,10 +39,7 @@ impl Setting {
                 let timed = Timed::new(model, &compiled.program, laws, requirement)?;
                 return Ok(Self::InTime(Box::new(timed)));
             };
-            return Ok(Self::Even {
-                own: rates.clone(),
-                pushed: rates,
-            });
+            return Ok(Self::Even { own: rates.clone(), pushed: rates });
         }
         let mut own = at_rest.clone();
         if requirement.is_about_rates() {
@@ -50,10 +47,7 @@ impl Setting {
             let moving = moving.map_err(|motors| RequirementTrouble::NoRate { motors })?;
             own[moving.index()] = 1.0;
         }
-        Ok(Self::Even {
-            own,
-            pushed: at_rest,
-        })
+        Ok(Self::Even { own, pushed: at_rest })
     }
 
     /// The times through which laws are followed, if they decide.
@@ -66,8 +60,7 @@ impl Setting {
 
     /// The program of positions that is searched through.
     pub(super) fn positions<'a>(&'a self, compiled: &'a Compiled) -> &'a Program {
-        self.timed()
-            .map_or(&compiled.program, |timed| &timed.laws.program)
+        self.timed().map_or(&compiled.program, |timed| &timed.laws.program)
     }
 
     /// The circumstances of a requirement, with a program that computes forces.
@@ -77,17 +70,12 @@ impl Setting {
         forces: Option<&'a Program>,
     ) -> Circumstances<'a> {
         let motion = match self {
-            Self::Even { own, pushed } => Motion::Even {
-                rates: own.clone(),
-                pushed: pushed.clone(),
-            },
+            Self::Even { own, pushed } => {
+                Motion::Even { rates: own.clone(), pushed: pushed.clone() }
+            }
             Self::InTime(timed) => Motion::InTime(&timed.laws),
         };
-        Circumstances {
-            motion,
-            loads: &requirement.loads,
-            forces,
-        }
+        Circumstances { motion, loads: &requirement.loads, forces }
     }
 
     /// The program that computes the forces which a requirement measures; nothing if it measures none.
@@ -113,9 +101,7 @@ impl Setting {
             forced.inverse_dynamics.as_ref().map(Cow::Borrowed)
         } else {
             let found = holding.or(forced.inverse_dynamics.as_ref());
-            found
-                .map(Cow::Borrowed)
-                .or_else(|| inertia(model).map(Cow::Owned))
+            found.map(Cow::Borrowed).or_else(|| inertia(model).map(Cow::Owned))
         };
         found.map(Some).ok_or(RequirementTrouble::NoForces)
     }
@@ -123,27 +109,15 @@ impl Setting {
 
 /// The program of virtual work for a mechanism that moves.
 fn inertia(model: &Model) -> Option<Program> {
-    let effects = Effects {
-        dynamics: true,
-        ..model.effects
-    };
-    let moved = Model {
-        effects,
-        ..model.clone()
-    };
+    let effects = Effects { dynamics: true, ..model.effects };
+    let moved = Model { effects, ..model.clone() };
     compile(&moved).ok()?.forced.inertia
 }
 
 /// The laws of motors, with their rates; none if no motor has a law.
 fn with_slopes(model: &Model) -> Option<Timing> {
-    let effects = Effects {
-        velocity: true,
-        ..Effects::default()
-    };
-    build_timing(&Model {
-        effects,
-        ..model.clone()
-    })
+    let effects = Effects { velocity: true, ..Effects::default() };
+    build_timing(&Model { effects, ..model.clone() })
 }
 
 /// The rates of all motors by their laws; nothing if any of them changes.

@@ -140,13 +140,7 @@ impl<'s, 'a> Course<'s, 'a> {
         } else {
             values
         };
-        Some(Stretch {
-            range,
-            values,
-            mean: values.meet(mean),
-            first,
-            frame,
-        })
+        Some(Stretch { range, values, mean: values.meet(mean), first, frame })
     }
 
     /// Cuts stretches in two, by their numbers. Tells whether any was cut.
@@ -198,11 +192,7 @@ impl<'s, 'a> Course<'s, 'a> {
 
     /// A place beyond the end of a round, within it.
     fn within(&self, at: f64) -> f64 {
-        if at > self.whole.high() {
-            at - self.whole.width()
-        } else {
-            at
-        }
+        if at > self.whole.high() { at - self.whole.width() } else { at }
     }
 
     /// The longest way on which the value stays within a width, with both ends of one that is certain. So many times what is usual may be
@@ -230,9 +220,7 @@ impl<'s, 'a> Course<'s, 'a> {
             let high = possible.map_or(whole, |[from, to]| around(from, to));
             let found = Interval::new(low, high.max(low));
             let ends = sure.map_or(Vec::new(), |[from, to]| {
-                [from, to + 1]
-                    .map(|end| self.within(self.begin(end)))
-                    .to_vec()
+                [from, to + 1].map(|end| self.within(self.begin(end))).to_vec()
             });
             let deciding = self.deciding(sure, possible);
             if found.width() <= open * WELL_KNOWN * high || !self.cut(deciding) {

@@ -42,9 +42,7 @@ pub(super) fn prove(
         return prove_clear(case, (links, details), bounds);
     }
     if details.is_empty() {
-        return Err(RequirementTrouble::NoDyad {
-            unknowns: Vec::new(),
-        });
+        return Err(RequirementTrouble::NoDyad { unknowns: Vec::new() });
     }
     let effort = prove_each(case, details, bounds)?;
     Ok(Proof { effort })
@@ -65,13 +63,10 @@ fn prove_each(
 
 /// The two bodies that a requirement wants to keep clear, if it is about any.
 fn clear_links(requirement: &Requirement) -> Option<[LinkId; 2]> {
-    requirement
-        .measured
-        .iter()
-        .find_map(|measured| match measured {
-            Measured::Quantity(Quantity::Clearance(links)) => Some(*links),
-            _ => None,
-        })
+    requirement.measured.iter().find_map(|measured| match measured {
+        Measured::Quantity(Quantity::Clearance(links)) => Some(*links),
+        _ => None,
+    })
 }
 
 /// Each detail that a requirement is about.
@@ -115,13 +110,7 @@ fn prove_clear(
 
 /// Refuses bodies that overlap where their motion begins. Later ones would touch first.
 fn refuse_overlap(case: Case<'_, '_>, links: [LinkId; 2]) -> Result<(), RequirementTrouble> {
-    let Case {
-        model,
-        compiled,
-        requirement,
-        setting,
-        ..
-    } = case;
+    let Case { model, compiled, requirement, setting, .. } = case;
     let program = &compiled.program;
     let mut place = setting.positions(compiled).start.motors.clone();
     for model::Case { motor, ends, .. } in &requirement.cases {
@@ -160,23 +149,20 @@ fn refuse_params(model: &Model, requirement: &Requirement) -> Result<(), Require
         let mut formulas = axis.formulas.iter().chain(&axis.direction_formulas);
         formulas.any(Option::is_some)
     };
-    let mut axes = requirement
-        .measured
-        .iter()
-        .flat_map(|measured| match *measured {
-            Measured::Quantity(Quantity::X(axis) | Quantity::Y(axis)) => vec![axis],
-            Measured::Quantity(Quantity::Distance(spots)) => {
-                let axes = spots.iter().filter_map(|spot| match spot {
-                    Spot::Axis(axis) => Some(*axis),
-                    Spot::At(_) => None,
-                });
-                axes.collect()
-            }
-            Measured::Quantity(Quantity::Pressure(cam) | Quantity::Curvature(cam)) => {
-                model.axes_of_contact(cam)
-            }
-            _ => Vec::new(),
-        });
+    let mut axes = requirement.measured.iter().flat_map(|measured| match *measured {
+        Measured::Quantity(Quantity::X(axis) | Quantity::Y(axis)) => vec![axis],
+        Measured::Quantity(Quantity::Distance(spots)) => {
+            let axes = spots.iter().filter_map(|spot| match spot {
+                Spot::Axis(axis) => Some(*axis),
+                Spot::At(_) => None,
+            });
+            axes.collect()
+        }
+        Measured::Quantity(Quantity::Pressure(cam) | Quantity::Curvature(cam)) => {
+            model.axes_of_contact(cam)
+        }
+        _ => Vec::new(),
+    });
     let has_varying_shapes = |measured: &Measured| match measured {
         Measured::Quantity(Quantity::Clearance(links)) => {
             let mut shapes = links.iter().flat_map(|link| &model.link(*link).shapes);

@@ -48,8 +48,7 @@ impl Ranges {
     /// The place among these values that is nearest to another.
     pub(super) fn nearest(&self, place: &[f64]) -> Vec<f64> {
         let all = place.iter().zip(&self.all);
-        all.map(|(at, range)| at.max(range.low()).min(range.high()))
-            .collect()
+        all.map(|(at, range)| at.max(range.low()).min(range.high())).collect()
     }
 
     /// A place, and the corners of all values that are reached from there by three motors at most.
@@ -75,11 +74,7 @@ impl Ranges {
     pub(super) fn halves(&self, place: &[Interval]) -> Option<[Vec<Interval>; 2]> {
         let part = |motor: &usize| {
             let whole = self.all[*motor].width();
-            if whole > 0.0 {
-                place[*motor].width() / whole
-            } else {
-                0.0
-            }
+            if whole > 0.0 { place[*motor].width() / whole } else { 0.0 }
         };
         let longest = self.motors.iter().copied();
         let longest = longest.max_by(|a, b| part(a).total_cmp(&part(b)))?;
@@ -104,14 +99,7 @@ pub(super) fn ranges(
     found: &[Value],
     times: Option<(Interval, bool)>,
 ) -> Result<Ranges, RequirementTrouble> {
-    let Case {
-        model,
-        compiled,
-        verdicts,
-        requirement,
-        setting,
-        ..
-    } = *case;
+    let Case { model, compiled, verdicts, requirement, setting, .. } = *case;
     let program = setting.positions(compiled);
     let time = setting.timed().map(Timed::input);
     let Sources { inputs, tested, .. } = Sources::of(&gauge.program, found);
@@ -167,11 +155,8 @@ pub(super) fn ranges(
         let Some(period) = period else {
             // It may be stopped on both sides.
             let [turns, sizes] = MOST_REACH;
-            let far = if model.turns(model.motor(motor).joint) {
-                turns
-            } else {
-                sizes * model.size()
-            };
+            let far =
+                if model.turns(model.motor(motor).joint) { turns } else { sizes * model.size() };
             ranges.all[number] = Interval::new(start - far, start + far);
             open.push(number);
             continue;
@@ -218,19 +203,14 @@ fn hold_idle(ranges: &mut Ranges, tested: &[usize], gauge: &Gauge, found: &[Valu
     if ranges.motors.len() < 2 {
         return;
     }
-    let found = &[
-        found,
-        &Sources::of(&gauge.program, found).chosen(&gauge.program),
-    ]
-    .concat()[..];
+    let found = &[found, &Sources::of(&gauge.program, found).chosen(&gauge.program)].concat()[..];
     let carried = gauge.angles.iter().map(|angle| {
         let at_start = gauge.program.start.state[angle.reference];
         (angle.reference, Interval::point(at_start))
     });
     let summaries = gauge.summaries.iter().flatten();
-    let carried: Vec<(usize, Interval)> = carried
-        .chain(summaries.map(|state| (*state, Interval::ZERO)))
-        .collect();
+    let carried: Vec<(usize, Interval)> =
+        carried.chain(summaries.map(|state| (*state, Interval::ZERO))).collect();
     let Some(mut enclosure) = Enclosure::new(&gauge.program, &[], &carried, found) else {
         return;
     };
@@ -248,9 +228,8 @@ fn hold_idle(ranges: &mut Ranges, tested: &[usize], gauge: &Gauge, found: &[Valu
             #[expect(clippy::cast_precision_loss, reason = "a few hundred")]
             let spread = |index: usize| (SPREAD * (1 + index + trial * 7) as f64).fract();
             let all = ranges.all.iter().enumerate();
-            let mut place: Vec<f64> = all
-                .map(|(index, range)| part(*range, spread(index)))
-                .collect();
+            let mut place: Vec<f64> =
+                all.map(|(index, range)| part(*range, spread(index))).collect();
             let before = values(&place);
             PARTS.iter().all(|value| {
                 place[motor] = part(ranges.all[motor], *value);
@@ -287,9 +266,7 @@ fn touching_in_time(
         Verdict::Blocked(blocked) if blocked.motor == time => {
             Err(RequirementTrouble::Astray { at: blocked.limit })
         }
-        Verdict::Blocked(blocked) => Err(RequirementTrouble::Astray {
-            at: blocked.at[time],
-        }),
+        Verdict::Blocked(blocked) => Err(RequirementTrouble::Astray { at: blocked.at[time] }),
         Verdict::Undecided { .. } | Verdict::NoClosedForm { .. } => Ok(None),
     }
 }

@@ -59,10 +59,7 @@ pub fn judge(model: &Model, compiled: &Compiled) -> Vec<Result<Proof, Diagnosis>
                 effects if effects.is_empty() => prove_one(plain, compiled, &verdicts, &ways, one),
                 effects => Err(RequirementTrouble::NoEffect { effects }),
             };
-            proof.map_err(|trouble| Diagnosis::Unmet {
-                requirement,
-                trouble,
-            })
+            proof.map_err(|trouble| Diagnosis::Unmet { requirement, trouble })
         });
         judged.collect()
     })
@@ -100,16 +97,9 @@ fn prove_one(
 ) -> Result<Proof, RequirementTrouble> {
     match &requirement.condition {
         Condition::Turns(motor) => turn::prove(model, compiled, verdicts, *motor),
-        Condition::Bounds {
-            subject, bounds, ..
-        } => details::prove(
-            model,
-            compiled,
-            verdicts,
-            ways,
-            requirement,
-            (*subject, bounds),
-        ),
+        Condition::Bounds { subject, bounds, .. } => {
+            details::prove(model, compiled, verdicts, ways, requirement, (*subject, bounds))
+        }
     }
 }
 
@@ -138,10 +128,7 @@ fn plain(model: &Model) -> Model {
         method: None,
         accuracy: None,
         precision: Precision::F64,
-        effects: Effects {
-            force,
-            ..Effects::default()
-        },
+        effects: Effects { force, ..Effects::default() },
         actions,
         traces: Vec::new(),
         requirements: Vec::new(),

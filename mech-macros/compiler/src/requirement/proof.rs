@@ -99,12 +99,7 @@ impl<'w> Case<'_, 'w> {
         let Some(timed) = self.setting.timed() else {
             return Ok(None);
         };
-        let Self {
-            model,
-            compiled,
-            requirement,
-            ..
-        } = *self;
+        let Self { model, compiled, requirement, .. } = *self;
         let mut any = self.gauge_of(&compiled.program, Some(Motion::Any))?;
         let found = values_to_find(requirement, &mut any, bounds);
         let times = timed.times(model, compiled, requirement, (&any, &found))?;
@@ -131,9 +126,7 @@ impl<'w> Case<'_, 'w> {
             let half = 0.5 * turn * turns.ok_or(RequirementTrouble::TooHard)?;
             ranges.all[motor] = start + Interval::new(-half, half);
         }
-        let way = self
-            .ways
-            .find(crossing, motor, ranges.all[motor].hull(start));
+        let way = self.ways.find(crossing, motor, ranges.all[motor].hull(start));
         way.map(Some).ok_or(RequirementTrouble::TooHard)
     }
 
@@ -189,11 +182,7 @@ impl<'w> Case<'_, 'w> {
                 let value = gauge.formulas[of.index()];
                 let summed = self.sum_up(field, searches, (*summary, value), open)?;
                 for search in &mut *searches {
-                    search.put(Sum {
-                        state: *state,
-                        value: summed.value,
-                        told: summed.told,
-                    });
+                    search.put(Sum { state: *state, value: summed.value, told: summed.told });
                 }
                 places.get_or_insert_with(Vec::new).extend(summed.places);
             }
@@ -233,9 +222,7 @@ impl<'w> Case<'_, 'w> {
             // Nobody knows how large forces and rates are.
             None => search.corners(),
         };
-        let all = places
-            .iter()
-            .flat_map(|place| values.iter().map(move |value| (place, *value)));
+        let all = places.iter().flat_map(|place| values.iter().map(move |value| (place, *value)));
         let known = all.filter_map(|(place, value)| search.value_at(place, value));
         // What sums up the motion may be known so roughly that its middle says nothing.
         let sizes = known.map(|value| value.abs().low());
@@ -257,18 +244,11 @@ impl<'w> Case<'_, 'w> {
             let values = bounds
                 .iter()
                 .map(|(bound, limit)| (field.gauge.formulas[bound.margin.index()], limit.slack));
-            let goal = Goal {
-                values: &values.collect::<Vec<_>>(),
-                sign: 1.0,
-            };
-            let limit = Limit {
-                is_strict,
-                slack: 0.0,
-            };
+            let goal = Goal { values: &values.collect::<Vec<_>>(), sign: 1.0 };
+            let limit = Limit { is_strict, slack: 0.0 };
             let all = search.left();
-            let least = search.least(goal, all, |found| {
-                limit.is_kept(found) || limit.is_broken(found)
-            });
+            let least =
+                search.least(goal, all, |found| limit.is_kept(found) || limit.is_broken(found));
             if limit.is_kept(&least) {
                 return Ok(());
             }
@@ -290,10 +270,7 @@ impl<'w> Case<'_, 'w> {
         (bound, limit): (&RequiredBound, Limit),
         places: Option<&[Vec<f64>]>,
     ) -> Result<(), RequirementTrouble> {
-        let goal = Goal {
-            values: &[(field.gauge.formulas[bound.margin.index()], 0.0)],
-            sign: 1.0,
-        };
+        let goal = Goal { values: &[(field.gauge.formulas[bound.margin.index()], 0.0)], sign: 1.0 };
         let all = search.left();
         let least = search.least(goal, all, |found| {
             let is_worst = || found.gap() <= (WORST * found.seen.abs()).max(ENOUGH * limit.slack);
@@ -344,9 +321,7 @@ impl<'w> Case<'_, 'w> {
             at: self.at(field.ranges, place),
             open: least.gap(),
         };
-        value
-            .flatten()
-            .map_or(RequirementTrouble::TooHard, undecided)
+        value.flatten().map_or(RequirementTrouble::TooHard, undecided)
     }
 
     /// A place: of motors are told those that have a part, and those that stand elsewhere than at the start.
@@ -364,9 +339,7 @@ impl<'w> Case<'_, 'w> {
             return None;
         }
         Some(match self.requirement.condition {
-            Condition::Bounds {
-                is_angle: false, ..
-            } => self.model.size(),
+            Condition::Bounds { is_angle: false, .. } => self.model.size(),
             _ => 1.0,
         })
     }
@@ -410,9 +383,7 @@ fn values_to_find(
     let mut found = subjects(requirement, gauge, bounds);
     let sources = Sources::of(&gauge.program, &found);
     let state = &gauge.program.state;
-    gauge
-        .angles
-        .retain(|angle| sources.contain(state[angle.reference]));
+    gauge.angles.retain(|angle| sources.contain(state[angle.reference]));
     found.extend(gauge.angles.iter().map(|angle| angle.beyond));
     found.sort_unstable();
     found.dedup();
@@ -432,7 +403,5 @@ fn subjects(
     });
     let bounds = bounds.iter().flat_map(|bound| [bound.margin, bound.limit]);
     let formulas = [subject].into_iter().chain(bounds).chain(summed);
-    formulas
-        .map(|formula| gauge.formulas[formula.index()])
-        .collect()
+    formulas.map(|formula| gauge.formulas[formula.index()]).collect()
 }

@@ -20,11 +20,7 @@ pub(super) fn round_of(
     }
     let domain = Domain::new(model, program, loops);
     // An angle that a law makes turns with all that the law is made from.
-    let whole = Cuts {
-        through: &|_| true,
-        own: None,
-        into: &|_| true,
-    };
+    let whole = Cuts { through: &|_| true, own: None, into: &|_| true };
     let read = domain.read(found, &whole);
     let period = domain.period(motor, &read);
     period.filter(|period| *period < MOST_TURNS)

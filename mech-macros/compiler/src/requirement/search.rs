@@ -233,9 +233,7 @@ impl<'a> Search<'a> {
         Some(Seen {
             sight,
             is_cut,
-            value: least(Enclosure::on_box)
-                .filter(|_| !is_cut)
-                .unwrap_or(Interval::ENTIRE),
+            value: least(Enclosure::on_box).filter(|_| !is_cut).unwrap_or(Interval::ENTIRE),
             centre: least(Enclosure::at_centre).filter(|_| closes),
         })
     }
@@ -260,9 +258,7 @@ impl<'a> Search<'a> {
             }
             any_cut |= is_cut;
             let touching = crossing.iter().copied();
-            touching
-                .filter(|block| !enclosure.is_clear(&[*block]))
-                .collect()
+            touching.filter(|block| !enclosure.is_clear(&[*block])).collect()
         });
         is_paid.then_some(any_cut)
     }
@@ -290,11 +286,7 @@ impl<'a> Search<'a> {
                 None => self.turned.clone(),
             };
             let references = self.angles_at(&here, &next, &turned)?;
-            here = Rc::new(Frame {
-                references: quarters(&references),
-                at: next,
-                turned,
-            });
+            here = Rc::new(Frame { references: quarters(&references), at: next, turned });
             if self.sided().is_some() && self.known.len() < MOST_KNOWN {
                 self.known.push(Rc::clone(&here));
             }
@@ -373,11 +365,7 @@ impl<'a> Search<'a> {
             let turned = search.turned.clone();
             let (_, is_cut, enclosure) = search.run(&Interval::points(place), &frame, &turned)?;
             let value = |value: &Value| {
-                if is_cut {
-                    Interval::ENTIRE
-                } else {
-                    enclosure.on_box(*value)
-                }
+                if is_cut { Interval::ENTIRE } else { enclosure.on_box(*value) }
             };
             Some(values.iter().map(value).collect())
         })
@@ -392,10 +380,7 @@ impl<'a> Search<'a> {
         value: Value,
     ) -> Option<(Rc<Frame>, Interval)> {
         let frame = self.frame_in(place, near, true)?;
-        let goal = Goal {
-            values: &[(value, 0.0)],
-            sign: 1.0,
-        };
+        let goal = Goal { values: &[(value, 0.0)], sign: 1.0 };
         let seen = self.look(place, &frame, goal)?;
         Some((frame, seen.value))
     }
@@ -432,11 +417,7 @@ impl<'a> Search<'a> {
             let Some(frame) = self.frame_in(&part.place, &frame, true) else {
                 return bound;
             };
-            waiting.push(Waiting {
-                least: f64::NEG_INFINITY,
-                frame,
-                part,
-            });
+            waiting.push(Waiting { least: f64::NEG_INFINITY, frame, part });
         }
         let values: Vec<Value> = goal.values.iter().map(|(value, _)| *value).collect();
         let mut inputs = Sources::of(&self.gauge.program, &values).inputs.into_iter();
@@ -492,10 +473,7 @@ impl<'a> Search<'a> {
     fn parts(&self) -> Vec<Part> {
         let all = &self.ranges.all;
         let (Some(way), Some(motor)) = (self.way, self.ranges.only_motor()) else {
-            return vec![Part {
-                place: all.clone(),
-                is_sure: true,
-            }];
+            return vec![Part { place: all.clone(), is_sure: true }];
         };
         let stretches = way.parts(&self.turned, all[motor]).into_iter();
         let parts = stretches.map(|Stretch { range, is_sure, .. }| {
@@ -527,11 +505,7 @@ impl<'a> Search<'a> {
         }
         // It is valid on the whole box.
         let references = of_whole.references.clone();
-        Some(Rc::new(Frame {
-            references,
-            at: nearest,
-            turned: of_whole.turned.clone(),
-        }))
+        Some(Rc::new(Frame { references, at: nearest, turned: of_whole.turned.clone() }))
     }
 
     /// The places that are looked at first: the start and the corners of all values, or the ends of the parts where the loops have these

@@ -105,10 +105,7 @@ struct KnownWay<'p> {
 
 impl<'p> Ways<'p> {
     pub(super) fn new(program: &'p Program) -> Self {
-        Self {
-            program,
-            known: RefCell::default(),
-        }
+        Self { program, known: RefCell::default() }
     }
 
     /// The way to both ends of some values; nothing if there is none.
@@ -126,12 +123,7 @@ impl<'p> Ways<'p> {
             return found.way.clone();
         }
         let way = Way::new(self.program, crossing, motor, ends).map(Rc::new);
-        known.push(KnownWay {
-            crossing: crossing.to_vec(),
-            motor,
-            ends,
-            way: way.clone(),
-        });
+        known.push(KnownWay { crossing: crossing.to_vec(), motor, ends, way: way.clone() });
         way
     }
 }
@@ -194,9 +186,7 @@ impl<'p> Way<'p> {
                     .unwrap_or_else(|| bug!("loops have sides that they cannot have"));
                 enclosure.run(&place);
                 let touching = self.crossing.iter().copied();
-                touching
-                    .filter(|block| !enclosure.is_clear(&[*block]))
-                    .collect()
+                touching.filter(|block| !enclosure.is_clear(&[*block])).collect()
             });
             let is_clear = within.len() == 1;
             let middle = range.middle();
@@ -227,11 +217,7 @@ impl<'p> Way<'p> {
                 // The end may be a dead point, but for rounding; nothing else stops it.
                 return None;
             }
-            self.stretches.push(Stretch {
-                range,
-                sides: within,
-                is_sure,
-            });
+            self.stretches.push(Stretch { range, sides: within, is_sure });
             self.visited.push(before);
         }
         Some(())
@@ -261,10 +247,7 @@ impl<'p> Way<'p> {
         stretches.sort_by(|a, b| a.range.low().total_cmp(&b.range.low()));
         for stretch in stretches.into_iter().filter(|stretch| stretch.has(turned)) {
             let Stretch { range, is_sure, .. } = stretch;
-            let [low, high] = [
-                range.low().max(values.low()),
-                range.high().min(values.high()),
-            ];
+            let [low, high] = [range.low().max(values.low()), range.high().min(values.high())];
             if low > high || low == high && values.width() > 0.0 {
                 continue;
             }
@@ -273,11 +256,9 @@ impl<'p> Way<'p> {
                 Some(last) if last.is_sure == *is_sure && last.range.high() == low => {
                     last.range = last.range.hull(range);
                 }
-                _ => within.push(Stretch {
-                    range,
-                    sides: vec![turned.to_vec()],
-                    is_sure: *is_sure,
-                }),
+                _ => {
+                    within.push(Stretch { range, sides: vec![turned.to_vec()], is_sure: *is_sure })
+                }
             }
         }
         within

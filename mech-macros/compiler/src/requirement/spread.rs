@@ -152,10 +152,7 @@ impl Wanted {
             angles.map(|angle| (angle.reference, angle.beyond)).unzip();
         values.extend(beyond);
         Self {
-            program: computing(
-                &gauge.program,
-                &[&values, &gauge.program.state[..]].concat(),
-            ),
+            program: computing(&gauge.program, &[&values, &gauge.program.state[..]].concat()),
             values,
             margins,
             references,
@@ -184,12 +181,7 @@ impl<'w> Meter<'w> {
 
     /// The least margin at the next position on the way; none where it is not known.
     fn least(&mut self, position: &Position<f64>) -> Option<f64> {
-        let Wanted {
-            program,
-            values,
-            margins,
-            references,
-        } = self.wanted;
+        let Wanted { program, values, margins, references } = self.wanted;
         let mut whole = position.clone();
         whole.state.clone_from(&program.start.state);
         whole.state[..position.state.len()].copy_from_slice(&position.state);

@@ -105,11 +105,7 @@ impl Case<'_, '_> {
         if !value.is_bounded() {
             return Err(RequirementTrouble::TooHard);
         }
-        Ok(Summed {
-            value,
-            told: value.middle(),
-            places: ends.into_iter().map(place).collect(),
-        })
+        Ok(Summed { value, told: value.middle(), places: ends.into_iter().map(place).collect() })
     }
 
     /// Bounds the least value, times its sign, over all sides of loops; with a place where it is told to be, to which the mechanism comes.
@@ -121,10 +117,7 @@ impl Case<'_, '_> {
         (value, sign): (Value, f64),
         open: f64,
     ) -> Result<Summed, RequirementTrouble> {
-        let goal = Goal {
-            values: &[(value, 0.0)],
-            sign,
-        };
+        let goal = Goal { values: &[(value, 0.0)], sign };
         let nothing = NOTHING * self.size(field.gauge, &mut searches[0], &[value]);
         let mut proved = f64::INFINITY;
         let mut least: Option<(Bound, usize)> = None;
@@ -134,10 +127,7 @@ impl Case<'_, '_> {
                 found.gap() <= open * nothing.max(WELL_KNOWN * found.seen.abs())
             });
             proved = proved.min(found.proved);
-            if least
-                .as_ref()
-                .is_none_or(|(least, _)| found.seen < least.seen)
-            {
+            if least.as_ref().is_none_or(|(least, _)| found.seen < least.seen) {
                 least = Some((found, number));
             }
         }
@@ -162,13 +152,8 @@ impl Case<'_, '_> {
 
     /// More than a value, times its sign, is anywhere.
     fn greatest(search: &mut Search<'_>, (value, sign): (Value, f64)) -> f64 {
-        let goal = Goal {
-            values: &[(value, 0.0)],
-            sign: -sign,
-        };
+        let goal = Goal { values: &[(value, 0.0)], sign: -sign };
         let spend = search.left() / 8;
-        -search
-            .least(goal, spend, |found| found.proved.is_finite())
-            .proved
+        -search.least(goal, spend, |found| found.proved.is_finite()).proved
     }
 }

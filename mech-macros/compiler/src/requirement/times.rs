@@ -33,16 +33,9 @@ impl Timed {
         let follows = |motor: MotorId| laws.motors.iter().any(|one| one.motor == motor);
         let mut cases = requirement.cases.iter();
         if let Some(case) = cases.find(|case| follows(case.motor)) {
-            return Err(RequirementTrouble::Follows {
-                motor: case.motor,
-                origin: case.origin,
-            });
+            return Err(RequirementTrouble::Follows { motor: case.motor, origin: case.origin });
         }
-        Ok(Self {
-            laws,
-            timing,
-            params: model.params.values().collect(),
-        })
+        Ok(Self { laws, timing, params: model.params.values().collect() })
     }
 
     /// The number of the input that is the time.
@@ -102,9 +95,7 @@ impl Timed {
         let range = (self.input(), times);
         let refuse = |motor: MotorId, value: Value, is_rate: bool| {
             let found = first_jump(&self.laws.program, value, range);
-            found.map_or(Ok(()), |at| {
-                Err(RequirementTrouble::Jumps { motor, at, is_rate })
-            })
+            found.map_or(Ok(()), |at| Err(RequirementTrouble::Jumps { motor, at, is_rate }))
         };
         for (following, is_accelerated) in self.parts(any, found) {
             refuse(following.motor, following.value, false)?;
@@ -149,9 +140,7 @@ impl Timed {
         let motors = motors.map(|(motor, value)| (MotorId::new(motor), value));
         WitnessPlace {
             time: Some(time),
-            motors: motors
-                .filter(|(motor, _)| follows(*motor) || told(*motor))
-                .collect(),
+            motors: motors.filter(|(motor, _)| follows(*motor) || told(*motor)).collect(),
         }
     }
 }

@@ -25,10 +25,8 @@ pub(super) fn prove(
     {
         return Err(RequirementTrouble::Limited { motor });
     }
-    let discriminants: Vec<Value> = program
-        .margins()
-        .map(|(_, closed)| closed.discriminant)
-        .collect();
+    let discriminants: Vec<Value> =
+        program.margins().map(|(_, closed)| closed.discriminant).collect();
     let loops = compiled.plan.loops().count();
     let Some(period) = round_of(model, program, (loops, number), &discriminants) else {
         return Err(RequirementTrouble::NoRange { motor });

@@ -12,10 +12,7 @@ pub(super) struct Verdicts<'a> {
 
 impl<'a> Verdicts<'a> {
     pub(super) fn new(program: &'a Program) -> Self {
-        Self {
-            program,
-            known: RefCell::default(),
-        }
+        Self { program, known: RefCell::default() }
     }
 
     pub(super) fn on(&self, values: &[Interval]) -> Verdict {

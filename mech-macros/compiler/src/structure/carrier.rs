@@ -10,10 +10,7 @@ use crate::model::{JointId, JointKind, LinkId, Model, Ratio};
 pub(super) fn rollings(model: &Model, shafts: Shafts<'_>) -> Result<Vec<Rolling>, Vec<Diagnosis>> {
     let mut rollings = Vec::new();
     let mut diagnoses = Vec::new();
-    for joint in model
-        .joint_ids()
-        .filter(|&joint| model.joint(joint).kind.rolls())
-    {
+    for joint in model.joint_ids().filter(|&joint| model.joint(joint).kind.rolls()) {
         let rolling = rolling(model, shafts, joint);
         let rolling = rolling.and_then(|rolling| {
             check_mesh(model, shafts, &rolling)?;
@@ -24,11 +21,7 @@ pub(super) fn rollings(model: &Model, shafts: Shafts<'_>) -> Result<Vec<Rolling>
             Err(diagnosis) => diagnoses.push(diagnosis),
         }
     }
-    if diagnoses.is_empty() {
-        Ok(rollings)
-    } else {
-        Err(diagnoses)
-    }
+    if diagnoses.is_empty() { Ok(rollings) } else { Err(diagnoses) }
 }
 
 fn rolling(model: &Model, shafts: Shafts<'_>, joint: JointId) -> Result<Rolling, Diagnosis> {
@@ -118,25 +111,13 @@ fn rolling_on(
             let (first, second) = factors(ratio);
             [(wheel(a)?, first), (wheel(b)?, second.negate())]
         }
-        JointKind::Rack {
-            pinion,
-            bar,
-            radius,
-            ..
-        } => {
+        JointKind::Rack { pinion, bar, radius, .. } => {
             let bar = slides_on(model, welded, bar, carrier)?;
-            [
-                (wheel(pinion)?, Factor::Float(radius)),
-                (bar, Factor::Whole(-1)),
-            ]
+            [(wheel(pinion)?, Factor::Float(radius)), (bar, Factor::Whole(-1))]
         }
         _ => return None,
     };
-    Some(Rolling {
-        joint,
-        carrier,
-        ends,
-    })
+    Some(Rolling { joint, carrier, ends })
 }
 
 fn factors(ratio: Ratio) -> (Factor, Factor) {
@@ -160,11 +141,7 @@ fn slides_on(model: &Model, welded: &Welded, bar: LinkId, carrier: LinkId) -> Op
         let (_, _, forwards) = ends.into_iter().find(joins)?;
         Some((slide, forwards))
     });
-    found.map(|(slide, forwards)| RollingEnd::Bar {
-        link: bar,
-        slide,
-        forwards,
-    })
+    found.map(|(slide, forwards)| RollingEnd::Bar { link: bar, slide, forwards })
 }
 
 /// Whether a joint other than a rolling one was declared between these two links, or what is welded to them.
@@ -190,12 +167,7 @@ fn check_mesh(model: &Model, shafts: Shafts<'_>, rolling: &Rolling) -> Result<()
         JointKind::Belt { ratio, .. } => (true, ratio),
         _ => return Ok(()),
     };
-    let fails = |trouble| Diagnosis::NoMesh {
-        joint,
-        carrier,
-        ratio,
-        trouble,
-    };
+    let fails = |trouble| Diagnosis::NoMesh { joint, carrier, ratio, trouble };
     let is_internal = ratio.is_internal();
     if is_internal && ratio.ring_is_small() {
         return Err(fails(MeshTrouble::SmallRing));

@@ -67,17 +67,9 @@ impl<'m> Constraints<'m> {
                 let here = self.rollings.iter().filter(|rolling| rolling.joint == id);
                 here.map(|rolling| self.of_rolling(rolling)).collect()
             }
-            JointKind::Cam {
-                shaft,
-                follower,
-                law,
-            } => {
+            JointKind::Cam { shaft, follower, law } => {
                 // At a random place a law has a random slope, unless it has none.
-                let slope = if self.model.law(law).varies() {
-                    p
-                } else {
-                    Element::ZERO
-                };
+                let slope = if self.model.law(law).varies() { p } else { Element::ZERO };
                 let mut row = self.rate_of_coordinate(follower);
                 let turning = self.rate_of_coordinate(shaft).into_iter();
                 row.extend(turning.map(|(column, value)| (column, -(slope * value))));
@@ -144,15 +136,10 @@ impl<'m> Constraints<'m> {
                     let turn = [factor, Element::ZERO, Element::ZERO];
                     row.extend(self.difference(rolling.carrier, wheel, turn));
                 }
-                RollingEnd::Bar {
-                    slide, forwards, ..
-                } => {
+                RollingEnd::Bar { slide, forwards, .. } => {
                     let factor = if forwards { factor } else { -factor };
                     let rate = self.rate_of_coordinate(slide);
-                    row.extend(
-                        rate.into_iter()
-                            .map(|(column, value)| (column, factor * value)),
-                    );
+                    row.extend(rate.into_iter().map(|(column, value)| (column, factor * value)));
                 }
             }
         }
@@ -184,31 +171,19 @@ fn columns(model: &Model) -> (Vec<Columns>, usize) {
     };
     let ground = classes.find(0);
     let mut turns: Vec<Option<usize>> = vec![None; model.links.len()];
-    let mut columns = vec![Columns {
-        turn: None,
-        x: None,
-        y: None,
-    }];
+    let mut columns = vec![Columns { turn: None, x: None, y: None }];
     for link in model.moving_links() {
         let class = classes.find(link.index());
         if class != ground && turns[class].is_none() {
             turns[class] = next();
         }
-        columns.push(Columns {
-            turn: turns[class],
-            x: next(),
-            y: next(),
-        });
+        columns.push(Columns { turn: turns[class], x: next(), y: next() });
     }
     (columns, count)
 }
 
 fn spots(model: &Model, structure: &Structure, dice: &mut Dice) -> Vec<(Element, Element)> {
-    let mut spots: Vec<_> = model
-        .joints
-        .iter()
-        .map(|_| (dice.roll(), dice.roll()))
-        .collect();
+    let mut spots: Vec<_> = model.joints.iter().map(|_| (dice.roll(), dice.roll())).collect();
     for pin in &structure.pins {
         for pair in pin.joints.windows(2) {
             spots[pair[1].index()] = spots[pair[0].index()];

@@ -229,10 +229,9 @@ impl Diagnosis {
     #[must_use]
     pub fn witness(&self) -> Option<(usize, &Witness)> {
         match self {
-            Self::Unmet {
-                requirement,
-                trouble: RequirementTrouble::Fails(witness),
-            } => Some((*requirement, witness)),
+            Self::Unmet { requirement, trouble: RequirementTrouble::Fails(witness) } => {
+                Some((*requirement, witness))
+            }
             _ => None,
         }
     }

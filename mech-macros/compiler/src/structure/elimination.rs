@@ -79,11 +79,7 @@ pub(crate) struct Elimination {
 
 impl Elimination {
     pub(crate) fn new(columns: usize) -> Self {
-        Self {
-            pivots: vec![None; columns],
-            added: 0,
-            rank: 0,
-        }
+        Self { pivots: vec![None; columns], added: 0, rank: 0 }
     }
 
     /// The number of columns that no row determines.
@@ -152,9 +148,7 @@ impl Elimination {
                     };
                     let sum = remainder
                         .iter()
-                        .fold(Element::ZERO, |sum, &(column, value)| {
-                            sum + value * motion[column]
-                        });
+                        .fold(Element::ZERO, |sum, &(column, value)| sum + value * motion[column]);
                     -sum
                 }
             };

@@ -56,11 +56,8 @@ impl From<f64> for Element {
         let bits = value.to_bits();
         let exponent = (bits >> 52) & 0x7ff;
         let fraction = bits & ((1 << 52) - 1);
-        let (mantissa, exponent) = if exponent == 0 {
-            (fraction, 1)
-        } else {
-            (fraction | 1 << 52, exponent)
-        };
+        let (mantissa, exponent) =
+            if exponent == 0 { (fraction, 1) } else { (fraction | 1 << 52, exponent) };
         // value = mantissa · 2^(exponent − 1075), and 2^61 = 1 here.
         let shift = (exponent + 61 * 20 - 1075) % 61;
         let size = Self::reduced(mantissa) * Self(1 << shift);
@@ -138,17 +135,8 @@ mod tests {
     #[test]
     fn floats_are_exact() {
         assert_eq!(Element::from(3.0), Element::from(3_i64));
-        assert_eq!(
-            Element::from(-0.375) * Element::from(8_i64),
-            Element::from(-3_i64)
-        );
-        assert_eq!(
-            Element::from(1e300) * Element::from(1e300).inverse(),
-            Element::ONE
-        );
-        assert_eq!(
-            Element::from(2f64.powi(70)) * Element::from(2f64.powi(-70)),
-            Element::ONE
-        );
+        assert_eq!(Element::from(-0.375) * Element::from(8_i64), Element::from(-3_i64));
+        assert_eq!(Element::from(1e300) * Element::from(1e300).inverse(), Element::ONE);
+        assert_eq!(Element::from(2f64.powi(70)) * Element::from(2f64.powi(-70)), Element::ONE);
     }
 }

@@ -115,11 +115,7 @@ impl KinematicGraph {
     ) -> Option<JointId> {
         let joints = |link: LinkId| self.joints(link);
         // The ground may have very many joints: the other link tells as much.
-        let [near, far] = if joints(from).nth(MANY).is_some() {
-            [to, from]
-        } else {
-            [from, to]
-        };
+        let [near, far] = if joints(from).nth(MANY).is_some() { [to, from] } else { [from, to] };
         let known = |(joint, other)| Some((level(joint)?, joint, other));
         let lowest = joints(near).filter_map(known).map(|(level, ..)| level);
         let lowest = lowest.min()?;
@@ -132,11 +128,8 @@ impl KinematicGraph {
     pub(crate) fn joints(&self, link: LinkId) -> impl Iterator<Item = (JointId, LinkId)> + '_ {
         let edges = self.0.edges(NodeIndex::new(link.index()));
         edges.map(move |edge| {
-            let other = if edge.source().index() == link.index() {
-                edge.target()
-            } else {
-                edge.source()
-            };
+            let other =
+                if edge.source().index() == link.index() { edge.target() } else { edge.source() };
             (*edge.weight(), self.0[other])
         })
     }

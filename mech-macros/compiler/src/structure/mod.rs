@@ -100,10 +100,7 @@ pub(crate) fn layout(model: &Model) -> Result<Structure, Vec<Diagnosis>> {
     let pins = pin::pins(model, &welded);
     let rollings = carrier::rollings(model, (&pins, &welded))?;
     let arms = graph.arms();
-    let trunk = model
-        .joint_ids()
-        .filter(|joint| !arms.contains(joint))
-        .collect();
+    let trunk = model.joint_ids().filter(|joint| !arms.contains(joint)).collect();
     Ok(Structure {
         mobility: mobility(model),
         trunk,
@@ -120,19 +117,13 @@ pub(crate) fn layout(model: &Model) -> Result<Structure, Vec<Diagnosis>> {
 fn check_connected(graph: &KinematicGraph, model: &Model) -> Result<(), Vec<Diagnosis>> {
     let pieces = graph.pieces_off_ground();
     let jointless = |link| {
-        model
-            .joint_ids()
-            .all(|joint| model.ends(joint).0 != link && model.ends(joint).1 != link)
+        model.joint_ids().all(|joint| model.ends(joint).0 != link && model.ends(joint).1 != link)
     };
     let diagnosis = |links: Vec<_>| match links[..] {
         [link] if jointless(link) => Diagnosis::Loose { link },
         _ => Diagnosis::Disconnected { links },
     };
-    if pieces.is_empty() {
-        Ok(())
-    } else {
-        Err(pieces.into_iter().map(diagnosis).collect())
-    }
+    if pieces.is_empty() { Ok(()) } else { Err(pieces.into_iter().map(diagnosis).collect()) }
 }
 
 /// Mobility by counting: each moving link has three freedoms, each joint takes some away.

@@ -59,10 +59,7 @@ pub(super) fn parallels(model: &Model) -> Parallels {
 }
 
 fn turned(heading: Heading, forwards: bool) -> Heading {
-    Heading {
-        forwards: heading.forwards == forwards,
-        ..heading
-    }
+    Heading { forwards: heading.forwards == forwards, ..heading }
 }
 
 /// The direction of a line, by its place in the list, and whether the line points that way.
@@ -82,16 +79,8 @@ fn place(
         let [x, y] = directions[index].along;
         return (index, x * along[0] + y * along[1] > 0.0);
     }
-    let heading = Heading {
-        number: directions.len(),
-        forwards: true,
-    };
-    directions.push(Direction {
-        first,
-        formulas,
-        along,
-        heading,
-    });
+    let heading = Heading { number: directions.len(), forwards: true };
+    directions.push(Direction { first, formulas, along, heading });
     (directions.len() - 1, true)
 }
 
@@ -104,10 +93,7 @@ fn unite(directions: &mut [Direction], a: (usize, bool), b: (usize, bool)) {
     for direction in directions {
         if direction.heading.number == goes.number {
             let forwards = (direction.heading.forwards == goes.forwards) == stays.forwards;
-            direction.heading = Heading {
-                number: stays.number,
-                forwards,
-            };
+            direction.heading = Heading { number: stays.number, forwards };
         }
     }
 }

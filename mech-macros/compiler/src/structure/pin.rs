@@ -28,10 +28,7 @@ impl Pin {
     /// The axis of this link on the pin, if the link is on it.
     #[must_use]
     pub fn axis_of(&self, link: LinkId) -> Option<AxisId> {
-        self.members
-            .iter()
-            .find(|member| member.0 == link)
-            .map(|member| member.1)
+        self.members.iter().find(|member| member.0 == link).map(|member| member.1)
     }
 }
 
@@ -60,10 +57,7 @@ pub(super) fn pins(model: &Model, welded: &Welded) -> Vec<Pin> {
                 let Some(members) = members.remove(&class) else {
                     bug!("a pin has no axes");
                 };
-                pins.push(Pin {
-                    members,
-                    joints: Vec::new(),
-                });
+                pins.push(Pin { members, joints: Vec::new() });
                 pins.len() - 1
             });
             pins[pin].joints.push(id);
@@ -86,9 +80,7 @@ pub(super) fn shaft<'p>(
         let mut links = links.iter();
         links.all(|link| pin.axis_of_body(welded, *link).is_some())
     };
-    pins.iter()
-        .find(own)
-        .or_else(|| pins.iter().find(of_bodies))
+    pins.iter().find(own).or_else(|| pins.iter().find(of_bodies))
 }
 
 /// The axes of a wheel and of its carrier there.

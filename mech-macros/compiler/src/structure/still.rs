@@ -32,10 +32,7 @@ pub(crate) fn still_pins(model: &Model) -> Vec<StillPin> {
         let direction = others
             .filter(|other| other.links == slot.links)
             .find_map(|other| direction(slot, other))?;
-        Some(StillPin {
-            joint: slot.joint,
-            direction,
-        })
+        Some(StillPin { joint: slot.joint, direction })
     };
     slots.iter().filter_map(still).collect()
 }

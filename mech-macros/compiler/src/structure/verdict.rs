@@ -62,31 +62,14 @@ impl<'m> Rank<'m> {
                     .iter()
                     .filter_map(|row| row.checked_sub(joint_of_row.len()))
                     .map(MotorId::new);
-                let mut joints: Vec<JointId> = rows
-                    .iter()
-                    .filter_map(|&row| joint_of_row.get(row).copied())
-                    .collect();
+                let mut joints: Vec<JointId> =
+                    rows.iter().filter_map(|&row| joint_of_row.get(row).copied()).collect();
                 joints.dedup();
-                idle.push(Idle {
-                    motor: id,
-                    among: among.collect(),
-                    joints,
-                });
+                idle.push(Idle { motor: id, among: among.collect(), joints });
             }
         }
-        let dependent = model
-            .joint_ids()
-            .filter(|id| dependent[id.index()])
-            .collect();
-        Self {
-            model,
-            constraints,
-            dice,
-            joints,
-            driven,
-            dependent,
-            idle,
-        }
+        let dependent = model.joint_ids().filter(|id| dependent[id.index()]).collect();
+        Self { model, constraints, dice, joints, driven, dependent, idle }
     }
 
     /// The joints that move in a random motion of what is left free.
@@ -99,19 +82,14 @@ impl<'m> Rank<'m> {
     fn rate(&self, id: JointId, motion: &[Element]) -> Element {
         // A joint without a coordinate does not move.
         let rate = self.constraints.rate(id).unwrap_or_default();
-        rate.iter().fold(Element::ZERO, |sum, &(column, factor)| {
-            sum + factor * motion[column]
-        })
+        rate.iter().fold(Element::ZERO, |sum, &(column, factor)| sum + factor * motion[column])
     }
 
     /// The links that keep their place relative to this one in every motion of the joints.
     fn rigid_part(&mut self, link: LinkId) -> Vec<LinkId> {
         let motion = self.joints.random_motion(&mut self.dice);
         let rates = |id| self.constraints.of_link(id, &motion);
-        self.model
-            .link_ids()
-            .filter(|&id| rates(id) == rates(link))
-            .collect()
+        self.model.link_ids().filter(|&id| rates(id) == rates(link)).collect()
     }
 
     /// Joints for motors that would take all freedom that is left: each of them alone where one is missing, all of them
@@ -139,15 +117,12 @@ pub(super) fn is_sound(model: &Model, structure: &Structure) -> bool {
     let mut rows = Elimination::new(constraints.unknowns());
     let mut joints = model.joint_ids();
     let mut motors = model.motor_ids();
-    joints.all(|id| {
-        constraints
-            .of_joint(id)
-            .into_iter()
-            .all(|row| rows.extend(row))
-    }) && motors.all(|id| {
-        let rate = constraints.rate(model.motor(id).joint);
-        rate.is_some_and(|row| rows.extend(row))
-    }) && rows.freedom() == 0
+    joints.all(|id| constraints.of_joint(id).into_iter().all(|row| rows.extend(row)))
+        && motors.all(|id| {
+            let rate = constraints.rate(model.motor(id).joint);
+            rate.is_some_and(|row| rows.extend(row))
+        })
+        && rows.freedom() == 0
         && !model.motors.is_empty()
 }
 
@@ -161,35 +136,22 @@ pub(super) fn verdict(model: &Model, structure: &Structure) -> Result<(), Vec<Di
     if rank.joints.freedom() == 0 && model.motors.is_empty() {
         diagnoses.push(Diagnosis::Rigid);
     } else if diagnoses.is_empty() && !rank.dependent.is_empty() && !is_allowed {
-        diagnoses.push(Diagnosis::Overdetermined {
-            joints: rank.dependent.clone(),
-            is_mobile: false,
-        });
+        diagnoses
+            .push(Diagnosis::Overdetermined { joints: rank.dependent.clone(), is_mobile: false });
     }
     if freedom > 0 && model.motors.is_empty() {
-        diagnoses.push(Diagnosis::NoMotor {
-            freedom,
-            candidates: rank.candidates(),
-        });
+        diagnoses.push(Diagnosis::NoMotor { freedom, candidates: rank.candidates() });
     } else if freedom > 0 {
         let motion = rank.driven.random_motion(&mut rank.dice);
         let free = rank.moving_joints(&motion);
-        diagnoses.push(Diagnosis::Undetermined {
-            freedom,
-            free,
-            candidates: rank.candidates(),
-        });
+        diagnoses.push(Diagnosis::Undetermined { freedom, free, candidates: rank.candidates() });
     }
     if diagnoses.is_empty() {
         return Ok(());
     }
     // What else is wrong may follow from it.
     let pointless = on_one_pin(model, structure);
-    Err(if pointless.is_empty() {
-        diagnoses
-    } else {
-        pointless
-    })
+    Err(if pointless.is_empty() { diagnoses } else { pointless })
 }
 
 /// The links that several joints hold, all on one pin, and no motor.
@@ -210,22 +172,13 @@ fn on_one_pin(model: &Model, structure: &Structure) -> Vec<Diagnosis> {
 
 fn blocked_motors(model: &Model, rank: &mut Rank<'_>) -> Vec<Diagnosis> {
     let mut diagnoses = Vec::new();
-    for Idle {
-        motor,
-        among,
-        joints,
-    } in rank.idle.clone()
-    {
+    for Idle { motor, among, joints } in rank.idle.clone() {
         if among.len() > 1 {
             diagnoses.push(Diagnosis::TooManyMotors { motor, among });
             continue;
         }
         let ends = model.ends(model.motor(motor).joint);
-        let holding = if joints.is_empty() {
-            aligning_joints(model, ends)
-        } else {
-            joints
-        };
+        let holding = if joints.is_empty() { aligning_joints(model, ends) } else { joints };
         let touched = |link: &LinkId| {
             let joins = |&joint: &JointId| {
                 let (a, b) = model.ends(joint);
@@ -234,11 +187,7 @@ fn blocked_motors(model: &Model, rank: &mut Rank<'_>) -> Vec<Diagnosis> {
             *link == ends.0 || *link == ends.1 || holding.iter().any(joins)
         };
         let part = rank.rigid_part(ends.0).into_iter().filter(touched);
-        diagnoses.push(Diagnosis::Blocked {
-            motor,
-            part: part.collect(),
-            joints: holding,
-        });
+        diagnoses.push(Diagnosis::Blocked { motor, part: part.collect(), joints: holding });
     }
     diagnoses
 }

@@ -26,10 +26,7 @@ struct Frame {
 
 impl Frame {
     fn own() -> Self {
-        Self {
-            direction: [1.0, 0.0],
-            origin: [0.0; 2],
-        }
+        Self { direction: [1.0, 0.0], origin: [0.0; 2] }
     }
 
     fn carry(&self, at: [f64; 2]) -> [f64; 2] {
@@ -47,10 +44,7 @@ impl Frame {
         let back = [other.direction[0], -other.direction[1]];
         let direction = turned(turned(self.direction, own.direction), back);
         let ([x, y], [u, v]) = (self.carry(own.at), turned(direction, other.at));
-        Self {
-            direction,
-            origin: [x - u, y - v],
-        }
+        Self { direction, origin: [x - u, y - v] }
     }
 }
 

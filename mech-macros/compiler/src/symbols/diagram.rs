@@ -12,11 +12,8 @@ pub fn symbols(
     structure: &Structure,
     has_pose: impl Fn(LinkId) -> bool,
 ) -> Vec<Symbol> {
-    let diagram = Diagram {
-        model,
-        structure,
-        has_pose: &|link| link == LinkId::GROUND || has_pose(link),
-    };
+    let diagram =
+        Diagram { model, structure, has_pose: &|link| link == LinkId::GROUND || has_pose(link) };
     let links = model.declared_links().filter(|&link| has_pose(link));
     let mut all: Vec<Symbol> = links.flat_map(|link| diagram.bars(link)).collect();
     let rollings = structure.rollings.iter();
@@ -29,11 +26,7 @@ pub fn symbols(
         _ => None,
     }));
     all.extend(diagram.elastic());
-    all.extend(
-        model
-            .cams()
-            .filter_map(|(_, shaft, follower, _)| diagram.cam(shaft, follower)),
-    );
+    all.extend(model.cams().filter_map(|(_, shaft, follower, _)| diagram.cam(shaft, follower)));
     let pivots = structure.pins.iter().filter_map(|pin| diagram.pivot(pin));
     all.extend(pivots.map(Symbol::Pivot));
     all.extend(diagram.marks());
@@ -48,11 +41,7 @@ pub(crate) fn elastic_symbols(
     structure: &Structure,
     has_pose: impl Fn(LinkId) -> bool,
 ) -> Vec<Symbol> {
-    let diagram = Diagram {
-        model,
-        structure,
-        has_pose: &has_pose,
-    };
+    let diagram = Diagram { model, structure, has_pose: &has_pose };
     diagram.elastic()
 }
 
@@ -126,38 +115,25 @@ impl Diagram<'_> {
         let [guide, block] = self.model.guide_and_block(joint)?;
         let block = self.model.seen_axis(block);
         let (at, block) = (self.first_visible(&[guide])?, self.first_visible(&[block])?);
-        Some(Symbol::Slide {
-            guide: at,
-            along: self.along(guide),
-            block,
-        })
+        Some(Symbol::Slide { guide: at, along: self.along(guide), block })
     }
 
     /// The symbol of a cam, on the link of its shaft that is not its carrier.
     fn cam(&self, shaft: JointId, follower: JointId) -> Option<Symbol> {
         let carrier = self.model.carrier_of_cam(shaft, follower)?;
         let axes = self.model.joint(shaft).kind.axes()?;
-        let own = axes
-            .into_iter()
-            .find(|&axis| self.model.axis(axis).link != carrier)?;
+        let own = axes.into_iter().find(|&axis| self.model.axis(axis).link != carrier)?;
         let at = self.first_visible(&[own])?;
         Some(match self.model.axis(own).kind {
             AxisKind::Point => Symbol::Cam(at),
-            AxisKind::Line => Symbol::Wedge {
-                at,
-                along: self.along(own),
-            },
+            AxisKind::Line => Symbol::Wedge { at, along: self.along(own) },
         })
     }
 
     /// The sides of a link, as a polygon around its joints and named points.
     fn bars(&self, link: LinkId) -> Vec<Symbol> {
         let on_it = |axis: &AxisId| self.model.axis(*axis).link == link;
-        let pins = self
-            .structure
-            .pins
-            .iter()
-            .filter_map(|pin| pin.axis_of(link));
+        let pins = self.structure.pins.iter().filter_map(|pin| pin.axis_of(link));
         let slides = self.model.joints.iter().flat_map(|joint| match joint.kind {
             JointKind::Prismatic(a, b) | JointKind::Weld(a, b) => vec![a, b],
             _ => Vec::new(),
@@ -221,10 +197,7 @@ impl Diagram<'_> {
         });
         let symbol = |axis: AxisId| match kind {
             AxisKind::Point => Symbol::Point(self.spot(axis)),
-            AxisKind::Line => Symbol::Line {
-                at: self.spot(axis),
-                along: self.along(axis),
-            },
+            AxisKind::Line => Symbol::Line { at: self.spot(axis), along: self.along(axis) },
         };
         declared.map(symbol).collect()
     }
@@ -234,15 +207,9 @@ impl Diagram<'_> {
         let symbol = |joint: JointId| match self.model.joint(joint).kind {
             JointKind::Revolute(a, b) => self.first_visible(&[a, b]).map(Symbol::RotaryMotor),
             JointKind::Prismatic(..) => match self.slide(joint)? {
-                Symbol::Slide {
-                    guide,
-                    along,
-                    block,
-                } => Some(Symbol::LinearMotor {
-                    block,
-                    guide: guide.link,
-                    along,
-                }),
+                Symbol::Slide { guide, along, block } => {
+                    Some(Symbol::LinearMotor { block, guide: guide.link, along })
+                }
                 _ => None,
             },
             _ => None,
@@ -257,10 +224,8 @@ fn sort_around_center(corners: &mut [Spot]) {
     #[expect(clippy::cast_precision_loss, reason = "a few corners")]
     let share = 1.0 / corners.len() as f64;
     let at = |corner: &Spot| corner.at.map(Measure::at_start);
-    let center = corners
-        .iter()
-        .map(at)
-        .fold([0.0, 0.0], |[x, y], [u, v]| [x + u * share, y + v * share]);
+    let center =
+        corners.iter().map(at).fold([0.0, 0.0], |[x, y], [u, v]| [x + u * share, y + v * share]);
     corners.sort_by(|one, other| {
         let angle = |[x, y]: [f64; 2]| libm::atan2(y - center[1], x - center[0]);
         angle(at(one)).total_cmp(&angle(at(other)))

@@ -17,10 +17,7 @@ pub type Spot = mech_core::Spot<Measure, LinkId>;
 /// The place of an axis.
 pub(crate) fn spot(model: &Model, axis: AxisId) -> Spot {
     let axis = model.axis(axis);
-    Spot {
-        link: axis.link,
-        at: axis.place(),
-    }
+    Spot { link: axis.link, at: axis.place() }
 }
 
 /// The places between or about which a spring or damper is drawn; none of other symbols.

@@ -28,9 +28,7 @@ impl Diagram<'_> {
             (
                 JointKind::Rack { radius, .. },
                 RollingEnd::Wheel(pinion),
-                RollingEnd::Bar {
-                    slide, forwards, ..
-                },
+                RollingEnd::Bar { slide, forwards, .. },
             ) => {
                 let pinion = hub(pinion).and_then(|hub| hub.spot);
                 pinion.and_then(|pinion| self.rack(pinion, radius, (slide, forwards)))
@@ -51,10 +49,7 @@ impl Diagram<'_> {
             return None;
         };
         let line = if forwards { b } else { a };
-        let wheel = Symbol::Wheel {
-            center: pinion,
-            radius: Measure::fixed(radius.abs()),
-        };
+        let wheel = Symbol::Wheel { center: pinion, radius: Measure::fixed(radius.abs()) };
         let rack = self.first_visible(&[line]).map(|bar| Symbol::Rack {
             pinion,
             radius: Measure::fixed(radius),

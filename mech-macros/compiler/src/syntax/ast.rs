@@ -60,10 +60,7 @@ pub(super) enum Statement {
     /// `at change points stop;`
     ChangePoints { keyword: Span, what: AtChangePoints },
     /// `effects { ... }`
-    Effects {
-        keyword: Span,
-        effects: Vec<Read<Effect>>,
-    },
+    Effects { keyword: Span, effects: Vec<Read<Effect>> },
     /// `gravity (0, -9.81);`
     Gravity { keyword: Span, value: Pair },
     /// `spring ...;`
@@ -201,11 +198,7 @@ pub(super) struct Matter {
 /// The mass of a link, or its density.
 pub(super) enum MatterKind {
     /// `mass 0.4 at (0.1, 0) inertia 2e-3`
-    Mass {
-        mass: Expr,
-        at: Option<Pair>,
-        inertia: Option<Expr>,
-    },
+    Mass { mass: Expr, at: Option<Pair>, inertia: Option<Expr> },
     /// `density 7.8`
     Density(Expr),
 }
@@ -364,15 +357,8 @@ pub(super) struct StartClause {
 }
 
 /// The words for effects.
-pub(super) const EFFECTS: [&str; 7] = [
-    "velocity",
-    "acceleration",
-    "force",
-    "dynamics",
-    "trace",
-    "overlay",
-    "sensitivity",
-];
+pub(super) const EFFECTS: [&str; 7] =
+    ["velocity", "acceleration", "force", "dynamics", "trace", "overlay", "sensitivity"];
 
 /// One of the effects.
 pub(super) enum Effect {
@@ -423,11 +409,7 @@ pub(super) struct Expect {
 /// What has to hold.
 pub(super) enum ConditionExpr {
     /// `a < b`
-    Compare {
-        sides: [Expr; 2],
-        is_upper: bool,
-        is_strict: bool,
-    },
+    Compare { sides: [Expr; 2], is_upper: bool, is_strict: bool },
     /// `a in low ..= high`
     Within(Expr, [Expr; 2]),
     /// `turns(a)`

@@ -237,10 +237,7 @@ impl Name {
     /// From its first word to its last.
     pub(super) fn place(&self) -> Place {
         let first = self.uses.first().map_or(&self.name, |first| &first.name);
-        Place {
-            start: first.span(),
-            end: self.name.span(),
-        }
+        Place { start: first.span(), end: self.name.span() }
     }
 }
 
@@ -271,17 +268,14 @@ impl fmt::Display for MovingExpr {
             (None, None) => {}
         }
         let part = self.part.iter();
-        part.map(|(_, word)| word)
-            .try_for_each(|part| write!(formatter, ".{part}"))
+        part.map(|(_, word)| word).try_for_each(|part| write!(formatter, ".{part}"))
     }
 }
 
 impl fmt::Display for End {
     fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
         write!(formatter, "{}", self.link)?;
-        self.axis
-            .iter()
-            .try_for_each(|axis| write!(formatter, ".{axis}"))
+        self.axis.iter().try_for_each(|axis| write!(formatter, ".{axis}"))
     }
 }
 

@@ -19,28 +19,19 @@ impl Place {
     pub fn of(tokens: &impl ToTokens) -> Self {
         let mut spans = tokens.to_token_stream().into_iter().map(|tree| tree.span());
         let start = spans.next().unwrap_or_else(Span::call_site);
-        Self {
-            start,
-            end: spans.last().unwrap_or(start),
-        }
+        Self { start, end: spans.last().unwrap_or(start) }
     }
 
     /// The place of one token.
     #[must_use]
     pub fn at(span: Span) -> Self {
-        Self {
-            start: span,
-            end: span,
-        }
+        Self { start: span, end: span }
     }
 
     /// From the start of this place to the end of another.
     #[must_use]
     pub fn to(self, other: Self) -> Self {
-        Self {
-            start: self.start,
-            end: other.end,
-        }
+        Self { start: self.start, end: other.end }
     }
 }
 
@@ -88,19 +79,14 @@ impl Message {
     /// A message about a place.
     #[must_use]
     pub fn new(place: Place, text: impl Into<String>) -> Self {
-        Self {
-            place,
-            text: text.into(),
-        }
+        Self { place, text: text.into() }
     }
 
     /// The text that stands in the place of a message after what its words offer: what they say to write, or ask for.
     #[must_use]
     pub fn offer(words: &str) -> Option<&str> {
         let first = words.split("\n\n").next()?;
-        let offer = first
-            .split_once("write `")
-            .or(first.split_once("did you mean `"));
+        let offer = first.split_once("write `").or(first.split_once("did you mean `"));
         let (offer, _) = offer?.1.split_once('`')?;
         Some(offer)
     }
@@ -119,11 +105,7 @@ impl Message {
         let left_out = messages.len().saturating_sub(Self::MOST) + others;
         messages.truncate(Self::MOST);
         if let Some(last) = messages.last().filter(|_| left_out > 0) {
-            let are = if left_out == 1 {
-                "is 1"
-            } else {
-                &format!("are {left_out}")
-            };
+            let are = if left_out == 1 { "is 1" } else { &format!("are {left_out}") };
             let text =
                 format!("there {are} more like these, or of other kinds; mend the first ones");
             messages.push(Self::new(last.place, text));

@@ -36,49 +36,19 @@ pub(super) enum Outline {
     /// `circle (x, y) radius r`
     Circle { center: Pair, radius: Expr },
     /// `ring (x, y) radius r hole h`
-    Ring {
-        center: Pair,
-        radius: Expr,
-        hole: Expr,
-    },
+    Ring { center: Pair, radius: Expr, hole: Expr },
     /// `polygon [(x, y), ...]`
     Polygon { corners: Vec<Pair>, place: Place },
     /// `bar [(x, y), ...] width w`
-    Bar {
-        pins: Vec<Pair>,
-        place: Place,
-        width: Expr,
-    },
+    Bar { pins: Vec<Pair>, place: Place, width: Expr },
     /// `gear (x, y) radius r teeth n turned a`
-    Gear {
-        center: Pair,
-        radius: Option<Expr>,
-        teeth: Expr,
-        turned: Option<Expr>,
-    },
+    Gear { center: Pair, radius: Option<Expr>, teeth: Expr, turned: Option<Expr> },
     /// `stand (x, y) height h turned a`
-    Stand {
-        at: Pair,
-        height: Option<Expr>,
-        turned: Option<Expr>,
-    },
+    Stand { at: Pair, height: Option<Expr>, turned: Option<Expr> },
     /// `rail [(x, y), (x, y)] width w`
-    Rail {
-        ends: Vec<Pair>,
-        place: Place,
-        width: Option<Expr>,
-    },
+    Rail { ends: Vec<Pair>, place: Place, width: Option<Expr> },
     /// `spring [(x, y), (x, y)] width w`
-    Spring {
-        ends: Vec<Pair>,
-        place: Place,
-        width: Expr,
-    },
+    Spring { ends: Vec<Pair>, place: Place, width: Expr },
     /// `text (x, y) "what it says" height h turned a`
-    Text {
-        at: Pair,
-        text: syn::LitStr,
-        height: Expr,
-        turned: Option<Expr>,
-    },
+    Text { at: Pair, text: syn::LitStr, height: Expr, turned: Option<Expr> },
 }

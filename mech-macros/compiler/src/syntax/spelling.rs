@@ -37,15 +37,10 @@ const OTHERS: [(&str, &str); 30] = [
 /// The candidate that looks most like the word, or else means the same elsewhere, if one does.
 pub(super) fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
     let alike = alike(word, candidates.iter().copied()).into_iter();
-    let alike = alike
-        .min_by_key(|(distance, _)| *distance)
-        .map(|(_, near)| near);
+    let alike = alike.min_by_key(|(distance, _)| *distance).map(|(_, near)| near);
     alike.or_else(|| {
         let (_, own) = OTHERS.iter().find(|(other, _)| *other == word)?;
-        candidates
-            .iter()
-            .copied()
-            .find(|candidate| candidate == own)
+        candidates.iter().copied().find(|candidate| candidate == own)
     })
 }
 
@@ -64,8 +59,7 @@ pub fn alike<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Vec<(
         !(is_ascii && (is_long || more(own, other).max(more(other, own)) > limit))
     });
     let near = near.map(|candidate| (distance(word, candidate, limit), candidate));
-    near.filter_map(|(distance, candidate)| Some((distance?, candidate)))
-        .collect()
+    near.filter_map(|(distance, candidate)| Some((distance?, candidate))).collect()
 }
 
 /// The end of a message about an unknown word: what it may have meant, or else what there is to choose from.
@@ -93,9 +87,7 @@ pub(super) fn list_all(words: &[&str]) -> String {
 
 /// A bit for each letter of an ASCII word: one that only one of two words has costs a change. Small and great letters have the same.
 fn letters(word: &str) -> u64 {
-    let bits = word
-        .bytes()
-        .map(|letter| 1 << (letter % 32 + 32 * (letter >> 6 & 1)));
+    let bits = word.bytes().map(|letter| 1 << (letter % 32 + 32 * (letter >> 6 & 1)));
     bits.fold(0, |all, bit: u64| all | bit)
 }
 

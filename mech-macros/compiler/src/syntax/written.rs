@@ -131,11 +131,7 @@ pub(super) fn with_degrees(expr: &Expr) -> String {
 
 /// A number: in brackets if it is held together less tightly than this.
 fn in_brackets(expr: &Expr, bond: Bond) -> String {
-    if bond_of(expr) < bond {
-        format!("({expr})")
-    } else {
-        expr.to_string()
-    }
+    if bond_of(expr) < bond { format!("({expr})") } else { expr.to_string() }
 }
 
 fn chain(

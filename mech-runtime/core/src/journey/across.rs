@@ -67,10 +67,7 @@ pub(super) fn meeting<T: Real, J: Journey<T>>(
     let (part, index) = match *event {
         Event::None if reached.stop.is_some() => {
             let mut all = 0..journey.watches();
-            (
-                reached.end,
-                all.find(|index| is_near(journey, &reached.to, *index))?,
-            )
+            (reached.end, all.find(|index| is_near(journey, &reached.to, *index))?)
         }
         Event::Near(part, index) => (part, index),
         _ => return None,
@@ -78,11 +75,7 @@ pub(super) fn meeting<T: Real, J: Journey<T>>(
     if is_near(journey, from, index)
         && let Some(away) = away(journey, (from, done), index)
     {
-        return Some(Meeting {
-            index,
-            before: (from.clone(), done),
-            beyond: Some(away),
-        });
+        return Some(Meeting { index, before: (from.clone(), done), beyond: Some(away) });
     }
     // Not so near that rounding tells more than the position.
     let start = part - distance(journey, index, OFFSETS[0]) * T::HALF;
@@ -94,11 +87,7 @@ pub(super) fn meeting<T: Real, J: Journey<T>>(
     };
     let beyond = beyond_change_point(journey, (from, done), (&before.0, before.1), index);
     // Beyond a dead point there is nothing.
-    (beyond.is_some() || reached.stop.is_none()).then_some(Meeting {
-        index,
-        before,
-        beyond,
-    })
+    (beyond.is_some() || reached.stop.is_none()).then_some(Meeting { index, before, beyond })
 }
 
 /// The position a little farther, from one before a zero of a sine: that which everything goes straight on to.
@@ -111,11 +100,7 @@ fn beyond_change_point<T: Real, J: Journey<T>>(
     OFFSETS.into_iter().find_map(|times| {
         let offset = lesser(distance(journey, index, times), T::ONE - part);
         let last = back(journey, (position, part), (offset, index))?;
-        let before = back(
-            journey,
-            (&last, part - offset),
-            (offset * T::from_f64(2.0), index),
-        )?;
+        let before = back(journey, (&last, part - offset), (offset * T::from_f64(2.0), index))?;
         let line = Line {
             before: (&before, part - offset * T::from_f64(3.0)),
             last: (&last, part - offset),
@@ -138,10 +123,7 @@ pub(super) fn beyond_cluster<T: Real, J: Journey<T>>(
         let [begun, last_part] = [3.0, 1.0].map(|offsets| part - offset * T::from_f64(offsets));
         let before = position_at(journey, from, done, begun)?;
         let last = position_at(journey, &before, begun, last_part)?;
-        let line = Line {
-            before: (&before, begun),
-            last: (&last, last_part),
-        };
+        let line = Line { before: (&before, begun), last: (&last, last_part) };
         let end = lesser(part + offset, T::ONE);
         // A line that began before a zero that was passed may not come to this one.
         line.crosses(journey, index, end)
@@ -211,11 +193,7 @@ pub(super) fn beyond_touch<T: Real, J: Journey<T>>(
     let end = lesser(part + offset, T::ONE);
     let to = position_at(journey, &halfway, part - offset * T::HALF, end)?;
     let is_clear = (0..journey.watches()).all(|one| !is_zero(journey, &to, one));
-    is_clear.then_some(Beyond {
-        to,
-        end,
-        stops: false,
-    })
+    is_clear.then_some(Beyond { to, end, stops: false })
 }
 
 /// Two positions before a zero, and the parts of the move that are done there.
@@ -245,10 +223,7 @@ impl<P: Clone, T: Real> Line<'_, P, T> {
         index: usize,
     ) -> bool {
         // On another branch the sine is another.
-        let (sine, ahead) = (
-            journey.sine(position, index),
-            self.sine(journey, index, part),
-        );
+        let (sine, ahead) = (journey.sine(position, index), self.sine(journey, index, part));
         (sine - ahead).abs() <= T::from_f64(OFF) * ahead.abs()
     }
 
@@ -313,11 +288,7 @@ fn away<T: Real, J: Journey<T>>(
     let mut step = T::from_f64(FIRST) * sine(from) / journey.watch(index).change;
     for _ in 0..MOST_STEPS {
         // One step ends in the middle.
-        let bound = if halfway.is_some() {
-            offset
-        } else {
-            offset * T::HALF
-        };
+        let bound = if halfway.is_some() { offset } else { offset * T::HALF };
         let farther = lesser(gone + step, bound);
         if done + farther <= done + gone {
             return None;
@@ -336,11 +307,7 @@ fn away<T: Real, J: Journey<T>>(
             // Straight back from here it was not on the other side of its zero.
             Some(middle) if gone >= offset => {
                 let is_away = sine(&to) > sine(from) && middle + middle > sine(&to);
-                return is_away.then_some(Beyond {
-                    to,
-                    end: done + offset,
-                    stops: false,
-                });
+                return is_away.then_some(Beyond { to, end: done + offset, stops: false });
             }
             None if gone >= bound => halfway = Some(sine(&to)),
             _ => {}

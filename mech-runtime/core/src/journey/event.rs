@@ -59,10 +59,7 @@ pub(super) fn first_event<T: Real, J: Journey<T>>(
         };
         // Not quite: where pins meet nothing tells how other loops stand. What comes to zero so near is passed together.
         let end = part - distance(journey, passed, NEAREST);
-        let Some(to) = (end > done)
-            .then(|| position_at(journey, from, done, end))
-            .flatten()
-        else {
+        let Some(to) = (end > done).then(|| position_at(journey, from, done, end)).flatten() else {
             break;
         };
         let before = Reach::there(to, end);
@@ -89,10 +86,7 @@ fn soonest<T: Real, J: Journey<T>>(
             continue;
         }
         // A loop that has just passed its zero does not come to it once more. But it may have been a dead point.
-        let event = match (
-            has_passed(journey, from, index),
-            is_zero(journey, from, index),
-        ) {
+        let event = match (has_passed(journey, from, index), is_zero(journey, from, index)) {
             (true, true) => blocked_at_ends(journey, from, done, reach.end, index),
             (true, false) => Event::None,
             (false, _) => least_sine(journey, from, done, reach, index),
@@ -304,11 +298,7 @@ fn vertex<T: Real>(a: (T, T), m: (T, T), b: (T, T)) -> T {
     let nearest = (b.0 - a.0) * T::from_f64(1e-4);
     // A step shorter than this tells nothing new on its side: the other side is looked at.
     if shift.abs() < nearest {
-        let side = if left > right {
-            T::ZERO - nearest
-        } else {
-            nearest
-        };
+        let side = if left > right { T::ZERO - nearest } else { nearest };
         return m.0 + side;
     }
     at

@@ -245,11 +245,7 @@ fn travel_on<T: Real, J: Journey<T>>(
         length = likely(journey, &position, length);
         let target = done + length;
         // The last piece may be a little longer rather than leave a splinter.
-        let target = if target + length * T::HALF > T::ONE {
-            T::ONE
-        } else {
-            target
-        };
+        let target = if target + length * T::HALF > T::ONE { T::ONE } else { target };
         let part = target - done;
         // A move so long that a piece of it is lost in rounding.
         if target <= done {
@@ -270,11 +266,7 @@ fn travel_on<T: Real, J: Journey<T>>(
             let gone = travel_piece(journey, position, done, target);
             (position, done) = (gone.to, gone.end);
             if let Some(stop) = gone.stop {
-                return Err(Halt {
-                    position,
-                    part: done,
-                    stop,
-                });
+                return Err(Halt { position, part: done, stop });
             }
         } else {
             length = part * T::HALF;
@@ -293,9 +285,5 @@ fn too_far<T: Real, J: Journey<T>>(
     position: J::Position,
     part: T,
 ) -> Halt<J::Position, J::Stop, T> {
-    Halt {
-        position,
-        part,
-        stop: journey.too_far(),
-    }
+    Halt { position, part, stop: journey.too_far() }
 }

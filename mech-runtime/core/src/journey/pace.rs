@@ -82,16 +82,12 @@ pub(super) fn is_foretold<T: Real, J: Journey<T>>(
 /// For each sine whose rate is a guess, the change of its square in the whole move.
 fn guesses<T: Real, J: Journey<T>>(journey: &J) -> impl Iterator<Item = T> {
     let watches = (0..journey.watches()).map(|index| journey.watch(index));
-    watches
-        .filter(|watch| watch.guessed)
-        .map(|watch| watch.change)
+    watches.filter(|watch| watch.guessed).map(|watch| watch.change)
 }
 
 /// The longest first piece of a move: nothing was seen yet that could correct a guess.
 pub(super) fn first<T: Real, J: Journey<T>>(journey: &J, longest: T) -> T {
-    guesses(journey).fold(longest, |length, change| {
-        lesser(length, T::from_f64(FIRST) / change)
-    })
+    guesses(journey).fold(longest, |length, change| lesser(length, T::from_f64(FIRST) / change))
 }
 
 /// Returns the greatest ratio of the length of the next piece to that of this one.
@@ -110,9 +106,8 @@ pub(super) fn is_passable<T: Real, J: Journey<T>>(
     (0..journey.watches()).all(|index| is_far(journey, from, to, part, index))
         && (0..journey.follows()).all(|index| {
             let turn = journey.turn(index);
-            let speed = growing(turn.guessed, || {
-                speed(journey, from, to, journey.turn_growth(index))
-            });
+            let speed =
+                growing(turn.guessed, || speed(journey, from, to, journey.turn_growth(index)));
             turn.change * part * speed <= most_turn(turn)
         })
 }
@@ -161,9 +156,7 @@ fn stays_away<T: Real, J: Journey<T>>(
     (index, of_guess): (usize, f64),
 ) -> bool {
     let (squares, watch) = (squares(journey, from, to, index), journey.watch(index));
-    let speed = growing(watch.guessed, || {
-        speed(journey, from, to, journey.growth(index))
-    });
+    let speed = growing(watch.guessed, || speed(journey, from, to, journey.growth(index)));
     let change = T::from_f64(if watch.guessed { of_guess } else { OF_BOUND }) * watch.change;
     squares > change * part * speed
         && (!watch.guessed || is_calm(journey, from, to, index))
@@ -225,10 +218,7 @@ pub(super) fn likely<T: Real, J: Journey<T>>(journey: &J, from: &J::Position, lo
     let mut length = longest;
     for index in 0..journey.watches() {
         let watch = journey.watch(index);
-        let (speed, change) = (
-            speed(journey, from, from, journey.growth(index)),
-            watch.change,
-        );
+        let (speed, change) = (speed(journey, from, from, journey.growth(index)), watch.change);
         let growing = growing(watch.guessed, || speed);
         let passable =
             T::from_f64(LIKELY) * squares(journey, from, from, index) / (change * growing);
@@ -237,9 +227,8 @@ pub(super) fn likely<T: Real, J: Journey<T>>(journey: &J, from: &J::Position, lo
     }
     for index in 0..journey.follows() {
         let turn = journey.turn(index);
-        let speed = growing(turn.guessed, || {
-            speed(journey, from, from, journey.turn_growth(index))
-        });
+        let speed =
+            growing(turn.guessed, || speed(journey, from, from, journey.turn_growth(index)));
         let short = most_turn(turn) / (turn.change * slow(speed, turn.guessed));
         length = lesser(length, short);
     }

@@ -15,20 +15,12 @@ pub(super) struct Reach<P, S, T> {
 impl<P, S, T> Reach<P, S, T> {
     /// One that ends at its target.
     pub(super) fn there(to: P, end: T) -> Self {
-        Self {
-            to,
-            end,
-            stop: None,
-        }
+        Self { to, end, stop: None }
     }
 
     /// One that ends before it.
     pub(super) fn stopped(to: P, end: T, stop: S) -> Self {
-        Self {
-            to,
-            end,
-            stop: Some(stop),
-        }
+        Self { to, end, stop: Some(stop) }
     }
 }
 

@@ -99,11 +99,7 @@ impl Phase {
         let tail = high * (TAIL_F64 * power_f64(-32)) + low * (TAIL_F64 * power_f64(-64));
         let correction = lost + tail;
         let angle = sum + correction;
-        ReducedAngle {
-            high: angle,
-            low: (sum - angle) + correction,
-            quadrant,
-        }
+        ReducedAngle { high: angle, low: (sum - angle) + correction, quadrant }
     }
 
     /// The sine and cosine, each within 1e-7 for any number of turns, in `f32` arithmetic only. At whole quarters of a turn they are exact.
@@ -144,11 +140,7 @@ impl Phase {
         let tail = high * (TAIL_F32 * power_f32(-16)) + (low * (TAIL_F32 * power_f32(-32)) + last);
         let correction = lost + tail;
         let angle = sum + correction;
-        ReducedAngle {
-            high: angle,
-            low: (sum - angle) + correction,
-            quadrant: quadrant as u32,
-        }
+        ReducedAngle { high: angle, low: (sum - angle) + correction, quadrant: quadrant as u32 }
     }
 
     /// The nearest turn, and the units from there.
@@ -170,10 +162,7 @@ impl Phase {
 #[inline]
 #[expect(clippy::cast_possible_truncation, reason = "these are the halves")]
 const fn halves(remainder: u64) -> [i32; 2] {
-    [
-        (remainder.wrapping_add(1 << 31) >> 32) as i32,
-        remainder.cast_signed() as i32,
-    ]
+    [(remainder.wrapping_add(1 << 31) >> 32) as i32, remainder.cast_signed() as i32]
 }
 
 /// `top * 2^exponent` turns in radians, within one ulp; the first bit of `top` is set, or none.

@@ -46,16 +46,9 @@ impl Phase {
     #[must_use]
     pub fn from_radians(radians: f64) -> Option<Self> {
         // 1 / (2 pi) in units of 2^-192, rounded down. Less than 2^66 of those errors are less than 2^-126.
-        const TURNS: [u64; 3] = [
-            0x28BE_60DB_9391_054A,
-            0x7F09_D5F4_7D4D_3770,
-            0x36D8_A566_4F10_E410,
-        ];
-        let Parts {
-            negative,
-            whole,
-            exponent,
-        } = Parts::of(radians)?;
+        const TURNS: [u64; 3] =
+            [0x28BE_60DB_9391_054A, 0x7F09_D5F4_7D4D_3770, 0x36D8_A566_4F10_E410];
+        let Parts { negative, whole, exponent } = Parts::of(radians)?;
         if exponent > 13 {
             return None; // 2^66 radians or more
         }
@@ -106,11 +99,7 @@ impl Parts {
         let biased = (bits >> 52 & 0x7FF) as i32;
         Some(Self {
             negative: value.is_sign_negative(),
-            whole: if biased == 0 {
-                mantissa
-            } else {
-                mantissa | HIDDEN
-            },
+            whole: if biased == 0 { mantissa } else { mantissa | HIDDEN },
             exponent: biased.max(1) - 1075,
         })
     }

@@ -111,11 +111,7 @@ impl Phase {
             return None;
         }
         let units = size.cast_signed();
-        Some(Self::of_units(if negative {
-            units.wrapping_neg()
-        } else {
-            units
-        }))
+        Some(Self::of_units(if negative { units.wrapping_neg() } else { units }))
     }
 }
 

@@ -31,10 +31,7 @@ struct Truth {
 
 impl Truth {
     fn new() -> Self {
-        Self {
-            remainders: Remainders::new(),
-            taylor: Taylor::new(),
-        }
+        Self { remainders: Remainders::new(), taylor: Taylor::new() }
     }
 
     fn of(&self, x: f64) -> (Pair, Pair) {
@@ -148,9 +145,7 @@ fn f64_is_within_one_ulp_where_it_is_hard() {
     }
     for exponent in exponents_f64() {
         let power = exponent << 52;
-        (power - 2..power + 3)
-            .map(f64::from_bits)
-            .for_each(&mut see);
+        (power - 2..power + 3).map(f64::from_bits).for_each(&mut see);
     }
     let (least, most) = (LIMIT_F64.to_bits(), f64::MAX.to_bits());
     (least..least + 1000).map(f64::from_bits).for_each(&mut see);

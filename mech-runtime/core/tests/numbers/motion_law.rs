@@ -36,13 +36,11 @@ fn panel(law: MotionLaw, from: f64, width: f64) -> [f64; 2] {
         (0.906_179_845_938_664, 0.236_926_885_056_189_1),
         (-0.906_179_845_938_664, 0.236_926_885_056_189_1),
     ];
-    nodes
-        .iter()
-        .fold([0.0; 2], |[sum, moment], (node, weight)| {
-            let s = 0.5 * width * (1.0 + node);
-            let part = 0.5 * width * weight * acceleration(law, from + s);
-            [sum + part, moment + part * (width - s)]
-        })
+    nodes.iter().fold([0.0; 2], |[sum, moment], (node, weight)| {
+        let s = 0.5 * width * (1.0 + node);
+        let part = 0.5 * width * weight * acceleration(law, from + s);
+        [sum + part, moment + part * (width - s)]
+    })
 }
 
 /// A law at all ends of panels: its way, velocity and acceleration, so that the way is 1 at the end.
@@ -58,9 +56,7 @@ fn integrated(law: MotionLaw) -> Vec<[f64; 3]> {
         let at = f64::from(number + 1) * width;
         all.push([way, velocity, acceleration(law, at)]);
     }
-    all.into_iter()
-        .map(|row| row.map(|part| part / way))
-        .collect()
+    all.into_iter().map(|row| row.map(|part| part / way)).collect()
 }
 
 #[test]
@@ -89,11 +85,7 @@ fn the_greatest_velocities_and_accelerations_are_known() {
         (MotionLaw::Harmonic, 0.5 * PI, 0.5 * PI * PI),
         (MotionLaw::Cycloidal, 2.0, 2.0 * PI),
         (MotionLaw::Polynomial345, 1.875, 10.0 / 3.0_f64.sqrt()),
-        (
-            MotionLaw::Polynomial4567,
-            2.1875,
-            84.0 * 5.0_f64.sqrt() / 25.0,
-        ),
+        (MotionLaw::Polynomial4567, 2.1875, 84.0 * 5.0_f64.sqrt() / 25.0),
         (MotionLaw::ModifiedSine, 4.0 * sine, 4.0 * PI * sine),
         (MotionLaw::ModifiedTrapezoid, 2.0, 8.0 * trapezoid),
     ] {
@@ -148,17 +140,11 @@ proptest! {
 fn a_single_step_has_nothing_before_and_behind_it() {
     for law in MotionLaw::ALL {
         let at = |order: u8, place: f64| Staircase::single(law, order).at(place, 1.0);
-        assert_eq!(
-            [at(0, -3.0), at(0, 0.0), at(0, 1.0), at(0, 7.5)],
-            [0.0, 0.0, 1.0, 1.0]
-        );
+        assert_eq!([at(0, -3.0), at(0, 0.0), at(0, 1.0), at(0, 7.5)], [0.0, 0.0, 1.0, 1.0]);
         assert_eq!([at(1, -1e-9), at(1, 1.0), at(2, 1.0)], [0.0; 3]);
         assert!(at(0, f64::NAN).is_nan(), "{law:?}");
         let endless = Staircase::endless(law, 0);
         assert!(endless.at(f64::NAN, 1.0).is_nan() && endless.at(f64::INFINITY, 1.0).is_nan());
-        assert_eq!(
-            [-2.0, 0.0, 5.0].map(|place| endless.at(place, 0.3)),
-            [-2.0, 0.0, 5.0]
-        );
+        assert_eq!([-2.0, 0.0, 5.0].map(|place| endless.at(place, 0.3)), [-2.0, 0.0, 5.0]);
     }
 }

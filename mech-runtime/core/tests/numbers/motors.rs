@@ -37,17 +37,7 @@ proptest! {
 
 #[test]
 fn nothing_panics() {
-    let numbers = [
-        i64::MIN,
-        i64::MIN + 1,
-        -1,
-        0,
-        1,
-        65_535,
-        65_536,
-        i64::MAX - 1,
-        i64::MAX,
-    ];
+    let numbers = [i64::MIN, i64::MIN + 1, -1, 0, 1, 65_535, 65_536, i64::MAX - 1, i64::MAX];
     for turns in [i32::MIN, -1, 0, 1, i32::MAX] {
         for numerator in numbers {
             for denominator in numbers {
@@ -71,10 +61,7 @@ fn turns_of(x: f64) -> (i128, i128) {
     let whole = u128::from(bits & ((1 << 52) - 1) | 1 << 52);
     let exponent = i32::try_from(bits >> 52).expect("eleven bits") - 1075;
     // The product in units of 2^(exponent − 128), in two halves.
-    let (high, low) = (
-        whole * u128::from(PER_RADIAN[0]),
-        whole * u128::from(PER_RADIAN[1]),
-    );
+    let (high, low) = (whole * u128::from(PER_RADIAN[0]), whole * u128::from(PER_RADIAN[1]));
     let sum = high + (low >> 64);
     // `sum` is in units of 2^(exponent − 64).
     let shift = u32::try_from(64 - exponent).expect("not too large");
@@ -82,11 +69,7 @@ fn turns_of(x: f64) -> (i128, i128) {
         (0, sum.checked_shr(shift - 126).unwrap_or(0))
     } else {
         let remainder = sum & ((1 << shift) - 1);
-        let remainder = if shift <= 126 {
-            remainder << (126 - shift)
-        } else {
-            remainder
-        };
+        let remainder = if shift <= 126 { remainder << (126 - shift) } else { remainder };
         (sum >> shift, remainder)
     };
     let half = 1_u128 << 125;
@@ -118,10 +101,7 @@ fn assert_reduced(x: f64) {
     }
 }
 
-#[allow(
-    clippy::cast_possible_truncation,
-    reason = "rounding is what is asked for"
-)]
+#[allow(clippy::cast_possible_truncation, reason = "rounding is what is asked for")]
 fn assert_reduced_single(x: f32) {
     let (turns, remainder) = turns_of(f64::from(x));
     let (found, whole) = reduced(x, 0);
@@ -164,14 +144,7 @@ proptest! {
 
 #[test]
 fn what_cannot_be_counted_stays_as_it_is() {
-    for x in [
-        f64::NAN,
-        f64::INFINITY,
-        f64::NEG_INFINITY,
-        1.4e10,
-        -1e300,
-        f64::MAX,
-    ] {
+    for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1.4e10, -1e300, f64::MAX] {
         let (remainder, turns) = reduced(x, 7);
         assert!(remainder.to_bits() == x.to_bits() && turns == 7);
         #[allow(clippy::cast_possible_truncation, reason = "any number will do")]

@@ -78,10 +78,7 @@ fn what_is_left_of_the_turns_is_within_one_ulp() {
         let remainder = phase.fraction().cast_signed();
         let truth = Pair::whole(remainder, UNIT) * Pair::tau();
         let (turns, left) = phase.split_f64();
-        assert_eq!(
-            Phase::new(turns, 0) + Phase::new(remainder >> 63, phase.fraction()),
-            phase
-        );
+        assert_eq!(Phase::new(turns, 0) + Phase::new(remainder >> 63, phase.fraction()), phase);
         assert!(left.abs() <= PI);
         let off = error_in_ulp(left, truth);
         assert!(off <= 1.0, "{phase:?}: {left} is {off} ulp off");
@@ -115,11 +112,7 @@ fn the_whole_angle_is_within_one_ulp() {
             + Pair::whole((phase.fraction() & 1).cast_signed(), UNIT))
             * Pair::tau();
         let off = error_in_ulp(phase.radians(), truth);
-        assert!(
-            off <= 1.0,
-            "{phase:?}: {} is {off} ulp off",
-            phase.radians()
-        );
+        assert!(off <= 1.0, "{phase:?}: {} is {off} ulp off", phase.radians());
         worst = worst.max(off);
     }
     println!("radians: {worst} ulp");
@@ -135,17 +128,11 @@ fn whole_quarters_are_exact_and_have_no_negative_zero() {
     for count in -40..40_i64 {
         let (sine, cosine) = directions[usize::try_from(count.rem_euclid(4)).unwrap()];
         let got = (quarter * count).sin_cos_f64();
-        assert_eq!(
-            (got.0.to_bits(), got.1.to_bits()),
-            (f64::to_bits(sine), f64::to_bits(cosine))
-        );
+        assert_eq!((got.0.to_bits(), got.1.to_bits()), (f64::to_bits(sine), f64::to_bits(cosine)));
         #[allow(clippy::cast_possible_truncation, reason = "whole numbers")]
         let (sine, cosine) = (sine as f32, cosine as f32);
         let got = (quarter * count).sin_cos_f32();
-        assert_eq!(
-            (got.0.to_bits(), got.1.to_bits()),
-            (sine.to_bits(), cosine.to_bits())
-        );
+        assert_eq!((got.0.to_bits(), got.1.to_bits()), (sine.to_bits(), cosine.to_bits()));
     }
 }
 
@@ -192,17 +179,11 @@ fn rational_parts_of_a_turn() {
     assert_eq!(Phase::of_turn(1, 0), None);
     assert_eq!(Phase::of_turn(0, 0), None);
     assert_eq!(Phase::of_turn(1, 3), Some(Phase::new(0, u64::MAX / 3)));
-    assert_eq!(
-        Phase::of_turn(2, 3),
-        Some(Phase::new(0, u64::MAX / 3 * 2 + 1))
-    );
+    assert_eq!(Phase::of_turn(2, 3), Some(Phase::new(0, u64::MAX / 3 * 2 + 1)));
     assert_eq!(Phase::of_turn(i64::MAX, 1), Some(Phase::new(i64::MAX, 0)));
     assert_eq!(Phase::of_turn(i64::MIN, 1), Some(Phase::new(i64::MIN, 0)));
     assert_eq!(Phase::of_turn(1, u64::MAX), Some(Phase::new(0, 1)));
-    assert_eq!(
-        Phase::of_turn(i64::MIN, u64::MAX),
-        Some(Phase::new(-1, (1 << 63) - 1))
-    );
+    assert_eq!(Phase::of_turn(i64::MIN, u64::MAX), Some(Phase::new(-1, (1 << 63) - 1)));
 }
 
 #[test]
@@ -218,21 +199,12 @@ fn floats_that_are_no_phases() {
     let limit = 2_f64.powi(63);
     assert_eq!(Phase::from_turns(limit), None);
     assert_eq!(Phase::from_turns(-limit), Some(Phase::new(i64::MIN, 0)));
-    assert_eq!(
-        Phase::from_turns(limit.next_down()),
-        Some(Phase::new(i64::MAX - 1023, 0))
-    );
+    assert_eq!(Phase::from_turns(limit.next_down()), Some(Phase::new(i64::MAX - 1023, 0)));
     assert_eq!(Phase::from_turns(0.5 * UNIT), Some(Phase::new(0, 1)));
     assert_eq!(Phase::from_turns(0.49 * UNIT), Some(Phase::ZERO));
-    assert_eq!(
-        Phase::from_turns(-0.5 * UNIT),
-        Some(Phase::new(-1, u64::MAX))
-    );
+    assert_eq!(Phase::from_turns(-0.5 * UNIT), Some(Phase::new(-1, u64::MAX)));
     assert_eq!(Phase::from_degrees(360.0 * limit), None);
-    assert_eq!(
-        Phase::from_degrees(-360.0 * limit),
-        Some(Phase::new(i64::MIN, 0))
-    );
+    assert_eq!(Phase::from_degrees(-360.0 * limit), Some(Phase::new(i64::MIN, 0)));
     assert_eq!(Phase::from_radians(TAU * limit * 1.000_001), None);
     assert!(Phase::from_radians(TAU * limit * 0.999_999).is_some());
 }

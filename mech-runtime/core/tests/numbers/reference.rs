@@ -7,12 +7,8 @@ use std::ops::{Add, Div, Mul, Neg};
 pub(crate) struct Pair(pub(crate) f64, pub(crate) f64);
 
 /// pi / 2 in parts of 53 bits, good for 2^-214.
-const RIGHT_ANGLE: [u64; 4] = [
-    0x3FF9_21FB_5444_2D18,
-    0x3C91_A626_3314_5C07,
-    0xB91F_1976_B7ED_8FBC,
-    0x35B4_CF98_E804_177D,
-];
+const RIGHT_ANGLE: [u64; 4] =
+    [0x3FF9_21FB_5444_2D18, 0x3C91_A626_3314_5C07, 0xB91F_1976_B7ED_8FBC, 0x35B4_CF98_E804_177D];
 
 /// The sum of any two floats.
 fn sum(a: f64, b: f64) -> Pair {
@@ -88,10 +84,7 @@ impl Pair {
 
     /// 2 pi.
     pub(crate) fn tau() -> Self {
-        Self(
-            4.0 * f64::from_bits(RIGHT_ANGLE[0]),
-            4.0 * f64::from_bits(RIGHT_ANGLE[1]),
-        )
+        Self(4.0 * f64::from_bits(RIGHT_ANGLE[0]), 4.0 * f64::from_bits(RIGHT_ANGLE[1]))
     }
 }
 
@@ -104,11 +97,7 @@ pub(crate) fn error(got: f64, truth: Pair) -> f64 {
 pub(crate) fn error_in_ulp(got: f64, truth: Pair) -> f64 {
     let size = truth.0.abs();
     // The truth may be below the power of two that its first part is.
-    let ulp = if truth.0 * truth.1 < 0.0 {
-        size - size.next_down()
-    } else {
-        size.next_up() - size
-    };
+    let ulp = if truth.0 * truth.1 < 0.0 { size - size.next_down() } else { size.next_up() - size };
     error(got, truth) / ulp
 }
 

@@ -129,10 +129,7 @@ impl Remainders {
             let (double, more) = twice(power).reduce(&right_angle);
             (power, count) = (double, (2 * count + more) % 4);
         }
-        Self {
-            right_angle: right_angle.truncate(),
-            powers,
-        }
+        Self { right_angle: right_angle.truncate(), powers }
     }
 
     /// Returns the remainder of a finite float of at least 2^-10 by the nearest number of right angles, and that number modulo four.
@@ -155,10 +152,6 @@ impl Remainders {
         } else {
             (remainder.pair(), quadrant)
         };
-        if x < 0.0 {
-            (-angle, -quadrant)
-        } else {
-            (angle, quadrant)
-        }
+        if x < 0.0 { (-angle, -quadrant) } else { (angle, quadrant) }
     }
 }

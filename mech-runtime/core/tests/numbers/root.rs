@@ -25,14 +25,7 @@ fn roots_are_rounded_to_nearest() {
 #[test]
 fn roots_of_what_is_special() {
     let subnormal = f32::from_bits(1);
-    for x in [
-        0.0,
-        -0.0,
-        f32::INFINITY,
-        f32::MAX,
-        f32::MIN_POSITIVE,
-        subnormal,
-    ] {
+    for x in [0.0, -0.0, f32::INFINITY, f32::MAX, f32::MIN_POSITIVE, subnormal] {
         assert_eq!(sqrt_f32(x).to_bits(), x.sqrt().to_bits());
     }
     for x in [-subnormal, -1.0, f32::NEG_INFINITY, f32::NAN, -f32::NAN] {

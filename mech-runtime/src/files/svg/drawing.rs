@@ -54,8 +54,7 @@ impl Svg {
     fn draw<T: Scalar>(&mut self, figure: Option<Figure>, pose: Pose<T>) {
         let place = Place::of(pose, &self.sheet);
         let parts = figure.zip(place);
-        self.parts
-            .extend(parts.map(|(figure, place)| Part { figure, place }));
+        self.parts.extend(parts.map(|(figure, place)| Part { figure, place }));
     }
 }
 

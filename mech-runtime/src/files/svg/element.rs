@@ -37,18 +37,9 @@ impl Figure {
             Outline::Circle { center, radius } if is_seen(radius) => {
                 disc(point(center), length(radius), color)
             }
-            Outline::Ring {
-                center,
-                radius,
-                hole,
-            } if is_seen(radius) && hole < radius => {
+            Outline::Ring { center, radius, hole } if is_seen(radius) && hole < radius => {
                 let [outer, inner] = [length(radius), length(hole).max(0.0)];
-                ring(
-                    point(center),
-                    f64::midpoint(outer, inner),
-                    outer - inner,
-                    color,
-                )
+                ring(point(center), f64::midpoint(outer, inner), outer - inner, color)
             }
             Outline::Polygon(corners) if corners.len() > 2 => {
                 polygon(&all(corners), "evenodd", color)
@@ -59,25 +50,13 @@ impl Figure {
             Outline::Line { points, width } if is_seen(width) && !points.is_empty() => {
                 line(&all(points), length(width), color)
             }
-            Outline::Arc {
-                center,
-                start,
-                angle,
-                width,
-            } if is_seen(width) => arc(
-                [point(center), point(start)],
-                angle.to_f64(),
-                length(width),
-                color,
-            ),
+            Outline::Arc { center, start, angle, width } if is_seen(width) => {
+                arc([point(center), point(start)], angle.to_f64(), length(width), color)
+            }
             _ => return None,
         };
         let trace = Vec::new();
-        Some(Self {
-            element,
-            trace,
-            reach,
-        })
+        Some(Self { element, trace, reach })
     }
 
     /// An upright text whose lower left corner is in the origin.
@@ -100,11 +79,7 @@ impl Figure {
         let figure = Self::of(Outline::Line { points, width }, scale, color)?;
         let pixels = |part: T| part.to_f64() * scale;
         let trace = points.iter().map(|&[x, y]| [pixels(x), -pixels(y)]);
-        Some(Self {
-            element: stroke(pixels(width), color),
-            trace: trace.collect(),
-            ..figure
-        })
+        Some(Self { element: stroke(pixels(width), color), trace: trace.collect(), ..figure })
     }
 
     /// Writes it as an element.
@@ -152,11 +127,7 @@ fn line(points: &[[f64; 2]], width: f64, color: &str) -> String {
     if points.iter().all(|&point| point == first) {
         return disc(first, width / 2.0, color);
     }
-    format!(
-        "<polyline points=\"{}{}",
-        list(points),
-        stroke(width, color)
-    )
+    format!("<polyline points=\"{}{}", list(points), stroke(width, color))
 }
 
 /// An arc from its start through an angle in radians to the left.
@@ -178,10 +149,7 @@ fn arc([center, start]: [[f64; 2]; 2], angle: f64, width: f64, color: &str) -> S
     let at = |angle: f64| {
         // y points down, so a turn to the left is negative.
         let (sin, cos) = (-angle).sin_cos();
-        [
-            center[0] + cos * right - sin * down,
-            center[1] + sin * right + cos * down,
-        ]
+        [center[0] + cos * right - sin * down, center[1] + sin * right + cos * down]
     };
     if is_thick {
         let step = (8.0 * SAGITTA / radius).sqrt().clamp(0.01, 0.5);

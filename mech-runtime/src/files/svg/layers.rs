@@ -30,10 +30,7 @@ pub(super) type Change = (usize, Part);
 
 impl Layers {
     pub(super) const fn new() -> Self {
-        Self {
-            all: Vec::new(),
-            front: Vec::new(),
-        }
+        Self { all: Vec::new(), front: Vec::new() }
     }
 
     /// Adds the moment of this number. A layer that is not found in it changes, and so does what is no layer. But a trace is shown at all
@@ -56,10 +53,7 @@ impl Layers {
                 self.all.push(layer);
             } else {
                 let Layer { figure, places, .. } = layer;
-                let parts = places.into_iter().map(|place| Part {
-                    figure: figure.clone(),
-                    place,
-                });
+                let parts = places.into_iter().map(|place| Part { figure: figure.clone(), place });
                 changes.extend(parts.enumerate());
             }
         }

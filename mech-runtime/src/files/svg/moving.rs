@@ -53,12 +53,7 @@ impl AnimatedSvg {
     /// A motion of this period, without moments.
     #[must_use]
     pub const fn new(sheet: Sheet, period: Duration) -> Self {
-        Self {
-            canvas: Svg::new(sheet),
-            period,
-            moments: 0,
-            layers: Layers::new(),
-        }
+        Self { canvas: Svg::new(sheet), period, moments: 0, layers: Layers::new() }
     }
 
     /// Adds a moment, which `paint` paints.
@@ -134,11 +129,7 @@ impl AnimatedSvg {
 
     /// Returns the number of times in a period at which changing figures are shown.
     fn count_of_changes(&self) -> usize {
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "saturates"
-        )]
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
         let wanted = (self.period.as_secs_f64() * CHANGES).ceil() as usize;
         wanted.clamp(1, self.moments.max(1))
     }

@@ -37,11 +37,7 @@ impl fmt::Display for Number {
 
 /// Returns the number of further decimals of a number that is multiplied by lengths up to `extent` pixels.
 pub(super) fn digits(extent: f64) -> usize {
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "at most 309"
-    )]
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 309")]
     let digits = extent.max(1.0).log10().ceil() as usize;
     digits
 }

@@ -21,10 +21,7 @@ impl Place {
         let [cos, sin, x, y] = [pose.cos, pose.sin, pose.x, pose.y].map(Real::to_f64);
         let ([center_x, center_y], scale) = (sheet.view.center(), sheet.view.scale());
         let [middle_x, middle_y] = sheet.middle();
-        let [x, y] = [
-            middle_x + (x - center_x) * scale,
-            middle_y - (y - center_y) * scale,
-        ];
+        let [x, y] = [middle_x + (x - center_x) * scale, middle_y - (y - center_y) * scale];
         let angle = (-sin).atan2(cos);
         let is_seen = [x, y, cos, sin].into_iter().all(is_drawable);
         is_seen.then_some(Self { x, y, angle })

@@ -80,10 +80,7 @@ impl Sheet {
             let _ = writeln!(text, "<title>{}</title>", escape(&self.title));
         }
         text.push_str(head);
-        let _ = writeln!(
-            text,
-            "<rect width=\"{width}\" height=\"{height}\" fill=\"{paper}\"/>"
-        );
+        let _ = writeln!(text, "<rect width=\"{width}\" height=\"{height}\" fill=\"{paper}\"/>");
         text.push_str(body);
         text.push_str("</svg>\n");
         text

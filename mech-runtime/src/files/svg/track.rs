@@ -24,11 +24,7 @@ pub(super) struct Track<'a> {
 impl<'a> Track<'a> {
     /// A track that carries nothing yet.
     pub(super) const fn new(places: &'a [Place]) -> Self {
-        Self {
-            places,
-            reach: 0.0,
-            class: String::new(),
-        }
+        Self { places, reach: 0.0, class: String::new() }
     }
 
     /// Whether no figure on it visibly moves.

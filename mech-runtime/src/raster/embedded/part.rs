@@ -19,12 +19,7 @@ pub(super) fn common<const N: usize>(
     let columns = areas.map(|(area, offset)| (area.top_left.x, offset.x, area.size.width));
     let rows = areas.map(|(area, offset)| (area.top_left.y, offset.y, area.size.height));
     let [columns, rows] = [within(columns, width), within(rows, height)];
-    Clip {
-        left: columns.start,
-        top: rows.start,
-        right: columns.end,
-        bottom: rows.end,
-    }
+    Clip { left: columns.start, top: rows.start, right: columns.end, bottom: rows.end }
 }
 
 /// The numbers of `0..count` that lie in all these ranges, each given by its beginning, its offset and its length.

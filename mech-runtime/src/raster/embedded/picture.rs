@@ -76,10 +76,7 @@ impl<M: Memory> Indexed<M> {
     /// ```
     pub fn image<C>(&self, color: impl Fn([u8; 3]) -> C) -> Picture<'_, C, M> {
         let entries = self.palette().entries();
-        Picture {
-            frame: self,
-            colors: core::array::from_fn(|entry| color(entries[entry])),
-        }
+        Picture { frame: self, colors: core::array::from_fn(|entry| color(entries[entry])) }
     }
 }
 
@@ -94,12 +91,7 @@ impl<C: PixelColor, M: Memory> Picture<'_, C, M> {
         let grid = self.frame.grid();
         let areas = [(*part, Point::zero()), (display.bounding_box(), origin)];
         let clip = part::common(areas, grid.size());
-        let Clip {
-            left,
-            top,
-            right,
-            bottom,
-        } = clip;
+        let Clip { left, top, right, bottom } = clip;
         let places = [part::place(left, origin.x), part::place(top, origin.y)];
         let [Some(x), Some(y)] = places else {
             return Ok(());

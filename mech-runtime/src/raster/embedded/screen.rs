@@ -70,10 +70,7 @@ impl<'d, D: DrawTarget, F: Fn([u8; 3]) -> D::Color> Screen<'d, D, F> {
     /// Paints by means of something that is filled span by span.
     fn paint(&mut self, paint: impl FnOnce(&mut Strips<'_, 'd, D, F>)) {
         if self.outcome.is_ok() {
-            let mut strips = Strips {
-                screen: self,
-                last: None,
-            };
+            let mut strips = Strips { screen: self, last: None };
             paint(&mut strips);
             strips.end();
         }
@@ -192,11 +189,7 @@ struct Strip {
 
 impl Strip {
     pub(super) const fn new(row: usize, columns: Range<usize>, color: u8) -> Self {
-        Self {
-            rows: row..row + 1,
-            columns,
-            color,
-        }
+        Self { rows: row..row + 1, columns, color }
     }
 
     /// Grows by the next span, if with it it is still a rectangle.

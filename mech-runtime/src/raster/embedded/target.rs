@@ -50,12 +50,7 @@ impl<M: Memory> DrawTarget for Indexed<M> {
         if clip.is_empty() {
             return Ok(());
         }
-        let Clip {
-            left,
-            top,
-            right,
-            bottom,
-        } = clip;
+        let Clip { left, top, right, bottom } = clip;
         let mut colors = colors.into_iter();
         let width = u64::from(area.size.width);
         let outside = before(area.top_left.y) * width + before(area.top_left.x);
@@ -88,11 +83,7 @@ impl<M: Memory> DrawTarget for Indexed<M> {
 
 /// The number of rows or columns of a rectangle before those of the picture.
 const fn before(start: i32) -> u64 {
-    if start < 0 {
-        start.unsigned_abs() as u64
-    } else {
-        0
-    }
+    if start < 0 { start.unsigned_abs() as u64 } else { 0 }
 }
 
 /// Skips so many colours.

@@ -36,11 +36,7 @@ impl<P: Copy> Block<P> {
         // Where a `usize` has 32 bits, this too may overflow.
         let count = width.checked_mul(height);
         let pixels = count.and_then(|count| repeat(pixel, count));
-        Ok(Self {
-            pixels: pixels.ok_or(TooLarge::Memory(size))?,
-            width,
-            height,
-        })
+        Ok(Self { pixels: pixels.ok_or(TooLarge::Memory(size))?, width, height })
     }
 }
 
@@ -134,10 +130,7 @@ impl fmt::Display for TooLarge {
                 fixed::MOST
             ),
             Self::Memory([width, height]) => {
-                write!(
-                    f,
-                    "there is no memory for a picture of {width} × {height} pixels"
-                )
+                write!(f, "there is no memory for a picture of {width} × {height} pixels")
             }
         }
     }

@@ -16,10 +16,7 @@ pub(super) struct Cover<G> {
 impl<G> Cover<G> {
     /// The cover of an empty row, with a zero for each pixel.
     pub(super) const fn new(gains: G) -> Self {
-        Self {
-            gains,
-            runs: Runs::new(),
-        }
+        Self { gains, runs: Runs::new() }
     }
 }
 
@@ -106,11 +103,7 @@ impl<G: AsRef<[f32]> + AsMut<[f32]>> Cover<G> {
         let mut end = 0;
         for (first, last) in self.runs.take() {
             if end < first {
-                mix(
-                    pixels.get_mut(end..first).unwrap_or_default(),
-                    share(rule, sum),
-                    paint,
-                );
+                mix(pixels.get_mut(end..first).unwrap_or_default(), share(rule, sum), paint);
             }
             end = (last + 1).min(gains.len());
             let gains = gains.get_mut(first..end).unwrap_or_default();
@@ -124,11 +117,7 @@ impl<G: AsRef<[f32]> + AsMut<[f32]>> Cover<G> {
                 }
             }
         }
-        mix(
-            pixels.get_mut(end..).unwrap_or_default(),
-            share(rule, sum),
-            paint,
-        );
+        mix(pixels.get_mut(end..).unwrap_or_default(), share(rule, sum), paint);
     }
 }
 
@@ -163,11 +152,7 @@ fn across(gains: &mut [f32], [x, y]: [f32; 2], (run, pixels): (f32, u32), gain: 
 #[inline]
 fn share(rule: Rule, winding: f32) -> u32 {
     let winding = winding.abs();
-    let part = if winding <= 1.0 {
-        winding
-    } else {
-        more_than_once(rule, winding)
-    };
+    let part = if winding <= 1.0 { winding } else { more_than_once(rule, winding) };
     in_255ths(part)
 }
 
@@ -176,10 +161,7 @@ fn more_than_once(rule: Rule, winding: f32) -> f32 {
     match rule {
         Rule::NonZero => 1.0,
         Rule::EvenOdd => {
-            #[expect(
-                clippy::cast_possible_truncation,
-                reason = "the whole part is what is wanted"
-            )]
+            #[expect(clippy::cast_possible_truncation, reason = "the whole part is what is wanted")]
             let pairs = (0.5 * winding) as i32;
             #[expect(clippy::cast_precision_loss, reason = "nothing is surrounded so often")]
             let remainder = winding - 2.0 * pairs as f32;

@@ -35,12 +35,7 @@ impl<T: Scalar> Disc<T> {
         let width = fixed::border::<T>(width).to_f32();
         let radius = radius.to_f32();
         let bend = radius * radius / 12.0;
-        is_within.then_some(Self {
-            center,
-            radius,
-            bend,
-            width,
-        })
+        is_within.then_some(Self { center, radius, bend, width })
     }
 
     /// The rows in which its sides are steep from border to border.
@@ -109,11 +104,8 @@ impl<T: Scalar> Disc<T> {
             let columns = |half: f32| [(center - half) as usize, (center + half) as usize];
             let [start, last] = columns(self.half(near));
             let end = last + 1;
-            let [left, right] = if far < self.radius {
-                columns(self.half(far))
-            } else {
-                [last, last]
-            };
+            let [left, right] =
+                if far < self.radius { columns(self.half(far)) } else { [last, last] };
             // Where it is steep from border to border, all that is between is covered.
             let (left, right) = (left + 1, right.max(left + 1));
             let pixels = pixels.as_mut();

@@ -79,11 +79,7 @@ pub(super) fn fill_between<R: AsMut<[[u8; 4]]> + ?Sized>(
     [one, other]: [Flank; 2],
     paint: [u8; 4],
 ) -> bool {
-    let (left, right) = if one.first <= other.first {
-        (one, other)
-    } else {
-        (other, one)
-    };
+    let (left, right) = if one.first <= other.first { (one, other) } else { (other, one) };
     if left.end > right.first {
         return false;
     }

@@ -52,10 +52,7 @@ pub(super) fn mix_pixel(pixel: [u8; 4], paint: [u8; 4], share: u32) -> [u8; 4] {
         (pixel * 255 + HALVES).wrapping_add(paint.wrapping_sub(pixel).wrapping_mul(share.into()));
     // Divisions by 255, rounded.
     let mean = ((sum + (sum >> 8 & LOW)) >> 8) & LOW;
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "cutting off is what is asked for"
-    )]
+    #[expect(clippy::cast_possible_truncation, reason = "cutting off is what is asked for")]
     let channels = (mean | mean >> 24) as u32;
     channels.to_le_bytes()
 }

@@ -136,12 +136,7 @@ impl HeapSmooth {
         for cover in &mut covers {
             *cover = Cover::new(repeat(0.0, width).ok_or(TooLarge::Memory(size))?);
         }
-        Ok(Self {
-            pixels,
-            palette: Palette::TEXTBOOK,
-            view: View::default(),
-            covers,
-        })
+        Ok(Self { pixels, palette: Palette::TEXTBOOK, view: View::default(), covers })
     }
 
     /// Red, green, blue and opacity of all pixels, row by row from the top.
@@ -195,10 +190,7 @@ impl<T: Scalar, M: Memory> Canvas<T> for Soft<M> {
 
     fn text(&mut self, place: [T; 2], text: &str, color: u8) {
         let place = self.view.projection(self.pixels.size()).point(place);
-        let mut dots = Dots {
-            pixels: &mut self.pixels,
-            palette: &self.palette,
-        };
+        let mut dots = Dots { pixels: &mut self.pixels, palette: &self.palette };
         paint::text(&mut dots, place, text, color);
     }
 

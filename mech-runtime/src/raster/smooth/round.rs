@@ -24,9 +24,7 @@ pub(super) struct Round<T> {
 
 /// The rows of a picture of so many in which a circle is seen at least in part; none, if it is not a circle.
 pub(super) fn rows<T: Scalar>(center: [T; 2], radius: T, height: usize) -> Range<usize> {
-    let is_finite = [center[0], center[1], radius]
-        .iter()
-        .all(|&number| Real::is_finite(number));
+    let is_finite = [center[0], center[1], radius].iter().all(|&number| Real::is_finite(number));
     if !(is_finite && radius > T::ZERO) {
         return 0..0;
     }
@@ -60,11 +58,7 @@ impl<T: Scalar> Round<T> {
     fn advance(&mut self) {
         self.from = self.to;
         let [x, y] = self.turn.on(self.direction);
-        self.direction = if x > T::ZERO {
-            [x, y]
-        } else {
-            [T::ZERO, T::ONE]
-        };
+        self.direction = if x > T::ZERO { [x, y] } else { [T::ZERO, T::ONE] };
         let [x, y] = self.direction;
         self.to = [self.radius * x, self.center[1] + self.radius * y];
     }

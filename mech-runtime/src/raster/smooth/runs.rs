@@ -12,10 +12,7 @@ pub(super) struct Runs {
 
 impl Runs {
     pub(super) const fn new() -> Self {
-        Self {
-            runs: [(0, 0); MOST],
-            len: 0,
-        }
+        Self { runs: [(0, 0); MOST], len: 0 }
     }
 
     /// Adds a run.
@@ -40,10 +37,7 @@ impl Runs {
 
     /// Takes those together that a run has grown into.
     fn close_up(&mut self, place: usize) {
-        while let Some(&next) = self
-            .runs
-            .get(..self.len)
-            .and_then(|runs| runs.get(place + 1))
+        while let Some(&next) = self.runs.get(..self.len).and_then(|runs| runs.get(place + 1))
             && let Some(run) = self.runs.get_mut(place)
             && next.0 <= run.1 + 1
         {

@@ -43,12 +43,7 @@ impl<'c, F> Simple<'c, F> {
             directions.add(y);
         }
         let rows = fixed::rows_touching(extent?, height);
-        (directions.turns() <= 2).then_some(Self {
-            corner,
-            count,
-            highest,
-            rows,
-        })
+        (directions.turns() <= 2).then_some(Self { corner, count, highest, rows })
     }
 
     /// Paints it row by row.
@@ -146,11 +141,7 @@ struct Descent<'c, T, F> {
 impl<'c, T: Scalar, F: Fn(usize) -> [T; 2]> Descent<'c, T, F> {
     /// Goes down on a tour from the highest corner.
     pub(super) const fn new(tour: Tour<'c, T, F>) -> Self {
-        Self {
-            tour,
-            side: None,
-            has_arrived: false,
-        }
+        Self { tour, side: None, has_arrived: false }
     }
 
     /// The side that leads on from an ordinate, or begins below it. Ordinates are asked for from the top.

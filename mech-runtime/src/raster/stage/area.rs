@@ -42,10 +42,7 @@ pub(super) struct Areas {
 
 impl Areas {
     pub(super) const fn new() -> Self {
-        Self {
-            areas: [Clip::none(); MOST],
-            len: 0,
-        }
+        Self { areas: [Clip::none(); MOST], len: 0 }
     }
 
     pub(super) const fn len(&self) -> usize {

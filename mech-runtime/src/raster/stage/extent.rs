@@ -43,11 +43,7 @@ impl<T: Scalar> Extent<T> {
                 extent.add(place.point(center));
                 extent.mix(1, [projection.length(radius)])
             }
-            Outline::Ring {
-                center,
-                radius,
-                hole,
-            } => {
+            Outline::Ring { center, radius, hole } => {
                 extent.add(place.point(center));
                 extent.mix(2, [hole, radius].map(|length| projection.length(length)))
             }
@@ -64,12 +60,7 @@ impl<T: Scalar> Extent<T> {
                 }
                 extent.mix(5, [<T as Real>::HALF * projection.length(width)])
             }
-            Outline::Arc {
-                center,
-                start,
-                angle,
-                width,
-            } => {
+            Outline::Arc { center, start, angle, width } => {
                 let [center, [u, v]] = [center, start].map(|point| place.point(point));
                 extent.add(center);
                 let [x, y] = [u - center[0], v - center[1]];
@@ -121,12 +112,7 @@ impl<T: Scalar> Extent<T> {
             let ([left, top], [right, bottom]) = (self.low, self.high);
             let columns = fixed::rows_touching([left - reach, right + reach], width);
             let rows = fixed::rows_touching([top - reach, bottom + reach], height);
-            Clip {
-                left: columns.start,
-                top: rows.start,
-                right: columns.end,
-                bottom: rows.end,
-            }
+            Clip { left: columns.start, top: rows.start, right: columns.end, bottom: rows.end }
         } else {
             Clip::none()
         };

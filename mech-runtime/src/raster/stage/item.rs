@@ -15,10 +15,7 @@ pub struct Item {
 }
 
 impl Item {
-    pub(super) const NONE: Self = Self {
-        mark: 0,
-        clip: Clip::none(),
-    };
+    pub(super) const NONE: Self = Self { mark: 0, clip: Clip::none() };
 }
 
 /// Memory for items, in numbered slots.
@@ -120,11 +117,7 @@ impl<P: Places> Items<P> {
 
     /// A rectangle around the item of this number.
     pub(super) fn clip(&self, number: usize) -> Clip {
-        self.slots
-            .as_ref()
-            .get(number)
-            .unwrap_or(&self.remainder)
-            .clip
+        self.slots.as_ref().get(number).unwrap_or(&self.remainder).clip
     }
 }
 

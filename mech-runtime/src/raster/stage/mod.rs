@@ -219,8 +219,6 @@ impl<const W: usize, const H: usize, const N: usize> Default for Stage<W, H, N> 
 impl<M: Memory, const N: usize> fmt::Debug for Staged<M, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}Stage", M::PREFIX)?;
-        f.debug_struct("")
-            .field("frame", &self.frame)
-            .finish_non_exhaustive()
+        f.debug_struct("").field("frame", &self.frame).finish_non_exhaustive()
     }
 }

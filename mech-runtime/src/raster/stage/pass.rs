@@ -39,14 +39,7 @@ impl<'s, M: Memory, const N: usize> Pass<'s, M, N> {
         changed: &'s mut Areas,
         task: Task,
     ) -> Self {
-        Self {
-            frame,
-            view,
-            items,
-            changed,
-            task,
-            next: 0,
-        }
+        Self { frame, view, items, changed, task, next: 0 }
     }
 
     /// The rectangle in which the next item is to be painted, if it is.

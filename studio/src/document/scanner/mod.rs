@@ -68,17 +68,14 @@ pub(super) fn has_doubtful_end(text: &str, call: usize, close: usize) -> bool {
     let mut lexemes = Lexer::new(text, close).skip(1);
     let [call, close] = [call, close].map(|byte| indent(text, byte));
     close < call
-        || lexemes
-            .next()
-            .is_some_and(|next| match &text[next.start..next.end] {
-                "}" => close > call && indent(text, next.start) == call,
-                "const" | "use" => false,
-                word => {
-                    let after = lexemes.next();
-                    STATEMENTS.contains(&word)
-                        && after.is_some_and(|after| after.kind == Kind::Word)
-                }
-            })
+        || lexemes.next().is_some_and(|next| match &text[next.start..next.end] {
+            "}" => close > call && indent(text, next.start) == call,
+            "const" | "use" => false,
+            word => {
+                let after = lexemes.next();
+                STATEMENTS.contains(&word) && after.is_some_and(|after| after.kind == Kind::Word)
+            }
+        })
 }
 
 /// How far the line is indented in which a byte stands.
@@ -132,9 +129,7 @@ fn closings(text: &str, lexemes: &[Lexeme]) -> Vec<Option<usize>> {
     let mut counts = [0_usize; 3];
     for (index, lexeme) in lexemes.iter().enumerate() {
         let bracket = &text[lexeme.start..lexeme.end];
-        let kind = KINDS
-            .iter()
-            .position(|(open, close)| bracket == *open || bracket == *close);
+        let kind = KINDS.iter().position(|(open, close)| bracket == *open || bracket == *close);
         match (lexeme.kind, kind) {
             (Kind::Open, Some(kind)) => {
                 waiting.push((kind, index));

@@ -11,10 +11,7 @@ fn calls_with_any_brackets_and_paths() {
     let text = "mechanism! { a } x::mechanism!(b); fn f() { mechanism ! /* here */ [c]; }";
     assert_eq!(bodies(text), [Some(" a "), Some("b"), Some("c")]);
     let whole = |text: &str| text[calls(text, &["mechanism"])[0].whole.clone()].to_owned();
-    assert_eq!(
-        whole("use x; a::b::mechanism! { c } d"),
-        "a::b::mechanism! { c }"
-    );
+    assert_eq!(whole("use x; a::b::mechanism! { c } d"), "a::b::mechanism! { c }");
 }
 
 #[test]
@@ -52,10 +49,7 @@ fn files_that_are_no_rust() {
 
 #[test]
 fn brackets_that_are_not_closed() {
-    assert_eq!(
-        bodies("mechanism! { a ( } mechanism! { b }"),
-        [Some(" a ( "), Some(" b ")]
-    );
+    assert_eq!(bodies("mechanism! { a ( } mechanism! { b }"), [Some(" a ( "), Some(" b ")]);
     assert_eq!(bodies("mechanism! { a"), [None]);
     assert_eq!(bodies("mechanism! { a mechanism! { b"), [None]);
     let noise = "mechanism! { ( ] } ".repeat(1 << 16);
@@ -64,10 +58,7 @@ fn brackets_that_are_not_closed() {
 
 #[test]
 fn the_name_of_the_type() {
-    assert_eq!(
-        word_after("/// struct A\n pub struct B: f32;", "struct"),
-        Some("B")
-    );
+    assert_eq!(word_after("/// struct A\n pub struct B: f32;", "struct"), Some("B"));
     assert_eq!(word_after("part P() { struct A; }", "struct"), None);
     assert_eq!(word_after("struct ;", "struct"), None);
 }

@@ -85,10 +85,7 @@ pub(super) fn slip(body: &Body<'_>) -> Option<Unlexed> {
     let (edit, change) = match body.best(edits) {
         Some((edit, change)) => (edit, Some(change)),
         None => match clash.open {
-            Some(open) => (
-                Edit::Insert(clash.at, partner(body.bracket(open.index)?)),
-                None,
-            ),
+            Some(open) => (Edit::Insert(clash.at, partner(body.bracket(open.index)?)), None),
             None => (Edit::Remove(clash.at), None),
         },
     };
@@ -104,9 +101,7 @@ impl Body<'_> {
     fn whole(&self, index: usize) -> Range<usize> {
         let place = self.place(index);
         let rest = &self.text[place.start..];
-        let marks = ["->", "..="]
-            .into_iter()
-            .find(|mark| rest.starts_with(mark));
+        let marks = ["->", "..="].into_iter().find(|mark| rest.starts_with(mark));
         let is_number = rest.starts_with(|first: char| first.is_ascii_digit());
         let length = match marks {
             Some(marks) => marks.len(),
@@ -120,9 +115,7 @@ impl Body<'_> {
     }
 
     fn is_closing(&self, index: usize) -> bool {
-        self.lexemes
-            .get(index)
-            .is_some_and(|lexeme| lexeme.kind == Kind::Close)
+        self.lexemes.get(index).is_some_and(|lexeme| lexeme.kind == Kind::Close)
     }
 
     /// Whether a bracket stands beside one of its own kind.
@@ -197,38 +190,23 @@ fn clash(body: &Body<'_>, lines: &Lines) -> Option<Clash> {
             Kind::Word => false,
         };
         if is_clash {
-            return Some(Clash {
-                open,
-                at: index,
-                begin,
-                suspect,
-            });
+            return Some(Clash { open, at: index, begin, suspect });
         }
         if !is_round && (word == ";" || word == "{") || word == "}" {
             begin = index + 1;
         }
     }
-    waiting.last().map(|&open| Clash {
-        open: Some(open),
-        at: body.lexemes.len(),
-        begin,
-        suspect,
-    })
+    waiting.last().map(|&open| Clash { open: Some(open), at: body.lexemes.len(), begin, suspect })
 }
 
 /// The changes that may mend a clash, the likely ones first.
 fn edits(body: &Body<'_>, lines: &Lines, clash: &Clash) -> Vec<Edit> {
     let at = clash.at;
-    let open = clash
-        .open
-        .and_then(|open| Some((open.index, body.bracket(open.index)?)));
+    let open = clash.open.and_then(|open| Some((open.index, body.bracket(open.index)?)));
     let close = body.bracket(at).filter(|_| body.is_closing(at));
     let mut edits = Vec::new();
     let doubled = [open.map(|open| open.0), close.map(|_| at)];
-    let doubled = doubled
-        .into_iter()
-        .flatten()
-        .filter(|&index| body.is_doubled(index));
+    let doubled = doubled.into_iter().flatten().filter(|&index| body.is_doubled(index));
     edits.extend(doubled.map(Edit::Remove));
     // Braces of parts and links over several lines are told by what is indented.
     if let Some(suspect) = clash.suspect {
@@ -253,19 +231,13 @@ fn edits(body: &Body<'_>, lines: &Lines, clash: &Clash) -> Vec<Edit> {
         Some('}') => {
             const WORDS: [&str; 7] = ["link", "ground", "port", "part", "start", "effects", "use"];
             let mut before = (0..at).rev();
-            let begin = before
-                .find(|&index| WORDS.contains(&body.word(index)))
-                .unwrap_or(0);
+            let begin = before.find(|&index| WORDS.contains(&body.word(index))).unwrap_or(0);
             edits.extend((begin..=at).map(|gap| Edit::Insert(gap, '{')));
         }
         Some(close) => {
             let words = clash.begin..at;
             let splits = words.filter_map(|index| {
-                Some(Edit::Split(
-                    index,
-                    split(body, index, close)?,
-                    partner(close),
-                ))
+                Some(Edit::Split(index, split(body, index, close)?, partner(close)))
             });
             edits.extend(splits);
             // Brackets around one word are the last that one would write.
@@ -292,9 +264,7 @@ fn split(body: &Body<'_>, index: usize, close: char) -> Option<usize> {
             let called = CALLED.iter().filter(|called| word.starts_with(**called));
             called.map(|called| called.len()).max()?
         }
-        _ => word
-            .trim_end_matches(|letter: char| letter.is_ascii_digit())
-            .len(),
+        _ => word.trim_end_matches(|letter: char| letter.is_ascii_digit()).len(),
     };
     (0 < length && length < word.len()).then_some(length)
 }
@@ -362,10 +332,7 @@ fn replacement(body: &Body<'_>, lines: &Lines, edit: Edit) -> Replacement {
             Replacement::new(at..at, " {")
         }
         Edit::Insert(gap, bracket @ ('(' | '[' | '{')) => {
-            let at = body
-                .lexemes
-                .get(gap)
-                .map_or(body.text.len(), |next| next.start);
+            let at = body.lexemes.get(gap).map_or(body.text.len(), |next| next.start);
             Replacement::new(at..at, bracket)
         }
         Edit::Insert(gap, bracket) => {
@@ -397,10 +364,7 @@ fn told(
     let of = |index: usize| {
         let spot = body.source.spot(body.lexemes[index].start);
         let bracket = body.word(index);
-        format!(
-            "the `{bracket}` in line {}, column {},",
-            spot.line, spot.column
-        )
+        format!("the `{bracket}` in line {}, column {},", spot.line, spot.column)
     };
     let shown = |index: usize| &body.text[body.whole(index)];
     let (at, text) = match edit {
@@ -416,28 +380,20 @@ fn told(
         Edit::Insert(gap, bracket) => {
             let last = gap.checked_sub(1)?;
             let is_end = gap >= body.lexemes.len() || !lines.are_same(last, gap);
-            let (at, side) = if is_end || bracket == '}' {
-                (last, "after")
-            } else {
-                (gap, "before")
-            };
+            let (at, side) =
+                if is_end || bracket == '}' { (last, "after") } else { (gap, "before") };
             let why = match bracket {
                 '(' | '[' | '{' => format!("the `{}` after it closes nothing", partner(bracket)),
                 _ => format!("{} is still open", open_before(body, gap).map(of)?),
             };
-            (
-                at,
-                format!("expected `{bracket}` {side} `{}`: {why}", shown(at)),
-            )
+            (at, format!("expected `{bracket}` {side} `{}`: {why}", shown(at)))
         }
-        Edit::Remove(index) if body.is_closing(index) => (
-            index,
-            format!("this `{}` closes nothing; remove it", body.word(index)),
-        ),
-        Edit::Remove(index) => (
-            index,
-            format!("nothing closes this `{}`; remove it", body.word(index)),
-        ),
+        Edit::Remove(index) if body.is_closing(index) => {
+            (index, format!("this `{}` closes nothing; remove it", body.word(index)))
+        }
+        Edit::Remove(index) => {
+            (index, format!("nothing closes this `{}`; remove it", body.word(index)))
+        }
         Edit::Exchange(index, by) if body.is_closing(index) => {
             let open = open_before(body, index).map(of)?;
             (
@@ -459,9 +415,5 @@ fn told(
             )
         }
     };
-    Some(Unlexed {
-        place: body.whole(at),
-        text,
-        change,
-    })
+    Some(Unlexed { place: body.whole(at), text, change })
 }

@@ -28,11 +28,7 @@ impl Unlexed {
     /// One that no change is known for.
     pub(super) fn new(place: Range<usize>, text: impl Into<String>) -> Self {
         let (text, change) = (text.into(), None);
-        Self {
-            place,
-            text,
-            change,
-        }
+        Self { place, text, change }
     }
 }
 
@@ -109,15 +105,8 @@ impl Body<'_> {
     fn unknown(&self, at: usize) -> Unlexed {
         let index = self.lexemes.partition_point(|lexeme| lexeme.end <= at);
         let word = self.word(index);
-        if self
-            .lexemes
-            .get(index)
-            .is_none_or(|lexeme| lexeme.start != at)
-        {
-            let end = self.text[at..]
-                .chars()
-                .next()
-                .map_or(at, |sign| at + sign.len_utf8());
+        if self.lexemes.get(index).is_none_or(|lexeme| lexeme.start != at) {
+            let end = self.text[at..].chars().next().map_or(at, |sign| at + sign.len_utf8());
             return Unlexed::new(
                 at..end,
                 "this cannot be read: a quote or a bracket may be without its partner",

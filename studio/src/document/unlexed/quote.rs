@@ -10,11 +10,7 @@ pub(super) fn slip(body: &Body<'_>, at: usize) -> Option<Unlexed> {
     let (sign, what, signs) = if rest.starts_with("/*") {
         ("/*", "a comment", vec![at])
     } else if rest.starts_with('"') {
-        (
-            "\"",
-            "a text",
-            odd_quotes(&body.text[..line_end(body.text, at)], body.start),
-        )
+        ("\"", "a text", odd_quotes(&body.text[..line_end(body.text, at)], body.start))
     } else if rest.starts_with('\'') {
         ("'", "a letter", vec![at])
     } else {
@@ -38,11 +34,8 @@ pub(super) fn slip(body: &Body<'_>, at: usize) -> Option<Unlexed> {
         Some((Some(place), change)) => (place, "; remove it".to_owned(), Some(change)),
         Some((None, change)) => {
             let close = change.text.trim();
-            let before = if body.text[end..].starts_with(';') {
-                "before the `;`"
-            } else {
-                "at the end"
-            };
+            let before =
+                if body.text[end..].starts_with(';') { "before the `;`" } else { "at the end" };
             let text = format!("; write `{close}` {before} of this line");
             (place_of(first, sign), text, Some(change))
         }
@@ -65,9 +58,7 @@ fn odd_quotes(text: &str, start: usize) -> Vec<usize> {
     for line in text[start..].split_inclusive('\n') {
         let code = line.split("//").next().unwrap_or(line);
         let quotes = code.match_indices('"').map(|(byte, _)| at + byte);
-        let quotes: Vec<usize> = quotes
-            .filter(|&quote| !text[..quote].ends_with('\\'))
-            .collect();
+        let quotes: Vec<usize> = quotes.filter(|&quote| !text[..quote].ends_with('\\')).collect();
         if quotes.len() % 2 == 1 {
             return quotes;
         }

@@ -22,10 +22,7 @@ pub(super) fn slip(body: &Body<'_>, at: usize) -> Option<Unlexed> {
     }
     let (start, sign, plain) = &signs[first?];
     let shown = match &**plain {
-        "" => format!(
-            "a sign without width stands here, U+{:04X}; remove it",
-            u32::from(*sign)
-        ),
+        "" => format!("a sign without width stands here, U+{:04X}; remove it", u32::from(*sign)),
         "-" => format!("`{sign}` is not the minus of the keyboard; write `-`"),
         plain => format!("`{sign}` is no sign of the keyboard; write `{plain}`"),
     };

@@ -32,12 +32,7 @@ fn slips_and_their_words() {
             "->",
             "expected `)` before `->`: the `(` in line 2, column 24, is still open",
         ),
-        (
-            "60 deg;",
-            "60° ;",
-            "°",
-            "`°` is no sign of the keyboard; write `deg`",
-        ),
+        ("60 deg;", "60° ;", "°", "`°` is no sign of the keyboard; write `deg`"),
         (
             "(0, 0);",
             "(0, 0;",
@@ -63,18 +58,8 @@ fn slips_and_their_words() {
             "expected `}` after `;`: the `{` in line 2, column 10, is still open",
         ),
         ("arm {", "arm {{", "{", "nothing closes this `{`; remove it"),
-        (
-            "arm {",
-            "arm",
-            "point",
-            "expected `{` before `point`: the `}` after it closes nothing",
-        ),
-        (
-            "(0, 0);",
-            "(0, 0));",
-            ")",
-            "this `)` closes nothing; remove it",
-        ),
+        ("arm {", "arm", "point", "expected `{` before `point`: the `}` after it closes nothing"),
+        ("(0, 0);", "(0, 0));", ")", "this `)` closes nothing; remove it"),
         (
             "(0, 0);",
             "(0, 0];",
@@ -87,37 +72,17 @@ fn slips_and_their_words() {
             "[",
             "`[` is not the bracket that the `)` in line 4, column 41, closes; write `(`",
         ),
-        (
-            "(-1",
-            "(−1",
-            "−",
-            "`−` is not the minus of the keyboard; write `-`",
-        ),
+        ("(-1", "(−1", "−", "`−` is not the minus of the keyboard; write `-`"),
         ("->", "→", "→", "`→` is no sign of the keyboard; write `->`"),
-        (
-            "(0, 0);",
-            "(0, 0); \"",
-            "\"",
-            "this `\"` opens a text that nothing closes; remove it",
-        ),
+        ("(0, 0);", "(0, 0); \"", "\"", "this `\"` opens a text that nothing closes; remove it"),
         (
             "(0, 0);",
             "(0, 0); /* why",
             "/*",
             "this `/*` opens a comment that nothing closes; write `*/` at the end of this line",
         ),
-        (
-            "(0, 0);",
-            "(0, /* 0);",
-            "/*",
-            "this `/*` opens a comment that nothing closes; remove it",
-        ),
-        (
-            "(0, 0);",
-            "(0, 0); '",
-            "'",
-            "this `'` opens a letter that nothing closes; remove it",
-        ),
+        ("(0, 0);", "(0, /* 0);", "/*", "this `/*` opens a comment that nothing closes; remove it"),
+        ("(0, 0);", "(0, 0); '", "'", "this `'` opens a letter that nothing closes; remove it"),
         (
             "(0, 0);",
             "(0, 0);\u{200b}",
@@ -125,22 +90,13 @@ fn slips_and_their_words() {
             "a sign without width stands here, U+200B; remove it",
         ),
         ("(0, 0);", "(0, 0x);", "0x", "`0x` is no number"),
-        (
-            "(0, 0);",
-            "(0, 0); \\",
-            "\\",
-            "`\\\\` has no meaning here; remove it",
-        ),
+        ("(0, 0);", "(0, 0); \\", "\\", "`\\\\` has no meaning here; remove it"),
     ] {
         // In the last statement that has it: `(0, 0);` stands in a joint.
         let at = TEXT.rfind(right).expect("it is there");
         let text = format!("{}{wrong}{}", &TEXT[..at], &TEXT[at + right.len()..]);
         let slip = found(&text);
-        assert_eq!(
-            (&text[slip.place.clone()], &*slip.text),
-            (place, words),
-            "{wrong}"
-        );
+        assert_eq!((&text[slip.place.clone()], &*slip.text), (place, words), "{wrong}");
         let Some(change) = slip.change else {
             assert_eq!(wrong, "(0, 0x);");
             continue;
@@ -157,8 +113,7 @@ fn slips_and_their_words() {
 fn all_signs_at_once() {
     let slip = found("struct A;\nmotor a in −30° ..= 60°;");
     assert!(
-        slip.text
-            .ends_with("note: 2 more signs of this text are not on the keyboard"),
+        slip.text.ends_with("note: 2 more signs of this text are not on the keyboard"),
         "{}",
         slip.text
     );

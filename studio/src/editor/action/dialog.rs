@@ -48,11 +48,8 @@ fn ask_to_save(workspace: &Workspace, context: &egui::Context) -> Option<Answer>
         let question = format!("{} has changes that are not saved.", name.display());
         ui.label(masked(&question));
         ui.horizontal(|ui| {
-            let answers = [
-                ("Save", Answer::Save),
-                ("Discard", Answer::Discard),
-                ("Cancel", Answer::Cancel),
-            ];
+            let answers =
+                [("Save", Answer::Save), ("Discard", Answer::Discard), ("Cancel", Answer::Cancel)];
             for (word, answer) in answers {
                 if ui.button(word).clicked() {
                     given = Some(answer);
@@ -74,9 +71,8 @@ fn ask_for_file(editor: &mut Editor, purpose: FileUse, mut path: String, context
     egui::Modal::new(egui::Id::unique("dialog")).show(context, |ui| {
         ui.heading(title);
         let label = ui.label("File");
-        let edit = egui::TextEdit::singleline(&mut path)
-            .hint_text(purpose.hint())
-            .desired_width(320.0);
+        let edit =
+            egui::TextEdit::singleline(&mut path).hint_text(purpose.hint()).desired_width(320.0);
         let response = ui.add(edit).labelled_by(label.id);
         if !response.lost_focus() && !is_focus_in(ui) {
             response.request_focus();

@@ -7,30 +7,28 @@ use eframe::egui::{self, KeyboardShortcut};
 
 /// Shows the help: first steps, all tools and actions with their keys, and all lines of the dialogue.
 pub(in crate::editor) fn help(ui: &mut egui::Ui) {
-    egui::ScrollArea::vertical()
-        .auto_shrink(false)
-        .show(ui, |ui| {
-            ui.heading("First mechanism");
-            for line in BEGINNING {
-                ui.label(*line);
-            }
-            ui.separator();
-            ui.heading("What it is for");
-            for line in PURPOSE {
-                ui.label(*line);
-            }
-            ui.separator();
-            let tools = Tool::all().map(|tool| (tool.name(), Some(key_of_tool(tool)), tool.help()));
-            rows("Tools", tools, ui);
-            let actions = ACTIONS.iter().map(|one| (one.name, one.key, one.help));
-            rows("Actions", actions, ui);
-            ui.separator();
-            ui.heading("Lines");
-            ui.label("The line at the foot of the window takes all of these. Tab completes.");
-            if let Ok(lines) = crate::dialogue::help(None) {
-                ui.monospace(lines);
-            }
-        });
+    egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        ui.heading("First mechanism");
+        for line in BEGINNING {
+            ui.label(*line);
+        }
+        ui.separator();
+        ui.heading("What it is for");
+        for line in PURPOSE {
+            ui.label(*line);
+        }
+        ui.separator();
+        let tools = Tool::all().map(|tool| (tool.name(), Some(key_of_tool(tool)), tool.help()));
+        rows("Tools", tools, ui);
+        let actions = ACTIONS.iter().map(|one| (one.name, one.key, one.help));
+        rows("Actions", actions, ui);
+        ui.separator();
+        ui.heading("Lines");
+        ui.label("The line at the foot of the window takes all of these. Tab completes.");
+        if let Ok(lines) = crate::dialogue::help(None) {
+            ui.monospace(lines);
+        }
+    });
 }
 
 const BEGINNING: &[&str] = &[

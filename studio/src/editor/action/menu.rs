@@ -28,18 +28,11 @@ pub(in crate::editor) fn menu(editor: &mut Editor, ui: &mut egui::Ui) {
                 }
             });
         }
-        for action in ACTIONS
-            .iter()
-            .filter(|action| ["Undo", "Redo"].contains(&action.name))
-        {
+        for action in ACTIONS.iter().filter(|action| ["Undo", "Redo"].contains(&action.name)) {
             entry(editor, action, ui);
         }
         mechanisms(editor, ui);
-        let mark = if editor.workspace().has_work() {
-            " •"
-        } else {
-            ""
-        };
+        let mark = if editor.workspace().has_work() { " •" } else { "" };
         let path = editor.workspace().path().display();
         ui.weak(masked(&format!("{path}{mark}")));
     });
@@ -50,10 +43,7 @@ fn parts(editor: &mut Editor, ui: &mut egui::Ui) {
     for offer in PartOffer::all() {
         let ports = offer.ports.join(", ");
         let response = ui.button(&offer.name);
-        if response
-            .on_hover_text(format!("needs links for: {ports}"))
-            .clicked()
-        {
+        if response.on_hover_text(format!("needs links for: {ports}")).clicked() {
             propose_part(editor, &offer);
             ui.close();
         }
@@ -78,11 +68,9 @@ fn mechanisms(editor: &mut Editor, ui: &mut egui::Ui) {
     if declarations.len() < 2 {
         return;
     }
-    let names = declarations.iter().map(|one| {
-        one.name
-            .clone()
-            .unwrap_or_else(|| "without a name".to_owned())
-    });
+    let names = declarations
+        .iter()
+        .map(|one| one.name.clone().unwrap_or_else(|| "without a name".to_owned()));
     let names: Vec<String> = names.collect();
     let index = editor.workspace().index();
     let mut chosen = index;
@@ -100,11 +88,7 @@ fn mechanisms(editor: &mut Editor, ui: &mut egui::Ui) {
 fn files(editor: &mut Editor, ui: &mut egui::Ui) {
     ui.menu_button("Examples", |ui| {
         for example in &EXAMPLES {
-            if ui
-                .button(example.name)
-                .on_hover_text(example.help)
-                .clicked()
-            {
+            if ui.button(example.name).on_hover_text(example.help).clicked() {
                 editor.leave_for(Destination::Example(example));
                 ui.close();
             }
@@ -122,10 +106,7 @@ fn files(editor: &mut Editor, ui: &mut egui::Ui) {
 
 fn entry(editor: &mut Editor, action: &Action, ui: &mut egui::Ui) {
     let mut button = egui::Button::new(action.name);
-    if let Some(key) = action
-        .key
-        .filter(|_| egui::containers::menu::is_in_menu(ui))
-    {
+    if let Some(key) = action.key.filter(|_| egui::containers::menu::is_in_menu(ui)) {
         button = button.shortcut_text(ui.ctx().format_shortcut(&key));
     }
     let response = ui.add_enabled((action.is_possible)(editor), button);

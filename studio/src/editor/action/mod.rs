@@ -23,12 +23,8 @@ enum Menu {
 }
 
 impl Menu {
-    const ALL: [(Self, &'static str); 4] = [
-        (Self::File, "File"),
-        (Self::Edit, "Edit"),
-        (Self::View, "View"),
-        (Self::Play, "Motion"),
-    ];
+    const ALL: [(Self, &'static str); 4] =
+        [(Self::File, "File"), (Self::Edit, "Edit"), (Self::View, "View"), (Self::Play, "Motion")];
 }
 
 struct Action {

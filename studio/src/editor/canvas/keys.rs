@@ -47,13 +47,7 @@ pub(super) fn step_by_keys(editor: &mut Editor, handle: Handle, spot: Spot<'_>) 
         let unit = if is_far { 10.0 * unit } else { unit };
         let to =
             [0, 1].map(|part| ((handle.place[part] + steps[part] * unit) / unit).round() * unit);
-        let to = [0, 1].map(|part| {
-            if steps[part] == 0.0 {
-                handle.place[part]
-            } else {
-                to[part]
-            }
-        });
+        let to = [0, 1].map(|part| if steps[part] == 0.0 { handle.place[part] } else { to[part] });
         editor.begin_drag(handle.item, false);
         editor.drag_to(to);
         editor.end_drag();

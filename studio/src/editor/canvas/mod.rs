@@ -64,25 +64,12 @@ impl Canvas {
         if ui.input(|input| input.pointer.any_pressed()) {
             self.pressed_with = editor.picking.tool;
         }
-        let shown = Shown {
-            rect,
-            camera: editor.sight.camera.clone(),
-        };
+        let shown = Shown { rect, camera: editor.sight.camera.clone() };
         self.picture.show(editor, &shown, ui);
         let drawing = editor.sight.seen_drawing().cloned();
         let handles = drawing.iter().flat_map(Drawing::handles);
-        Paint {
-            editor,
-            shown: &shown,
-            snapped: self.snapped.as_ref(),
-        }
-        .behind(ui);
-        let paper = Spot {
-            response: &background,
-            handle: None,
-            shown: &shown,
-            ui,
-        };
+        Paint { editor, shown: &shown, snapped: self.snapped.as_ref() }.behind(ui);
+        let paper = Spot { response: &background, handle: None, shown: &shown, ui };
         self.on_paper(editor, paper);
         self.is_focused = background.has_focus();
         if background.has_focus() {
@@ -95,12 +82,7 @@ impl Canvas {
         on_witnesses(editor, &shown, ui);
         let under_text = editor.selection.under_text.clone();
         editor.selection.hovered = hovered.or(under_text);
-        Paint {
-            editor,
-            shown: &shown,
-            snapped: self.snapped.as_ref(),
-        }
-        .front(ui, handles);
+        Paint { editor, shown: &shown, snapped: self.snapped.as_ref() }.front(ui, handles);
         if let Holds::Frame(corner) = self.holds
             && let Some(pointer) = background.interact_pointer_pos()
         {
@@ -222,12 +204,7 @@ impl Canvas {
         if response.hovered() || response.has_focus() {
             *hovered = Some(handle.item.clone());
         }
-        let spot = Spot {
-            response: &response,
-            handle: Some(handle),
-            shown,
-            ui,
-        };
+        let spot = Spot { response: &response, handle: Some(handle), shown, ui };
         if editor.picking.tool == Tool::Select {
             self.select_or_drag(editor, handle, spot);
         } else {
@@ -248,10 +225,7 @@ impl Canvas {
         let modifiers = spot.ui.input(|input| input.modifiers);
         self.drag(editor, spot);
         if response.clicked() {
-            editor.select(
-                Some(handle.item.clone()),
-                modifiers.shift || modifiers.command,
-            );
+            editor.select(Some(handle.item.clone()), modifiers.shift || modifiers.command);
             response.request_focus();
         }
         if response.has_focus() {
@@ -262,12 +236,7 @@ impl Canvas {
 
     /// Picks places with a tool: by clicks, or from where the pointer is pressed to where it is released.
     fn use_tool(&mut self, editor: &mut Editor, spot: Spot<'_>) {
-        let Spot {
-            response,
-            handle,
-            shown,
-            ui,
-        } = spot;
+        let Spot { response, handle, shown, ui } = spot;
         let modifiers = ui.input(|input| input.modifiers);
         let meant = |editor: &Editor, place: [f64; 2]| {
             let before = editor.picking.picks.last().filter(|_| modifiers.shift);
@@ -327,9 +296,7 @@ fn take_hold(editor: &mut Editor, spot: Spot<'_>, origin: Pos2) -> Holds {
     let modifiers = ui.input(|input| input.modifiers);
     let place = shown.place(origin);
     if spot.response.drag_started_by(PointerButton::Primary) {
-        let own = spot
-            .handle
-            .filter(|handle| area(shown.pixel(handle.place), ui).contains(origin));
+        let own = spot.handle.filter(|handle| area(shown.pixel(handle.place), ui).contains(origin));
         let thing = own.map(|handle| handle.item.clone());
         let near = |reach: f64| {
             let drawing = editor.sight.seen_drawing()?;
@@ -366,20 +333,12 @@ fn take_hold(editor: &mut Editor, spot: Spot<'_>, origin: Pos2) -> Holds {
             }
         }
     }
-    if modifiers.shift {
-        Holds::Frame(origin)
-    } else {
-        Holds::Paper
-    }
+    if modifiers.shift { Holds::Frame(origin) } else { Holds::Paper }
 }
 
 /// Returns the distance in pixels within which the pointer takes hold of a handle: for a finger twice as much.
 fn reach(ui: &egui::Ui) -> f64 {
-    if ui.input(egui::InputState::any_touches) {
-        2.0 * REACH
-    } else {
-        REACH
-    }
+    if ui.input(egui::InputState::any_touches) { 2.0 * REACH } else { REACH }
 }
 
 /// Where a handle can be taken hold of.
@@ -395,10 +354,7 @@ fn zoom(camera: &mut Camera, background: &Response, ui: &egui::Ui) {
         return;
     };
     if !background.rect.contains(pointer)
-        || ui
-            .ctx()
-            .layer_id_at(pointer)
-            .is_some_and(|layer| layer != ui.layer_id())
+        || ui.ctx().layer_id_at(pointer).is_some_and(|layer| layer != ui.layer_id())
     {
         return;
     }

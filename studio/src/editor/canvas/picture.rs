@@ -39,8 +39,7 @@ impl Picture {
             && let Some(texture) = &self.texture
         {
             let whole = Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
-            ui.painter()
-                .image(texture.id(), rect, whole, Color32::WHITE);
+            ui.painter().image(texture.id(), rect, whole, Color32::WHITE);
         }
     }
 
@@ -65,10 +64,8 @@ impl Picture {
         if self.subject == Some(subject) {
             return Some(());
         }
-        let is_fit = self
-            .painted
-            .as_ref()
-            .is_some_and(|known| [known.width(), known.height()] == size);
+        let is_fit =
+            self.painted.as_ref().is_some_and(|known| [known.width(), known.height()] == size);
         if !is_fit {
             self.painted = HeapSmooth::new(size[0], size[1]).ok();
         }
@@ -96,11 +93,7 @@ impl Picture {
 }
 
 fn palette(editor: &Editor) -> Palette {
-    if editor.settings.is_dark {
-        Palette::NIGHT
-    } else {
-        Palette::TEXTBOOK
-    }
+    if editor.settings.is_dark { Palette::NIGHT } else { Palette::TEXTBOOK }
 }
 
 fn color([red, green, blue, _]: [u8; 4]) -> Color32 {

@@ -28,11 +28,8 @@ pub(super) fn on_witnesses(editor: &mut Editor, shown: &Shown, ui: &egui::Ui) {
     let red = Color32::from_rgb(210, 40, 30);
     for (number, mark) in marks.into_iter().enumerate() {
         let place = on_arc(mark.center, mark.angle);
-        let response = ui.interact(
-            area(place, ui),
-            ui.scope_id().with(("witness", number)),
-            Sense::click(),
-        );
+        let response =
+            ui.interact(area(place, ui), ui.scope_id().with(("witness", number)), Sense::click());
         let playing = &editor.sight.playing;
         let way = mark.intervals.iter().map(|[low, high]| {
             let [low, high] = [low, high].map(|end| end.to_degrees());
@@ -48,10 +45,7 @@ pub(super) fn on_witnesses(editor: &mut Editor, shown: &Shown, ui: &egui::Ui) {
             painter.add(Shape::line(points, Stroke::new(4.0, red)));
         }
         painter.circle_filled(place, 4.0, red);
-        if response
-            .on_hover_text(format!("{}\n{label}", mark.text))
-            .clicked()
-        {
+        if response.on_hover_text(format!("{}\n{label}", mark.text)).clicked() {
             editor.sight.scrub_to(&mark.place);
         }
     }

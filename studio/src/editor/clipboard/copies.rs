@@ -29,10 +29,7 @@ fn copies(links: &[String], drawing: Option<&Drawing>, scale: f64) -> Vec<(Strin
     let mut names = Names::of(drawing);
     let copies = links.iter().map(|name| {
         let copy = names.numbered(name.trim_end_matches(|last: char| last.is_ascii_digit()));
-        let duplicate = Command::Duplicate {
-            name: name.clone(),
-            copy: copy.clone(),
-        };
+        let duplicate = Command::Duplicate { name: name.clone(), copy: copy.clone() };
         let points = drawing.map(|drawing| points_of_copy(name, &copy, drawing, scale));
         (copy, [vec![duplicate], points.unwrap_or_default()].concat())
     });
@@ -45,9 +42,8 @@ fn points_of_copy(name: &str, copy: &str, drawing: &Drawing, scale: f64) -> Vec<
     let Some(link) = link.filter(|link| drawing.model.link(*link).drawn) else {
         return Vec::new();
     };
-    let (own, joined): (Vec<AxisId>, Vec<AxisId>) = drawing
-        .axes_on(link)
-        .partition(|axis| drawing.path(*axis).is_some());
+    let (own, joined): (Vec<AxisId>, Vec<AxisId>) =
+        drawing.axes_on(link).partition(|axis| drawing.path(*axis).is_some());
     let is_free = own.is_empty() && drawing.model.link(link).shapes.is_empty();
     let beside = if is_free { grid(scale) } else { 0.0 };
     let pins = joined

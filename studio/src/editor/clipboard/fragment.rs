@@ -27,11 +27,7 @@ pub(super) fn copied(
     let text_of = |one: &StatementText<'_>| &text[tree.bytes(&one.range())];
     let rewriter = tree.rewriter();
     let all = &rewriter.statements;
-    let source = Copy {
-        text_of: &text_of,
-        model: &model,
-        links,
-    };
+    let source = Copy { text_of: &text_of, model: &model, links };
     let mut found: Vec<String> = all.iter().filter_map(|one| source.copy(one)).collect();
     let has = |words: &[&str]| any_within(&found, |one| words.contains(&one.word(0)));
     if !has(&["link"]) {

@@ -57,11 +57,7 @@ impl<'t> Lexed<'t> {
         proc_macro2::extra::invalidate_current_thread_spans();
         let tokens = Tokens::read(text).ok()?;
         let places = TokenPlaces::of(&tokens);
-        Some(Self {
-            text,
-            tokens,
-            places,
-        })
+        Some(Self { text, tokens, places })
     }
 
     pub(super) fn statements(&self) -> Vec<StatementText<'_>> {

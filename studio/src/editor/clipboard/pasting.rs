@@ -9,9 +9,8 @@ use mech_compiler::syntax::{Rewriter, StatementText};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The first words of statements that can be pasted: links, what is between them, and the numbers that they use.
-const WORDS: [&str; 9] = [
-    "const", "param", "ground", "link", "joint", "motor", "spring", "damper", "load",
-];
+const WORDS: [&str; 9] =
+    ["const", "param", "ground", "link", "joint", "motor", "spring", "damper", "load"];
 
 /// Stands before what was copied, so that it is a mechanism of its own.
 const HEAD: &str = "struct Copied;\n";
@@ -87,9 +86,7 @@ pub(in crate::editor) fn pasted(
     match after.model(&declaration) {
         Ok(Some(_)) => Ok((text, links)),
         Ok(None) => {
-            let reading = after
-                .analyse(&declaration)
-                .map_err(|failure| failure.to_string())?;
+            let reading = after.analyse(&declaration).map_err(|failure| failure.to_string())?;
             let faults = reading.result.err();
             let first = faults.and_then(|faults| faults.messages.into_iter().next());
             let why = first.map(|message| message.text).unwrap_or_default();
@@ -125,9 +122,7 @@ fn add(rewriter: &mut Rewriter<'_>, statement: &str) -> Option<()> {
 fn places(listing: &Listing) -> impl Iterator<Item = [&NumberText; 2]> {
     let part = |number: &NumberText, name| number.role.rsplit(' ').next() == Some(name);
     let pairs = listing.numbers.array_windows();
-    pairs
-        .filter(move |[x, y]| part(x, "x") && part(y, "y"))
-        .map(|[x, y]| [x, y])
+    pairs.filter(move |[x, y]| part(x, "x") && part(y, "y")).map(|[x, y]| [x, y])
 }
 
 /// Moves the copied statements aside, by so many steps that none of their places is taken. None if they cannot be read alone.
@@ -217,11 +212,7 @@ fn with_names(
     renamed: &BTreeMap<String, String>,
 ) -> String {
     let start = copied.bytes(&statement.range()).start;
-    let owner = if statement.is("ground") {
-        "ground"
-    } else {
-        statement.word(1)
-    };
+    let owner = if statement.is("ground") { "ground" } else { statement.word(1) };
     let mut edits = Vec::new();
     let [mut link, mut before] = ["", ""];
     for index in 0..statement.len() {
@@ -235,10 +226,7 @@ fn with_names(
         if let Some(name) = name {
             let token = statement.token(index);
             let range = copied.bytes(&(token..token + 1));
-            edits.push(Replacement::new(
-                range.start - start..range.end - start,
-                name.clone(),
-            ));
+            edits.push(Replacement::new(range.start - start..range.end - start, name.clone()));
         }
         [link, before] = [before, word];
     }

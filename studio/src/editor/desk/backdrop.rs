@@ -92,9 +92,7 @@ impl Backdrop {
     pub(in crate::editor) fn read(path: &Path, bytes: &[u8]) -> Result<Self, Failure> {
         let picture = decode(bytes).map_err(|error| {
             let path = path.display();
-            Failure::file(format!(
-                "`{path}` is not a picture that can be read: {error}"
-            ))
+            Failure::file(format!("`{path}` is not a picture that can be read: {error}"))
         })?;
         let picture = if picture.width().max(picture.height()) > LONGEST {
             picture.thumbnail(LONGEST, LONGEST)
@@ -110,12 +108,7 @@ impl Backdrop {
         let pixels = ColorImage::from_rgba_unmultiplied(size, pixels.as_raw());
         Ok(Self {
             path: path.to_owned(),
-            place: PicturePlace {
-                center: [0.0; 2],
-                width: 1.0,
-                angle: 0.0,
-                opacity: 0.5,
-            },
+            place: PicturePlace { center: [0.0; 2], width: 1.0, angle: 0.0, opacity: 0.5 },
             pixels: Arc::new(pixels),
             texture: None,
         })
@@ -141,17 +134,11 @@ impl Backdrop {
         pixel: impl Fn([f64; 2]) -> Pos2,
     ) {
         let place = self.place;
-        let half = [
-            0.5 * place.width,
-            0.5 * place.width * self.height_to_width(),
-        ];
+        let half = [0.5 * place.width, 0.5 * place.width * self.height_to_width()];
         let (sin, cos) = place.angle.to_radians().sin_cos();
         let corner = |[x, y]: [f64; 2]| {
             let [x, y] = [x * half[0], y * half[1]];
-            pixel([
-                place.center[0] + cos * x - sin * y,
-                place.center[1] + sin * x + cos * y,
-            ])
+            pixel([place.center[0] + cos * x - sin * y, place.center[1] + sin * x + cos * y])
         };
         let texture = self.texture.get_or_insert_with(|| {
             let pixels = Arc::clone(&self.pixels);

@@ -61,19 +61,10 @@ impl Desk {
 
     /// Whether the file has the content of the desk. Each frame asks this, so nothing is copied for it.
     fn says_the_same(&self) -> bool {
-        let Record {
-            picture,
-            locked,
-            groups,
-        } = &self.file.record;
+        let Record { picture, locked, groups } = &self.file.record;
         let shown = self.backdrop.as_ref();
         let shown = shown.map(|backdrop| (&backdrop.path, &backdrop.place));
-        let missing = || {
-            self.file
-                .missing
-                .as_ref()
-                .map(|(path, place)| (path, place))
-        };
+        let missing = || self.file.missing.as_ref().map(|(path, place)| (path, place));
         picture.as_ref().map(|(path, place)| (path, place)) == shown.or_else(missing)
             && *locked == self.locked
             && *groups == self.groups
@@ -102,8 +93,8 @@ impl Desk {
         };
         desk.file.record = record.clone();
         (desk.locked, desk.groups) = (record.locked, record.groups);
-        let done = record.picture.map_or(Ok(()), |(picture, place)| {
-            match picture_at(&picture, path) {
+        let done =
+            record.picture.map_or(Ok(()), |(picture, place)| match picture_at(&picture, path) {
                 Ok(mut backdrop) => {
                     backdrop.place = place;
                     desk.backdrop = Some(backdrop);
@@ -113,8 +104,7 @@ impl Desk {
                     desk.file.missing = Some((picture, place));
                     Err(failure)
                 }
-            }
-        });
+            });
         (desk, done)
     }
 }

@@ -98,10 +98,7 @@ impl Example {
             return Ok(self.source.to_owned());
         }
         let document = Document::of(Source::new("example.rs", self.source));
-        let body = document
-            .declarations()
-            .first()
-            .and_then(|declaration| declaration.body.clone());
+        let body = document.declarations().first().and_then(|declaration| declaration.body.clone());
         let inside = body.and_then(|body| self.source.get(body));
         let inside = inside.ok_or_else(|| {
             Failure::internal(format!("the example `{}` has no mechanism", self.name))

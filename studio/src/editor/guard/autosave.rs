@@ -31,10 +31,7 @@ pub(super) struct Autosave {
 impl Autosave {
     /// Keeps texts without a file in this folder.
     pub(super) fn new(unnamed: PathBuf) -> Self {
-        Self {
-            unnamed,
-            ..Self::default()
-        }
+        Self { unnamed, ..Self::default() }
     }
 
     /// Keeps the text, if it has changed and is not saved.

@@ -46,10 +46,7 @@ impl Busy {
                     ui.strong(format!("{work} takes longer than {budget:.0} s."));
                     goes_on = ui.button("Go on").clicked();
                 }
-                stops = ui
-                    .button("Stop")
-                    .on_hover_text("ends it; what is seen stays")
-                    .clicked();
+                stops = ui.button("Stop").on_hover_text("ends it; what is seen stays").clicked();
             });
         });
         if stops {

@@ -15,37 +15,35 @@ pub(in crate::editor) fn diagnoses(editor: &mut Editor, ui: &mut egui::Ui) {
     let mut chosen = None;
     let mut shown = None;
     let mut hovered = None;
-    egui::ScrollArea::vertical()
-        .auto_shrink(false)
-        .show(ui, |ui| {
-            if messages.is_empty() {
-                ui.label(snapshot.verdict());
-                shown = unmet(editor, ui);
+    egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        if messages.is_empty() {
+            ui.label(snapshot.verdict());
+            shown = unmet(editor, ui);
+        }
+        for Message { place, text } in messages {
+            fault(text, line_of(&snapshot, place), ui);
+            ui.separator();
+        }
+        if editor.analysis.is_mending() && !messages.is_empty() {
+            ui.weak("Looking for repairs");
+        }
+        for (number, mending) in (1..).zip(editor.mendings()) {
+            let note = match mending.remainder {
+                Remainder::Nothing => "",
+                Remainder::OtherStart => " (needs another start)",
+                Remainder::OtherFaults => " (other things stay wrong)",
+            };
+            let button =
+                egui::Button::new(format!("Repair {number}: {}{note}", mending.words)).wrap();
+            let response = ui.add(button);
+            if response.hovered() || response.has_focus() {
+                hovered = Some(number);
             }
-            for Message { place, text } in messages {
-                fault(text, line_of(&snapshot, place), ui);
-                ui.separator();
+            if response.clicked() {
+                chosen = Some(number);
             }
-            if editor.analysis.is_mending() && !messages.is_empty() {
-                ui.weak("Looking for repairs");
-            }
-            for (number, mending) in (1..).zip(editor.mendings()) {
-                let note = match mending.remainder {
-                    Remainder::Nothing => "",
-                    Remainder::OtherStart => " (needs another start)",
-                    Remainder::OtherFaults => " (other things stay wrong)",
-                };
-                let button =
-                    egui::Button::new(format!("Repair {number}: {}{note}", mending.words)).wrap();
-                let response = ui.add(button);
-                if response.hovered() || response.has_focus() {
-                    hovered = Some(number);
-                }
-                if response.clicked() {
-                    chosen = Some(number);
-                }
-            }
-        });
+        }
+    });
     if let Some(task) = editor.analysis.preview_mending(hovered) {
         editor.give(task);
     }

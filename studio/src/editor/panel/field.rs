@@ -17,13 +17,8 @@ pub(super) fn field(
     let id = ui.make_persistent_id(("field", label));
     ui.horizontal(|ui| {
         ui.add_sized([110.0, 18.0], egui::Label::new(shown).truncate());
-        let typed = ui
-            .data(|data| data.get_temp::<Typed>(id))
-            .unwrap_or_default();
-        let mut text = typed
-            .get(label)
-            .cloned()
-            .unwrap_or_else(|| value.to_owned());
+        let typed = ui.data(|data| data.get_temp::<Typed>(id)).unwrap_or_default();
+        let mut text = typed.get(label).cloned().unwrap_or_else(|| value.to_owned());
         let edit = egui::TextEdit::singleline(&mut text)
             .id(id)
             .desired_width(150.0)

@@ -14,12 +14,8 @@ pub(in crate::editor) fn play(sight: &mut Sight, snapshot: &Snapshot, ui: &mut e
         });
         return;
     };
-    let (plays, limit) = (
-        player.plays(),
-        player
-            .limit()
-            .map(|limit| limit.sentence(player.mechanism())),
-    );
+    let (plays, limit) =
+        (player.plays(), player.limit().map(|limit| limit.sentence(player.mechanism())));
     let mut control = None;
     ui.horizontal_wrapped(|ui| {
         let mut button = |ui: &mut egui::Ui, text: &str, help: &str, what: Control| {

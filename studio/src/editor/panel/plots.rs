@@ -42,11 +42,9 @@ impl Plots {
             warnings(curves, is_present, playing.player.is_some(), ui);
             if let Ok(table) = &curves.table {
                 let at = cursor(plotted, playing);
-                egui::ScrollArea::vertical()
-                    .auto_shrink(false)
-                    .show(ui, |ui| {
-                        scrubbed = graphs(table, is_present, at, ui);
-                    });
+                egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+                    scrubbed = graphs(table, is_present, at, ui);
+                });
             }
         } else {
             ui.weak("measuring");
@@ -144,9 +142,7 @@ fn loads(plotted: &mut Plotted, snapshot: &Snapshot, ui: &mut egui::Ui) {
         let typed = plotted.loads.entry(load.name.clone()).or_default();
         let label = ui.label(format!("load {}", load.name));
         let wrong = read_load(&load.name, load.kind, typed).err();
-        let mut edit = egui::TextEdit::singleline(typed)
-            .hint_text(hint)
-            .desired_width(70.0);
+        let mut edit = egui::TextEdit::singleline(typed).hint_text(hint).desired_width(70.0);
         if wrong.is_some() {
             edit = edit.text_color(ui.visuals().error_fg_color);
         }
@@ -181,13 +177,11 @@ fn motor(plotted: &mut Plotted, ranges: &[MotorRange], ui: &mut egui::Ui) {
         return;
     };
     let mut chosen = chosen.to_owned();
-    egui::ComboBox::from_label("moved motor")
-        .selected_text(&chosen)
-        .show_ui(ui, |ui| {
-            for range in ranges {
-                ui.selectable_value(&mut chosen, range.name.clone(), &range.name);
-            }
-        });
+    egui::ComboBox::from_label("moved motor").selected_text(&chosen).show_ui(ui, |ui| {
+        for range in ranges {
+            ui.selectable_value(&mut chosen, range.name.clone(), &range.name);
+        }
+    });
     if plotted.motor.as_ref() != Some(&chosen) {
         plotted.motor = Some(chosen);
     }
@@ -197,10 +191,7 @@ fn motor(plotted: &mut Plotted, ranges: &[MotorRange], ui: &mut egui::Ui) {
 fn warnings(curves: &Curves, is_present: bool, moves: bool, ui: &mut egui::Ui) {
     let red = ui.visuals().error_fg_color;
     if !moves {
-        ui.colored_label(
-            red,
-            "The mechanism does not move; the graphs are of an earlier text.",
-        );
+        ui.colored_label(red, "The mechanism does not move; the graphs are of an earlier text.");
     } else if !is_present {
         ui.weak("The graphs are of an earlier text or pose; they are measured anew.");
     }
@@ -255,9 +246,8 @@ fn graphs(table: &Table, is_present: bool, at: Option<f64>, ui: &mut egui::Ui) -
     let share = ui.available_height() / units.len().max(1) as f32;
     for unit in units {
         let columns = table.curves();
-        let columns: Vec<usize> = columns
-            .filter(|&number| table.columns[number].1 == unit)
-            .collect();
+        let columns: Vec<usize> =
+            columns.filter(|&number| table.columns[number].1 == unit).collect();
         #[expect(clippy::cast_precision_loss, reason = "a few curves")]
         let legend = 20.0 * columns.len() as f32 + 12.0;
         readings(table, &columns, is_present, at, ui);
@@ -279,9 +269,8 @@ fn readings(
         let (name, unit) = &table.columns[column];
         let text = at.map_or(name.clone(), |at| {
             let value = value_at(table, column, at);
-            let value = value.map_or("not determined".to_owned(), |value| {
-                format!("{value:.4} {unit}")
-            });
+            let value =
+                value.map_or("not determined".to_owned(), |value| format!("{value:.4} {unit}"));
             format!("{name} = {value}")
         });
         ui.horizontal(|ui| {
@@ -311,11 +300,7 @@ fn value_at(table: &Table, column: usize, at: f64) -> Option<f64> {
         matches!(ends, [Some(low), Some(high)] if (low..=high).contains(&at))
     })?;
     let ((from, low), (to, high)) = (place(pair[0])?, place(pair[1])?);
-    let part = if to > from {
-        (at - from) / (to - from)
-    } else {
-        0.0
-    };
+    let part = if to > from { (at - from) / (to - from) } else { 0.0 };
     Some(low + (high - low) * part)
 }
 
@@ -413,12 +398,7 @@ fn marks(input: &GridInput, unit: &str, most: u32) -> Vec<GridMark> {
     let first = (low / step).ceil();
     let values = (0..=most).map(|number| (first + f64::from(number)) * step);
     let marks = values.take_while(|value| *value <= high);
-    marks
-        .map(|value| GridMark {
-            value,
-            step_size: step,
-        })
-        .collect()
+    marks.map(|value| GridMark { value, step_size: step }).collect()
 }
 
 /// The places of a curve; where it is not determined it is broken.

@@ -21,28 +21,26 @@ pub(in crate::editor) fn properties(editor: &mut Editor, ui: &mut egui::Ui) {
         whole(&editor.analysis.snapshot, ui, &mut commands);
         behind(editor, ui);
     } else {
-        egui::ScrollArea::vertical()
-            .auto_shrink(false)
-            .show(ui, |ui| {
-                for item in &selected {
-                    ui.heading(item.to_string());
-                    buttons(editor, item, ui, &mut commands);
-                    numbers(&editor.analysis.snapshot, item.name(), ui, &mut commands);
-                    match item {
-                        Item::Link(name) => {
-                            mass(&editor.analysis.snapshot.listing, name, ui, &mut commands);
-                            shapes(editor.drawing(), name, ui, &mut commands);
-                        }
-                        Item::Joint(name) => {
-                            let listing = &editor.analysis.snapshot.listing;
-                            motor(&editor.sight, listing, name, ui, &mut commands);
-                        }
-                        Item::Axis(_) | Item::Action(_) => {}
+        egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            for item in &selected {
+                ui.heading(item.to_string());
+                buttons(editor, item, ui, &mut commands);
+                numbers(&editor.analysis.snapshot, item.name(), ui, &mut commands);
+                match item {
+                    Item::Link(name) => {
+                        mass(&editor.analysis.snapshot.listing, name, ui, &mut commands);
+                        shapes(editor.drawing(), name, ui, &mut commands);
                     }
-                    ui.separator();
+                    Item::Joint(name) => {
+                        let listing = &editor.analysis.snapshot.listing;
+                        motor(&editor.sight, listing, name, ui, &mut commands);
+                    }
+                    Item::Axis(_) | Item::Action(_) => {}
                 }
-                behind(editor, ui);
-            });
+                ui.separator();
+            }
+            behind(editor, ui);
+        });
     }
     for command in commands {
         editor.perform(command);
@@ -60,9 +58,7 @@ fn whole(snapshot: &Snapshot, ui: &mut egui::Ui, commands: &mut Vec<Command>) {
         ui.label("Look");
         for look in ["machine", "diagram", "none"] {
             if ui.button(look).clicked() {
-                commands.push(Command::Setting {
-                    statement: format!("look {look}"),
-                });
+                commands.push(Command::Setting { statement: format!("look {look}") });
             }
         }
     });
@@ -86,10 +82,7 @@ fn buttons(editor: &mut Editor, item: &Item, ui: &mut egui::Ui, commands: &mut V
             Item::Joint(_) => {
                 if editor.sight.has_motor(&name) {
                     if ui.button("Take the motor away").clicked() {
-                        commands.push(Command::Remove {
-                            kind: Kind::Motor,
-                            name: name.clone(),
-                        });
+                        commands.push(Command::Remove { kind: Kind::Motor, name: name.clone() });
                     }
                 } else if ui.button("Put a motor on it").clicked() {
                     commands.push(Command::Motor {
@@ -102,10 +95,7 @@ fn buttons(editor: &mut Editor, item: &Item, ui: &mut egui::Ui, commands: &mut V
             }
             Item::Axis(_) => {
                 if button("Trace", "records its path", ui) {
-                    commands.push(Command::Trace {
-                        point: name.clone(),
-                        length: "256".to_owned(),
-                    });
+                    commands.push(Command::Trace { point: name.clone(), length: "256".to_owned() });
                 }
             }
             Item::Action(_) => {}
@@ -113,10 +103,7 @@ fn buttons(editor: &mut Editor, item: &Item, ui: &mut egui::Ui, commands: &mut V
     });
     let last = name.rsplit('.').next().unwrap_or_default().to_owned();
     field(ui, &format!("name of {name}"), "name", &last, |typed| {
-        commands.push(Command::Rename {
-            path: name.clone(),
-            name: typed,
-        });
+        commands.push(Command::Rename { path: name.clone(), name: typed });
     });
 }
 
@@ -213,11 +200,7 @@ fn start(listing: &Listing, joint: &str, ui: &mut egui::Ui, commands: &mut Vec<C
         return;
     }
     field(ui, &format!("start of {joint}"), "start", "", |typed| {
-        commands.push(Command::Start {
-            name: joint.to_owned(),
-            is_near: false,
-            value: typed,
-        });
+        commands.push(Command::Start { name: joint.to_owned(), is_near: false, value: typed });
     });
 }
 
@@ -233,28 +216,18 @@ pub(super) fn behind(editor: &mut Editor, ui: &mut egui::Ui) {
     let before = backdrop.place;
     let place = &mut backdrop.place;
     let step = 0.005 * place.width;
-    egui::Grid::new("picture behind")
-        .num_columns(2)
-        .show(ui, |ui| {
-            let [x, y] = &mut place.center;
-            for (name, value) in [("x", x), ("y", y), ("width", &mut place.width)] {
-                let least = if name == "width" {
-                    f64::MIN_POSITIVE
-                } else {
-                    f64::MIN
-                };
-                let field = egui::DragValue::new(value)
-                    .speed(step)
-                    .range(least..=f64::MAX);
-                number(name, field, ui);
-            }
-            let angle = egui::DragValue::new(&mut place.angle)
-                .suffix("°")
-                .speed(0.2);
-            number("angle", angle, ui);
-            let opacity = egui::DragValue::new(&mut place.opacity);
-            number("opacity", opacity.range(0.0..=1.0).speed(0.01), ui);
-        });
+    egui::Grid::new("picture behind").num_columns(2).show(ui, |ui| {
+        let [x, y] = &mut place.center;
+        for (name, value) in [("x", x), ("y", y), ("width", &mut place.width)] {
+            let least = if name == "width" { f64::MIN_POSITIVE } else { f64::MIN };
+            let field = egui::DragValue::new(value).speed(step).range(least..=f64::MAX);
+            number(name, field, ui);
+        }
+        let angle = egui::DragValue::new(&mut place.angle).suffix("°").speed(0.2);
+        number("angle", angle, ui);
+        let opacity = egui::DragValue::new(&mut place.opacity);
+        number("opacity", opacity.range(0.0..=1.0).speed(0.01), ui);
+    });
     if !backdrop.place.is_sound() {
         backdrop.place = before;
     }

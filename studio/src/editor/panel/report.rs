@@ -13,51 +13,38 @@ pub(in crate::editor) fn report(analysis: &Analysis, ui: &mut egui::Ui) {
         ui.weak("The mechanism does not move yet; see Diagnoses.");
         return;
     };
-    egui::ScrollArea::vertical()
-        .auto_shrink(false)
-        .show(ui, |ui| {
-            let part = |ui: &mut egui::Ui, title: &str, show: &mut dyn FnMut(&mut egui::Ui)| {
-                egui::CollapsingHeader::new(title)
-                    .default_open(true)
-                    .show(ui, |ui| show(ui));
-            };
-            part(ui, "What it does", &mut |ui| match &analysis.behaviour {
-                Some(behaviour) => behaviour
-                    .lines
-                    .lines()
-                    .for_each(|line| motion_line(line, ui)),
-                None => {
-                    ui.weak("It is measured.");
-                }
+    egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        let part = |ui: &mut egui::Ui, title: &str, show: &mut dyn FnMut(&mut egui::Ui)| {
+            egui::CollapsingHeader::new(title).default_open(true).show(ui, |ui| show(ui));
+        };
+        part(ui, "What it does", &mut |ui| match &analysis.behaviour {
+            Some(behaviour) => behaviour.lines.lines().for_each(|line| motion_line(line, ui)),
+            None => {
+                ui.weak("It is measured.");
+            }
+        });
+        part(ui, "Links and joints, which turn where nothing else is said", &mut |ui| {
+            graph(&graphs::kinematic(&reading.model, &compiled.structure), ui);
+        });
+        let loops = graphs::loops(&reading.model, &compiled.plan);
+        if !loops.edges.is_empty() {
+            part(ui, "Loops, after what determines them", &mut |ui| {
+                graph(&loops, ui);
             });
-            part(
-                ui,
-                "Links and joints, which turn where nothing else is said",
-                &mut |ui| {
-                    graph(&graphs::kinematic(&reading.model, &compiled.structure), ui);
-                },
-            );
-            let loops = graphs::loops(&reading.model, &compiled.plan);
-            if !loops.edges.is_empty() {
-                part(ui, "Loops, after what determines them", &mut |ui| {
-                    graph(&loops, ui);
-                });
-            }
-            let shared = graphs::common_joints(&reading.model, &compiled.plan);
-            if !shared.edges.is_empty() {
-                part(ui, "Loops with joints in common", &mut |ui| {
-                    graph(&shared, ui);
-                });
-            }
-            part(ui, "Methods, errors and operations", &mut |ui| {
-                egui::ScrollArea::horizontal()
-                    .id_salt("report")
-                    .show(ui, |ui| {
-                        let text = egui::RichText::new(&compiled.report).monospace();
-                        ui.add(egui::Label::new(text).extend());
-                    });
+        }
+        let shared = graphs::common_joints(&reading.model, &compiled.plan);
+        if !shared.edges.is_empty() {
+            part(ui, "Loops with joints in common", &mut |ui| {
+                graph(&shared, ui);
+            });
+        }
+        part(ui, "Methods, errors and operations", &mut |ui| {
+            egui::ScrollArea::horizontal().id_salt("report").show(ui, |ui| {
+                let text = egui::RichText::new(&compiled.report).monospace();
+                ui.add(egui::Label::new(text).extend());
             });
         });
+    });
 }
 
 /// A line of what it does. What a motor drives stands under the motor.
@@ -91,34 +78,28 @@ pub(super) fn graph(graph: &Graph, ui: &mut egui::Ui) {
         .any(|edge| graph.vertices[edge.from].level == graph.vertices[edge.to].level);
     let room = if has_arcs { 44.0 } else { 24.0 };
     let size = Vec2::new(width, (count - 1.0).max(0.0) * ROW + VERTEX.y + room);
-    egui::ScrollArea::horizontal()
-        .id_salt(&graph.name)
-        .show(ui, |ui| {
-            let (response, painter) = ui.allocate_painter(size, Sense::hover());
-            response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &graph.name));
-            let places = places(graph, &rows, response.rect);
-            let mut lines = Vec::new();
-            for (number, edge) in graph.edges.iter().enumerate() {
-                let before = graph.edges[..number]
-                    .iter()
-                    .filter(|other| joins_same(edge, other))
-                    .count();
-                let (from, to) = (places[edge.from], places[edge.to]);
-                let points = arc([from, to], before);
-                line(&painter, edge, &points, graph.directed, ui.visuals());
-                lines.push((edge, points));
-            }
-            let boxes = places
-                .iter()
-                .map(|place| Rect::from_center_size(*place, VERTEX));
-            let mut taken: Vec<Rect> = boxes.collect();
-            for (edge, points) in &lines {
-                label(&painter, edge, points, &mut taken, ui.visuals());
-            }
-            for (vertex, place) in graph.vertices.iter().zip(&places) {
-                self::vertex(&painter, vertex, *place, ui.visuals());
-            }
-        });
+    egui::ScrollArea::horizontal().id_salt(&graph.name).show(ui, |ui| {
+        let (response, painter) = ui.allocate_painter(size, Sense::hover());
+        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &graph.name));
+        let places = places(graph, &rows, response.rect);
+        let mut lines = Vec::new();
+        for (number, edge) in graph.edges.iter().enumerate() {
+            let before =
+                graph.edges[..number].iter().filter(|other| joins_same(edge, other)).count();
+            let (from, to) = (places[edge.from], places[edge.to]);
+            let points = arc([from, to], before);
+            line(&painter, edge, &points, graph.directed, ui.visuals());
+            lines.push((edge, points));
+        }
+        let boxes = places.iter().map(|place| Rect::from_center_size(*place, VERTEX));
+        let mut taken: Vec<Rect> = boxes.collect();
+        for (edge, points) in &lines {
+            label(&painter, edge, points, &mut taken, ui.visuals());
+        }
+        for (vertex, place) in graph.vertices.iter().zip(&places) {
+            self::vertex(&painter, vertex, *place, ui.visuals());
+        }
+    });
 }
 
 /// The numbers of the vertices of each level.
@@ -128,9 +109,7 @@ fn rows(graph: &Graph) -> Vec<Vec<usize>> {
     levels.dedup();
     let row = |level: &usize| {
         let all = graph.vertices.iter().enumerate();
-        all.filter(|(_, vertex)| vertex.level == *level)
-            .map(|(number, _)| number)
-            .collect()
+        all.filter(|(_, vertex)| vertex.level == *level).map(|(number, _)| number).collect()
     };
     levels.iter().map(row).collect()
 }
@@ -158,11 +137,8 @@ fn arc([from, to]: [Pos2; 2], before: usize) -> Vec<Pos2> {
     let before = before as f32;
     // Those in a row go below it.
     let is_level = (from.y - to.y).abs() < 1.0;
-    let bend = if is_level {
-        Vec2::new(0.0, 46.0 + 22.0 * before)
-    } else {
-        Vec2::new(26.0 * before, 0.0)
-    };
+    let bend =
+        if is_level { Vec2::new(0.0, 46.0 + 22.0 * before) } else { Vec2::new(26.0 * before, 0.0) };
     let middle = from + 0.5 * (to - from) + bend;
     let point = |part: u8| {
         let part = f32::from(part) / f32::from(PARTS);
@@ -186,11 +162,7 @@ fn line(
             let along = (to - end).normalized();
             let side = 5.0 * along.rot90();
             let head = vec![end, end - 9.0 * along + side, end - 9.0 * along - side];
-            painter.add(egui::Shape::convex_polygon(
-                head,
-                stroke.color,
-                Stroke::NONE,
-            ));
+            painter.add(egui::Shape::convex_polygon(head, stroke.color, Stroke::NONE));
         }
     }
     if edge.kind == EdgeKind::Arm {
@@ -230,9 +202,7 @@ fn label(
         Align2::CENTER_CENTER.anchor_size(center, galley.size())
     };
     let middle = usize::from(PARTS / 2);
-    let mut areas = (0..8)
-        .flat_map(|away| [middle - away, middle + away])
-        .map(area);
+    let mut areas = (0..8).flat_map(|away| [middle - away, middle + away]).map(area);
     let free = areas.find(|area| !taken.iter().any(|other| other.intersects(*area)));
     let rect = free.unwrap_or_else(|| area(middle));
     painter.rect_filled(rect.expand(1.0), 2.0, visuals.panel_fill);
@@ -258,12 +228,6 @@ fn vertex(painter: &egui::Painter, vertex: &Vertex, place: Pos2, visuals: &egui:
         VertexKind::Motor => Stroke::new(2.0, Color32::from_rgb(200, 40, 30)),
         VertexKind::Ground | VertexKind::Link | VertexKind::Loop => Stroke::new(1.0, ink),
     };
-    painter.rect(
-        rect,
-        CornerRadius::same(6),
-        fill,
-        stroke,
-        egui::StrokeKind::Middle,
-    );
+    painter.rect(rect, CornerRadius::same(6), fill, stroke, egui::StrokeKind::Middle);
     painter.galley(rect.center() - galley.size() / 2.0, galley, ink);
 }

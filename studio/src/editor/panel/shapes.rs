@@ -27,10 +27,7 @@ pub(super) fn shapes(
         row(link, number, shape, ui, commands);
     }
     field(ui, &format!("new shape of {link}"), "new", "", |typed| {
-        commands.push(Command::Shape {
-            link: link.to_owned(),
-            shape: typed,
-        });
+        commands.push(Command::Shape { link: link.to_owned(), shape: typed });
     });
     ui.weak(format!("for example: {FIRST}"));
 }
@@ -45,52 +42,31 @@ fn row(link: &str, number: usize, shape: &Shape, ui: &mut egui::Ui, commands: &m
             .width(90.0)
             .selected_text(egui::RichText::new(shown).color(ui.visuals().text_color()))
             .show_ui(ui, |ui| {
-                for (name, entry) in NAMED
-                    .iter()
-                    .filter(|(_, entry)| ![PAPER, EYE].contains(entry))
+                for (name, entry) in NAMED.iter().filter(|(_, entry)| ![PAPER, EYE].contains(entry))
                 {
                     let [red, green, blue] = Palette::TEXTBOOK.rgb(*entry);
                     let text =
                         egui::RichText::new(*name).color(egui::Color32::from_rgb(red, green, blue));
                     if ui.selectable_label(*entry == shape.color, text).clicked() {
                         let color = (*name).to_owned();
-                        commands.push(Command::Recolor {
-                            link: owner(),
-                            shape: number,
-                            color,
-                        });
+                        commands.push(Command::Recolor { link: owner(), shape: number, color });
                     }
                 }
             });
         for (text, help, plane) in [
-            (
-                "Nearer",
-                "puts it on the next plane nearer to the eye",
-                shape.plane + 1,
-            ),
-            (
-                "Farther",
-                "puts it on the next plane farther from the eye",
-                shape.plane - 1,
-            ),
+            ("Nearer", "puts it on the next plane nearer to the eye", shape.plane + 1),
+            ("Farther", "puts it on the next plane farther from the eye", shape.plane - 1),
         ] {
             let label = format!("{text} ({link} {number})");
             let response = ui.button(text).on_hover_text(help);
             response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &label));
             if response.clicked() {
                 let plane = plane.to_string();
-                commands.push(Command::Layer {
-                    link: owner(),
-                    shape: number,
-                    plane,
-                });
+                commands.push(Command::Layer { link: owner(), shape: number, plane });
             }
         }
         if ui.button("Remove").clicked() {
-            commands.push(Command::RemoveShape {
-                link: owner(),
-                shape: number,
-            });
+            commands.push(Command::RemoveShape { link: owner(), shape: number });
         }
         ui.weak(format!("plane {}", shape.plane));
     });

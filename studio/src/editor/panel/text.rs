@@ -120,9 +120,7 @@ fn forget_typing(field: egui::Id, context: &egui::Context) {
 
 /// Where a character begins, in bytes.
 fn byte_of(text: &str, index: usize) -> usize {
-    text.char_indices()
-        .nth(index)
-        .map_or(text.len(), |(byte, _)| byte)
+    text.char_indices().nth(index).map_or(text.len(), |(byte, _)| byte)
 }
 
 const LONGEST_COLORED: usize = 1 << 17;
@@ -143,8 +141,7 @@ fn colored(text: &str, marks: &Marks, visuals: &egui::Visuals) -> LayoutJob {
     let mut add = |range: Range<usize>, color: egui::Color32| {
         for piece in pieces(text, range, marks) {
             let within = |all: &[Range<usize>]| {
-                all.iter()
-                    .any(|one| one.start <= piece.start && piece.end <= one.end)
+                all.iter().any(|one| one.start <= piece.start && piece.end <= one.end)
             };
             let mut format = TextFormat {
                 font_id: egui::FontId::monospace(13.0),
@@ -180,14 +177,7 @@ fn colored(text: &str, marks: &Marks, visuals: &egui::Visuals) -> LayoutJob {
         if range.start > at {
             // Comments; spaces have no colour, and take that of what is before them.
             let is_space = text[at..range.start].trim().is_empty();
-            add(
-                at..range.start,
-                if is_space {
-                    last
-                } else {
-                    visuals.weak_text_color()
-                },
-            );
+            add(at..range.start, if is_space { last } else { visuals.weak_text_color() });
         }
         let color = match lexeme.kind {
             Kind::Word if text[range.clone()].starts_with(|first: char| first.is_ascii_digit()) => {
@@ -206,11 +196,7 @@ fn colored(text: &str, marks: &Marks, visuals: &egui::Visuals) -> LayoutJob {
 
 /// A range of a text, cut where marks begin and end. Marks may be of the text before, which was another.
 fn pieces(text: &str, range: Range<usize>, marks: &Marks) -> Vec<Range<usize>> {
-    let all = marks
-        .wrong
-        .iter()
-        .chain(&marks.selected)
-        .chain(&marks.hovered);
+    let all = marks.wrong.iter().chain(&marks.selected).chain(&marks.hovered);
     let mut cuts: Vec<usize> = all.flat_map(|mark| [mark.start, mark.end]).collect();
     cuts.retain(|cut| range.start < *cut && *cut < range.end && text.is_char_boundary(*cut));
     cuts.extend([range.start, range.end]);
@@ -239,10 +225,7 @@ fn marks(editor: &Editor) -> Marks {
 /// Where something is named in the text, or where a number of it stands.
 fn places_of(item: &Item, listing: &Listing) -> Vec<Range<usize>> {
     let name = item.name();
-    let names = listing
-        .names
-        .iter()
-        .filter(|one| one.part.is_none() && one.path == name);
+    let names = listing.names.iter().filter(|one| one.part.is_none() && one.path == name);
     let names = names.map(|one| one.place.clone());
     let numbers = listing.numbers_of(name).map(|one| one.place.clone());
     names.chain(numbers).collect()
@@ -251,17 +234,9 @@ fn places_of(item: &Item, listing: &Listing) -> Vec<Range<usize>> {
 /// Finds the item at a place in the text.
 fn item_at(byte: usize, listing: &Listing, drawing: &Drawing) -> Option<Item> {
     let within = |place: &Range<usize>| place.start <= byte && byte <= place.end;
-    let number = listing
-        .numbers
-        .iter()
-        .find(|one| !one.is_pair && within(&one.place));
+    let number = listing.numbers.iter().find(|one| !one.is_pair && within(&one.place));
     let name = listing.names.iter().find(|one| within(&one.place));
-    let path = number
-        .map(ListedNumber::path)
-        .or_else(|| name.map(|one| one.path.clone()))?;
+    let path = number.map(ListedNumber::path).or_else(|| name.map(|one| one.path.clone()))?;
     let kinds = [Item::Joint, Item::Axis, Item::Link, Item::Action];
-    kinds
-        .into_iter()
-        .map(|kind| kind(path.clone()))
-        .find(|item| drawing.has(item))
+    kinds.into_iter().map(|kind| kind(path.clone())).find(|item| drawing.has(item))
 }

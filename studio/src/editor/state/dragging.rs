@@ -21,8 +21,7 @@ impl Editor {
         }
         let is_held = |item: &Item| self.desk.is_locked(item);
         if drawing.on_same_pin(item).iter().any(is_held) {
-            self.talk
-                .refuse(format!("{item} is locked; Edit > Unlock frees it"));
+            self.talk.refuse(format!("{item} is locked; Edit > Unlock frees it"));
             return;
         }
         let items = if is_alone {

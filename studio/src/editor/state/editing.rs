@@ -182,11 +182,7 @@ impl Editor {
             return;
         }
         match opened(to) {
-            Ok(Opened {
-                workspace,
-                losses,
-                told,
-            }) => {
+            Ok(Opened { workspace, losses, told }) => {
                 self.open(workspace);
                 self.talk.journal.text += &masked(&losses);
                 if let Some(told) = told {
@@ -253,9 +249,7 @@ fn removal(selected: &BTreeSet<Item>, drawing: Option<&Drawing>) -> Option<Gestu
         [only] => only.title(),
         several => format!("remove {} things", several.len()),
     };
-    let ends = drawing
-        .into_iter()
-        .flat_map(|drawing| ends_that_stay(selected, drawing));
+    let ends = drawing.into_iter().flat_map(|drawing| ends_that_stay(selected, drawing));
     Some(Gesture::new(title, ends.chain(commands).collect()))
 }
 
@@ -274,8 +268,7 @@ fn ends_that_stay(selected: &BTreeSet<Item>, drawing: &Drawing) -> Vec<Command> 
     let (gone, kept): (Vec<JointId>, Vec<JointId>) = model.joint_ids().partition(goes);
     let axes = |joints: Vec<JointId>| {
         let axes = joints.into_iter();
-        axes.filter_map(|joint| model.joint(joint).kind.axes())
-            .flatten()
+        axes.filter_map(|joint| model.joint(joint).kind.axes()).flatten()
     };
     let kept: BTreeSet<AxisId> = axes(kept).collect();
     let is_there = |axis: &AxisId| kept.contains(axis) || drawing.path(*axis).is_some();

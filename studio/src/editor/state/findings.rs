@@ -237,9 +237,7 @@ impl Editor {
         let text = applied.document.source().text();
         self.session.workspace.push(applied.title.as_str(), text);
         match &tried.line {
-            Some(line) => self
-                .talk
-                .answer(line, answer(applied), Ok::<_, Refusal>(())),
+            Some(line) => self.talk.answer(line, answer(applied), Ok::<_, Refusal>(())),
             None => self.talk.tell(applied.summary()),
         }
         let mut drag = std::mem::take(&mut self.sight.drag);

@@ -31,32 +31,20 @@ pub(super) enum End {
 impl<'d> Builder<'d> {
     /// For a mechanism as it is drawn; without one it is begun.
     pub(super) fn new(drawing: Option<&'d Drawing>) -> Self {
-        let begin = Command::Mechanism {
-            name: NAME.to_owned(),
-        };
+        let begin = Command::Mechanism { name: NAME.to_owned() };
         Self {
             drawing,
             names: Names::of(drawing),
-            commands: if drawing.is_none() {
-                vec![begin]
-            } else {
-                Vec::new()
-            },
+            commands: if drawing.is_none() { vec![begin] } else { Vec::new() },
             replaced: Vec::new(),
         }
     }
 
     pub(super) fn gesture(mut self, tool: &str) -> Result<Gesture, String> {
         for path in std::mem::take(&mut self.replaced) {
-            self.add(Command::Remove {
-                kind: Kind::Axis,
-                name: path,
-            });
+            self.add(Command::Remove { kind: Kind::Axis, name: path });
         }
-        let first = self
-            .commands
-            .iter()
-            .find(|one| !matches!(one, Command::Mechanism { .. }));
+        let first = self.commands.iter().find(|one| !matches!(one, Command::Mechanism { .. }));
         let first = first.ok_or_else(|| format!("nothing was picked with {tool}"))?;
         Ok(Gesture::new(first.title(), self.commands))
     }
@@ -119,10 +107,7 @@ impl<'d> Builder<'d> {
             let is_between = [a, b] == links || [b, a] == links;
             let is_free = !links.contains(&LinkId::GROUND) && !drawing.has_motor(&joint.name);
             if is_between && is_free && joint.kind.axes().is_some() {
-                self.add(Command::Remove {
-                    kind: Kind::Joint,
-                    name: joint.name.clone(),
-                });
+                self.add(Command::Remove { kind: Kind::Joint, name: joint.name.clone() });
             }
         }
     }
@@ -147,11 +132,7 @@ impl<'d> Builder<'d> {
         let link = self.name(end);
         let path = self.free_path(&link, word);
         let at = self.pair(end, place);
-        self.add(Command::Axis {
-            path: path.clone(),
-            at,
-            along: None,
-        });
+        self.add(Command::Axis { path: path.clone(), at, along: None });
         path
     }
 
@@ -168,14 +149,10 @@ impl<'d> Builder<'d> {
         let drawing = self.drawing?;
         let of_link = |axis: &AxisId| drawing.model.axis(*axis).link == link;
         match pick.hit {
-            Hit::Axis(axis) => Some(axis)
-                .filter(of_link)
-                .and_then(|axis| drawing.path(axis)),
+            Hit::Axis(axis) => Some(axis).filter(of_link).and_then(|axis| drawing.path(axis)),
             Hit::Joint(joint) => {
                 let axes = drawing.model.joint(joint).kind.axes()?;
-                axes.into_iter()
-                    .filter(of_link)
-                    .find_map(|axis| drawing.path(axis))
+                axes.into_iter().filter(of_link).find_map(|axis| drawing.path(axis))
             }
             _ => None,
         }
@@ -184,16 +161,11 @@ impl<'d> Builder<'d> {
     fn free_path(&self, link: &str, word: &str) -> String {
         let is_taken = |path: &String| {
             let is_new = |command: &Command| matches!(command, Command::Axis { path: known, .. } if known == path);
-            let is_old = self
-                .drawing
-                .is_some_and(|drawing| drawing.axis(path).is_some());
+            let is_old = self.drawing.is_some_and(|drawing| drawing.axis(path).is_some());
             is_old || self.commands.iter().any(is_new)
         };
         let paths = (1..).map(|number: u32| format!("{link}.{word}{number}"));
-        paths
-            .into_iter()
-            .find(|path| !is_taken(path))
-            .unwrap_or_default()
+        paths.into_iter().find(|path| !is_taken(path)).unwrap_or_default()
     }
 
     pub(super) fn name(&self, end: &End) -> String {
@@ -255,11 +227,7 @@ impl<'d> Builder<'d> {
                     _ => along.to_owned(),
                 };
                 let at = self.pair(end, pick.place);
-                self.add(Command::Axis {
-                    path: path.clone(),
-                    at,
-                    along: Some(along),
-                });
+                self.add(Command::Axis { path: path.clone(), at, along: Some(along) });
                 path
             }
         }
@@ -271,19 +239,10 @@ impl<'d> Builder<'d> {
             return;
         };
         let link = drawing.model.axis(*axis).link;
-        let is_of_end = ends
-            .iter()
-            .any(|end| matches!(end, End::Link(one) if *one == link));
+        let is_of_end = ends.iter().any(|end| matches!(end, End::Link(one) if *one == link));
         let is_there = distance(drawing.place(*axis), pick.place) < 1e-9;
-        let is_needed = drawing
-            .model
-            .traces
-            .iter()
-            .any(|trace| trace.point == *axis);
-        if let Some(path) = drawing
-            .path(*axis)
-            .filter(|_| is_of_end && is_there && !is_needed)
-        {
+        let is_needed = drawing.model.traces.iter().any(|trace| trace.point == *axis);
+        if let Some(path) = drawing.path(*axis).filter(|_| is_of_end && is_there && !is_needed) {
             self.replaced.push(path);
         }
     }
@@ -293,16 +252,9 @@ impl<'d> Builder<'d> {
         let drawing = self.drawing()?;
         let link = self.moving_link_at(pick)?;
         let is_pivot = matches!(pick.hit, Hit::Joint(joint) if drawing.model.turns(joint));
-        let center = if is_pivot {
-            Some(pick.place)
-        } else {
-            drawing.pivot(link)
-        };
+        let center = if is_pivot { Some(pick.place) } else { drawing.pivot(link) };
         let center = center.ok_or_else(|| {
-            format!(
-                "link `{}` turns about nothing; pin it first",
-                drawing.model.link(link).name
-            )
+            format!("link `{}` turns about nothing; pin it first", drawing.model.link(link).name)
         })?;
         Ok((link, center))
     }
@@ -315,12 +267,7 @@ pub(super) fn written(value: f64) -> String {
 
 /// A direction of the scene, `30 deg`, in the frame of a pose.
 fn turned(along: &str, Pose { cos, sin, .. }: Pose) -> String {
-    let degrees = along
-        .strip_suffix(" deg")
-        .and_then(|text| text.parse::<f64>().ok());
+    let degrees = along.strip_suffix(" deg").and_then(|text| text.parse::<f64>().ok());
     let turned = degrees.map(|degrees| degrees - sin.atan2(cos).to_degrees());
-    turned.map_or_else(
-        || along.to_owned(),
-        |degrees| format!("{} deg", written(degrees)),
-    )
+    turned.map_or_else(|| along.to_owned(), |degrees| format!("{} deg", written(degrees)))
 }

@@ -54,10 +54,7 @@ pub(super) fn weld(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
 fn assemble(builder: &mut Builder<'_>, picks: &[Pick], form: JointForm) -> Built {
     let [first, second] = two(picks)?;
     let other = builder.moving_link_at(second)?;
-    let ends = [
-        builder.link_beside(first, other).unwrap_or(LinkId::GROUND),
-        other,
-    ];
+    let ends = [builder.link_beside(first, other).unwrap_or(LinkId::GROUND), other];
     if ends[0] == ends[1] {
         return Err("both places are on the same link; pick one on another".to_owned());
     }
@@ -87,10 +84,7 @@ pub(super) fn slider(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     let [first, second] = two(picks)?;
     let along = direction(first, second)?;
     let block = builder.link("block");
-    if let Some(link) = builder
-        .link_at(first)
-        .filter(|link| *link != LinkId::GROUND)
-    {
+    if let Some(link) = builder.link_at(first).filter(|link| *link != LinkId::GROUND) {
         builder.join([&End::Link(link), &block], first, JointForm::Revolute, None);
     }
     builder.join([&GROUND, &block], first, JointForm::Prismatic, Some(along));
@@ -125,17 +119,9 @@ pub(super) fn motor(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     };
     let name = drawing.model.joint(joint).name.clone();
     builder.add(if drawing.model.motor_of(joint).is_some() {
-        Command::Remove {
-            kind: Kind::Motor,
-            name,
-        }
+        Command::Remove { kind: Kind::Motor, name }
     } else {
-        Command::Motor {
-            joint: name,
-            law: None,
-            range: None,
-            step: None,
-        }
+        Command::Motor { joint: name, law: None, range: None, step: None }
     });
     Ok(())
 }
@@ -152,21 +138,12 @@ pub(super) fn trace(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     let pick = one(picks)?;
     let link = builder.moving_link_at(pick)?;
     let point = builder.point_at(pick, link);
-    builder.add(Command::Trace {
-        point,
-        length: TRACED.to_owned(),
-    });
+    builder.add(Command::Trace { point, length: TRACED.to_owned() });
     Ok(())
 }
 
 pub(super) fn spring(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
-    between(
-        builder,
-        picks,
-        ActionKind::Spring,
-        "spring",
-        "stiffness 100",
-    )
+    between(builder, picks, ActionKind::Spring, "spring", "stiffness 100")
 }
 
 pub(super) fn damper(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
@@ -186,11 +163,7 @@ fn between(
         builder.point_at(pick, link)
     });
     let name = builder.names().numbered(word);
-    builder.add(Command::Action {
-        kind,
-        name,
-        body: format!("linear({a}, {b}) {amount}"),
-    });
+    builder.add(Command::Action { kind, name, body: format!("linear({a}, {b}) {amount}") });
     Ok(())
 }
 
@@ -200,11 +173,7 @@ pub(super) fn force(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     let link = builder.moving_link_at(pick)?;
     let point = builder.point_at(pick, link);
     let name = builder.names().numbered("load");
-    builder.add(Command::Action {
-        kind: ActionKind::Load,
-        name,
-        body: format!("force({point})"),
-    });
+    builder.add(Command::Action { kind: ActionKind::Load, name, body: format!("force({point})") });
     Ok(())
 }
 
@@ -265,11 +234,7 @@ pub(super) fn gear(builder: &mut Builder<'_>, picks: &[Pick]) -> Result<(), Stri
     let [(a, center), (b, other)] = [builder.wheel_at(first)?, builder.wheel_at(second)?];
     let radii = [distance(center, touch.place), distance(other, touch.place)];
     let sizes = teeth(radii)?;
-    join(
-        builder,
-        [End::Link(a), End::Link(b)],
-        JointForm::Gear { sizes, on: None },
-    )
+    join(builder, [End::Link(a), End::Link(b)], JointForm::Gear { sizes, on: None })
 }
 
 /// A belt over two wheels of the same size.
@@ -279,11 +244,7 @@ pub(super) fn belt(builder: &mut Builder<'_>, picks: &[Pick]) -> Result<(), Stri
     };
     let [(a, _), (b, _)] = [builder.wheel_at(first)?, builder.wheel_at(second)?];
     let sizes = [TEETH, TEETH].map(|teeth| teeth.to_string());
-    join(
-        builder,
-        [End::Link(a), End::Link(b)],
-        JointForm::Belt { sizes, on: None },
-    )
+    join(builder, [End::Link(a), End::Link(b)], JointForm::Belt { sizes, on: None })
 }
 
 fn join(builder: &mut Builder<'_>, ends: [End; 2], kind: JointForm) -> Result<(), String> {
@@ -292,13 +253,7 @@ fn join(builder: &mut Builder<'_>, ends: [End; 2], kind: JointForm) -> Result<()
     if ends[0] == ends[1] {
         return Err("both places are on the same wheel; pick another".to_owned());
     }
-    builder.add(Command::Join(Assembly {
-        name,
-        kind,
-        ends,
-        at: None,
-        along: None,
-    }));
+    builder.add(Command::Join(Assembly { name, kind, ends, at: None, along: None }));
     Ok(())
 }
 

@@ -98,10 +98,7 @@ const ROWS: [Row; 17] = [
     Row {
         tool: Tool::Slot,
         name: "Slot",
-        picks: &[
-            "the pin on a link",
-            "the link with the slot, in the slot's direction",
-        ],
+        picks: &["the pin on a link", "the link with the slot, in the slot's direction"],
         help: "lets a pin of one link slide in another link",
         build: build::slot,
     },
@@ -143,10 +140,7 @@ const ROWS: [Row; 17] = [
     Row {
         tool: Tool::Point,
         name: "Point",
-        picks: &[
-            "a link, or the paper for the ground",
-            "the place of the point",
-        ],
+        picks: &["a link, or the paper for the ground", "the place of the point"],
         help: "fixes a point to a link",
         build: build::point,
     },

@@ -60,9 +60,6 @@ impl NamedPick {
             let named = self.item.as_ref().and_then(|item| drawing.hit_of(item));
             named.unwrap_or_else(|| drawing.hit(self.place, reach))
         });
-        Pick {
-            place: self.place,
-            hit,
-        }
+        Pick { place: self.place, hit }
     }
 }

@@ -42,13 +42,7 @@ pub(in crate::editor) struct Led {
 
 impl Hold {
     pub(super) fn begin(self, text: &Held) -> Result<Drag, Refusal> {
-        let Self {
-            path,
-            pose,
-            from,
-            followers,
-            ..
-        } = self;
+        let Self { path, pose, from, followers, .. } = self;
         let known = match text {
             Held::Known(snapshot) => snapshot.known(),
             Held::Text(..) => None,
@@ -71,11 +65,7 @@ impl Led {
         let title = commands.first().map(Command::title).unwrap_or_default();
         let gesture = Gesture::new(title, commands);
         let outcome = drag.move_to(to).map(|dragged| (dragged, gesture));
-        Self {
-            number,
-            to,
-            outcome,
-        }
+        Self { number, to, outcome }
     }
 }
 
@@ -108,11 +98,6 @@ impl Previewed {
             }
             None => (None, snapshot.paths()),
         };
-        Self {
-            number,
-            fault,
-            mechanism,
-            paths,
-        }
+        Self { number, fault, mechanism, paths }
     }
 }

@@ -49,10 +49,7 @@ pub(super) struct Text {
 
 impl Text {
     pub(super) fn of(workspace: &Workspace) -> Self {
-        Self {
-            document: workspace.document(),
-            index: workspace.index(),
-        }
+        Self { document: workspace.document(), index: workspace.index() }
     }
 }
 
@@ -200,11 +197,7 @@ impl Worker {
     }
 
     fn here(is_shown: Option<bool>) -> Self {
-        Self::Here {
-            agenda: Box::default(),
-            found: VecDeque::new(),
-            is_shown,
-        }
+        Self::Here { agenda: Box::default(), found: VecDeque::new(), is_shown }
     }
 
     /// One with threads of its own, which call `wake` when they have found something out.
@@ -215,11 +208,7 @@ impl Worker {
 
     pub(super) fn give(&mut self, task: Task) -> Result<(), Failure> {
         match self {
-            Self::Here {
-                agenda,
-                found,
-                is_shown,
-            } => {
+            Self::Here { agenda, found, is_shown } => {
                 agenda.add(task);
                 while is_shown.is_none() && !agenda.is_done() {
                     found.extend(agenda.go_on());
@@ -252,12 +241,7 @@ impl Worker {
 
     /// Does the next piece between pictures, if it works so, once a picture has shown what the last one found. Returns whether there is more.
     pub(super) fn go_on(&mut self) -> bool {
-        let Self::Here {
-            agenda,
-            found,
-            is_shown: Some(is_shown),
-        } = self
-        else {
+        let Self::Here { agenda, found, is_shown: Some(is_shown) } = self else {
             return false;
         };
         if *is_shown {

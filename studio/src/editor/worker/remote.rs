@@ -30,11 +30,7 @@ pub(in crate::editor) struct Remote {
 impl Remote {
     /// One that is reached by this way.
     pub(in crate::editor) fn new(port: Box<dyn Port>) -> Self {
-        Self {
-            port,
-            known: Known::default(),
-            found: VecDeque::new(),
-        }
+        Self { port, known: Known::default(), found: VecDeque::new() }
     }
 
     pub(super) fn give(&mut self, task: Task) -> Result<(), Failure> {
@@ -116,9 +112,7 @@ impl Server {
 
     fn reply(&mut self, finding: Finding) -> Option<Vec<u8>> {
         let reply = Reply::of(finding, &mut self.known, &mut self.count)?;
-        bytes_of(&reply)
-            .or_else(|failure| undone_bytes(&failure))
-            .ok()
+        bytes_of(&reply).or_else(|failure| undone_bytes(&failure)).ok()
     }
 }
 

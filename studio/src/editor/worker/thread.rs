@@ -54,9 +54,7 @@ impl Threads {
             let (tasks, to_do) = channel();
             let outbox = outbox.clone();
             let thread = thread::Builder::new().name(name.to_owned());
-            thread
-                .stack_size(STACK)
-                .spawn(move || serve(&to_do, &outbox))?;
+            thread.stack_size(STACK).spawn(move || serve(&to_do, &outbox))?;
             std::io::Result::Ok(tasks)
         };
         Ok(Self {

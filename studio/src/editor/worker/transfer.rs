@@ -76,10 +76,7 @@ impl Known {
     }
 
     fn name(&self, snapshot: &Arc<Snapshot>) -> Named {
-        let text = Text {
-            document: snapshot.document.clone(),
-            index: snapshot.index,
-        };
+        let text = Text { document: snapshot.document.clone(), index: snapshot.index };
         Named(self.number_of(snapshot), text)
     }
 
@@ -134,12 +131,7 @@ impl Reply {
                 number,
                 tried.map(|(applied, snapshot)| {
                     // The snapshot has its document and its reading, too.
-                    let Applied {
-                        title,
-                        edits,
-                        notes,
-                        ..
-                    } = applied;
+                    let Applied { title, edits, notes, .. } = applied;
                     Box::new((title, edits, notes, numbered(&snapshot), snapshot))
                 }),
             ),
@@ -155,12 +147,7 @@ impl Reply {
                 Self::Reported(known.number_of(&snapshot)?, found)
             }
             Finding::Measured(curves) => {
-                let Curves {
-                    snapshot,
-                    wanted,
-                    table,
-                    missing,
-                } = *curves;
+                let Curves { snapshot, wanted, table, missing } = *curves;
                 match known.number_of(&snapshot) {
                     Some(number) => Self::Measured(number, wanted, table, missing),
                     None => Self::Plain(Finding::Undone(Undone::Measure, outdated())),

@@ -13,10 +13,7 @@ pub(super) struct Document {
     pub(super) omissions: Vec<Omission>,
 }
 
-#[expect(
-    clippy::struct_excessive_bools,
-    reason = "each is a flag of the format"
-)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a flag of the format")]
 pub(super) struct Connector {
     pub(super) id: Id,
     pub(super) name: Option<String>,
@@ -123,10 +120,7 @@ impl Units {
         };
         let Some(word) = program.text("units") else {
             let scale = Self::default().scale * factor;
-            return Ok(Self {
-                scale,
-                ..Self::default()
-            });
+            return Ok(Self { scale, ..Self::default() });
         };
         let known = UNITS.iter().find(|(known, _, _)| *known == word);
         let (_, name, inch) = known.ok_or_else(|| {

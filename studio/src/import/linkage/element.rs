@@ -48,19 +48,13 @@ impl<'d> Element<'d> {
 
     pub(super) fn wrong(&self, text: impl Into<String>) -> Message {
         let text = text.into();
-        Message {
-            place: self.place(),
-            text,
-        }
+        Message { place: self.place(), text }
     }
 
     /// Makes a message on one of its attributes.
     pub(super) fn wrong_at(&self, name: &str, text: impl Into<String>) -> Message {
         let place = self.attribute(name).map(|found| found.range_value());
-        Message {
-            place: place.unwrap_or_else(|| self.place()),
-            text: text.into(),
-        }
+        Message { place: place.unwrap_or_else(|| self.place()), text: text.into() }
     }
 
     fn attribute(&self, name: &str) -> Option<Attribute<'d, 'd>> {
@@ -92,10 +86,7 @@ impl<'d> Element<'d> {
         let Some(text) = self.text(name) else {
             return Ok(None);
         };
-        let number: f64 = text
-            .trim()
-            .parse()
-            .map_err(|_| self.misread(name, text, "no number"))?;
+        let number: f64 = text.trim().parse().map_err(|_| self.misread(name, text, "no number"))?;
         if !number.is_finite() {
             Err(self.misread(name, text, "no finite number"))
         } else if number.abs() > LARGEST {

@@ -76,12 +76,7 @@ impl Ids {
     pub(super) fn settle_connectors(&self, all: &mut [Connector], omissions: &mut Vec<Omission>) {
         for number in 0..all.len() {
             let id = all[number].id;
-            let Some(first) = self
-                .connectors
-                .get(&id)
-                .copied()
-                .filter(|one| *one != number)
-            else {
+            let Some(first) = self.connectors.get(&id).copied().filter(|one| *one != number) else {
                 continue;
             };
             let later = &mut all[number];

@@ -32,10 +32,8 @@ pub(super) fn read(text: &str) -> Result<Imported, Message> {
     }
     let mended = tags::Mended::of(text);
     let read = read_xml(&mended.text);
-    let mut document = read.map_err(|message| Message {
-        place: mended.old(&message.place),
-        ..message
-    })?;
+    let mut document =
+        read.map_err(|message| Message { place: mended.old(&message.place), ..message })?;
     if mended.has_spaces {
         let what = "attributes without a space between them are read all the same";
         document.omissions.push(Omission::new("document", what));
@@ -44,10 +42,7 @@ pub(super) fn read(text: &str) -> Result<Imported, Message> {
 }
 
 fn read_xml(text: &str) -> Result<document::Document, Message> {
-    let options = ParsingOptions {
-        nodes_limit: MOST_NODES,
-        ..ParsingOptions::default()
-    };
+    let options = ParsingOptions { nodes_limit: MOST_NODES, ..ParsingOptions::default() };
     let tree = roxmltree::Document::parse_with_options(text, options);
     let tree = tree.map_err(|error| unparsed(text, &error))?;
     reading::read(&Element::new(tree.root_element()))
@@ -63,10 +58,7 @@ fn unparsed(text: &str, error: &roxmltree::Error) -> Message {
         }
         _ => byte_of(text, error.pos()),
     };
-    let end = text[start..]
-        .chars()
-        .next()
-        .map_or(start, |letter| start + letter.len_utf8());
+    let end = text[start..].chars().next().map_or(start, |letter| start + letter.len_utf8());
     let why = match error {
         roxmltree::Error::NodesLimitReached => {
             format!("it has more than {MOST_NODES} elements, which no drawing has")
@@ -91,8 +83,5 @@ fn byte_of(text: &str, place: TextPos) -> usize {
     let lines: usize = text.split_inclusive('\n').take(before).map(str::len).sum();
     let letters = text[lines..].char_indices();
     let column = place.col.saturating_sub(1) as usize;
-    letters
-        .map(|(at, _)| lines + at)
-        .nth(column)
-        .unwrap_or(text.len())
+    letters.map(|(at, _)| lines + at).nth(column).unwrap_or(text.len())
 }

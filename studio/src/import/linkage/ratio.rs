@@ -52,11 +52,7 @@ pub(super) fn read(
         let text = "the sizes of this ratio are no decimal numbers between 1e-9 and 1e15";
         Sizes::Teeth(teeth.ok_or_else(|| element.wrong(text))?)
     };
-    Ok(Some(Ratio {
-        is_chain,
-        links: [a, b],
-        sizes,
-    }))
+    Ok(Some(Ratio { is_chain, links: [a, b], sizes }))
 }
 
 /// Whole numbers in the same ratio: themselves, if they are whole.

@@ -44,9 +44,8 @@ pub(super) fn read(root: &Element<'_>) -> Result<Document, Message> {
         .map(|element| connector(element, &ids, &mut omissions))
         .collect::<Result<Vec<_>, _>>()?;
     let links = elements.links.iter();
-    let mut links = links
-        .map(|element| link(element, &ids, &mut omissions))
-        .collect::<Result<Vec<_>, _>>()?;
+    let mut links =
+        links.map(|element| link(element, &ids, &mut omissions)).collect::<Result<Vec<_>, _>>()?;
     let ratios = elements.ratios.iter().zip(1..);
     let ratios = ratios
         .map(|(element, number)| {
@@ -62,13 +61,7 @@ pub(super) fn read(root: &Element<'_>) -> Result<Document, Message> {
         return Err(root.wrong("this document has no link, so it has no mechanism"));
     }
     omissions.extend(elements.unknown.omissions());
-    Ok(Document {
-        units,
-        connectors,
-        links,
-        ratios,
-        omissions,
-    })
+    Ok(Document { units, connectors, links, ratios, omissions })
 }
 
 impl<'d> Elements<'d> {
@@ -120,10 +113,7 @@ fn connector(
         turns = None;
     }
     for (name, what) in [
-        (
-            "limitangle",
-            "the angle to which its motor is limited is not read",
-        ),
+        ("limitangle", "the angle to which its motor is limited is not read"),
         ("startoffset", "the offset of its motor is not read"),
     ] {
         if element.number(name)?.is_some_and(|value| value != 0.0) {
@@ -165,12 +155,9 @@ fn slide(
     if !element.flag("slider")? {
         return Ok(None);
     }
-    let limits = element
-        .children()
-        .filter(|child| child.name() == "slidelimit");
-    let limits = limits
-        .map(|child| ids.connector_of(&child, losses))
-        .collect::<Result<Vec<_>, _>>()?;
+    let limits = element.children().filter(|child| child.name() == "slidelimit");
+    let limits =
+        limits.map(|child| ids.connector_of(&child, losses)).collect::<Result<Vec<_>, _>>()?;
     let limits: Vec<usize> = limits.into_iter().flatten().collect();
     let limits = match limits[..] {
         [a, b, ..] if a != b => [a, b],
@@ -178,10 +165,7 @@ fn slide(
     };
     // Its sign says on which side of the limits the centre is, which is seen from the connector itself.
     let radius = radius.abs() * ids.scale;
-    Ok(Some(Slide {
-        limits,
-        radius: (radius > 0.0).then_some(radius),
-    }))
+    Ok(Some(Slide { limits, radius: (radius > 0.0).then_some(radius) }))
 }
 
 fn link(element: &Element<'_>, ids: &Ids, omissions: &mut Vec<Omission>) -> Result<Link, Message> {
@@ -228,9 +212,7 @@ fn cylinder(
     }
     let &[first, second] = connectors else {
         let count = connectors.len();
-        losses.note(format!(
-            "a cylinder has two connectors; this one has {count}, so it is none"
-        ));
+        losses.note(format!("a cylinder has two connectors; this one has {count}, so it is none"));
         return Ok(None);
     };
     let stroke = element.number("throw")?.filter(|stroke| *stroke != 0.0);

@@ -107,12 +107,7 @@ fn slider(
     if along(document, slide.limits) == [0.0, 0.0] {
         return Err("the two connectors between which it slides are at one place");
     }
-    Ok(Slider {
-        connector,
-        slide,
-        own,
-        on: *on,
-    })
+    Ok(Slider { connector, slide, own, on: *on })
 }
 
 /// The vector from one limit to the other.
@@ -123,21 +118,14 @@ fn along(document: &Document, limits: [usize; 2]) -> Pair {
 
 /// The arc of this radius through both limits whose centre fits the connector.
 fn arc(document: &Document, slider: &Slider, radius: f64) -> Result<Option<Guide>, &'static str> {
-    let [from, to] = slider
-        .slide
-        .limits
-        .map(|limit| document.connectors[limit].at);
+    let [from, to] = slider.slide.limits.map(|limit| document.connectors[limit].at);
     let half = [(to[0] - from[0]) / 2.0, (to[1] - from[1]) / 2.0];
     let length = half[0].hypot(half[1]);
     let height = (radius * radius - length * length).max(0.0).sqrt() / length;
     let at = document.connectors[slider.connector].at;
     let off = |center: &Pair| ((at[0] - center[0]).hypot(at[1] - center[1]) - radius).abs();
-    let centers = [height, -height].map(|height| {
-        [
-            from[0] + half[0] - half[1] * height,
-            from[1] + half[1] + half[0] * height,
-        ]
-    });
+    let centers = [height, -height]
+        .map(|height| [from[0] + half[0] - half[1] * height, from[1] + half[1] + half[0] * height]);
     let center = centers.into_iter().min_by(|a, b| off(a).total_cmp(&off(b)));
     let center = center.filter(|center| off(center) <= OFF * radius);
     let center = center.ok_or("it is not on the arc on which it slides")?;

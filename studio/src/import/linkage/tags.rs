@@ -114,9 +114,7 @@ impl Mended {
     pub(super) fn old(&self, place: &Range<usize>) -> Range<usize> {
         let old = |byte: usize| {
             let before = self.inserted.iter().take_while(|(at, _)| *at < byte);
-            byte - before
-                .map(|(at, length)| (byte - at).min(*length))
-                .sum::<usize>()
+            byte - before.map(|(at, length)| (byte - at).min(*length)).sum::<usize>()
         };
         old(place.start)..old(place.end)
     }
@@ -142,10 +140,7 @@ mod tests {
     #[test]
     fn what_linkage_reads_becomes_xml() {
         let mended = Mended::of("<a b=\"1\"c='2&3'/><!--x=\"\"y--><d e=\"&amp;\"\n/>f&g");
-        assert_eq!(
-            mended.text,
-            "<a b=\"1\" c='2&amp;3'/><!--x=\"\"y--><d e=\"&amp;\"\n/>f&g"
-        );
+        assert_eq!(mended.text, "<a b=\"1\" c='2&amp;3'/><!--x=\"\"y--><d e=\"&amp;\"\n/>f&g");
         assert!(mended.has_spaces);
         // The `d` of the second tag.
         let place = mended.text.find("<d").expect("a tag");

@@ -29,10 +29,7 @@ pub(super) fn translate(mut document: Document) -> Imported {
     translation.cylinders();
     translation.ratios();
     translation.pictures();
-    Imported {
-        drawing: translation.drawing,
-        omissions: translation.omissions,
-    }
+    Imported { drawing: translation.drawing, omissions: translation.omissions }
 }
 
 struct Translation<'d> {
@@ -91,9 +88,7 @@ impl Translation<'_> {
             let connector = &self.document.connectors[number];
             let ends = self.unions.at(self.document, number);
             let before = self.drawing.joints.len();
-            let pin = self
-                .drawing
-                .pin(&name_at(connector, "pin"), connector.at, &ends);
+            let pin = self.drawing.pin(&name_at(connector, "pin"), connector.at, &ends);
             if let Some(guide) = guides.get(&number) {
                 self.slide(connector, guide);
             }
@@ -155,8 +150,7 @@ impl Translation<'_> {
             Guide::Line { ends, along } => {
                 let (at, along) = (connector.at, Direction::Vector(along));
                 let name = name_at(connector, "guide");
-                self.drawing
-                    .join(&name, Form::Prismatic { at, along }, ends);
+                self.drawing.join(&name, Form::Prismatic { at, along }, ends);
             }
             Guide::Arc { ends, center } => self.arc(connector, ends, center),
         }
@@ -166,10 +160,7 @@ impl Translation<'_> {
     fn arc(&mut self, connector: &Connector, [pin, guide]: [End; 2], center: Pair) {
         let name = name_at(connector, "arc");
         let link = End::Link(self.drawing.links.len());
-        self.drawing.links.push(drawing::Link {
-            name: name.clone(),
-            ..drawing::Link::default()
-        });
+        self.drawing.links.push(drawing::Link { name: name.clone(), ..drawing::Link::default() });
         let form = |at| Form::Revolute { at };
         let middle = format!("{name} center");
         self.drawing.join(&middle, form(center), [guide, link]);
@@ -197,14 +188,9 @@ impl Translation<'_> {
                 self.omissions.push(Omission::new(of, what));
                 continue;
             }
-            let form = Form::Prismatic {
-                at: from,
-                along: Direction::Vector(along),
-            };
+            let form = Form::Prismatic { at: from, along: Direction::Vector(along) };
             let ends = [barrel, rod].map(End::Link);
-            let joint = self
-                .drawing
-                .join(&format!("{} stroke", name(link)), form, ends);
+            let joint = self.drawing.join(&format!("{} stroke", name(link)), form, ends);
             self.drawing.motors.push(Motor {
                 joint,
                 stroke: cylinder.stroke,

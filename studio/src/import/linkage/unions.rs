@@ -30,11 +30,8 @@ impl Unions {
     pub(super) fn of(document: &Document, omissions: &mut Vec<Omission>) -> Self {
         let connectors = carried(document, omissions);
         let groups = grouped(document, &connectors, omissions);
-        let mut unions = Self {
-            ends: vec![None; document.links.len()],
-            links: Vec::new(),
-            connectors,
-        };
+        let mut unions =
+            Self { ends: vec![None; document.links.len()], links: Vec::new(), connectors };
         let mut numbers: Vec<Option<usize>> = vec![None; document.links.len() + 1];
         for (number, link) in document.links.iter().enumerate() {
             if !link.is_of_mechanism {

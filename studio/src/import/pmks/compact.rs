@@ -50,14 +50,7 @@ impl Generation for Compact {
         };
         // A missing number is zero.
         let number = |field: Option<&Field<'q>>| field.map_or(Ok(0.0), decimal);
-        let [
-            is_prismatic,
-            is_input,
-            is_grounded,
-            is_welded,
-            is_traced,
-            is_sealed,
-        ] = flags;
+        let [is_prismatic, is_input, is_grounded, is_welded, is_traced, is_sealed] = flags;
         let along = decimal(angle)?;
         let joint = Joint {
             is_grounded,
@@ -139,11 +132,7 @@ impl Generation for Compact {
             joints: joints.find_all(own.into_iter())?,
             welded: Vec::new(),
             mass,
-            color: if is_block {
-                None
-            } else {
-                colored(color, &name, omissions)
-            },
+            color: if is_block { None } else { colored(color, &name, omissions) },
             name,
         };
         Ok((link, welded))

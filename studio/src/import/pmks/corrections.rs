@@ -58,11 +58,7 @@ impl<'q> Correction<'q> {
             }
             ('L', field) => {
                 let mass = &mut links[link_ids.find(&self.id)?].mass;
-                let mass = mass.get_or_insert(Mass {
-                    value: 0.0,
-                    at: [0.0, 0.0],
-                    inertia: 0.0,
-                });
+                let mass = mass.get_or_insert(Mass { value: 0.0, at: [0.0, 0.0], inertia: 0.0 });
                 match field {
                     0 if value >= 0.0 => mass.value = value,
                     1 if value >= 0.0 => mass.inertia = value,

@@ -86,12 +86,7 @@ impl Generation for Early {
         let own = lists.next().unwrap_or_default();
         let welded = lists.flatten().copied().collect();
         let name = name_of(&id, &id);
-        let mass = mass_of(
-            mass,
-            decimal(mass)?,
-            decimal(inertia)?,
-            [decimal(x)?, decimal(y)?],
-        )?;
+        let mass = mass_of(mass, decimal(mass)?, decimal(inertia)?, [decimal(x)?, decimal(y)?])?;
         let color = color.filter(|_| !is_block);
         let link = Link {
             is_root,

@@ -26,10 +26,7 @@ pub(super) struct Speeds {
     pub(super) sliding: f64,
 }
 
-#[expect(
-    clippy::struct_excessive_bools,
-    reason = "each is a flag of the format"
-)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a flag of the format")]
 pub(super) struct Joint {
     pub(super) name: String,
     pub(super) at: Pair,
@@ -88,10 +85,7 @@ pub(super) struct Ids<'q> {
 
 impl<'q> Ids<'q> {
     pub(super) fn of(what: &'static str) -> Self {
-        Self {
-            what,
-            numbers: BTreeMap::new(),
-        }
+        Self { what, numbers: BTreeMap::new() }
     }
 
     /// Enters the id of the next one.
@@ -102,9 +96,9 @@ impl<'q> Ids<'q> {
         }
         let number = self.numbers.len();
         if number >= MOST {
-            return Err(id.wrong(format!(
-                "there are more than {MOST} {what}s, which no drawing has"
-            )));
+            return Err(
+                id.wrong(format!("there are more than {MOST} {what}s, which no drawing has"))
+            );
         }
         if self.numbers.insert(id.text(), number).is_some() {
             let text = id.text();
@@ -144,10 +138,7 @@ impl<'q> Ids<'q> {
 /// A name; its id where it has none.
 pub(super) fn name_of(name: &Field<'_>, id: &Field<'_>) -> String {
     let own = [name, id].into_iter().map(|one| one.text().trim());
-    own.filter(|name| !name.is_empty())
-        .map(ToOwned::to_owned)
-        .next()
-        .unwrap_or_default()
+    own.filter(|name| !name.is_empty()).map(ToOwned::to_owned).next().unwrap_or_default()
 }
 
 impl Joint {
@@ -178,11 +169,7 @@ pub(super) fn mass_of(
     if mass < 0.0 || inertia < 0.0 {
         return Err(field.wrong("a mass and a moment of inertia are not below zero"));
     }
-    Ok((mass > 0.0).then_some(Mass {
-        value: mass,
-        at,
-        inertia,
-    }))
+    Ok((mass > 0.0).then_some(Mass { value: mass, at, inertia }))
 }
 
 /// The parts of a force of this magnitude, from its start to its end or back.

@@ -49,9 +49,7 @@ pub(super) fn read(query: &Field<'_>) -> Result<Linkage, Message> {
     let forces = forces.collect::<Result<Vec<_>, _>>()?;
     for other in query.split('&') {
         let text = other.text().trim();
-        let is_empty = text
-            .split_once('=')
-            .is_none_or(|(_, inside)| inside.is_empty());
+        let is_empty = text.split_once('=').is_none_or(|(_, inside)| inside.is_empty());
         if !is_empty && !READ.iter().any(|mark| text.starts_with(mark)) {
             let mark: String = text.chars().take_while(|letter| *letter != '=').collect();
             let what = "this section of the link is not read";
@@ -62,24 +60,14 @@ pub(super) fn read(query: &Field<'_>) -> Result<Linkage, Message> {
     let settings = settings.filter(|field| !field.text().trim().is_empty());
     let settings = settings.map(|field| settings_of(&field)).transpose()?;
     let (speeds, has_gravity, unit) = settings.unwrap_or_default();
-    Ok(Linkage {
-        unit,
-        has_gravity,
-        speeds,
-        joints,
-        links,
-        forces,
-        omissions,
-    })
+    Ok(Linkage { unit, has_gravity, speeds, joints, links, forces, omissions })
 }
 
 /// The lines of a section that has to be there.
 fn section<'q>(query: &Field<'q>, mark: &str) -> Result<impl Iterator<Item = Field<'q>>, Message> {
     let found = query.behind(mark);
     let found = found.ok_or_else(|| {
-        query.wrong(format!(
-            "`{mark}` is missing in this link of a version before April 2023"
-        ))
+        query.wrong(format!("`{mark}` is missing in this link of a version before April 2023"))
     })?;
     Ok(lines(found))
 }
@@ -149,11 +137,7 @@ fn joint<'q>(line: Field<'q>, ids: &mut Ids<'q>) -> Result<Draft<'q>, Message> {
     let slides = is_prismatic(&kind);
     let slides = slides
         .ok_or_else(|| kind.wrong(format!("`{}` is neither `R` nor `P`", kind.text().trim())))?;
-    let (angle, next) = if flag(&angle).is_ok() {
-        (next, angle)
-    } else {
-        (angle, next)
-    };
+    let (angle, next) = if flag(&angle).is_ok() { (next, angle) } else { (angle, next) };
     let along = slides.then(|| number(&angle)).transpose()?;
     let (is_input, friction) = match others.first() {
         Some(last) if flag(&next).is_err() => (flag(last)?, number_if_any(&next)?),
@@ -164,11 +148,7 @@ fn joint<'q>(line: Field<'q>, ids: &mut Ids<'q>) -> Result<Draft<'q>, Message> {
         is_input,
         ..Joint::plain(name_of(&id, &id), [number(&x)?, number(&y)?], along)
     };
-    Ok(Draft {
-        joint,
-        links,
-        friction,
-    })
+    Ok(Draft { joint, links, friction })
 }
 
 /// Adds the blocks of slides, which joints name, but which did not stand among the links at first.
@@ -234,27 +214,11 @@ fn link<'q>(line: Field<'q>, joints: &Ids<'q>, ids: &mut Ids<'q>) -> Result<Link
 
 /// `[id],[link],[start x],[start y],[end x],[end y],[in the scene],[outward],[magnitude]`; at first the last were its parts along x and y.
 fn force<'q>(line: Field<'q>, links: &Ids<'q>) -> Result<Force, Message> {
-    let (
-        [
-            id,
-            link,
-            x,
-            y,
-            end_x,
-            end_y,
-            is_global,
-            is_outward,
-            magnitude,
-        ],
-        others,
-    ) = fields(&line, "force")?;
+    let ([id, link, x, y, end_x, end_y, is_global, is_outward, magnitude], others) =
+        fields(&line, "force")?;
     let more = others.first().filter(|one| !one.text().trim().is_empty());
     let more = more.map_or(Ok(0.0), number)?;
-    let magnitude = if more == 0.0 {
-        number(&magnitude)?
-    } else {
-        number(&magnitude)?.hypot(more)
-    };
+    let magnitude = if more == 0.0 { number(&magnitude)? } else { number(&magnitude)?.hypot(more) };
     let at = [number(&x)?, number(&y)?];
     let end = [number(&end_x)?, number(&end_y)?];
     Ok(Force {
@@ -270,10 +234,7 @@ fn force<'q>(line: Field<'q>, links: &Ids<'q>) -> Result<Force, Message> {
 fn settings_of(field: &Field<'_>) -> Result<(Speeds, bool, Option<Unit>), Message> {
     let ([speed, is_clockwise, has_gravity, unit], _) = fields(field, "list of settings")?;
     let sense = if flag(&is_clockwise)? { -1.0 } else { 1.0 };
-    let speeds = Speeds {
-        turning: sense * number(&speed)?,
-        sliding: 0.0,
-    };
+    let speeds = Speeds { turning: sense * number(&speed)?, sliding: 0.0 };
     let word = unit.text().trim();
     let known = WORDS.iter().find(|(known, _)| *known == word);
     let known = known.and_then(|(_, number)| UNITS.get(*number));

@@ -21,9 +21,7 @@ impl Query {
     pub(super) fn of(link: &str) -> Result<Self, Message> {
         let end = link.trim_end().len();
         let start = link.len() - link.trim_start().len();
-        let start = link[..end]
-            .find('?')
-            .map_or(start.min(end), |mark| mark + 1);
+        let start = link[..end].find('?').map_or(start.min(end), |mark| mark + 1);
         let mut bytes = Vec::with_capacity(end - start);
         let mut places = Vec::with_capacity(end - start + 1);
         let mut at = start;
@@ -55,11 +53,7 @@ impl Query {
     }
 
     pub(super) fn whole(&self) -> Field<'_> {
-        Field {
-            query: self,
-            start: 0,
-            end: self.text.len(),
-        }
+        Field { query: self, start: 0, end: self.text.len() }
     }
 }
 
@@ -70,10 +64,7 @@ impl<'q> Field<'q> {
 
     pub(super) fn wrong(&self, text: impl Into<String>) -> Message {
         let places = &self.query.places;
-        Message {
-            place: places[self.start]..places[self.end],
-            text: text.into(),
-        }
+        Message { place: places[self.start]..places[self.end], text: text.into() }
     }
 
     pub(super) fn split(self, separator: char) -> impl Iterator<Item = Self> {
@@ -91,53 +82,29 @@ impl<'q> Field<'q> {
     pub(super) fn first(&self) -> Option<(Self, Self)> {
         let length = self.text().chars().next()?.len_utf8();
         let middle = self.start + length;
-        let first = Self {
-            end: middle,
-            ..*self
-        };
-        Some((
-            first,
-            Self {
-                start: middle,
-                ..*self
-            },
-        ))
+        let first = Self { end: middle, ..*self };
+        Some((first, Self { start: middle, ..*self }))
     }
 
     /// Splits off its last letter.
     pub(super) fn last(&self) -> Option<(Self, Self)> {
         let length = self.text().chars().next_back()?.len_utf8();
         let middle = self.end - length;
-        let before = Self {
-            end: middle,
-            ..*self
-        };
-        Some((
-            before,
-            Self {
-                start: middle,
-                ..*self
-            },
-        ))
+        let before = Self { end: middle, ..*self };
+        Some((before, Self { start: middle, ..*self }))
     }
 
     /// Splits it at the last letter of a kind, which is left out.
     pub(super) fn before_last(&self, letter: char) -> Option<(Self, Self)> {
         let middle = self.start + self.text().rfind(letter)?;
-        let before = Self {
-            end: middle,
-            ..*self
-        };
+        let before = Self { end: middle, ..*self };
         let start = middle + letter.len_utf8();
         Some((before, Self { start, ..*self }))
     }
 
     /// From its beginning to the end of a later one.
     pub(super) fn through(self, last: Self) -> Self {
-        Self {
-            end: last.end,
-            ..self
-        }
+        Self { end: last.end, ..self }
     }
 
     /// Finds the stretch behind a mark, as `&l=`, up to the next `&` or to the end.
@@ -145,10 +112,6 @@ impl<'q> Field<'q> {
         let start = self.start + self.text().find(mark)? + mark.len();
         let after = &self.query.text[start..self.end];
         let end = after.find('&').map_or(self.end, |length| start + length);
-        Some(Self {
-            query: self.query,
-            start,
-            end,
-        })
+        Some(Self { query: self.query, start, end })
     }
 }

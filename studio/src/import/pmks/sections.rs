@@ -91,26 +91,14 @@ impl<'q> Sections<'q> {
         let joints = section("the end of its joints")?;
         let links = section("the end of its links")?;
         // Since August 2023, the selection stands behind the forces.
-        let forces: Vec<Field<'q>> = tokens
-            .by_ref()
-            .take_while(|token| !token.text().is_empty())
-            .collect();
+        let forces: Vec<Field<'q>> =
+            tokens.by_ref().take_while(|token| !token.text().is_empty()).collect();
         tokens.next();
         // Since 2025, entries of the editor follow. They may have points in them.
         let extras = tokens.next().map(|first| first.through(body));
         let corrections = extras.map(|extras| read_extras(extras, &mut omissions));
         let corrections = corrections.transpose()?.unwrap_or_default();
-        Ok(Self {
-            body,
-            unit,
-            has_gravity,
-            speeds,
-            joints,
-            links,
-            forces,
-            corrections,
-            omissions,
-        })
+        Ok(Self { body, unit, has_gravity, speeds, joints, links, forces, corrections, omissions })
     }
 
     pub(super) fn read<G: Generation>(self) -> Result<Linkage, Message> {
@@ -146,19 +134,15 @@ impl<'q> Sections<'q> {
             let (all, every) = (&mut joints[..], &mut links[..]);
             if !correction.apply((all, &joint_ids), (every, &link_ids), &mut speeds)? {
                 let what = "a number with more than three decimals is read with three";
-                omissions.push(Omission::new(
-                    format!("`{}`", short(correction.text())),
-                    what,
-                ));
+                omissions.push(Omission::new(format!("`{}`", short(correction.text())), what));
             }
         }
         for link in &mut links {
             link.mass = link.mass.filter(|mass| mass.value > 0.0);
         }
         let forces = self.forces.into_iter();
-        let forces = forces
-            .map(|field| G::force(field, &link_ids))
-            .collect::<Result<Vec<_>, _>>()?;
+        let forces =
+            forces.map(|field| G::force(field, &link_ids)).collect::<Result<Vec<_>, _>>()?;
         Ok(Linkage {
             unit: self.unit,
             has_gravity: self.has_gravity,
@@ -217,10 +201,7 @@ fn slot_of<'q>(
             return Err(field.wrong(text));
         }
     }
-    Ok(Slot {
-        carrier: link,
-        ends,
-    })
+    Ok(Slot { carrier: link, ends })
 }
 
 /// Reads whether the input turns clockwise, and whether gravity acts: links of before its switch mean that it does.

@@ -31,10 +31,7 @@ pub(super) fn translate(mut linkage: Linkage) -> Imported {
         translation.force(force);
     }
     translation.remarks();
-    Imported {
-        drawing: translation.drawing,
-        omissions: translation.omissions,
-    }
+    Imported { drawing: translation.drawing, omissions: translation.omissions }
 }
 
 struct Translation<'l> {
@@ -177,11 +174,7 @@ impl Translation<'_> {
     fn weighed(&self, mass: Mass) -> Mass {
         let factors = self.linkage.unit.map(|unit| [unit.mass, unit.inertia]);
         let [value, inertia] = factors.unwrap_or([1.0, 1.0]);
-        Mass {
-            value: mass.value * value,
-            inertia: mass.inertia * inertia,
-            ..mass
-        }
+        Mass { value: mass.value * value, inertia: mass.inertia * inertia, ..mass }
     }
 
     /// Returns the end for a link, or for the link into which it is welded.
@@ -243,14 +236,11 @@ impl Translation<'_> {
                         self.omissions.push(Omission::free_links(&of));
                     }
                 }
-                None => self
-                    .omissions
-                    .push(Omission::new(&*of, "its motor has nothing to move")),
+                None => self.omissions.push(Omission::new(&*of, "its motor has nothing to move")),
             }
         }
         if links.is_empty() && !(joint.along.is_none() && track.is_some()) {
-            self.omissions
-                .push(Omission::new(&*of, "no link that moves has it"));
+            self.omissions.push(Omission::new(&*of, "no link that moves has it"));
         } else if has_form && first.is_none() && track.is_some() && joint.along.is_some() {
             let what = "what slides there and what it slides on are one";
             self.omissions.push(Omission::new(of, what));
@@ -258,11 +248,8 @@ impl Translation<'_> {
         // The path of a block is that of its pin.
         let is_traced = joint.is_traced && !has_block;
         let is_fixed = joint.along.is_none() && ends.contains(&End::Ground);
-        let point = Point {
-            name: joint.name.clone(),
-            at: joint.at,
-            is_traced: is_traced && !is_fixed,
-        };
+        let point =
+            Point { name: joint.name.clone(), at: joint.at, is_traced: is_traced && !is_fixed };
         self.drawing.mark(&links, point, first.is_some());
     }
 
@@ -308,13 +295,8 @@ impl Translation<'_> {
         let name = &*joint.name;
         let riders: Vec<End> = links.iter().copied().filter(|end| *end != track).collect();
         let (first, others) = riders.split_first()?;
-        let block = (joint.mass > 0.0).then(|| {
-            self.weighed(Mass {
-                value: joint.mass,
-                at,
-                inertia: 0.0,
-            })
-        });
+        let block =
+            (joint.mass > 0.0).then(|| self.weighed(Mass { value: joint.mass, at, inertia: 0.0 }));
         let (ends, pinned) = match (joint.is_welded || joint.is_sealed, block) {
             (true, _) => ([track, *first], others),
             (false, None) => ([*first, track], others),
@@ -338,8 +320,7 @@ impl Translation<'_> {
         let [slides, _] = if turns { ends } else { [ends[1], ends[0]] };
         for other in pinned {
             let pin = format!("{name} pin");
-            self.drawing
-                .join(&pin, Form::Revolute { at }, [slides, *other]);
+            self.drawing.join(&pin, Form::Revolute { at }, [slides, *other]);
         }
         if let (Some(mass), End::Link(link)) = (block, slides) {
             let own = &mut self.drawing.links[link].mass;
@@ -351,11 +332,7 @@ impl Translation<'_> {
     /// The direction of a slider. What is a usual angle but for rounding is that angle.
     fn direction(&mut self, of: &str, angle: f64) -> Direction {
         // Whole turns are no matter of a direction. Links have three decimals.
-        let angle = if angle.abs() < TAU {
-            angle
-        } else {
-            rounded(angle % TAU, 1e-6)
-        };
+        let angle = if angle.abs() < TAU { angle } else { rounded(angle % TAU, 1e-6) };
         if angle == 0.0 {
             return Direction::Vector([1.0, 0.0]);
         }
@@ -379,19 +356,11 @@ impl Translation<'_> {
         };
         let points = &mut self.drawing.links[link].points;
         let point = points.len();
-        points.push(Point {
-            name: force.name.clone(),
-            at: force.at,
-            is_traced: false,
-        });
+        points.push(Point { name: force.name.clone(), at: force.at, is_traced: false });
         let name = force.name.clone();
         self.drawing.loads.push(Load { name, link, point });
         let [x, y] = force.parts.map(|part| crate::text::shortest(part, 1e-3));
-        let turns = if force.is_local {
-            "; it turns with its link there"
-        } else {
-            ""
-        };
+        let turns = if force.is_local { "; it turns with its link there" } else { "" };
         let what =
             format!("a load gets its force at run time; it is ({x}, {y}) at the start{turns}");
         self.omissions.push(Omission::new(of, what));
@@ -425,9 +394,5 @@ fn together(a: Mass, b: Mass) -> Mass {
         let [x, y] = [one.at[0] - at[0], one.at[1] - at[1]];
         one.inertia + one.value * (x * x + y * y)
     };
-    Mass {
-        value,
-        at,
-        inertia: inertia(a) + inertia(b),
-    }
+    Mass { value, at, inertia: inertia(a) + inertia(b) }
 }

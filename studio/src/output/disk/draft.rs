@@ -42,20 +42,12 @@ impl Draft {
             file.as_file().set_permissions(rights)?;
         }
         file.as_file().sync_all()?;
-        Ok(Self {
-            file,
-            target: target.to_owned(),
-            is_over,
-        })
+        Ok(Self { file, target: target.to_owned(), is_over })
     }
 
     /// Puts it in its place.
     fn put(self) -> io::Result<()> {
-        let Self {
-            file,
-            target,
-            is_over,
-        } = self;
+        let Self { file, target, is_over } = self;
         if is_over {
             return file.persist(&target).map(drop).map_err(Into::into);
         }
@@ -75,11 +67,8 @@ pub(super) fn put_all(drafts: Vec<Draft>) -> Result<(), (PathBuf, io::Error)> {
     for (number, draft) in drafts.into_iter().enumerate() {
         let target = draft.target.clone();
         // After the last one nothing can fail.
-        let before = if draft.is_over && number < last {
-            second_name(&target).map(Some)
-        } else {
-            Ok(None)
-        };
+        let before =
+            if draft.is_over && number < last { second_name(&target).map(Some) } else { Ok(None) };
         let put = before.and_then(|before| draft.put().map(|()| before));
         match put {
             Ok(before) => done.push((target, before)),

@@ -55,21 +55,13 @@ impl Fence {
     ) -> Result<(), Failure> {
         let path = output.path.display();
         let refused = |why: String| Err(Failure::file(why));
-        if self
-            .script
-            .as_ref()
-            .is_some_and(|script| is_same(script, target))
-        {
-            return refused(format!(
-                "`{path}` is the script itself: it is not written over"
-            ));
+        if self.script.as_ref().is_some_and(|script| is_same(script, target)) {
+            return refused(format!("`{path}` is the script itself: it is not written over"));
         }
         // A link that leads to no file is none either.
         let known = fs::symlink_metadata(target);
         if known.as_ref().is_ok_and(|known| !known.is_file()) {
-            return refused(format!(
-                "`{path}` is no plain file: a script writes nothing else"
-            ));
+            return refused(format!("`{path}` is no plain file: a script writes nothing else"));
         }
         let is_saved = matches!(output.over, Over::Text(_));
         let is_named = |paths: &[PathBuf]| paths.iter().any(|path| path == target);
@@ -89,12 +81,7 @@ impl Fence {
         if self.allowed.iter().any(seen) {
             return Ok(());
         }
-        if !self
-            .allowed
-            .iter()
-            .chain([&self.folder])
-            .any(|one| within(one).is_some())
-        {
+        if !self.allowed.iter().chain([&self.folder]).any(|one| within(one).is_some()) {
             let folder = match self.script {
                 Some(_) => "the script's folder",
                 None => "this folder",
@@ -128,6 +115,5 @@ impl Fence {
 /// Whether a part of a path begins with a dot.
 fn is_hidden(path: &Path) -> bool {
     let begins = |part: &OsStr| part.as_encoded_bytes().starts_with(b".");
-    path.components()
-        .any(|part| matches!(part, Component::Normal(part) if begins(part)))
+    path.components().any(|part| matches!(part, Component::Normal(part) if begins(part)))
 }

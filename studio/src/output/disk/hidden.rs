@@ -55,10 +55,7 @@ mod tests {
         fs::write(path("theirs"), "theirs").expect("a file");
         std::os::unix::fs::symlink("theirs", path(".a.desk")).expect("a link");
         keep(&path(".a.desk"), b"ours", &path("a")).expect("it can be written");
-        assert_eq!(
-            fs::read_to_string(path("theirs")).expect("a file"),
-            "theirs"
-        );
+        assert_eq!(fs::read_to_string(path("theirs")).expect("a file"), "theirs");
         let ours = fs::symlink_metadata(path(".a.desk")).expect("it is there");
         assert!(ours.is_file());
     }

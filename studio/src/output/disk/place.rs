@@ -21,11 +21,7 @@ pub(super) fn folder_of(path: &Path) -> io::Result<PathBuf> {
         Some(folder) if !folder.as_os_str().is_empty() => fs::canonicalize(folder)?,
         _ => fs::canonicalize(".")?,
     };
-    if folder.is_dir() {
-        Ok(folder)
-    } else {
-        Err(ErrorKind::NotADirectory.into())
-    }
+    if folder.is_dir() { Ok(folder) } else { Err(ErrorKind::NotADirectory.into()) }
 }
 
 /// Whether two paths lead to the same file, by links of any kind. Devices and pipes are no files.

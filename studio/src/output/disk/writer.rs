@@ -35,18 +35,12 @@ struct Planned {
 impl Writer {
     /// For lines that nobody types: each file is written at once, within a fence.
     pub(crate) fn within(fence: Fence) -> Self {
-        Self {
-            fence: Some(fence),
-            ..Self::default()
-        }
+        Self { fence: Some(fence), ..Self::default() }
     }
 
     /// For a script: all files are written at its end, within a fence.
     pub(crate) fn of_script(fence: Fence) -> Self {
-        Self {
-            planned: Some(Vec::new()),
-            ..Self::within(fence)
-        }
+        Self { planned: Some(Vec::new()), ..Self::within(fence) }
     }
 
     /// Whether files are written at the end.
@@ -74,11 +68,9 @@ impl Writer {
         self.has_room_for(&output)?;
         match &mut self.planned {
             None => write_all(&[(&output, &target)])?,
-            Some(planned) => planned.push(Planned {
-                over: output.over.clone(),
-                output,
-                target: target.clone(),
-            }),
+            Some(planned) => {
+                planned.push(Planned { over: output.over.clone(), output, target: target.clone() })
+            }
         }
         self.made.push(target);
         Ok(())
@@ -100,19 +92,11 @@ impl Writer {
     /// Writes what is to be written at the end, all or nothing. Gives the files, and their kinds.
     pub(crate) fn finish(self) -> Result<Vec<(OutputKind, PathBuf)>, Failure> {
         let planned = self.planned.unwrap_or_default();
-        for Planned {
-            output,
-            target,
-            over,
-        } in &planned
-        {
+        for Planned { output, target, over } in &planned {
             // Much may have happened since it was planned.
             judge(output, over, target)?;
         }
-        let all: Vec<_> = planned
-            .iter()
-            .map(|one| (&one.output, &*one.target))
-            .collect();
+        let all: Vec<_> = planned.iter().map(|one| (&one.output, &*one.target)).collect();
         write_all(&all)?;
         let outputs = planned.into_iter().map(|one| one.output);
         Ok(outputs.map(|output| (output.kind, output.path)).collect())
@@ -129,9 +113,9 @@ impl Planned {
                     "`{path}` was written by the script after it was read; `open` it in another script"
                 )))
             }
-            Over::Nothing(instead) => Err(Failure::file(format!(
-                "the script writes `{path}` already; {instead}"
-            ))),
+            Over::Nothing(instead) => {
+                Err(Failure::file(format!("the script writes `{path}` already; {instead}")))
+            }
             _ => {
                 self.output = output;
                 Ok(())
@@ -181,23 +165,19 @@ fn judge(output: &Output, over: &Over, target: &Path) -> Result<(), Failure> {
     }
     match over {
         Over::Any | Over::Text(_) => Ok(()),
-        Over::Nothing(instead) => Err(Failure::file(format!(
-            "`{path}` is there already; {instead}"
-        ))),
+        Over::Nothing(instead) => {
+            Err(Failure::file(format!("`{path}` is there already; {instead}")))
+        }
         Over::OfKind(instead) => {
             let kind = output.kind;
             let first = beginning(target, OutputKind::FIRST).map_err(|error| {
-                Failure::file(format!(
-                    "`{path}` is there already and cannot be read: {error}"
-                ))
+                Failure::file(format!("`{path}` is there already and cannot be read: {error}"))
             })?;
             if first.is_empty() || kind.has_ending(target) && kind.begins(&first) {
                 return Ok(());
             }
             let name = kind.name();
-            Err(Failure::file(format!(
-                "`{path}` is there already, and is not {name}; {instead}"
-            )))
+            Err(Failure::file(format!("`{path}` is there already, and is not {name}; {instead}")))
         }
     }
 }

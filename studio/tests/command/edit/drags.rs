@@ -36,14 +36,8 @@ fn joints_stay_closed_while_a_pivot_is_dragged() {
         let to = [4.0 + 0.05 * f64::from(step), 0.02 * f64::from(step)];
         let dragged = drag.move_to(to).expect("it can be there");
         is_near(place(&dragged, "rocker", "p"), to);
-        is_near(
-            place(&dragged, "rocker", "c"),
-            place(&dragged, "coupler", "c"),
-        );
-        is_near(
-            place(&dragged, "crank", "b"),
-            place(&dragged, "coupler", "b"),
-        );
+        is_near(place(&dragged, "rocker", "c"), place(&dragged, "coupler", "c"));
+        is_near(place(&dragged, "crank", "b"), place(&dragged, "coupler", "b"));
     }
 }
 
@@ -51,11 +45,7 @@ fn joints_stay_closed_while_a_pivot_is_dragged() {
 fn a_drag_solves_for_the_constant_as_the_command_does() {
     let dragged = dragged(NAMED, "crank.b", [1.25, 0.0]);
     assert_eq!(dragged.notes, ["THROW = 1.25"]);
-    let command = Command::Move {
-        path: "crank.b".to_owned(),
-        to: [1.25, 0.0],
-        pose: None,
-    };
+    let command = Command::Move { path: "crank.b".to_owned(), to: [1.25, 0.0], pose: None };
     assert_eq!(dragged.edits, done_to(NAMED, &command).edits);
     let tip = place(&dragged, "coupler", "tip");
     let b = place(&dragged, "coupler", "b");

@@ -43,43 +43,24 @@ fn done_to(text: &str, command: &Command) -> Applied {
 #[track_caller]
 fn refused(text: &str, command: &Command) -> Refusal {
     let applied = apply(&document(text), 0, command);
-    applied
-        .map(|applied| applied.document.source().text().to_owned())
-        .expect_err("a refusal")
+    applied.map(|applied| applied.document.source().text().to_owned()).expect_err("a refusal")
 }
 
 fn shift(path: &str, to: [f64; 2], pose: Option<&[(&str, f64)]>) -> Command {
-    let pose = pose.map(|pose| {
-        pose.iter()
-            .map(|(motor, value)| ((*motor).to_owned(), *value))
-            .collect()
-    });
-    Command::Move {
-        path: path.to_owned(),
-        to,
-        pose,
-    }
+    let pose =
+        pose.map(|pose| pose.iter().map(|(motor, value)| ((*motor).to_owned(), *value)).collect());
+    Command::Move { path: path.to_owned(), to, pose }
 }
 
 #[test]
 fn only_the_mechanism_that_is_meant_is_changed() {
     let text = crate::run::rust();
     let document = Document::of(Source::new("a.rs", &*text));
-    let command = Command::Move {
-        path: "a".to_owned(),
-        to: [0.125, 0.0],
-        pose: None,
-    };
+    let command = Command::Move { path: "a".to_owned(), to: [0.125, 0.0], pose: None };
     let applied = apply(&document, 1, &command).expect("it moves");
     let (before, after) = text.rsplit_once("at (0, 0)").expect("two of them");
-    assert_eq!(
-        applied.document.source().text(),
-        format!("{before}at (0.125, 0){after}")
-    );
-    let rename = Command::Rename {
-        path: "crank".to_owned(),
-        name: "lever".to_owned(),
-    };
+    assert_eq!(applied.document.source().text(), format!("{before}at (0.125, 0){after}"));
+    let rename = Command::Rename { path: "crank".to_owned(), name: "lever".to_owned() };
     let applied = apply(&document, 0, &rename).expect("it has that name");
     let middle = text.rfind("mechanism!").expect("two of them");
     let expected = text[..middle].replace("crank", "lever") + &text[middle..];
@@ -91,15 +72,10 @@ fn only_the_mechanism_that_is_meant_is_changed() {
 fn mistakes_that_were_there_before_do_not_hinder() {
     // An unknown statement, and a joint with nothing.
     let text = NAMED.replace("motor a;", "motor a;\nwobble x;");
-    let link = Command::Link {
-        name: "spare".to_owned(),
-    };
+    let link = Command::Link { name: "spare".to_owned() };
     let applied = done_to(&text, &link);
     let after = applied.document.source().text();
-    assert!(
-        after.contains("wobble x;") && after.contains("link spare;"),
-        "{after}"
-    );
+    assert!(after.contains("wobble x;") && after.contains("link spare;"), "{after}");
     let joint = Command::Join(Assembly {
         name: "e".to_owned(),
         kind: JointForm::Revolute,
@@ -112,42 +88,25 @@ fn mistakes_that_were_there_before_do_not_hinder() {
 
 #[test]
 fn fragments_cannot_smuggle_statements() {
-    for value in [
-        "1; link x",
-        "1 }",
-        "1 // x",
-        "1\nlink x",
-        "",
-        "(1",
-        "1 /* x",
-        "\"",
-        "1 turned 2",
-    ] {
+    for value in ["1; link x", "1 }", "1 // x", "1\nlink x", "", "(1", "1 /* x", "\"", "1 turned 2"]
+    {
         let set = Command::Set {
             owner: "rocker.c".to_owned(),
             role: "x".to_owned(),
             value: value.to_owned(),
         };
         refused(NAMED, &set);
-        let constant = Command::Constant {
-            name: "NEW".to_owned(),
-            value: value.to_owned(),
-            is_param: false,
-        };
+        let constant =
+            Command::Constant { name: "NEW".to_owned(), value: value.to_owned(), is_param: false };
         refused(NAMED, &constant);
     }
     for name in ["a b", "a;", "", "1", "a.b.c d"] {
         let name = name.to_owned();
         refused(NAMED, &Command::Link { name });
     }
-    let rename = Command::Rename {
-        path: "rocker".to_owned(),
-        name: "1a".to_owned(),
-    };
+    let rename = Command::Rename { path: "rocker".to_owned(), name: "1a".to_owned() };
     refused(NAMED, &rename);
-    let setting = Command::Setting {
-        statement: "link x".to_owned(),
-    };
+    let setting = Command::Setting { statement: "link x".to_owned() };
     refused(NAMED, &setting);
 }
 
@@ -165,17 +124,10 @@ fn an_edit_at_a_pose_is_carried_back_to_the_declaration() {
     let text = NAMED.replace("(THROW, 0)", "(1.0, 0.0)");
     let applied = done_to(&text, &shift("crank.b", [0.0, 1.25], Some(&[("a", 90.0)])));
     let after = applied.document.source().text();
-    let (_, place) = after
-        .split_once("link crank { point o = (0, 0); point b = (")
-        .expect("the crank");
+    let (_, place) =
+        after.split_once("link crank { point o = (0, 0); point b = (").expect("the crank");
     let (place, _) = place.split_once(')').expect("a place");
-    let numbers: Vec<f64> = place
-        .split(", ")
-        .map(|part| part.parse().expect("a number"))
-        .collect();
-    assert!(
-        (numbers[0] - 1.25).abs() < 1e-12 && numbers[1].abs() < 1e-12,
-        "{place}"
-    );
+    let numbers: Vec<f64> = place.split(", ").map(|part| part.parse().expect("a number")).collect();
+    assert!((numbers[0] - 1.25).abs() < 1e-12 && numbers[1].abs() < 1e-12, "{place}");
     assert!(after.contains("start { a = 10 deg; coupler near 50 deg; }"));
 }

@@ -69,18 +69,11 @@ fn renewed(file: &str) -> String {
         if !lines.is_empty() {
             now.extend(said(&text, &lines).iter().map(|line| format!("{line}\n")));
         }
-        for block in cases
-            .iter()
-            .filter(|block| ["##", "---"].contains(&block.mark))
-        {
+        for block in cases.iter().filter(|block| ["##", "---"].contains(&block.mark)) {
             now += if now.is_empty() { "" } else { "\n" };
             now += &block.to_string();
             if block.mark == "---" {
-                text = if block.head == "@named" {
-                    NAMED.to_owned()
-                } else {
-                    block.body()
-                };
+                text = if block.head == "@named" { NAMED.to_owned() } else { block.body() };
             }
         }
     }

@@ -49,8 +49,7 @@ impl Encoder {
     pub(super) fn joint(mut self, flags: usize, id: &str, [x, y]: [f64; 2], angle: f64) -> Self {
         let [x, y, angle] = [x, y, angle].map(number);
         let flags = letter(flags);
-        self.joints
-            .push(format!("{flags}{id},{id},{x},{y},{angle}"));
+        self.joints.push(format!("{flags}{id},{id},{x},{y},{angle}"));
         self
     }
 

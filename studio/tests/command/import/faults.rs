@@ -11,10 +11,7 @@ fn faulty(text: &str, fault: &str, place: &str) {
     let folder = Folder::new().with("a.linkage2", text);
     let complaint = folder.mech("import a.linkage2").refused(3);
     let place = format!("--> a.linkage2:{place}\n");
-    assert!(
-        complaint.contains(fault) && complaint.contains(&place),
-        "{complaint}"
-    );
+    assert!(complaint.contains(fault) && complaint.contains(&place), "{complaint}");
 }
 
 #[test]
@@ -22,25 +19,15 @@ fn noise_takes_no_time() {
     let start = Instant::now();
     let deep = format!("<linkage2>{}", "<a>".repeat(200_000));
     faulty(&deep, "more than 100000 elements", "1:1");
-    let many: String = (0..2001)
-        .map(|id| format!("<connector id=\"{id}\" x=\"0\" y=\"0\"/>"))
-        .collect();
+    let many: String =
+        (0..2001).map(|id| format!("<connector id=\"{id}\" x=\"0\" y=\"0\"/>")).collect();
     let many = format!("<linkage2>\n{many}</linkage2>");
     faulty(&many, "more than 2000 connectors and links", "2:66891");
-    let wide: String = (0..100_000)
-        .map(|number| format!(" a{number}=''"))
-        .collect();
-    faulty(
-        &format!("<linkage2><b{wide}/></linkage2>"),
-        "more than 200 attributes",
-        "1:11",
-    );
+    let wide: String = (0..100_000).map(|number| format!(" a{number}=''")).collect();
+    faulty(&format!("<linkage2><b{wide}/></linkage2>"), "more than 200 attributes", "1:11");
     let folder = Folder::new().with("a.linkage2", "<a b=".repeat(20 << 20));
     let complaint = folder.mech("import a.linkage2").refused(3);
-    assert!(
-        complaint.contains("more than 16777216 bytes"),
-        "{complaint}"
-    );
+    assert!(complaint.contains("more than 16777216 bytes"), "{complaint}");
     assert!(start.elapsed() < Duration::from_secs(20));
 }
 
@@ -67,10 +54,7 @@ fn bytes_of_other_formats_are_told_as_what_they_are() {
         let folder = Folder::new().with(name, bytes);
         let complaint = folder.mech(&format!("import {name}")).refused(3);
         let known = "reads documents of Linkage (`.linkage2`) and links of PMKS+";
-        assert!(
-            complaint.contains(what) && complaint.contains(known),
-            "{complaint}"
-        );
+        assert!(complaint.contains(what) && complaint.contains(known), "{complaint}");
         assert!(!complaint.contains("no document of Linkage"), "{complaint}");
     }
 }

@@ -66,10 +66,7 @@ fn a_mesh_and_a_chain() {
     // Sizes that are not whole are in the ratio of whole numbers.
     let halves = sample("gears").replace("size=\"12.0", "size=\"1.5");
     let (halves, _) = imported("gears.linkage2", &halves);
-    assert!(
-        halves.contains("= gear(pinion, wheel, 1 : 16);"),
-        "{halves}"
-    );
+    assert!(halves.contains("= gear(pinion, wheel, 1 : 16);"), "{halves}");
     let moving = Moving::of(&imported_sample("gears"));
     moving.stands(&[("pin_2", [36.0, 50.0]), ("arm.point_3", [46.0, 60.0])]);
     for value in turn(12) {
@@ -143,15 +140,10 @@ fn arcs_have_their_centre_on_either_side() {
     let text = imported_sample("quick_return");
     let turned = sample("quick_return").replace("slideradius=\"", "slideradius=\"-");
     assert_eq!(imported("quick_return.linkage2", &turned).0, text);
-    let below = sample("quick_return").replace(
-        "x=\"377.952756\" y=\"377.952756\"",
-        "x=\"377.952756\" y=\"302.362205\"",
-    );
+    let below = sample("quick_return")
+        .replace("x=\"377.952756\" y=\"377.952756\"", "x=\"377.952756\" y=\"302.362205\"");
     let (text, _) = imported("quick_return.linkage2", &below);
-    assert!(
-        text.contains("joint arc_9_center = revolute(ground, arc_9) at (100, 130);"),
-        "{text}"
-    );
+    assert!(text.contains("joint arc_9_center = revolute(ground, arc_9) at (100, 130);"), "{text}");
 }
 
 #[test]
@@ -167,10 +159,8 @@ fn a_slot_runs_over_fixed_pins() {
 #[test]
 fn names_may_be_latin_1() {
     let marked = sample("four_bar").replace("elbow", "B?R");
-    let latin: Vec<u8> = marked
-        .bytes()
-        .map(|byte| if byte == b'?' { 0xC4 } else { byte })
-        .collect();
+    let latin: Vec<u8> =
+        marked.bytes().map(|byte| if byte == b'?' { 0xC4 } else { byte }).collect();
     let folder = Folder::new().with("a.linkage2", latin);
     let answer = folder.mech("import a.linkage2");
     assert!(answer.out.contains("joint bär = "), "{}", answer.out);
@@ -187,10 +177,7 @@ fn several_inputs_draw_by_laws() {
         let (sin, cos) = turned(-15.0);
         assert!(distance([row[1], row[2]], [cos, sin]) < 1e-9, "{row:?}");
         let (sin, cos) = turned(18.0);
-        assert!(
-            distance([row[3], row[4]], [10.0 - sin, cos]) < 1e-9,
-            "{row:?}"
-        );
+        assert!(distance([row[3], row[4]], [10.0 - sin, cos]) < 1e-9, "{row:?}");
         // To its end and back at one speed, six times a minute; it becomes shorter.
         let part = (row[0] / 10.0).fract();
         let expected = -2.0 * part.min(1.0 - part);

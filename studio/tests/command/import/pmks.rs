@@ -54,10 +54,8 @@ fn imported_links_keep_their_lengths() {
     let bar = [("ab", [-0.125, 1.5]), ("cd", [4.5, 2.0])];
     let far = Moving::of(&sample("four_bar.pmks")).keeps(rocked, &[bar]);
     assert!(far > 0.1, "{far}");
-    let bars = [
-        [("ab", [0.0, 1.0]), ("cd", [3.0, 2.0])],
-        [("cd", [3.0, 2.0]), ("bce", [1.5, 3.0])],
-    ];
+    let bars =
+        [[("ab", [0.0, 1.0]), ("cd", [3.0, 2.0])], [("cd", [3.0, 2.0]), ("bce", [1.5, 3.0])]];
     let far = Moving::of(&sample("welded.pmks")).keeps(turn(24), &bars);
     assert!(far > 1.0, "{far}");
 }
@@ -125,10 +123,7 @@ fn gravity_acts_unless_it_is_switched_off() {
         for bits in ["00", "01", "02", "3v"] {
             let found = torque(bits, units);
             let expected = 1.5 * weight;
-            assert!(
-                (found - expected).abs() < 1e-9 * expected,
-                "{bits} {units}: {found}"
-            );
+            assert!((found - expected).abs() < 1e-9 * expected, "{bits} {units}: {found}");
         }
         assert_eq!(torque("40", units), 0.0, "{units}");
     }
@@ -170,10 +165,7 @@ fn blocks_have_their_masses() {
     }
     // Without a mass the end of the rod slides itself.
     let mut plain = block(angle);
-    let slide = plain.joints[2]
-        .split(",,,,")
-        .next()
-        .expect("its first fields");
+    let slide = plain.joints[2].split(",,,,").next().expect("its first fields");
     plain.joints[2] = slide.to_owned();
     let (text, _) = imported(&plain.url());
     assert!(text.contains("joint c = slot(bc, ground) at"), "{text}");
@@ -250,10 +242,7 @@ fn cylinders_drive() {
         .link("PC", &["P", "C"]);
     for link in shuffled(&link) {
         let (text, _) = imported(&link);
-        assert!(
-            text.contains("/// Input `p` slides -0.25 units a second.\n"),
-            "{text}"
-        );
+        assert!(text.contains("/// Input `p` slides -0.25 units a second.\n"), "{text}");
         for row in table(&link, "oc p --motor p --from -1.5 --to 1.5 --steps 6") {
             // By the law of cosines; the boom stands upright where the cylinder is 5 long.
             let cylinder = 5.0 + row[0];
@@ -270,10 +259,7 @@ fn cylinders_drive() {
         .more(",ANB,A,N")
         .link("ANB", &["A", "N", "B"]);
     let (text, omitted) = imported(&frozen.url());
-    assert!(
-        omitted.contains("what slides there and what it slides on are one"),
-        "{omitted}"
-    );
+    assert!(omitted.contains("what slides there and what it slides on are one"), "{omitted}");
     assert_eq!(text.matches("joint ").count(), 1, "{text}");
 }
 
@@ -292,10 +278,7 @@ fn what_is_pinned_to_a_weld_turns() {
         .raw_link("NRCD,CD,0,0,0,0,c5cae9,C,D,,")
         .raw_link("NRDE,DE,0,0,0,0,c5cae9,D,E,,");
     let (text, _) = imported(&link.url());
-    assert!(
-        text.contains("joint d = revolute(dx, cde) at (3, 1);"),
-        "{text}"
-    );
+    assert!(text.contains("joint d = revolute(dx, cde) at (3, 1);"), "{text}");
     let rocked = (0..=10).map(|step| f64::from(step) * 0.02);
     assert!(Moving::of(&text).keeps(rocked, &[[("ac", [0.0, 1.0]), ("dx", [3.0, 1.0])]]) > 0.1);
 }
@@ -331,12 +314,6 @@ fn several_inputs_go_at_their_speeds() {
         .link("EF", &["E", "F"]);
     let (text, omitted) = imported(&rocker.url());
     assert!(text.contains("\nmotor a;\nmotor c;\n"), "{text}");
-    assert!(
-        text.contains("/// Input `c` turns 7.5 times a minute, counter-clockwise;"),
-        "{text}"
-    );
-    assert!(
-        omitted.contains("inputs: they cannot go on together"),
-        "{omitted}"
-    );
+    assert!(text.contains("/// Input `c` turns 7.5 times a minute, counter-clockwise;"), "{text}");
+    assert!(omitted.contains("inputs: they cannot go on together"), "{omitted}");
 }

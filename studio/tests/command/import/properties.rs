@@ -54,11 +54,7 @@ impl Chain {
         let mut joints = Vec::new();
         let mut add = |at: Place, is_grounded| {
             let id = char::from(b'A' + u8::try_from(joints.len()).expect("few"));
-            joints.push(Joint {
-                id: id.to_string(),
-                at,
-                is_grounded,
-            });
+            joints.push(Joint { id: id.to_string(), at, is_grounded });
             joints.len() - 1
         };
         let shaft = add(self.crank[0], true);
@@ -101,9 +97,7 @@ impl Chain {
             );
         }
         for (number, ends) in links.iter().enumerate() {
-            let ends = ends
-                .map(|end| format!("<connector id=\"{end}\"/>"))
-                .concat();
+            let ends = ends.map(|end| format!("<connector id=\"{end}\"/>")).concat();
             text += &format!("<Link id=\"{number}\">{ends}</Link>\n");
         }
         text + "</linkage2>\n"

@@ -64,9 +64,7 @@ fn statement(text: &Text<'_>, inside: &Range<usize>, at: usize) -> Range<usize> 
     let is_within = |one: &Range<usize>| inside.start <= one.start && one.end <= inside.end;
     let ends = all.iter().filter(|one| is_within(one)).filter(|one| {
         let is_around = |other: &&Range<usize>| other.start < one.start && one.end <= other.end;
-        !all.iter()
-            .filter(|other| is_within(other))
-            .any(|other| is_around(&other))
+        !all.iter().filter(|other| is_within(other)).any(|other| is_around(&other))
     });
     let mut ends: Vec<usize> = ends.map(|one| one.end).collect();
     ends.sort_unstable();
@@ -86,19 +84,14 @@ fn judge(
     let whole = Text::of(original);
     let inside = around[0].len()..original.len() - around[1].len();
     let places = original.match_indices(&kind.0).map(|(at, _)| at);
-    let places: Vec<usize> = places
-        .filter(|at| inside.contains(at) && is_code(&whole, *at))
-        .collect();
+    let places: Vec<usize> =
+        places.filter(|at| inside.contains(at) && is_code(&whole, *at)).collect();
     let at = *places.get(dice.below(places.len().max(1)))?;
     let statement = statement(&whole, &inside, at);
     let statement = statement.start..statement.end + kind.1.len() - kind.0.len();
     let mut text = original.to_owned();
     text.replace_range(at..at + kind.0.len(), &kind.1);
-    let path = if around[0].is_empty() {
-        "a.mech"
-    } else {
-        "a.rs"
-    };
+    let path = if around[0].is_empty() { "a.mech" } else { "a.rs" };
     let document = Document::of(Source::new(path, &*text));
     let declaration = &document.declarations()[0];
     let reading = document.analyse(declaration).expect("the compiler works");
@@ -111,9 +104,7 @@ fn judge(
     let is_placed = statement.start <= place.start && place.end <= statement.end;
     let found = mendings(&document, declaration, &reading).expect("the compiler works");
     let letters = |text: &str| text.replace(char::is_whitespace, "");
-    let is_back = found
-        .first()
-        .is_some_and(|one| letters(&one.text) == letters(original));
+    let is_back = found.first().is_some_and(|one| letters(&one.text) == letters(original));
     if !(is_placed && is_back) {
         println!("{}\n{}\n", faults.messages[0].text, &text[statement]);
     }

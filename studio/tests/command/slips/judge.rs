@@ -43,25 +43,16 @@ pub(super) fn judge(correct: &Correct, slip: &Slip) -> Option<Answer> {
     let Err(faults) = &reading.result else {
         let is_same = without_places(&reading.model) == without_places(&correct.model);
         let (said, fix) = (None, Duration::ZERO);
-        return (!is_same).then_some(Answer {
-            said,
-            check,
-            fix,
-            line,
-        });
+        return (!is_same).then_some(Answer { said, check, fix, line });
     };
     let start = Instant::now();
     let found = mendings(&document, &document.declarations()[0], &reading);
     let fix = start.elapsed();
     let found = found.unwrap_or_else(|failure| panic!("{failure:?}\n{}", slip.text));
     let original = sorted(&correct.text);
-    let promised = found
-        .iter()
-        .filter(|one| one.remainder == Remainder::Nothing);
-    let broken: Vec<&str> = promised
-        .filter(|one| !is_enough(&one.text))
-        .map(|one| &*one.words)
-        .collect();
+    let promised = found.iter().filter(|one| one.remainder == Remainder::Nothing);
+    let broken: Vec<&str> =
+        promised.filter(|one| !is_enough(&one.text)).map(|one| &*one.words).collect();
     let first = &faults.messages[0];
     let repairs: Vec<&str> = found.iter().map(|one| &*one.words).take(2).collect();
     let words = format!(
@@ -73,19 +64,11 @@ pub(super) fn judge(correct: &Correct, slip: &Slip) -> Option<Answer> {
     let said = Some(Said {
         is_placed: is_placed(slip, first),
         is_single: faults.messages.len() == 1,
-        is_mended: found
-            .iter()
-            .take(2)
-            .any(|one| sorted(&one.text) == original),
+        is_mended: found.iter().take(2).any(|one| sorted(&one.text) == original),
         dishonest: broken.len(),
         words,
     });
-    Some(Answer {
-        said,
-        check,
-        fix,
-        line,
-    })
+    Some(Answer { said, check, fix, line })
 }
 
 /// The statements of a text, without spaces and comments, in any order.
@@ -119,17 +102,13 @@ fn is_enough(text: &str) -> bool {
 fn without_places(model: &Model) -> String {
     let model = format!("{model:?}");
     let parts = model.split("Origin(");
-    parts
-        .map(|part| part.trim_start_matches(|one: char| one.is_ascii_digit()))
-        .collect()
+    parts.map(|part| part.trim_start_matches(|one: char| one.is_ascii_digit())).collect()
 }
 
 /// The statement around the slip, with its end.
 fn statement(slip: &Slip) -> Range<usize> {
     let ends = Text::of(&slip.text).lexemes.into_iter();
-    let ends: Vec<_> = ends
-        .filter(|one| ";{}".contains(&slip.text[one.start..one.end]))
-        .collect();
+    let ends: Vec<_> = ends.filter(|one| ";{}".contains(&slip.text[one.start..one.end])).collect();
     let before = ends.iter().rfind(|one| one.end <= slip.place.start);
     // Whole statements end where they end; a mark alone has statements on both sides.
     let is_after = |one: &&Lexeme| one.end >= slip.place.end && one.start > slip.place.start;
@@ -150,17 +129,11 @@ pub(super) fn is_placed(slip: &Slip, message: &Message) -> bool {
 }
 
 fn line(slip: &Slip) -> String {
-    let start = slip.text[..slip.place.start]
-        .rfind('\n')
-        .map_or(0, |end| end + 1);
+    let start = slip.text[..slip.place.start].rfind('\n').map_or(0, |end| end + 1);
     let end = slip.text[slip.place.end..].find('\n');
     let end = end.map_or(slip.text.len(), |end| slip.place.end + end);
     let line = shortened(&slip.text[start..end]);
-    if slip.names.is_empty() {
-        line
-    } else {
-        format!("{line} <- {}", slip.names.join(" "))
-    }
+    if slip.names.is_empty() { line } else { format!("{line} <- {}", slip.names.join(" ")) }
 }
 
 fn shortened(text: &str) -> String {

@@ -65,11 +65,7 @@ fn a_joint_that_is_left_out_is_offered() {
             let first: Vec<&str> = found.iter().take(2).map(|one| &*one.words).collect();
             let are_points = ends.iter().all(|end| end.contains('.'));
             let is_it = |(other, joined): Joint| {
-                let same = if are_points {
-                    joined == ends
-                } else {
-                    links(&joined) == links(&ends)
-                };
+                let same = if are_points { joined == ends } else { links(&joined) == links(&ends) };
                 same && guides == other
             };
             let row = &mut rows[if guides { 2 } else { usize::from(!are_points) }];

@@ -42,10 +42,7 @@ fn slips_of_a_hand_are_answered() {
     println!("{} correct texts", corpus.len());
     let mut kinds = [words::KINDS, marks::KINDS, statements::KINDS].concat();
     let only = std::env::var("SLIPS_KIND").ok();
-    kinds.retain(|(name, _)| {
-        only.as_ref()
-            .is_none_or(|only| name.contains(only.as_str()))
-    });
+    kinds.retain(|(name, _)| only.as_ref().is_none_or(|only| name.contains(only.as_str())));
     let mut rows = Vec::new();
     for (name, make) in kinds {
         let mut answers = Vec::new();
@@ -58,10 +55,7 @@ fn slips_of_a_hand_are_answered() {
             let slip = make(&Text::of(&correct.text), &mut dice);
             answers.extend(slip.and_then(|slip| judge(correct, &slip)));
         }
-        assert!(
-            !is_all || !answers.is_empty(),
-            "no text has a place for: {name}"
-        );
+        assert!(!is_all || !answers.is_empty(), "no text has a place for: {name}");
         rows.push((name, answers));
     }
     let total = table::print(&rows);

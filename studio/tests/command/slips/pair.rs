@@ -80,19 +80,9 @@ fn judge(correct: &Correct, mut changes: [Change; 2]) -> Option<Result<(), Strin
     let all = &correct.text;
     let between = &all[first.old.end..second.old.start];
     let after = &all[second.old.end..];
-    let both = [
-        &all[..first.old.start],
-        &first.new,
-        between,
-        &second.new,
-        after,
-    ]
-    .concat();
+    let both = [&all[..first.old.start], &first.new, between, &second.new, after].concat();
     let (_, reading) = analyse(&both);
-    let messages = reading
-        .result
-        .err()
-        .map_or_else(Vec::new, |faults| faults.messages);
+    let messages = reading.result.err().map_or_else(Vec::new, |faults| faults.messages);
     let is_told = |(slip, start): (Slip, usize)| {
         let mut messages = messages.iter();
         messages.any(|one| one.place.start == start || is_placed(&slip, one))

@@ -128,15 +128,10 @@ pub(super) const KINDS: &[(&str, Make)] = &[
 /// Whether a number is a coordinate of a point, a line or a joint.
 fn is_length(text: &Text<'_>, index: usize) -> bool {
     let statements = text.statements();
-    let mut places = statements
-        .iter()
-        .filter(|one| ["point", "line", "joint"].contains(&text.word(one.start)));
+    let mut places =
+        statements.iter().filter(|one| ["point", "line", "joint"].contains(&text.word(one.start)));
     let follows = |one: usize| text.is(one, "(") || text.is(one, ",");
-    let before = index.checked_sub(if index > 0 && text.is(index - 1, "-") {
-        2
-    } else {
-        1
-    });
+    let before = index.checked_sub(if index > 0 && text.is(index - 1, "-") { 2 } else { 1 });
     text.is_number(index)
         && before.is_some_and(follows)
         && !text.text[text.lexemes[index].start..text.end_of_number(index)]

@@ -76,15 +76,9 @@ const ACCEPTED: i32 = 4;
 fn worth(said: &Said) -> i32 {
     match said {
         Said { dishonest: 1.., .. } => -1,
-        Said {
-            is_placed: false, ..
-        } => 1,
-        Said {
-            is_single: false, ..
-        } => 2,
-        Said {
-            is_mended: false, ..
-        } => 3,
+        Said { is_placed: false, .. } => 1,
+        Said { is_single: false, .. } => 2,
+        Said { is_mended: false, .. } => 3,
         _ => ACCEPTED + 1,
     }
 }

@@ -26,9 +26,8 @@ pub(super) struct Text<'t> {
 }
 
 /// Words that declare the name after them.
-const DECLARING: [&str; 9] = [
-    "link", "joint", "point", "line", "const", "param", "port", "part", "use",
-];
+const DECLARING: [&str; 9] =
+    ["link", "joint", "point", "line", "const", "param", "port", "part", "use"];
 
 impl<'t> Text<'t> {
     pub(super) fn of(text: &'t str) -> Self {
@@ -56,9 +55,7 @@ impl<'t> Text<'t> {
     /// Whether a number without a sign begins there.
     pub(super) fn is_number(&self, index: usize) -> bool {
         let is_part = index > 0 && self.is(index - 1, ".");
-        self.word(index)
-            .starts_with(|one: char| one.is_ascii_digit())
-            && !is_part
+        self.word(index).starts_with(|one: char| one.is_ascii_digit()) && !is_part
     }
 
     /// The byte after the number that begins there.

@@ -31,9 +31,7 @@ fn mech(words: &str) -> String {
 pub(super) fn helps() -> Vec<String> {
     let help = mech("-h");
     let (_, commands) = help.split_once("Commands:\n").expect("commands");
-    let commands = commands
-        .lines()
-        .map_while(|line| line.split_whitespace().next());
+    let commands = commands.lines().map_while(|line| line.split_whitespace().next());
     let mut found = Vec::new();
     for command in ["-h"].into_iter().chain(commands) {
         let help = mech(&format!("{command} -h"));

@@ -31,10 +31,7 @@ pub(super) fn words(list: &str) -> Vec<String> {
         // `~` stands for a word, `@` for a sign.
         let (before, after) = place.split_once(['~', '@']).expect(place);
         let is_for_word = place.contains('~');
-        for word in candidates
-            .iter()
-            .filter(|word| is_word(word) == is_for_word)
-        {
+        for word in candidates.iter().filter(|word| is_word(word) == is_for_word) {
             let text = format!("{before}{word}{after}");
             match answer(before, word, after, word) {
                 None => found.push(text),

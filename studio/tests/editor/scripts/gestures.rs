@@ -179,14 +179,9 @@ fn at_once(user: &mut User, texts: &Texts, block: &str) -> Result<(), String> {
 
 fn within_frame(editor: &mut Editor, texts: &Texts, words: &mut Words<'_>) -> Result<(), String> {
     match &*words.text()? {
-        "link" => editor.perform(Command::Link {
-            name: words.text()?,
-        }),
+        "link" => editor.perform(Command::Link { name: words.text()? }),
         "type" => editor.type_text(&texts.take(words)?),
-        "open" => editor.open(Workspace::unsaved(
-            words.text()?,
-            texts.take(words)?.as_str(),
-        )),
+        "open" => editor.open(Workspace::unsaved(words.text()?, texts.take(words)?.as_str())),
         "say" => editor.say(&words.text()?),
         "choose-bar" => editor.choose(Tool::Bar),
         "select" => editor.select(Some(words.item()?), false),

@@ -29,10 +29,7 @@ impl Finding {
     /// Compares a text with the expected one; the finding shows the differences.
     fn text(found: &str, expected: &str) -> Self {
         let changes = TextDiff::from_lines(expected, found);
-        Self {
-            is_so: found == expected,
-            found: changes.unified_diff().to_string(),
-        }
+        Self { is_so: found == expected, found: changes.unified_diff().to_string() }
     }
 }
 
@@ -213,10 +210,7 @@ fn of_drawing(user: &User, verb: &str, words: &mut Words<'_>) -> Result<Option<F
         "joint" | "point" => {
             let found = user.scene_place_of(&format!("{verb} {}", words.text()?));
             let place = words.place()?;
-            Finding::of(
-                found.is_some_and(|found| is_near(found, place, 1e-9)),
-                found,
-            )
+            Finding::of(found.is_some_and(|found| is_near(found, place, 1e-9)), found)
         }
         "bar" => {
             let found = user.ends_of(&words.text()?);
@@ -239,14 +233,8 @@ fn of_drawing(user: &User, verb: &str, words: &mut Words<'_>) -> Result<Option<F
         "as-compiled" => {
             let again = User::with_file(&words.text()?, user.text());
             let [found, expected] = [user, &again].map(|user| {
-                let handles = user
-                    .editor()
-                    .drawing()
-                    .into_iter()
-                    .flat_map(Drawing::handles);
-                handles
-                    .map(|handle| format!("{handle:?}"))
-                    .collect::<Vec<_>>()
+                let handles = user.editor().drawing().into_iter().flat_map(Drawing::handles);
+                handles.map(|handle| format!("{handle:?}")).collect::<Vec<_>>()
             });
             Finding::of(!found.is_empty() && found == expected, found)
         }
@@ -294,10 +282,7 @@ fn of_editor(user: &User, verb: &str, words: &mut Words<'_>) -> Result<Option<Fi
         "readable" => Finding::of(editor.is_readable(), editor.messages()),
         "busy" => Finding::of(editor.is_busy(), "idleness"),
         "changed" => Finding::of(editor.workspace().is_changed(), "no changes"),
-        "path" => Finding::equal(
-            &editor.workspace().path().display().to_string(),
-            &words.text()?,
-        ),
+        "path" => Finding::equal(&editor.workspace().path().display().to_string(), &words.text()?),
         "mechanism" => Finding::equal(&editor.workspace().index(), &words.number()?),
         "selected" => Finding::equal(&editor.selection().len(), &words.number()?),
         "gestures" => Finding::equal(&user.gestures(), &words.number()?),

@@ -28,22 +28,10 @@ use words::{Word, Words};
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/editor/scripts");
 
 /// Where texts are looked for by their names.
-const TEXTS: [&str; 3] = [
-    "",
-    "../../samples",
-    "../../../../examples/gallery/src/mechanisms",
-];
+const TEXTS: [&str; 3] = ["", "../../samples", "../../../../examples/gallery/src/mechanisms"];
 
 /// The verbs of lines that may have a block.
-const WITH_BLOCK: [&str; 7] = [
-    "text",
-    "file",
-    "retype",
-    "write-file",
-    "is",
-    "on-disk",
-    "at-once",
-];
+const WITH_BLOCK: [&str; 7] = ["text", "file", "retype", "write-file", "is", "on-disk", "at-once"];
 
 struct Line {
     number: usize,
@@ -61,11 +49,7 @@ impl Line {
                 *block += more;
                 block.push('\n');
             } else if !line.is_empty() && !line.starts_with("//") {
-                lines.push(Self {
-                    number,
-                    text: line.to_owned(),
-                    block: None,
-                });
+                lines.push(Self { number, text: line.to_owned(), block: None });
             }
         }
         Ok(lines)
@@ -77,11 +61,7 @@ impl Line {
             let fill = |text: String, (name, value): &(&str, &str)| text.replace(name, value);
             columns.iter().fold(text.to_owned(), fill)
         };
-        Self {
-            number: self.number,
-            text: fill(&self.text),
-            block: self.block.as_deref().map(fill),
-        }
+        Self { number: self.number, text: fill(&self.text), block: self.block.as_deref().map(fill) }
     }
 }
 
@@ -136,10 +116,7 @@ impl Scene {
     fn new() -> Self {
         Self {
             user: None,
-            texts: Texts {
-                noted: BTreeMap::new(),
-                folder: Folder::new(),
-            },
+            texts: Texts { noted: BTreeMap::new(), folder: Folder::new() },
             judged: 0,
             renewed: BTreeMap::new(),
         }
@@ -195,10 +172,7 @@ impl Walk {
         for row in rows {
             let (columns, values) = (columns.split_whitespace(), row.split(" | "));
             if columns.clone().count() != values.clone().count() && !row.is_empty() {
-                return Err(format!(
-                    "{name}:{}: not as many columns: {row}",
-                    title.number
-                ));
+                return Err(format!("{name}:{}: not as many columns: {row}", title.number));
             }
             let columns: Vec<_> = columns.zip(values).collect();
             let mut scene = Scene::new();
@@ -206,11 +180,9 @@ impl Walk {
             let wrong = steps.find_map(|step| Some((scene.perform(&step).err()?, step)));
             if let Some((wrong, step)) = wrong {
                 let Line { number, text, .. } = step;
-                self.wrong
-                    .push(format!("{name}:{number}: {words}\n{text}\n{wrong}"));
+                self.wrong.push(format!("{name}:{number}: {words}\n{text}\n{wrong}"));
             } else if scene.judged == 0 {
-                self.wrong
-                    .push(format!("{name}:{}: nothing is judged", title.number));
+                self.wrong.push(format!("{name}:{}: nothing is judged", title.number));
             }
             self.count += 1;
             self.renewed.append(&mut scene.renewed);
@@ -257,17 +229,12 @@ fn every_script_goes_as_it_says() {
     let mut files: Vec<PathBuf> = files.map(|file| file.expect("a file").path()).collect();
     let one = env::var("MECH_SCRIPT").ok();
     files.retain(|file| {
-        let is_meant = one
-            .as_deref()
-            .is_none_or(|one| file.ends_with(format!("{one}.txt")));
+        let is_meant = one.as_deref().is_none_or(|one| file.ends_with(format!("{one}.txt")));
         is_meant && file.extension() == Some("txt".as_ref())
     });
     assert!(!files.is_empty(), "there is no script {one:?}");
     let walks: Vec<Walk> = thread::scope(|scope| {
-        let walks: Vec<_> = files
-            .iter()
-            .map(|file| scope.spawn(|| walk(file)))
-            .collect();
+        let walks: Vec<_> = files.iter().map(|file| scope.spawn(|| walk(file))).collect();
         let walks = walks.into_iter().map(|walk| walk.join().expect("a walk"));
         walks.collect()
     });

@@ -50,9 +50,7 @@ impl<'b> Words<'b> {
     }
 
     pub(super) fn word(&mut self) -> Result<Word, String> {
-        self.left
-            .next()
-            .ok_or_else(|| "a word is missing".to_owned())
+        self.left.next().ok_or_else(|| "a word is missing".to_owned())
     }
 
     /// A word in quotes or without.

@@ -109,11 +109,7 @@ impl User {
             .with_step_dt(1.0 / 60.0)
             .build_ui_state(|ui, studio: &mut Studio| studio.show(ui), studio);
         harness.run_steps(2);
-        Self {
-            harness,
-            gestures: 0,
-            modifiers: Modifiers::NONE,
-        }
+        Self { harness, gestures: 0, modifiers: Modifiers::NONE }
     }
 
     /// Does several things before the window is shown again.
@@ -165,12 +161,7 @@ impl User {
     /// All that may help to see what went wrong.
     pub(crate) fn said(&self) -> String {
         let editor = self.editor();
-        format!(
-            "{:?}\n{:#?}\n{}",
-            editor.notice(),
-            editor.messages(),
-            self.text()
-        )
+        format!("{:?}\n{:#?}\n{}", editor.notice(), editor.messages(), self.text())
     }
 
     /// Whether what was told last has these words.
@@ -181,10 +172,7 @@ impl User {
 
     /// Whether something of this name is in the window.
     pub(crate) fn sees(&self, label: &str) -> bool {
-        self.harness
-            .query_all_by_label_contains(label)
-            .next()
-            .is_some()
+        self.harness.query_all_by_label_contains(label).next().is_some()
     }
 
     /// Whether a line of dashes goes from one place of the scene to another.
@@ -224,11 +212,7 @@ impl User {
     /// The names of all joints, points and lines that are seen, as a reader tells them.
     pub(crate) fn handles(&self) -> Vec<String> {
         let canvas = self.place_of("drawing").shrink(12.0);
-        let handles = self
-            .editor()
-            .drawing()
-            .into_iter()
-            .flat_map(Drawing::handles);
+        let handles = self.editor().drawing().into_iter().flat_map(Drawing::handles);
         let seen = handles.filter(|handle| canvas.contains(self.pixel(handle.place)));
         seen.map(|handle| handle.item.to_string()).collect()
     }
@@ -243,9 +227,7 @@ impl User {
     /// Where the points and joints of a link are drawn in the scene.
     pub(crate) fn ends_of(&self, link: &str) -> Vec<[f64; 2]> {
         let drawing = self.editor().drawing();
-        drawing
-            .and_then(|drawing| drawing.places_of(link))
-            .unwrap_or_default()
+        drawing.and_then(|drawing| drawing.places_of(link)).unwrap_or_default()
     }
 
     /// Makes a repair that is offered, by its number from 1.
@@ -257,11 +239,8 @@ impl User {
 
     /// Presses a key with Ctrl, perhaps with Shift.
     pub(crate) fn shortcut(&mut self, key: Key, with_shift: bool) {
-        let modifiers = if with_shift {
-            Modifiers::COMMAND | Modifiers::SHIFT
-        } else {
-            Modifiers::COMMAND
-        };
+        let modifiers =
+            if with_shift { Modifiers::COMMAND | Modifiers::SHIFT } else { Modifiers::COMMAND };
         self.harness.key_press_modifiers(modifiers, key);
         self.harness.run_steps(2);
         self.gestures += 1;
@@ -321,11 +300,7 @@ impl User {
     pub(crate) fn wait_until(&mut self, what: &str, is_so: impl Fn(&Self) -> bool) {
         let begin = Instant::now();
         while !is_so(self) {
-            assert!(
-                begin.elapsed() < Duration::from_secs(30),
-                "{what}: {}",
-                self.said()
-            );
+            assert!(begin.elapsed() < Duration::from_secs(30), "{what}: {}", self.said());
             std::thread::sleep(Duration::from_millis(5));
             self.harness.run_steps(1);
         }
@@ -389,9 +364,7 @@ impl User {
     pub(crate) fn enter(&mut self, label: &str, text: &str) {
         let field =
             |node: &egui_kittest::kittest::AccessKitNode<'_>| node.role() == Role::TextInput;
-        self.harness
-            .get_by(|node| field(node) && node.label().as_deref() == Some(label))
-            .focus();
+        self.harness.get_by(|node| field(node) && node.label().as_deref() == Some(label)).focus();
         self.harness.run_steps(2);
         self.type_text(text);
         self.key(Key::Enter);
@@ -405,11 +378,7 @@ impl User {
 
     /// Moves the first motor to a value in radians or scene units.
     pub(crate) fn scrub(&mut self, value: f64) {
-        self.harness
-            .state_mut()
-            .editor_mut()
-            .sight_mut()
-            .scrub(0, value);
+        self.harness.state_mut().editor_mut().sight_mut().scrub(0, value);
         self.harness.run_steps(2);
     }
 
@@ -436,9 +405,7 @@ impl User {
     pub(crate) fn enter_number(&mut self, label: &str, number: &str) {
         let field = |node: &egui_kittest::kittest::AccessKitNode<'_>| {
             node.role() == Role::SpinButton
-                && node
-                    .labelled_by()
-                    .any(|by| by.value().as_deref() == Some(label))
+                && node.labelled_by().any(|by| by.value().as_deref() == Some(label))
         };
         self.harness.get_by(field).click();
         self.harness.run_steps(2);
@@ -465,9 +432,7 @@ impl User {
     /// The names of all that is in the window.
     pub(crate) fn labels(&self) -> String {
         let all = self.harness.query_all_by(|node| node.label().is_some());
-        let labels: Vec<String> = all
-            .filter_map(|node| node.accesskit_node().label())
-            .collect();
+        let labels: Vec<String> = all.filter_map(|node| node.accesskit_node().label()).collect();
         labels.join("\n")
     }
 

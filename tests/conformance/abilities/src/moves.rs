@@ -7,15 +7,8 @@ use mech_probes::Listener;
 use mech_runtime::{Mechanism, Real};
 
 /// Numbers that nobody should give to a motor.
-pub(super) const BAD: [f64; 7] = [
-    f64::NAN,
-    f64::INFINITY,
-    f64::NEG_INFINITY,
-    f64::MAX,
-    3.4e38,
-    -1e30,
-    1e9,
-];
+pub(super) const BAD: [f64; 7] =
+    [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, 3.4e38, -1e30, 1e9];
 
 /// Moves a mechanism by steps of this size, and as far as it can where it is blocked, back and forth; by leaps; and to bad numbers. Tells
 /// where it is.

@@ -18,13 +18,7 @@ use mech_runtime::{
 };
 
 /// The corners of a star: a polygon that surrounds its middle twice.
-const STAR: [[f64; 2]; 5] = [
-    [0.0, 20.0],
-    [12.0, -16.0],
-    [-19.0, 6.0],
-    [19.0, 6.0],
-    [-12.0, -16.0],
-];
+const STAR: [[f64; 2]; 5] = [[0.0, 20.0], [12.0, -16.0], [-19.0, 6.0], [19.0, 6.0], [-12.0, -16.0]];
 
 /// Asks for all of it.
 pub(super) fn ask(listener: &mut impl Listener) {
@@ -52,11 +46,7 @@ fn of_size<T: Scalar, const W: usize, const H: usize>(
     number: f64,
 ) {
     let fit = View::fit([-20.0, -20.0], [number, 20.0], W, H, black_box(2.0));
-    for view in [
-        fit,
-        View::new([number, 0.0], 1.0),
-        View::new([0.0, 0.0], number),
-    ] {
+    for view in [fit, View::new([number, 0.0], 1.0), View::new([0.0, 0.0], number)] {
         let mut frame = Frame::<W, H>::new();
         frame.look_at(view);
         all::<T>(&mut frame, number);
@@ -67,13 +57,7 @@ fn of_size<T: Scalar, const W: usize, const H: usize>(
         let mut smooth = Smooth::<W, H>::new();
         smooth.look_at(view);
         all::<T>(&mut smooth, number);
-        let painted = sum(smooth
-            .pixels()
-            .iter()
-            .flatten()
-            .flatten()
-            .copied()
-            .map(u16::from));
+        let painted = sum(smooth.pixels().iter().flatten().flatten().copied().map(u16::from));
         recorder.record("smooth", &(painted, smooth.pixel(black_box(5), 60)));
 
         let mut display = Frame::<80, 50>::new();
@@ -133,114 +117,40 @@ fn all<T: Scalar>(canvas: &mut impl Canvas<T>, number: f64) {
         x: size,
         y: T::ONE,
     };
-    for (pose, center) in [
-        (Pose::identity(), at([3.0, 2.0])),
-        (turned, at([number, 1.0])),
-    ] {
+    for (pose, center) in [(Pose::identity(), at([3.0, 2.0])), (turned, at([number, 1.0]))] {
         let radius = <T as Real>::from_f64(6.0);
         for outline in [
             Outline::Circle { center, radius },
-            Outline::Circle {
-                center,
-                radius: size,
-            },
-            Outline::Ring {
-                center,
-                radius,
-                hole: size,
-            },
-            Outline::Ring {
-                center,
-                radius: size,
-                hole: T::ONE,
-            },
+            Outline::Circle { center, radius: size },
+            Outline::Ring { center, radius, hole: size },
+            Outline::Ring { center, radius: size, hole: T::ONE },
             Outline::Polygon(&star),
             Outline::Winding(&star),
             Outline::Polygon(&far),
             Outline::Winding(&far),
             Outline::Polygon(&[]),
-            Outline::Line {
-                points: &star,
-                width: T::ONE + T::ONE,
-            },
-            Outline::Line {
-                points: &far,
-                width: size,
-            },
-            Outline::Line {
-                points: &[center],
-                width: radius,
-            },
-            Outline::Line {
-                points: &[],
-                width: radius,
-            },
-            Outline::Arc {
-                center,
-                start: at([9.0, 4.0]),
-                angle: size,
-                width: radius,
-            },
-            Outline::Arc {
-                center,
-                start: at([9.0, number]),
-                angle: T::TURN,
-                width: T::ONE,
-            },
-            Outline::Arc {
-                center,
-                start: center,
-                angle: -T::ONE,
-                width: size,
-            },
+            Outline::Line { points: &star, width: T::ONE + T::ONE },
+            Outline::Line { points: &far, width: size },
+            Outline::Line { points: &[center], width: radius },
+            Outline::Line { points: &[], width: radius },
+            Outline::Arc { center, start: at([9.0, 4.0]), angle: size, width: radius },
+            Outline::Arc { center, start: at([9.0, number]), angle: T::TURN, width: T::ONE },
+            Outline::Arc { center, start: center, angle: -T::ONE, width: size },
         ] {
             canvas.fill(outline, pose, black_box(5));
         }
-        bar(
-            canvas,
-            &star,
-            pose,
-            <T as Real>::from_f64(3.0),
-            Palette::TEAL,
-        );
+        bar(canvas, &star, pose, <T as Real>::from_f64(3.0), Palette::TEAL);
         canvas.text(center, black_box("Ag 7°: ±½λ ✓\n"), Palette::INK);
     }
-    line(
-        canvas,
-        [at([number, 0.0]), at([-20.0, 3.0])],
-        size,
-        Palette::RED,
-    );
+    line(canvas, [at([number, 0.0]), at([-20.0, 3.0])], size, Palette::RED);
     let thickness = f32::from_f64(number);
-    arrow(
-        canvas,
-        [at([number, 0.0]), at([-20.0, 3.0])],
-        thickness,
-        Palette::BLUE,
-    );
-    moment(
-        canvas,
-        at([number, 0.0]),
-        true,
-        thickness,
-        1.0,
-        Palette::BLUE,
-    );
-    moment(
-        canvas,
-        at([0.0, 1.0]),
-        false,
-        12.0,
-        thickness,
-        Palette::BLUE,
-    );
+    arrow(canvas, [at([number, 0.0]), at([-20.0, 3.0])], thickness, Palette::BLUE);
+    moment(canvas, at([number, 0.0]), true, thickness, 1.0, Palette::BLUE);
+    moment(canvas, at([0.0, 1.0]), false, 12.0, thickness, Palette::BLUE);
     let mut trace = Trace::<T, 40>::new();
     for place in 0..50_u8 {
         let place = f64::from(place);
-        trace.push(at([
-            place,
-            if place == 20.0 { number } else { place / 3.0 },
-        ]));
+        trace.push(at([place, if place == 20.0 { number } else { place / 3.0 }]));
     }
     trace.draw(canvas, Palette::PURPLE);
     Trace::<T, 0>::new().draw(canvas, Palette::PURPLE);
@@ -250,11 +160,7 @@ fn palettes(recorder: &mut Recorder<impl Listener>) {
     let mut palette = Palette::TEXTBOOK;
     for entry in 0..=u8::MAX {
         let entry = black_box(entry);
-        let kinds = [
-            Palette::darker(entry),
-            Palette::lighter(entry),
-            Palette::shade(entry, entry),
-        ];
+        let kinds = [Palette::darker(entry), Palette::lighter(entry), Palette::shade(entry, entry)];
         palette = palette.with(entry, kinds);
         recorder.record("palette", &(kinds, palette.rgb(entry), palette.rgba(entry)));
     }

@@ -12,13 +12,8 @@ pub(super) fn ask(listener: &mut impl Listener) {
     for number in [0.0, 0.3, -2.75, 1e9, 4e18, 1e19].into_iter().chain(BAD) {
         phases(recorder, black_box(number));
     }
-    for (numerator, denominator) in [
-        (1, 360),
-        (-7, 3),
-        (i64::MIN, 1),
-        (i64::MAX, u64::MAX),
-        (5, 0),
-    ] {
+    for (numerator, denominator) in [(1, 360), (-7, 3), (i64::MIN, 1), (i64::MAX, u64::MAX), (5, 0)]
+    {
         let phase = Phase::of_turn(black_box(numerator), black_box(denominator));
         recorder.record("of-turn", &phase);
     }

@@ -15,10 +15,7 @@ pub(super) struct Recorder<'l, L> {
 impl<'l, L: Listener> Recorder<'l, L> {
     /// For what is found in this precision.
     pub(super) const fn new(listener: &'l mut L, precision: &'static str) -> Self {
-        Self {
-            listener,
-            precision,
-        }
+        Self { listener, precision }
     }
 
     /// Tells what was found by something of this name.

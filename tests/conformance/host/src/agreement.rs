@@ -18,16 +18,9 @@ pub(crate) struct Summary {
 
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            poses,
-            others,
-            ulps,
-        } = self;
+        let Self { poses, others, ulps } = self;
         if *poses > 0 {
-            write!(
-                f,
-                "{poses} positions at most {ulps} ulp from this machine's, "
-            )?;
+            write!(f, "{poses} positions at most {ulps} ulp from this machine's, ")?;
         }
         write!(f, "{others} other answers the same bits")
     }
@@ -72,11 +65,7 @@ pub(crate) fn compare(there: &Things, here: &Things) -> Result<Summary, Error> {
 }
 
 fn differs(subject: &Subject, what: &str) -> Error {
-    let Subject {
-        what: thing,
-        name,
-        precision,
-    } = subject;
+    let Subject { what: thing, name, precision } = subject;
     Error::Differs(format!("{thing} of {name} in {precision} {what}"))
 }
 
@@ -85,11 +74,7 @@ fn distance(a: u64, b: u64, precision: &str) -> u64 {
     let [a, b] = [a, b].map(f64::from_bits);
     // From the least number to the greatest in whole numbers.
     let order = |bits: i64| {
-        if bits < 0 {
-            i64::MIN.wrapping_sub(bits)
-        } else {
-            bits
-        }
+        if bits < 0 { i64::MIN.wrapping_sub(bits) } else { bits }
     };
     let [a, b] = if precision == "f32" {
         #[expect(clippy::cast_possible_truncation, reason = "it was an f32")]

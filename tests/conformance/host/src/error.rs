@@ -47,10 +47,7 @@ impl fmt::Display for Error {
                 for line in lines {
                     write!(f, "\n  {line}")?;
                 }
-                write!(
-                    f,
-                    "\nif that is what you want: tests/conformance/run --update"
-                )
+                write!(f, "\nif that is what you want: tests/conformance/run --update")
             }
         }
     }

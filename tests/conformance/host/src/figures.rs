@@ -43,11 +43,7 @@ impl Figures {
             let nothing = Row::measured(folder, board, NOTHING)?;
             for image in images(&folder.join(board.target()))? {
                 let row = Row::measured(folder, board, &image)?.less(&nothing);
-                rows.push(if is_drawn(&image) {
-                    row
-                } else {
-                    row.without_drawing()
-                });
+                rows.push(if is_drawn(&image) { row } else { row.without_drawing() });
             }
             let [least, empty] = [LEAST, EMPTY].map(|image| flash(&image_of(folder, board, image)));
             rows.push(Row {
@@ -56,28 +52,20 @@ impl Figures {
                 values: [least?.saturating_sub(empty?), 0, 0, 0, 0, 0],
             });
         }
-        Ok(Self {
-            compiler: compiler.trim().replace(',', ";"),
-            rows,
-        })
+        Ok(Self { compiler: compiler.trim().replace(',', ";"), rows })
     }
 
     /// Those of a table, of each compiler apart.
     pub(crate) fn read(path: &Path) -> Result<Vec<Self>, Error> {
-        let text = fs::read_to_string(path).map_err(|source| Error::File {
-            path: path.to_owned(),
-            source,
-        })?;
+        let text = fs::read_to_string(path)
+            .map_err(|source| Error::File { path: path.to_owned(), source })?;
         let mut all: Vec<Self> = Vec::new();
         for line in text.lines().skip(1) {
             let (compiler, line) = line.split_once(',').unwrap_or_default();
             let row = Row::read(line)?;
             match all.iter_mut().find(|figures| figures.compiler == compiler) {
                 Some(figures) => figures.rows.push(row),
-                None => all.push(Self {
-                    compiler: compiler.to_owned(),
-                    rows: vec![row],
-                }),
+                None => all.push(Self { compiler: compiler.to_owned(), rows: vec![row] }),
             }
         }
         Ok(all)
@@ -130,10 +118,8 @@ impl Figures {
             };
             for ((column, now), before) in COLUMNS.iter().zip(row.values).zip(before.values) {
                 if now.abs_diff(before) * 100 > PERCENT * before && now.abs_diff(before) > SMALL {
-                    lines.push(format!(
-                        "{} {}: {column} {now}, was {before}",
-                        row.board, row.image
-                    ));
+                    lines
+                        .push(format!("{} {}: {column} {now}, was {before}", row.board, row.image));
                 }
             }
         }
@@ -144,9 +130,7 @@ impl Figures {
     pub(crate) fn keep_promises(&self) -> Result<(), Error> {
         let row = |image| {
             self.row(Board::CortexM4F, image)
-                .ok_or_else(|| Error::Line {
-                    text: format!("no {image}"),
-                })
+                .ok_or_else(|| Error::Line { text: format!("no {image}") })
         };
         let [_, state, _, instructions, ..] = row("exact_f32")?.values;
         let [flash, ..] = row(LEAST)?.values;
@@ -162,11 +146,7 @@ impl Figures {
                 ));
             }
         }
-        if broken.is_empty() {
-            Ok(())
-        } else {
-            Err(Error::Figures(broken))
-        }
+        if broken.is_empty() { Ok(()) } else { Err(Error::Figures(broken)) }
     }
 }
 
@@ -183,18 +163,12 @@ fn is_drawn(image: &str) -> bool {
 
 /// The images that were run and reported figures, in alphabetical order.
 fn images(folder: &Path) -> Result<Vec<String>, Error> {
-    let wrong = |source| Error::File {
-        path: folder.to_owned(),
-        source,
-    };
+    let wrong = |source| Error::File { path: folder.to_owned(), source };
     let mut images = Vec::new();
     for entry in fs::read_dir(folder).map_err(wrong)? {
         let path = entry.map_err(wrong)?.path();
         let text = fs::read_to_string(&path).map_err(wrong)?;
-        let name = path
-            .file_stem()
-            .and_then(|name| name.to_str())
-            .unwrap_or_default();
+        let name = path.file_stem().and_then(|name| name.to_str()).unwrap_or_default();
         if name != NOTHING && text.starts_with("state ") {
             images.push(name.to_owned());
         }

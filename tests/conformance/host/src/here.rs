@@ -13,11 +13,7 @@ struct Ear {
 impl Listener for Ear {
     fn begin(&mut self, what: &str, name: &str, precision: &str) {
         let [what, name, precision] = [what, name, precision].map(str::to_owned);
-        self.subject = Some(Subject {
-            what,
-            name,
-            precision,
-        });
+        self.subject = Some(Subject { what, name, precision });
     }
 
     fn word(&mut self, word: u64) {

@@ -29,13 +29,8 @@ pub(crate) fn soft_doubles(path: &Path) -> Result<Vec<String>, Error> {
 }
 
 fn read<T>(path: &Path, find: impl FnOnce(&object::File<'_>) -> T) -> Result<T, Error> {
-    let data = fs::read(path).map_err(|source| Error::File {
-        path: path.to_owned(),
-        source,
-    })?;
-    let file = object::File::parse(&*data).map_err(|source| Error::Image {
-        path: path.to_owned(),
-        source,
-    })?;
+    let data = fs::read(path).map_err(|source| Error::File { path: path.to_owned(), source })?;
+    let file = object::File::parse(&*data)
+        .map_err(|source| Error::Image { path: path.to_owned(), source })?;
     Ok(find(&file))
 }

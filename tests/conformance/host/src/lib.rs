@@ -64,9 +64,7 @@ fn stay_single(folder: &Path) -> Result<(), Error> {
         let doubles = image::soft_doubles(&path)?;
         if !doubles.is_empty() {
             let doubles = doubles.join(", ");
-            return Err(Error::Differs(format!(
-                "{image} computes in f64: {doubles}"
-            )));
+            return Err(Error::Differs(format!("{image} computes in f64: {doubles}")));
         }
     }
     Ok(())

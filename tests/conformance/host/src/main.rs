@@ -28,9 +28,7 @@ fn run() -> Result<(), Error> {
         Some(flag) if flag == "--update" => Figured::Anew,
         Some(_) => return Err(Error::Usage),
     };
-    let here = Answers {
-        poses_and_pictures: here::poses_and_pictures(),
-        abilities: here::abilities(),
-    };
+    let here =
+        Answers { poses_and_pictures: here::poses_and_pictures(), abilities: here::abilities() };
     hold(&folder, &here, figured)
 }

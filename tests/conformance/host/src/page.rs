@@ -23,9 +23,8 @@ pub(crate) fn write(docs: &Path, all: &[Figures]) -> Result<(), Error> {
         let (_, after) = others.split_once(MARKS[1])?;
         Some((before, after))
     });
-    let (before, after) = parts.ok_or_else(|| Error::Line {
-        text: format!("{}: no marks for figures", path.display()),
-    })?;
+    let (before, after) = parts
+        .ok_or_else(|| Error::Line { text: format!("{}: no marks for figures", path.display()) })?;
     let [start, end] = MARKS;
     let tables = format!(
         "\nBy {}, `opt-level = \"s\"`, bytes and instructions:\n\n{}\n{}\n",
@@ -37,17 +36,11 @@ pub(crate) fn write(docs: &Path, all: &[Figures]) -> Result<(), Error> {
 }
 
 fn get(path: &Path) -> Result<String, Error> {
-    fs::read_to_string(path).map_err(|source| Error::File {
-        path: path.to_owned(),
-        source,
-    })
+    fs::read_to_string(path).map_err(|source| Error::File { path: path.to_owned(), source })
 }
 
 fn put(path: &Path, text: &str) -> Result<(), Error> {
-    fs::write(path, text).map_err(|source| Error::File {
-        path: path.to_owned(),
-        source,
-    })
+    fs::write(path, text).map_err(|source| Error::File { path: path.to_owned(), source })
 }
 
 /// The four-bar by every method: the embedded column of the price list.
@@ -56,9 +49,7 @@ fn methods(figures: &Figures, errors: &str) -> String {
         "| four-bar | error at 1° | state | M4F: flash | stack | instructions | M0+: flash | stack | instructions |\n\
          |---|---|---|---|---|---|---|---|---|\n",
     );
-    for method in [
-        "exact", "newton", "newton_3", "newton_2", "newton_1", "linear",
-    ] {
+    for method in ["exact", "newton", "newton_3", "newton_2", "newton_1", "linear"] {
         for precision in ["f32", "f64"] {
             let image = format!("{method}_{precision}");
             let [Some(float), Some(whole)] = Board::ALL.map(|board| figures.row(board, &image))
@@ -102,9 +93,7 @@ fn gallery(figures: &Figures) -> String {
     });
     for row in rows {
         let [flash, state, stack, instructions, drawing, frame] = row.values;
-        let whole = figures
-            .row(Board::CortexM0, &row.image)
-            .map(|row| row.values);
+        let whole = figures.row(Board::CortexM0, &row.image).map(|row| row.values);
         let [_, _, _, whole, _, whole_frame] = whole.unwrap_or_default();
         // What has no shapes is not drawn.
         let [drawing, frame, whole_frame] =

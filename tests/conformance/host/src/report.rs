@@ -21,24 +21,15 @@ pub type Things = BTreeMap<Subject, Vec<Vec<u64>>>;
 pub(crate) fn things(text: &str) -> Result<Things, Error> {
     let mut things = Things::new();
     for line in text.lines() {
-        let wrong = || Error::Line {
-            text: line.to_owned(),
-        };
+        let wrong = || Error::Line { text: line.to_owned() };
         let mut words = line.split_whitespace().map(str::to_owned);
         let (Some(what), Some(name), Some(precision)) = (words.next(), words.next(), words.next())
         else {
             return Err(wrong());
         };
         let words = words.map(|word| u64::from_str_radix(&word, 16).map_err(|_| wrong()));
-        let subject = Subject {
-            what,
-            name,
-            precision,
-        };
-        things
-            .entry(subject)
-            .or_default()
-            .push(words.collect::<Result<_, _>>()?);
+        let subject = Subject { what, name, precision };
+        things.entry(subject).or_default().push(words.collect::<Result<_, _>>()?);
     }
     Ok(things)
 }

@@ -8,14 +8,8 @@ use std::fs;
 use std::path::Path;
 
 /// What is measured, in the order of the columns.
-pub(crate) const COLUMNS: [&str; 6] = [
-    "flash",
-    "state",
-    "stack",
-    "instructions",
-    "stack_drawing",
-    "instructions_frame",
-];
+pub(crate) const COLUMNS: [&str; 6] =
+    ["flash", "state", "stack", "instructions", "stack_drawing", "instructions_frame"];
 
 /// What one image costs: bytes of flash (less what an image with nothing in it takes), of the mechanism's state, of stack to move it;
 /// instructions a position; bytes of stack and instructions to move and draw it.
@@ -32,14 +26,10 @@ impl Row {
         let path = folder.join(board.target()).join(format!("{image}.txt"));
         let text = fs::read_to_string(&path).map_err(|source| Error::File { path, source })?;
         let parsed = |name: &str| {
-            let value = text
-                .lines()
-                .find_map(|line| line.strip_prefix(name)?.strip_prefix(' '));
+            let value = text.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(' '));
             value
                 .and_then(|value| value.trim().parse().ok())
-                .ok_or_else(|| Error::Line {
-                    text: format!("{image}: no {name}"),
-                })
+                .ok_or_else(|| Error::Line { text: format!("{image}: no {name}") })
         };
         Ok(Self {
             board: board.name().to_owned(),
@@ -78,9 +68,7 @@ impl Row {
 
     /// That of a line of the table.
     pub(crate) fn read(line: &str) -> Result<Self, Error> {
-        let wrong = || Error::Line {
-            text: line.to_owned(),
-        };
+        let wrong = || Error::Line { text: line.to_owned() };
         let mut cells = line.split(',');
         let (Some(board), Some(image)) = (cells.next(), cells.next()) else {
             return Err(wrong());

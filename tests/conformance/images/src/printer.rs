@@ -12,10 +12,7 @@ pub struct Printer {
 impl Printer {
     /// One that has printed nothing yet.
     pub const fn new() -> Self {
-        Self {
-            line: Line::new(),
-            heard: true,
-        }
+        Self { line: Line::new(), heard: true }
     }
 
     /// Whether everything could be printed.

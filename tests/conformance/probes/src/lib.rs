@@ -74,11 +74,7 @@ pub trait Listener {
 /// The name of the scalar a mechanism is computed in.
 #[must_use]
 pub const fn precision<M: Mechanism>() -> &'static str {
-    if size_of::<M::Scalar>() == size_of::<f32>() {
-        "f32"
-    } else {
-        "f64"
-    }
+    if size_of::<M::Scalar>() == size_of::<f32>() { "f32" } else { "f64" }
 }
 
 /// The part of its motion that is done at a step, in the scalar's own arithmetic.

@@ -24,9 +24,7 @@ impl Panel {
         reason = "in a static, where it belongs, it never is on the stack"
     )]
     pub const fn new() -> Self {
-        Self {
-            pixels: [[0; Self::SIDE]; Self::SIDE],
-        }
+        Self { pixels: [[0; Self::SIDE]; Self::SIDE] }
     }
 
     /// A check sum of all its pixels (FNV-1a).
@@ -93,8 +91,6 @@ pub fn sum(numbers: impl IntoIterator<Item = u16>) -> u64 {
     const FACTOR: u64 = 0x0000_0100_0000_01b3;
     numbers.into_iter().fold(START, |sum, number| {
         let bytes = number.to_le_bytes();
-        bytes.iter().fold(sum, |sum, byte| {
-            (sum ^ u64::from(*byte)).wrapping_mul(FACTOR)
-        })
+        bytes.iter().fold(sum, |sum, byte| (sum ^ u64::from(*byte)).wrapping_mul(FACTOR))
     })
 }

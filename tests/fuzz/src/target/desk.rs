@@ -23,9 +23,7 @@ pub(super) fn examine(record: &str) -> Result<bool, Finding> {
     let mut editor = Editor::immediate(Workspace::of(Source::new(&path, TEXT)));
     // The picture that it names is not there.
     let says_nothing = |text: &str| text.contains("linkage.png");
-    let is_understood = editor
-        .notice()
-        .is_none_or(|notice| says_nothing(&notice.text));
+    let is_understood = editor.notice().is_none_or(|notice| says_nothing(&notice.text));
     let items: Vec<_> = editor
         .drawing()
         .into_iter()

@@ -39,14 +39,8 @@ pub(crate) enum Target {
 }
 
 impl Target {
-    pub(crate) const ALL: [Self; 6] = [
-        Self::Mechanism,
-        Self::Document,
-        Self::Script,
-        Self::Desk,
-        Self::Linkage,
-        Self::Pmks,
-    ];
+    pub(crate) const ALL: [Self; 6] =
+        [Self::Mechanism, Self::Document, Self::Script, Self::Desk, Self::Linkage, Self::Pmks];
 
     pub(crate) const fn name(self) -> &'static str {
         match self {
@@ -100,27 +94,21 @@ impl Target {
                 all
             }
             Self::Script => {
-                let mut dialogues = texts(
-                    &folders(&["tests/cases/edits", "tests/cases/commands"]),
-                    &["txt"],
-                )?;
+                let mut dialogues =
+                    texts(&folders(&["tests/cases/edits", "tests/cases/commands"]), &["txt"])?;
                 dialogues.sort();
                 script::scripts(&dialogues, &mechanisms()?)
             }
             Self::Desk => texts(&folders(&["tests/fuzz/corpus"]), &["desk"])?,
-            Self::Linkage => texts(
-                &folders(&["studio/tests/samples", "tests/fuzz/corpus"]),
-                &["linkage2"],
-            )?,
+            Self::Linkage => {
+                texts(&folders(&["studio/tests/samples", "tests/fuzz/corpus"]), &["linkage2"])?
+            }
             Self::Pmks => {
                 let mut all = texts(
                     &folders(&["studio/tests/samples", "tests/fuzz/corpus"]),
                     &["pmks", "url"],
                 )?;
-                all.extend(import::links(&texts(
-                    &folders(&["tests/cases/commands"]),
-                    &["txt"],
-                )?));
+                all.extend(import::links(&texts(&folders(&["tests/cases/commands"]), &["txt"])?));
                 all
             }
         };

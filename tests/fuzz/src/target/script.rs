@@ -8,16 +8,7 @@ use mech_studio::editor::Editor;
 const BETWEEN: &str = "\n----\n";
 
 /// Lines that read and write files are left out, as are those that never end.
-const FILES: [&str; 8] = [
-    "draw",
-    "film",
-    "save",
-    "open",
-    "play",
-    "-o",
-    "--output",
-    "--picture",
-];
+const FILES: [&str; 8] = ["draw", "film", "save", "open", "play", "-o", "--output", "--picture"];
 
 /// The scripts in dialogues, each below a text.
 pub(super) fn scripts(dialogues: &[String], mechanisms: &[String]) -> Vec<String> {
@@ -40,10 +31,7 @@ pub(super) fn examine(script: &str) -> Result<bool, Finding> {
     let mut editor = Editor::immediate(Workspace::proposed("a.mech", text));
     let mut is_understood = false;
     for line in lines.lines() {
-        if line
-            .split(' ')
-            .any(|word| FILES.iter().any(|file| word.starts_with(file)))
-        {
+        if line.split(' ').any(|word| FILES.iter().any(|file| word.starts_with(file))) {
             continue;
         }
         let before = editor.workspace().text().to_owned();

@@ -34,21 +34,11 @@ fn main() {
         skia.paint(true);
         vello.paint();
         zeno.paint(true);
-        let ours = frame
-            .pixels()
-            .as_flattened()
-            .iter()
-            .filter(|&&pixel| pixel != 0)
-            .count();
-        println!(
-            "pixels painted: {ours}, by tiny-skia's mask {}",
-            skia.covered()
-        );
-        for (name, pixels) in [
-            ("tiny-skia", skia.pixels()),
-            ("vello_cpu", vello.pixels()),
-            ("zeno", zeno.pixels()),
-        ] {
+        let ours = frame.pixels().as_flattened().iter().filter(|&&pixel| pixel != 0).count();
+        println!("pixels painted: {ours}, by tiny-skia's mask {}", skia.covered());
+        for (name, pixels) in
+            [("tiny-skia", skia.pixels()), ("vello_cpu", vello.pixels()), ("zeno", zeno.pixels())]
+        {
             println!(
                 "mean difference of a channel to {name}: {:.4} of 255",
                 difference(&smooth, pixels)
@@ -64,17 +54,9 @@ fn main() {
                 || hard(&mut frame),
             );
         };
-        show(
-            "tiny-skia mask",
-            Threshold::AtLeast(mask_limit),
-            Box::new(|| skia.mask()),
-        );
+        show("tiny-skia mask", Threshold::AtLeast(mask_limit), Box::new(|| skia.mask()));
         show("tiny-skia", Threshold::None, Box::new(|| skia.paint(false)));
-        show(
-            "embedded-graphics",
-            Threshold::None,
-            Box::new(|| embedded.paint()),
-        );
+        show("embedded-graphics", Threshold::None, Box::new(|| embedded.paint()));
         let mut show = |peer: &str, limit, mut theirs: Box<dyn FnMut() + '_>| {
             compare(
                 &format!("{name}, smooth, {peer}"),
@@ -85,26 +67,10 @@ fn main() {
                 || soft(&mut smooth),
             );
         };
-        show(
-            "zeno",
-            Threshold::AtLeast(1.5),
-            Box::new(|| zeno.paint(true)),
-        );
-        show(
-            "zeno's masks alone",
-            Threshold::None,
-            Box::new(|| zeno.paint(false)),
-        );
-        show(
-            "vello_cpu",
-            Threshold::AtLeast(1.5),
-            Box::new(|| vello.paint()),
-        );
-        show(
-            "tiny-skia",
-            Threshold::AtLeast(1.5),
-            Box::new(|| skia.paint(true)),
-        );
+        show("zeno", Threshold::AtLeast(1.5), Box::new(|| zeno.paint(true)));
+        show("zeno's masks alone", Threshold::None, Box::new(|| zeno.paint(false)));
+        show("vello_cpu", Threshold::AtLeast(1.5), Box::new(|| vello.paint()));
+        show("tiny-skia", Threshold::AtLeast(1.5), Box::new(|| skia.paint(true)));
     }
 }
 

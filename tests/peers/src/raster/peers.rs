@@ -6,10 +6,7 @@ use mech_runtime::Palette;
 use tiny_skia::{Color, FillRule, Mask, Paint, PathBuilder, Pixmap, Transform};
 use vello_cpu::kurbo::{self, Shape as _};
 
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "their paths are of this precision"
-)]
+#[expect(clippy::cast_possible_truncation, reason = "their paths are of this precision")]
 fn narrow([x, y]: [f64; 2]) -> [f32; 2] {
     [x as f32, y as f32]
 }
@@ -20,11 +17,7 @@ fn sk_path(shape: &Shape) -> tiny_skia::Path {
         Shape::Hexagon(corners) => {
             for (number, corner) in corners.iter().enumerate() {
                 let [x, y] = narrow(*corner);
-                if number == 0 {
-                    path.move_to(x, y)
-                } else {
-                    path.line_to(x, y)
-                }
+                if number == 0 { path.move_to(x, y) } else { path.line_to(x, y) }
             }
             path.close();
         }
@@ -59,21 +52,16 @@ impl TinySkia {
     pub fn paint(&mut self, anti_alias: bool) {
         self.pixmap.fill(Color::from_rgba8(0xFA, 0xF6, 0xED, 255));
         for (path, [r, g, b]) in &self.paths {
-            let mut paint = Paint {
-                anti_alias,
-                ..Paint::default()
-            };
+            let mut paint = Paint { anti_alias, ..Paint::default() };
             paint.set_color_rgba8(*r, *g, *b, 255);
-            self.pixmap
-                .fill_path(path, &paint, FillRule::EvenOdd, Transform::identity(), None);
+            self.pixmap.fill_path(path, &paint, FillRule::EvenOdd, Transform::identity(), None);
         }
     }
 
     pub fn mask(&mut self) {
         self.mask.clear();
         for (path, _) in &self.paths {
-            self.mask
-                .fill_path(path, FillRule::EvenOdd, false, Transform::identity());
+            self.mask.fill_path(path, FillRule::EvenOdd, false, Transform::identity());
         }
     }
 
@@ -100,11 +88,7 @@ impl Vello {
             Shape::Hexagon(corners) => {
                 let mut path = kurbo::BezPath::new();
                 for (number, &[x, y]) in corners.iter().enumerate() {
-                    if number == 0 {
-                        path.move_to((x, y))
-                    } else {
-                        path.line_to((x, y))
-                    }
+                    if number == 0 { path.move_to((x, y)) } else { path.line_to((x, y)) }
                 }
                 path.close_path();
                 path
@@ -126,13 +110,10 @@ impl Vello {
         use vello_cpu::color::AlphaColor;
         let side = f64::from(SIDE);
         self.context.reset();
-        self.context
-            .set_paint(AlphaColor::from_rgba8(0xFA, 0xF6, 0xED, 255));
-        self.context
-            .fill_rect(&kurbo::Rect::new(0.0, 0.0, side, side));
+        self.context.set_paint(AlphaColor::from_rgba8(0xFA, 0xF6, 0xED, 255));
+        self.context.fill_rect(&kurbo::Rect::new(0.0, 0.0, side, side));
         for (path, [r, g, b]) in &self.paths {
-            self.context
-                .set_paint(AlphaColor::from_rgba8(*r, *g, *b, 255));
+            self.context.set_paint(AlphaColor::from_rgba8(*r, *g, *b, 255));
             self.context.fill_path(path);
         }
         self.context.flush();
@@ -235,10 +216,7 @@ pub struct EmbeddedGraphics {
 
 impl EmbeddedGraphics {
     pub fn new(scene: &[(Shape, u8)]) -> Self {
-        Self {
-            scene: scene.to_vec(),
-            pixels: vec![0; usize::from(SIDE) * usize::from(SIDE)],
-        }
+        Self { scene: scene.to_vec(), pixels: vec![0; usize::from(SIDE) * usize::from(SIDE)] }
     }
 
     pub fn paint(&mut self) {

@@ -17,10 +17,8 @@ pub enum Shape {
 pub fn scene(screens: f64) -> Vec<(Shape, u8)> {
     let side = f64::from(SIDE);
     let area = screens * side * side / 30.0;
-    let (hexagon, circle) = (
-        (area / (1.5 * 3.0_f64.sqrt())).sqrt(),
-        (area / std::f64::consts::PI).sqrt(),
-    );
+    let (hexagon, circle) =
+        ((area / (1.5 * 3.0_f64.sqrt())).sqrt(), (area / std::f64::consts::PI).sqrt());
     // Places that look random, and are the same in every run.
     let place = |number: f64, factor: f64, reach: f64| {
         reach + (side - 2.0 * reach) * (number * factor).fract()
@@ -29,19 +27,13 @@ pub fn scene(screens: f64) -> Vec<(Shape, u8)> {
         .map(|number| {
             let n = f64::from(number) + 0.5;
             let reach = hexagon.max(circle) + 1.0;
-            let center = [
-                place(n, 0.754_877_666, reach),
-                place(n, 0.569_840_291, reach),
-            ];
+            let center = [place(n, 0.754_877_666, reach), place(n, 0.569_840_291, reach)];
             let shape = if number % 3 == 2 {
                 Shape::Circle(center, circle)
             } else {
                 Shape::Hexagon(std::array::from_fn(|corner| {
                     let angle = n + corner as f64 * std::f64::consts::FRAC_PI_3;
-                    [
-                        center[0] + hexagon * angle.cos(),
-                        center[1] + hexagon * angle.sin(),
-                    ]
+                    [center[0] + hexagon * angle.cos(), center[1] + hexagon * angle.sin()]
                 }))
             };
             (shape, 2 + number % 12)
@@ -52,19 +44,11 @@ pub fn scene(screens: f64) -> Vec<(Shape, u8)> {
 /// Paints it with our own canvases.
 pub fn paint(scene: &[(Shape, u8)], canvas: &mut impl Canvas<f64>) {
     let half = f64::from(SIDE) / 2.0;
-    let pose = Pose {
-        cos: 1.0,
-        sin: 0.0,
-        x: -half,
-        y: -half,
-    };
+    let pose = Pose { cos: 1.0, sin: 0.0, x: -half, y: -half };
     for (shape, color) in scene {
         let outline = match shape {
             Shape::Hexagon(corners) => Outline::Polygon(corners),
-            Shape::Circle(center, radius) => Outline::Circle {
-                center: *center,
-                radius: *radius,
-            },
+            Shape::Circle(center, radius) => Outline::Circle { center: *center, radius: *radius },
         };
         canvas.fill(outline, pose, *color);
     }

@@ -61,12 +61,7 @@ impl Grown {
         }
         let (wheel, on, other) = *dice.pick(&[(first, a, b), (a, b, c)]);
         let ratio = Ratio::Teeth(20, *dice.pick(&[60, 40, -50, 17]));
-        self.joint(JointKind::Gear {
-            a: wheel,
-            b: other,
-            ratio,
-            on: Some(on),
-        });
+        self.joint(JointKind::Gear { a: wheel, b: other, ratio, on: Some(on) });
         self.loops += 1;
     }
 
@@ -81,12 +76,7 @@ impl Grown {
         self.revolute(c, last, point(dice));
         let (pinion, on, bar) = *dice.pick(&[(a, b, c), (last, c, b)]);
         let radius = dice.between(0.2, 1.0) * if dice.once_in(3) { -1.0 } else { 1.0 };
-        self.joint(JointKind::Rack {
-            pinion,
-            bar,
-            radius,
-            on: Some(on),
-        });
+        self.joint(JointKind::Rack { pinion, bar, radius, on: Some(on) });
         self.loops += 1;
     }
 

@@ -200,12 +200,7 @@ impl Grown {
                 (true, Ordering::Greater) => Ratio::Teeth(-own, other),
                 _ => Ratio::Teeth(own, other),
             };
-            JointKind::Gear {
-                a,
-                b,
-                ratio,
-                on: None,
-            }
+            JointKind::Gear { a, b, ratio, on: None }
         });
     }
 
@@ -225,17 +220,9 @@ impl Grown {
         }
         let driven = self.link();
         let at = point(dice);
-        let (a, b) = if dice.once_in(2) {
-            (carrier, driven)
-        } else {
-            (driven, carrier)
-        };
+        let (a, b) = if dice.once_in(2) { (carrier, driven) } else { (driven, carrier) };
         self.revolute(a, b, at);
-        let (a, b) = if dice.once_in(2) {
-            (wheel, driven)
-        } else {
-            (driven, wheel)
-        };
+        let (a, b) = if dice.once_in(2) { (wheel, driven) } else { (driven, wheel) };
         let kind = kind(dice, a, b);
         self.joint(kind);
         self.gears += 1;
@@ -337,18 +324,13 @@ impl Grown {
             for id in self.model.joint_ids().filter(|id| id.index() != without) {
                 let (a, b) = self.model.ends(id);
                 let (a, b) = (group[a.index()], group[b.index()]);
-                group
-                    .iter_mut()
-                    .filter(|entry| **entry == b)
-                    .for_each(|entry| *entry = a);
+                group.iter_mut().filter(|entry| **entry == b).for_each(|entry| *entry = a);
             }
             group.sort_unstable();
             group.dedup();
             group.len()
         };
-        self.arms = (0..self.model.joints.len())
-            .filter(|&joint| parts(joint) > 1)
-            .count();
+        self.arms = (0..self.model.joints.len()).filter(|&joint| parts(joint) > 1).count();
     }
 }
 
@@ -386,23 +368,13 @@ pub fn in_own_frames(model: &Model, dice: &mut Dice) -> (Model, Vec<[f64; 4]>) {
     let mut own = model.clone();
     let angles: Vec<f64> = model
         .link_ids()
-        .map(|link| {
-            if link == LinkId::GROUND {
-                0.0
-            } else {
-                dice.between(-3.0, 3.0)
-            }
-        })
+        .map(|link| if link == LinkId::GROUND { 0.0 } else { dice.between(-3.0, 3.0) })
         .collect();
     let poses: Vec<[f64; 4]> = model
         .link_ids()
         .map(|link| {
             let (sin, cos) = angles[link.index()].sin_cos();
-            let [x, y] = if link == LinkId::GROUND {
-                [0.0; 2]
-            } else {
-                point(dice)
-            };
+            let [x, y] = if link == LinkId::GROUND { [0.0; 2] } else { point(dice) };
             [cos, sin, x, y]
         })
         .collect();
@@ -411,12 +383,7 @@ pub fn in_own_frames(model: &Model, dice: &mut Dice) -> (Model, Vec<[f64; 4]>) {
         model.joints.iter().any(on)
     };
     let declared = |axis: &Axis| model.link(axis.link).die.is_none();
-    for (id, axis) in own
-        .axes
-        .iter_mut()
-        .enumerate()
-        .filter(|(_, axis)| declared(axis))
-    {
+    for (id, axis) in own.axes.iter_mut().enumerate().filter(|(_, axis)| declared(axis)) {
         let [cos, sin, x, y] = poses[axis.link.index()];
         let back = |[a, b]: Point| [cos * a + sin * b, cos * b - sin * a];
         axis.at = back([axis.at[0] - x, axis.at[1] - y]);
@@ -428,21 +395,13 @@ pub fn in_own_frames(model: &Model, dice: &mut Dice) -> (Model, Vec<[f64; 4]>) {
     }
     for link in own.declared_links().collect::<Vec<_>>() {
         own.links[link.index()].drawn = false;
-        own.start.near.push(Near {
-            link,
-            angle: angles[link.index()],
-            origin: Origin::default(),
-        });
+        own.start.near.push(Near { link, angle: angles[link.index()], origin: Origin::default() });
     }
     for joint in free_joints(model) {
         let (a, b) = own.ends(joint);
         if let JointKind::Revolute(..) = own.joint(joint).kind {
             let value = angles[b.index()] - angles[a.index()];
-            own.start.values.push(StartValue {
-                joint,
-                value,
-                origin: Origin::default(),
-            });
+            own.start.values.push(StartValue { joint, value, origin: Origin::default() });
         }
     }
     (own, poses)

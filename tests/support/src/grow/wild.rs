@@ -36,14 +36,10 @@ pub fn grow_wild(dice: &mut Dice, coupled: bool) -> Grown {
 impl Grown {
     /// A pin that turns one link on another: both, the ground not the second, and where it is.
     fn turning(&self, dice: &mut Dice) -> Option<([LinkId; 2], [f64; 2])> {
-        let pins = self
-            .model
-            .joints
-            .iter()
-            .filter_map(|joint| match joint.kind {
-                JointKind::Revolute(a, b) => Some([a, b].map(|axis| self.model.axis(axis))),
-                _ => None,
-            });
+        let pins = self.model.joints.iter().filter_map(|joint| match joint.kind {
+            JointKind::Revolute(a, b) => Some([a, b].map(|axis| self.model.axis(axis))),
+            _ => None,
+        });
         let pins: Vec<_> = pins.collect();
         let [a, b] = *pins.get(dice.below(pins.len().max(1)))?;
         let turn = dice.once_in(2) && a.link != LinkId::GROUND || b.link == LinkId::GROUND;
@@ -59,12 +55,7 @@ impl Grown {
         let bar = self.link();
         self.prismatic(carrier, bar, point(dice), direction(dice));
         let radius = *dice.pick(&[1.0, 0.378, 0.1, 0.5, 3.0, 8.0, 20.0]);
-        self.joint(JointKind::Rack {
-            pinion,
-            bar,
-            radius,
-            on: Some(carrier),
-        });
+        self.joint(JointKind::Rack { pinion, bar, radius, on: Some(carrier) });
     }
 
     /// A wheel that another one turns much faster, or slower.

@@ -47,14 +47,8 @@ pub enum Family {
 
 impl Family {
     /// All of them.
-    pub const ALL: [Self; 6] = [
-        Self::Symmetric,
-        Self::Rows,
-        Self::Fast,
-        Self::Generic,
-        Self::Wild,
-        Self::Coupled,
-    ];
+    pub const ALL: [Self; 6] =
+        [Self::Symmetric, Self::Rows, Self::Fast, Self::Generic, Self::Wild, Self::Coupled];
 
     /// The text of one of them.
     #[must_use]
@@ -173,20 +167,13 @@ fn journeys<T: Real>(
     let start = motors(&machine);
     let gap = judge.gap(&judge.start(), &start);
     if gap > if trial.is_single() { 1e-3 } else { 1e-7 } {
-        trial.find(
-            Fault::Torn,
-            format!("it is torn by {gap:.1e} of a link where it starts"),
-        );
+        trial.find(Fault::Torn, format!("it is torn by {gap:.1e} of a link where it starts"));
         return trial.found;
     }
     if start.len() > 1 {
         trial.several(&mut machine, dice);
     } else {
-        let reach = if subject.slides(0) {
-            2.0 * crate::size(&subject.model)
-        } else {
-            2.5 * TAU
-        };
+        let reach = if subject.slides(0) { 2.0 * crate::size(&subject.model) } else { 2.5 * TAU };
         let line = Line::new(&judge, start[0], reach);
         if let Some(why) = line.track.gave_up() {
             *tally.reasons.entry(why.to_owned()).or_default() += 1;
@@ -215,9 +202,7 @@ pub fn faults(subject: &Subject, targets: &[Vec<f64>], in_a_row: bool) -> Vec<(F
     let (mut place, mut path, mut paths) = (judge.start(), Vec::new(), Vec::new());
     for to in targets {
         let next = match &line {
-            Some(line) => trial
-                .judged(line, &mut machine, to[0], &mut path)
-                .then(|| place.clone()),
+            Some(line) => trial.judged(line, &mut machine, to[0], &mut path).then(|| place.clone()),
             None => trial.leap(&mut machine, &place, to, &mut paths),
         };
         if let Some(next) = next.filter(|_| in_a_row) {

@@ -25,26 +25,18 @@ impl Subject {
     /// # Errors
     /// What the compiler says.
     pub fn read(text: &str) -> Result<Self, String> {
-        let tokens = text
-            .parse()
-            .map_err(|error| format!("no text of a mechanism: {error}"))?;
+        let tokens = text.parse().map_err(|error| format!("no text of a mechanism: {error}"))?;
         let parsed = parse(tokens);
         if let Some(error) = parsed.errors.first() {
             return Err(format!("no text of a mechanism: {}", error.text));
         }
         let model = parsed.model;
         let compiled = compile(&model).map_err(|wrong| {
-            let messages: Vec<String> = wrong
-                .iter()
-                .map(|one| reporter::text(one, &model))
-                .collect();
+            let messages: Vec<String> =
+                wrong.iter().map(|one| reporter::text(one, &model)).collect();
             messages.join("; ")
         })?;
-        Ok(Self {
-            text: text.to_owned(),
-            model,
-            compiled,
-        })
+        Ok(Self { text: text.to_owned(), model, compiled })
     }
 
     /// The mechanism of a text that is right.
@@ -88,12 +80,7 @@ impl Subject {
     /// The judge at a position.
     #[must_use]
     pub fn judge_at(&self, at: &Position<f64>) -> Judge<'_> {
-        Judge::new(
-            &self.model,
-            &self.compiled.structure.rollings,
-            &self.poses(at),
-            &at.motors,
-        )
+        Judge::new(&self.model, &self.compiled.structure.rollings, &self.poses(at), &at.motors)
     }
 
     /// The poses of all links, the ground first.
@@ -112,10 +99,7 @@ impl Subject {
     /// Whether a motor slides.
     #[must_use]
     pub fn slides(&self, motor: usize) -> bool {
-        matches!(
-            self.model.joint(self.model.motors[motor].joint).kind,
-            JointKind::Prismatic(..)
-        )
+        matches!(self.model.joint(self.model.motors[motor].joint).kind, JointKind::Prismatic(..))
     }
 }
 
@@ -145,23 +129,13 @@ impl<'j> Track<'j> {
     #[must_use]
     pub fn new(judge: &'j Judge<'j>, start: f64, reach: f64) -> Self {
         let side = |by: f64| Curve::new(judge, &judge.start(), [&[start], &[start + by]]);
-        Self {
-            judge,
-            start,
-            reach,
-            sides: vec![side(reach), side(-reach)],
-        }
+        Self { judge, start, reach, sides: vec![side(reach), side(-reach)] }
     }
 
     /// Follows one move.
     #[must_use]
     pub fn of_move(judge: &'j Judge<'j>, place: &Place, motors: [&[f64]; 2]) -> Self {
-        Self {
-            judge,
-            start: 0.0,
-            reach: 1.0,
-            sides: vec![Curve::new(judge, place, motors)],
-        }
+        Self { judge, start: 0.0, reach: 1.0, sides: vec![Curve::new(judge, place, motors)] }
     }
 
     /// Where a move leads.
@@ -172,10 +146,7 @@ impl<'j> Track<'j> {
 
     fn side(&self, value: f64) -> (&Curve<'j>, f64) {
         let by = value - self.start;
-        (
-            &self.sides[usize::from(by < 0.0).min(self.sides.len() - 1)],
-            by.abs() / self.reach,
-        )
+        (&self.sides[usize::from(by < 0.0).min(self.sides.len() - 1)], by.abs() / self.reach)
     }
 
     /// What it says of a value.
@@ -205,9 +176,7 @@ impl<'j> Track<'j> {
     pub fn crossings(&self) -> Vec<f64> {
         let sides = self.sides.iter().zip([1.0, -1.0]);
         let values = sides.flat_map(|(side, sign)| {
-            side.crossings
-                .iter()
-                .map(move |part| self.start + sign * part * self.reach)
+            side.crossings.iter().map(move |part| self.start + sign * part * self.reach)
         });
         values.collect()
     }
@@ -215,10 +184,7 @@ impl<'j> Track<'j> {
     /// How near it comes to where curves cross without going through.
     #[must_use]
     pub fn nearest(&self) -> f64 {
-        self.sides
-            .iter()
-            .map(|side| side.nearest)
-            .fold(f64::INFINITY, f64::min)
+        self.sides.iter().map(|side| side.nearest).fold(f64::INFINITY, f64::min)
     }
 
     /// Why it is not known farther, if it is not.

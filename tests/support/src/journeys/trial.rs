@@ -32,11 +32,7 @@ pub(super) struct Line<'a> {
 impl<'a> Line<'a> {
     /// From where a motor starts so far to both sides.
     pub(super) fn new(judge: &'a Judge<'a>, start: f64, reach: f64) -> Self {
-        Self {
-            track: Track::new(judge, start, reach),
-            start,
-            reach,
-        }
+        Self { track: Track::new(judge, start, reach), start, reach }
     }
 }
 
@@ -50,22 +46,12 @@ pub(super) struct Trial<'a> {
 
 /// The numbers of a position's motors.
 pub(super) fn motors<T: Real>(machine: &Machine<'_, T>) -> Vec<f64> {
-    machine
-        .position()
-        .motors
-        .iter()
-        .map(|value| value.to_f64())
-        .collect()
+    machine.position().motors.iter().map(|value| value.to_f64()).collect()
 }
 
 impl<'a> Trial<'a> {
     pub(super) fn new(subject: &'a Subject, judge: &'a Judge<'a>) -> Self {
-        Self {
-            subject,
-            judge,
-            found: Vec::new(),
-            moves: 0,
-        }
+        Self { subject, judge, found: Vec::new(), moves: 0 }
     }
 
     pub(super) fn find(&mut self, fault: Fault, what: String) {
@@ -135,26 +121,15 @@ impl<'a> Trial<'a> {
             Judged::Reached(there, condition) => {
                 let least = if single { [2e-4, 1e-5] } else { [1e-6, 1e-9] };
                 // What rounding of the motor, as gears make it greater, does to the position: no number of this precision tells more.
-                let epsilon = if single {
-                    f64::from(f32::EPSILON)
-                } else {
-                    f64::EPSILON
-                };
+                let epsilon = if single { f64::from(f32::EPSILON) } else { f64::EPSILON };
                 let turned = 1.0 + at.abs() * self.subject.gain();
                 let hidden = ROUNDINGS * epsilon * turned * condition;
                 let elsewhere = ELSEWHERE.max(hidden);
                 let allowed = least[0].max(least[1] * condition).min(elsewhere);
                 let off = apart(&poses, &there, extent);
                 if off > allowed {
-                    let fault = if off > elsewhere {
-                        Fault::Elsewhere
-                    } else {
-                        Fault::Off
-                    };
-                    return blame(
-                        fault,
-                        format!("off by {off:.2e}, condition {condition:.1e}"),
-                    );
+                    let fault = if off > elsewhere { Fault::Elsewhere } else { Fault::Off };
+                    return blame(fault, format!("off by {off:.2e}, condition {condition:.1e}"));
                 }
             }
             Judged::Beyond(end) if (at - end).abs() > loose => {
@@ -164,10 +139,7 @@ impl<'a> Trial<'a> {
             // Whoever goes there, or stops on the way, is not blamed.
             Judged::Far => return Ok(false),
             Judged::Unknown => {
-                return Err((
-                    Fault::Unknown,
-                    format!("the judge gives up: {:?}", track.gave_up()),
-                ));
+                return Err((Fault::Unknown, format!("the judge gives up: {:?}", track.gave_up())));
             }
         }
         let Some(stop) = stop else {
@@ -179,10 +151,7 @@ impl<'a> Trial<'a> {
             Judged::Far | Judged::Unknown => return Ok(false),
         };
         if (at - end).abs() > loose {
-            return blame(
-                Fault::StopsEarly,
-                format!("it stops by {stop:?}, the judge at {end}"),
-            );
+            return blame(Fault::StopsEarly, format!("it stops by {stop:?}, the judge at {end}"));
         }
         // From a dead point it goes back the way it came.
         Ok(true)
@@ -201,20 +170,13 @@ impl<'a> Trial<'a> {
         let track = Track::of_move(self.judge, place, [&from, &to]);
         let stop = move_to(machine, goal);
         let ways = to.iter().zip(&from).map(|(to, from)| to - from);
-        let longest = ways
-            .enumerate()
-            .max_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
+        let longest = ways.enumerate().max_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
         let (longest, length) = longest?;
-        let at = if stop.is_none() {
-            1.0
-        } else {
-            (motors(machine)[longest] - from[longest]) / length
-        };
+        let at =
+            if stop.is_none() { 1.0 } else { (motors(machine)[longest] - from[longest]) / length };
         path.push(to);
         let verdict = self.verdict(&track, machine, [at, 1.0], stop, 1.0 + 1.0 / length.abs());
-        let goes_on = self.conclude(verdict, || {
-            format!("path {path:?}: from {from:?}, part {at}")
-        });
+        let goes_on = self.conclude(verdict, || format!("path {path:?}: from {from:?}, part {at}"));
         track.target().filter(|_| goes_on)
     }
 
@@ -235,11 +197,7 @@ impl<'a> Trial<'a> {
                     };
                 let to = dice.between(-reach, reach)
                     + if far < 0.5 { from[motor] } else { start[motor] };
-                T::from_f64(if only >= from.len() || only == motor {
-                    to
-                } else {
-                    from[motor]
-                })
+                T::from_f64(if only >= from.len() || only == motor { to } else { from[motor] })
             });
             let goal: Vec<T> = goal.collect();
             if let Some(target) = self.leap(machine, &place, &goal, &mut path) {
@@ -290,11 +248,7 @@ impl<'a> Trial<'a> {
         dice: &mut Dice,
     ) {
         let crossings = line.track.crossings();
-        let unit = if self.subject.slides(0) {
-            line.reach / 12.0
-        } else {
-            1.0
-        };
+        let unit = if self.subject.slides(0) { line.reach / 12.0 } else { 1.0 };
         self.wander(line, machine, 24, |at| {
             let by = *dice.pick(&[1e-7, 1e-7, 1e-5, 1e-3, 1e-3, 0.1, 1.0, 1.0, PI])
                 * unit
@@ -309,11 +263,7 @@ impl<'a> Trial<'a> {
 
     pub(super) fn steps<T: Real>(&mut self, line: &Line<'_>, machine: &mut Machine<'_, T>) {
         let begin = machine.position().clone();
-        let step = if self.subject.slides(0) {
-            line.reach / 14_400.0
-        } else {
-            TAU / 7200.0
-        };
+        let step = if self.subject.slides(0) { line.reach / 14_400.0 } else { TAU / 7200.0 };
         for sign in [1.0, -1.0] {
             machine.put_back(begin.clone());
             let mut rows = vec![self.subject.poses(&begin)];
@@ -345,10 +295,8 @@ fn jump(rows: &[Vec<[f64; 4]>]) -> Option<String> {
     let wrapped = |angle: f64| angle - TAU * (angle / TAU).round();
     for link in 1..rows[0].len() {
         let angle = |row: &Vec<[f64; 4]>| row[link][1].atan2(row[link][0]);
-        let turns: Vec<f64> = rows
-            .windows(2)
-            .map(|pair| wrapped(angle(&pair[1]) - angle(&pair[0])).abs())
-            .collect();
+        let turns: Vec<f64> =
+            rows.windows(2).map(|pair| wrapped(angle(&pair[1]) - angle(&pair[0])).abs()).collect();
         for (number, turn) in turns.iter().enumerate() {
             if *turn > 20.0_f64.to_radians() {
                 let mut near =

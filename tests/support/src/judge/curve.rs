@@ -59,10 +59,7 @@ impl<'j> Curve<'j> {
         let [from, to] = motors.map(|values| judge.scaled(values));
         let by: Vec<f64> = from.iter().zip(&to).map(|(from, to)| to - from).collect();
         let length = by.iter().fold(0.0_f64, |most, by| most.max(by.abs()));
-        let direction = by
-            .iter()
-            .map(|by| by / length.max(f64::MIN_POSITIVE))
-            .collect();
+        let direction = by.iter().map(|by| by / length.max(f64::MIN_POSITIVE)).collect();
         let mut curve = Self {
             judge,
             from,
@@ -98,14 +95,8 @@ impl<'j> Curve<'j> {
         square.rows_mut(0, slopes.nrows()).copy_from(&slopes);
         let svd = square.svd(false, true);
         let least = svd.singular_values.imin();
-        let others = svd
-            .singular_values
-            .iter()
-            .enumerate()
-            .filter(|(number, _)| *number != least);
-        let sigma = others
-            .map(|(_, value)| *value)
-            .fold(f64::INFINITY, f64::min);
+        let others = svd.singular_values.iter().enumerate().filter(|(number, _)| *number != least);
+        let sigma = others.map(|(_, value)| *value).fold(f64::INFINITY, f64::min);
         let mut tangent = svd.v_t?.row(least).transpose();
         let way = columns - 1;
         if sigma < CROSSING || tangent[way].abs() < 1e-9 {
@@ -115,12 +106,7 @@ impl<'j> Curve<'j> {
             tangent = -tangent;
         }
         let (at, _) = self.correct(at, &tangent)?;
-        Some(Knot {
-            at,
-            tangent,
-            arc: 0.0,
-            sigma,
-        })
+        Some(Knot { at, tangent, arc: 0.0, sigma })
     }
 
     /// Newton's method from a guess, across a direction. Gives how far the guess was off.
@@ -174,12 +160,7 @@ impl<'j> Curve<'j> {
         let turned = (&tangent - &now.tangent).norm();
         let gone = (&at - &now.at).norm();
         let excess = (off / (0.1 * sigma.min(step))).cbrt().max(turned / LONGEST);
-        let knot = Knot {
-            at,
-            tangent,
-            arc: now.arc + gone,
-            sigma,
-        };
+        let knot = Knot { at, tangent, arc: now.arc + gone, sigma };
         (gone > 0.5 * step && gone < 2.0 * step).then_some((knot, excess))
     }
 
@@ -196,9 +177,7 @@ impl<'j> Curve<'j> {
     fn far(&self, knot: usize) -> f64 {
         let gone = &self.knots[knot].at - &self.knots[0].at;
         let places = gone.as_slice().chunks_exact(3);
-        places
-            .map(|place| place[0].hypot(place[1]))
-            .fold(0.0, f64::max)
+        places.map(|place| place[0].hypot(place[1])).fold(0.0, f64::max)
     }
 
     fn follow(&mut self) -> End {
@@ -220,10 +199,7 @@ impl<'j> Curve<'j> {
                     return End::GivesUp(part, "curves cross, and it is not clear how it goes on");
                 }
                 dip = f64::INFINITY;
-                (step, pace) = (
-                    self.knots.last().map_or(1e-3, |knot| 0.3 * knot.sigma),
-                    0.05,
-                );
+                (step, pace) = (self.knots.last().map_or(1e-3, |knot| 0.3 * knot.sigma), 0.05);
             } else {
                 // It ends at the target, with one knot behind it.
                 if value >= self.length {
@@ -238,9 +214,7 @@ impl<'j> Curve<'j> {
                     Ok((knot, excess)) => {
                         let (before, gone) =
                             (self.knots[base].sigma, knot.arc - self.knots[base].arc);
-                        pace = ((knot.sigma - before).abs() / gone)
-                            .max(0.8 * pace)
-                            .max(0.05);
+                        pace = ((knot.sigma - before).abs() / gone).max(0.8 * pace).max(0.05);
                         if knot.sigma < before {
                             dip = knot.sigma / pace;
                         } else {
@@ -273,9 +247,7 @@ impl<'j> Curve<'j> {
             }
         }
         End::GivesUp(
-            self.knots
-                .last()
-                .map_or(0.0, |knot| knot.at[way] / self.length),
+            self.knots.last().map_or(0.0, |knot| knot.at[way] / self.length),
             "there are too many knots",
         )
     }
@@ -284,9 +256,8 @@ impl<'j> Curve<'j> {
     fn pass(&mut self, near: usize, room: f64) -> bool {
         let crossing = self.knots[near].arc + room;
         for distance in [3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2] {
-            let Some(base) = self.knots[..=near]
-                .iter()
-                .rposition(|knot| crossing - knot.arc >= distance)
+            let Some(base) =
+                self.knots[..=near].iter().rposition(|knot| crossing - knot.arc >= distance)
             else {
                 break;
             };
@@ -307,10 +278,7 @@ impl<'j> Curve<'j> {
         let way = self.knots[last].at.len() - 1;
         let (mut low, mut high) = (
             (0.0, self.knots[last - 1].tangent[way]),
-            (
-                self.knots[last].arc - self.knots[last - 1].arc,
-                self.knots[last].tangent[way],
-            ),
+            (self.knots[last].arc - self.knots[last - 1].arc, self.knots[last].tangent[way]),
         );
         let mut best = self.knots[last].clone();
         for round in 0..60 {
@@ -318,15 +286,10 @@ impl<'j> Curve<'j> {
                 break;
             }
             let secant = low.0 + (high.0 - low.0) * low.1 / (low.1 - high.1);
-            let middle = if round % 3 == 2 {
-                f64::midpoint(low.0, high.0)
-            } else {
-                secant
-            };
+            let middle = if round % 3 == 2 { f64::midpoint(low.0, high.0) } else { secant };
             // The whole step was sure: a part of it is, even if it seems a little too long.
-            let Some((knot, _)) = self
-                .attempt(last - 1, middle)
-                .filter(|(_, excess)| *excess < 2.0)
+            let Some((knot, _)) =
+                self.attempt(last - 1, middle).filter(|(_, excess)| *excess < 2.0)
             else {
                 break;
             };
@@ -377,10 +340,7 @@ impl<'j> Curve<'j> {
         let after = self.knots.partition_point(|knot| knot.at[way] < goal);
         let [low, high] = match (after, self.knots.get(after)) {
             (0, _) => {
-                return Some((
-                    Place(self.knots[0].at.clone()),
-                    1.0 / self.knots[0].sigma.min(1.0),
-                ));
+                return Some((Place(self.knots[0].at.clone()), 1.0 / self.knots[0].sigma.min(1.0)));
             }
             (_, None) => return None,
             (_, Some(high)) => [&self.knots[after - 1], high],
@@ -409,14 +369,10 @@ impl<'j> Curve<'j> {
         let condition = 1.0 / low.sigma.min(high.sigma).min(slope.abs()).clamp(1e-12, 1.0);
         let mut across = DVector::zeros(way + 1);
         across[way] = 1.0;
-        let corrected = self
-            .correct(&guess, &across)
-            .filter(|(_, off)| off * condition < 0.1);
+        let corrected = self.correct(&guess, &across).filter(|(_, off)| off * condition < 0.1);
         let mut found = match corrected {
             Some((found, _)) => found,
-            None => self
-                .beside_turning_point([low, high], &between, goal)
-                .unwrap_or(guess),
+            None => self.beside_turning_point([low, high], &between, goal).unwrap_or(guess),
         };
         found[way] = 0.0;
         Some((Place(found), condition))
@@ -458,10 +414,7 @@ impl System {
 
     fn tangent(&self) -> Option<DVector<f64>> {
         let found = self.upper.solve_upper_triangular(&self.last)?;
-        found
-            .iter()
-            .all(|one| one.is_finite())
-            .then(|| found.normalize())
+        found.iter().all(|one| one.is_finite()).then(|| found.normalize())
     }
 
     /// Its least singular value, by inverse iteration.

@@ -62,11 +62,8 @@ impl Judge<'_> {
         let (sin, cos) = angle.sin_cos();
         let turned = |[a, b]: [f64; 2]| [cos * a - sin * b, sin * a + cos * b];
         let arm = turned([0, 1].map(|part| (axis.at[part] - center[part]) / self.unit));
-        let shift = if axis.link == LinkId::GROUND {
-            center.map(|part| part / self.unit)
-        } else {
-            [x, y]
-        };
+        let shift =
+            if axis.link == LinkId::GROUND { center.map(|part| part / self.unit) } else { [x, y] };
         Axle {
             link: axis.link,
             arm,
@@ -93,10 +90,7 @@ impl Judge<'_> {
                 Coordinate {
                     value: c * u + s * v,
                     slopes: [
-                        (
-                            a.link,
-                            [-c, -s, c * a.arm[1] - s * a.arm[0] - s * u + c * v],
-                        ),
+                        (a.link, [-c, -s, c * a.arm[1] - s * a.arm[0] - s * u + c * v]),
                         (b.link, [c, s, s * b.arm[0] - c * b.arm[1]]),
                     ],
                 }
@@ -112,12 +106,7 @@ impl Judge<'_> {
             JointKind::Weld(..) => 3,
             _ => 1,
         };
-        let joints: usize = self
-            .model
-            .joints
-            .iter()
-            .map(|joint| of_joint(&joint.kind))
-            .sum();
+        let joints: usize = self.model.joints.iter().map(|joint| of_joint(&joint.kind)).sum();
         joints + self.model.motors.len()
     }
 
@@ -159,9 +148,7 @@ impl Judge<'_> {
             let goal = from[number] + direction[number] * place[way];
             let row = all.row(at.value + self.offsets[number] - goal);
             all.slopes[(row, way)] = -direction[number];
-            at.slopes
-                .into_iter()
-                .for_each(|(link, slopes)| all.add(row, link, slopes));
+            at.slopes.into_iter().for_each(|(link, slopes)| all.add(row, link, slopes));
         }
         all
     }
@@ -191,11 +178,7 @@ impl Judge<'_> {
         let [a, b] = ends.map(|end| self.axle(place, end));
         let ([c, s], [u, v]) = (a.along, [b.at[0] - a.at[0], b.at[1] - a.at[1]]);
         let row = all.row(c * v - s * u);
-        all.add(
-            row,
-            a.link,
-            [s, -c, -(c * a.arm[0] + s * a.arm[1]) - c * u - s * v],
-        );
+        all.add(row, a.link, [s, -c, -(c * a.arm[0] + s * a.arm[1]) - c * u - s * v]);
         all.add(row, b.link, [-s, c, c * b.arm[0] + s * b.arm[1]]);
     }
 
@@ -207,17 +190,10 @@ impl Judge<'_> {
             (_, Factor::Whole(teeth)) => teeth as f64,
             (_, Factor::Float(radius)) => radius,
         });
-        let bar = rolling
-            .ends
-            .iter()
-            .any(|(end, _)| matches!(end, RollingEnd::Bar { .. }));
+        let bar = rolling.ends.iter().any(|(end, _)| matches!(end, RollingEnd::Bar { .. }));
         let factors = [0, 1].map(|number| {
             let wheel = matches!(rolling.ends[number].0, RollingEnd::Wheel(_));
-            if bar && wheel {
-                factors[number] / self.unit
-            } else {
-                factors[number]
-            }
+            if bar && wheel { factors[number] / self.unit } else { factors[number] }
         });
         let largest = factors[0].abs().max(factors[1].abs());
         let row = all.row(0.0);
@@ -231,9 +207,7 @@ impl Judge<'_> {
                         |all| Self::place(all, wheel)[2] - Self::place(all, rolling.carrier)[2];
                     angle(place) - angle(&self.anchor)
                 }
-                RollingEnd::Bar {
-                    slide, forwards, ..
-                } => {
+                RollingEnd::Bar { slide, forwards, .. } => {
                     let sign = if forwards { 1.0 } else { -1.0 };
                     let at = self.coordinate(place, slide);
                     for (link, slopes) in at.slopes {
@@ -250,19 +224,13 @@ impl Judge<'_> {
     fn follows(&self, all: &mut Equations, place: &DVector<f64>, number: usize) {
         let cam = self.cams[number];
         let law = self.model.law(cam.law);
-        let (shaft, follower) = (
-            self.coordinate(place, cam.shaft),
-            self.coordinate(place, cam.follower),
-        );
+        let (shaft, follower) =
+            (self.coordinate(place, cam.shaft), self.coordinate(place, cam.follower));
         let [input, output] = [cam.shaft, cam.follower]
             .map(|joint| if self.is_angle(joint) { 1.0 } else { self.unit });
         let at = shaft.value * input + self.turns_of_shafts[number];
         let off = follower.value - law.at(at, &[]) / output;
-        let off = if self.is_angle(cam.follower) {
-            wrap(off)
-        } else {
-            off
-        };
+        let off = if self.is_angle(cam.follower) { wrap(off) } else { off };
         let step = 1e-6 * input;
         let slope =
             (law.at(at + step, &[]) - law.at(at - step, &[])) / (2.0 * step) * input / output;

@@ -32,19 +32,9 @@ impl<'j> Fall<'j> {
         let place = judge.start().0;
         let turns = angles.iter().enumerate().map(|(joint, angle)| {
             let joint = JointId::new(joint);
-            if judge.is_angle(joint) {
-                angle - judge.coordinate(&place, joint).value
-            } else {
-                0.0
-            }
+            if judge.is_angle(joint) { angle - judge.coordinate(&place, joint).value } else { 0.0 }
         });
-        Self {
-            judge,
-            turns: turns.collect(),
-            place,
-            rates: rates.to_vec(),
-            gain: 0.0,
-        }
+        Self { judge, turns: turns.collect(), place, rates: rates.to_vec(), gain: 0.0 }
     }
 
     /// The values of the motors.
@@ -84,11 +74,7 @@ impl<'j> Fall<'j> {
 
     /// The scene's measure of a joint's coordinate.
     fn scale(&self, joint: JointId) -> f64 {
-        if self.judge.is_angle(joint) {
-            1.0
-        } else {
-            self.judge.unit
-        }
+        if self.judge.is_angle(joint) { 1.0 } else { self.judge.unit }
     }
 
     /// The derivatives of all equations by the places of links, those of the motors last.
@@ -168,13 +154,9 @@ impl<'j> Fall<'j> {
         let acting = self.acting(place, &moved);
         drive += ways.transpose() * acting;
         let seconds = inertia.cholesky()?.solve(&drive);
-        let gain = model
-            .motors
-            .iter()
-            .enumerate()
-            .fold(0.0_f64, |most, (number, motor)| {
-                most.max(ways.column(number).amax() * self.scale(motor.joint))
-            });
+        let gain = model.motors.iter().enumerate().fold(0.0_f64, |most, (number, motor)| {
+            most.max(ways.column(number).amax() * self.scale(motor.joint))
+        });
         let mut change = DVector::zeros(columns + 1);
         change.rows_mut(0, columns).copy_from(&moved);
         seconds.iter().all(|one| one.is_finite()).then(|| Change {
@@ -249,29 +231,18 @@ impl<'j> Fall<'j> {
         let axis = self.judge.model.axis(axis);
         let link = axis.link;
         if link == LinkId::GROUND {
-            return [
-                axis.at.map(|part| part / self.judge.unit),
-                [0.0; 2],
-                [0.0; 2],
-            ];
+            return [axis.at.map(|part| part / self.judge.unit), [0.0; 2], [0.0; 2]];
         }
         let arm = self.arm(place, link, axis.at);
         let [x, y, _] = Judge::place(place, link);
-        [
-            [x + arm[0], y + arm[1]],
-            of_point(moved, 3 * link.index() - 3, arm),
-            arm,
-        ]
+        [[x + arm[0], y + arm[1]], of_point(moved, 3 * link.index() - 3, arm), arm]
     }
 }
 
 /// The part of a point in how its link moves.
 fn of_point(moved: &DVector<f64>, first: usize, arm: [f64; 2]) -> [f64; 2] {
     let turn = moved[first + 2];
-    [
-        moved[first] - turn * arm[1],
-        moved[first + 1] + turn * arm[0],
-    ]
+    [moved[first] - turn * arm[1], moved[first + 1] + turn * arm[0]]
 }
 
 /// What fulfils these equations best, of which there may be more than needed.
@@ -280,8 +251,6 @@ fn least_squares(slopes: &DMatrix<f64>, right: &DMatrix<f64>) -> Option<DMatrix<
     let qr = slopes.clone().qr();
     let mut turned = right.clone();
     qr.q_tr_mul(&mut turned);
-    let found = qr
-        .r()
-        .solve_upper_triangular(&turned.rows(0, columns).into_owned())?;
+    let found = qr.r().solve_upper_triangular(&turned.rows(0, columns).into_owned())?;
     found.iter().all(|one| one.is_finite()).then_some(found)
 }

@@ -49,15 +49,7 @@ impl<'m> Judge<'m> {
     #[must_use]
     pub fn new(model: &'m Model, rollings: &[Rolling], poses: &[[f64; 4]], motors: &[f64]) -> Self {
         let cams = model.joints.iter().filter_map(|joint| match joint.kind {
-            JointKind::Cam {
-                shaft,
-                follower,
-                law,
-            } => Some(Cam {
-                shaft,
-                follower,
-                law,
-            }),
+            JointKind::Cam { shaft, follower, law } => Some(Cam { shaft, follower, law }),
             _ => None,
         });
         let (centers, unit) = centers(model);
@@ -81,10 +73,7 @@ impl<'m> Judge<'m> {
         let raw = |joint| judge.coordinate(&judge.anchor, joint).value;
         let all = model.motors.iter().zip(judge.scaled(motors));
         let offsets: Vec<f64> = all.map(|(motor, value)| value - raw(motor.joint)).collect();
-        let turns = judge
-            .cams
-            .iter()
-            .map(|cam| judge.turns_of_shaft(cam, &offsets));
+        let turns = judge.cams.iter().map(|cam| judge.turns_of_shaft(cam, &offsets));
         judge.turns_of_shafts = turns.collect();
         judge.offsets = offsets;
         judge
@@ -111,21 +100,12 @@ impl<'m> Judge<'m> {
         let law = self.model.law(cam.law);
         let off = |turns: i32| {
             let off = follower - law.at(raw + TAU * f64::from(turns), &[]);
-            if self.is_angle(cam.follower) {
-                wrap(off)
-            } else {
-                off
-            }
-            .abs()
+            if self.is_angle(cam.follower) { wrap(off) } else { off }.abs()
         };
         let nearest = (0..200).flat_map(|turns| [turns, -turns]).min_by(|a, b| {
             let (a, b) = (off(*a), off(*b));
             // All are equally good for a law that returns every turn.
-            if (a - b).abs() < 1e-9 {
-                std::cmp::Ordering::Equal
-            } else {
-                a.total_cmp(&b)
-            }
+            if (a - b).abs() < 1e-9 { std::cmp::Ordering::Equal } else { a.total_cmp(&b) }
         });
         TAU * f64::from(nearest.unwrap_or(0))
     }
@@ -137,13 +117,11 @@ impl<'m> Judge<'m> {
     /// Values of motors with lengths in units.
     fn scaled(&self, motors: &[f64]) -> Vec<f64> {
         let all = self.model.motors.iter().zip(motors);
-        all.map(|(motor, value)| {
-            if self.is_angle(motor.joint) {
-                *value
-            } else {
-                value / self.unit
-            }
-        })
+        all.map(
+            |(motor, value)| {
+                if self.is_angle(motor.joint) { *value } else { value / self.unit }
+            },
+        )
         .collect()
     }
 
@@ -151,9 +129,7 @@ impl<'m> Judge<'m> {
     #[must_use]
     pub fn gap(&self, place: &Place, motors: &[f64]) -> f64 {
         let none = vec![0.0; motors.len()];
-        self.equations(&place.0, [&self.scaled(motors), &none])
-            .residuals
-            .amax()
+        self.equations(&place.0, [&self.scaled(motors), &none]).residuals.amax()
     }
 
     /// Cosine, sine, x and y of all links, the ground first.
@@ -165,16 +141,9 @@ impl<'m> Judge<'m> {
             if link == LinkId::GROUND {
                 return [1.0, 0.0, 0.0, 0.0];
             }
-            [
-                cos,
-                sin,
-                x * self.unit - cos * a + sin * b,
-                y * self.unit - sin * a - cos * b,
-            ]
+            [cos, sin, x * self.unit - cos * a + sin * b, y * self.unit - sin * a - cos * b]
         };
-        (0..self.model.links.len())
-            .map(|link| pose(LinkId::new(link)))
-            .collect()
+        (0..self.model.links.len()).map(|link| pose(LinkId::new(link))).collect()
     }
 }
 
@@ -190,18 +159,11 @@ impl Place {
 fn centers(model: &Model) -> (Vec<[f64; 2]>, f64) {
     let (mut middles, mut spreads) = (Vec::new(), Vec::new());
     for link in model.link_ids() {
-        let places: Vec<[f64; 2]> = model
-            .axes
-            .iter()
-            .filter(|axis| axis.link == link)
-            .map(|axis| axis.at)
-            .collect();
+        let places: Vec<[f64; 2]> =
+            model.axes.iter().filter(|axis| axis.link == link).map(|axis| axis.at).collect();
         let ends = |part: usize| {
             let all = || places.iter().map(|place| place[part]);
-            (
-                all().fold(f64::INFINITY, f64::min),
-                all().fold(f64::NEG_INFINITY, f64::max),
-            )
+            (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max))
         };
         let ((left, right), (low, high)) = (ends(0), ends(1));
         if places.is_empty() {
@@ -213,8 +175,5 @@ fn centers(model: &Model) -> (Vec<[f64; 2]>, f64) {
     }
     spreads.retain(|spread| *spread > 1e-9);
     spreads.sort_by(f64::total_cmp);
-    (
-        middles,
-        spreads.get(spreads.len() / 2).copied().unwrap_or(1.0),
-    )
+    (middles, spreads.get(spreads.len() / 2).copied().unwrap_or(1.0))
 }

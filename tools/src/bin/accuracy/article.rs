@@ -58,10 +58,7 @@ pub(crate) fn article(measurements: &[Measurement], effort: Effort) -> String {
 }
 
 fn steps() -> String {
-    let steps: Vec<String> = STEPS
-        .iter()
-        .map(|step| step.degrees().to_string())
-        .collect();
+    let steps: Vec<String> = STEPS.iter().map(|step| step.degrees().to_string()).collect();
     match steps.split_last() {
         Some((last, others)) if !others.is_empty() => format!("{} and {last}", others.join(", ")),
         _ => steps.concat(),
@@ -72,11 +69,7 @@ fn steps() -> String {
 fn worth_list(measurements: &[Measurement]) -> String {
     let heads = STEPS.map(|step| format!(" {}° |", step.degrees()));
     let rules = STEPS.map(|_| "---|");
-    let mut text = format!(
-        "| mechanism | |{}\n|---|---|{}\n",
-        heads.concat(),
-        rules.concat()
-    );
+    let mut text = format!("| mechanism | |{}\n|---|---|{}\n", heads.concat(), rules.concat());
     for measurement in measurements {
         let frontiers = STEPS.map(|step| frontier(measurement, step));
         for contestant in &measurement.subject.contestants {
@@ -99,27 +92,17 @@ fn worth_list(measurements: &[Measurement]) -> String {
 }
 
 fn describe_price(figures: &Figures, size: f64) -> String {
-    format!(
-        "{:.0} ns, {:.1e} ({:.0e})",
-        figures.nanoseconds,
-        figures.error,
-        figures.error / size
-    )
+    format!("{:.0} ns, {:.1e} ({:.0e})", figures.nanoseconds, figures.error, figures.error / size)
 }
 
 /// The section on conclusions.
 fn reading(measurements: &[Measurement]) -> String {
     let is_exact = |measurement: &&Measurement| {
-        let mut worth = STEPS
-            .into_iter()
-            .flat_map(|step| frontier(measurement, step));
+        let mut worth = STEPS.into_iter().flat_map(|step| frontier(measurement, step));
         worth.all(|row| row.method == Method::Exact)
     };
-    let exact: Vec<&str> = measurements
-        .iter()
-        .filter(is_exact)
-        .map(|measurement| measurement.subject.title)
-        .collect();
+    let exact: Vec<&str> =
+        measurements.iter().filter(is_exact).map(|measurement| measurement.subject.title).collect();
     let mut text = String::new();
     if !exact.is_empty() {
         text += &format!(
@@ -129,15 +112,10 @@ fn reading(measurements: &[Measurement]) -> String {
             exact.join(", ")
         );
     }
-    let never: Vec<String> = never_worth(measurements)
-        .iter()
-        .map(|method| format!("`{method}`"))
-        .collect();
+    let never: Vec<String> =
+        never_worth(measurements).iter().map(|method| format!("`{method}`")).collect();
     if !never.is_empty() {
-        text += &format!(
-            "Worth its price in none, at no step: {}.\n",
-            never.join(", ")
-        );
+        text += &format!("Worth its price in none, at no step: {}.\n", never.join(", "));
     }
     text.push('\n');
     text

@@ -44,9 +44,7 @@ pub(crate) fn close(
 ) -> Result<(), String> {
     for _ in 0..ROUNDS {
         let conditions = conditions(model, motor, poses)?;
-        let gaps = conditions
-            .iter()
-            .map(|condition| condition.gap.to_f64().abs());
+        let gaps = conditions.iter().map(|condition| condition.gap.to_f64().abs());
         if gaps.fold(0.0, f64::max) < CLOSED * size {
             return Ok(());
         }
@@ -74,13 +72,7 @@ fn conditions(model: &Model, motor: f64, poses: &[[Octuple; 4]]) -> Result<Vec<C
                 if model.motor_of(id).is_some() {
                     let (sin, cos) = Octuple::from(motor).sin_cos();
                     let turned = rotate(a.direction, cos, sin);
-                    conditions.push(parallel(
-                        &Placed {
-                            direction: turned,
-                            ..a
-                        },
-                        &b,
-                    ));
+                    conditions.push(parallel(&Placed { direction: turned, ..a }, &b));
                 }
             }
             JointKind::Prismatic(a, b) if model.motor_of(id).is_none() => {
@@ -95,17 +87,9 @@ fn conditions(model: &Model, motor: f64, poses: &[[Octuple; 4]]) -> Result<Vec<C
 
 fn place(model: &Model, poses: &[[Octuple; 4]], id: AxisId) -> Placed {
     let axis = model.axis(id);
-    let (at, direction) = (
-        axis.at.map(Octuple::from),
-        axis.direction.map(Octuple::from),
-    );
+    let (at, direction) = (axis.at.map(Octuple::from), axis.direction.map(Octuple::from));
     if axis.link == LinkId::GROUND {
-        return Placed {
-            first: None,
-            at,
-            arm: at,
-            direction,
-        };
+        return Placed { first: None, at, arm: at, direction };
     }
     let link = axis.link.index() - 1;
     let [cos, sin, x, y] = poses[link];
@@ -141,10 +125,7 @@ fn meeting(a: &Placed, b: &Placed) -> [Condition; 2] {
                 rates.extend([(first, sign * turning), (first + 1 + coordinate, sign)]);
             }
         }
-        Condition {
-            gap: b.at[coordinate] - a.at[coordinate],
-            rates,
-        }
+        Condition { gap: b.at[coordinate] - a.at[coordinate], rates }
     };
     [condition(0), condition(1)]
 }
@@ -155,9 +136,7 @@ fn parallel(a: &Placed, b: &Placed) -> Condition {
     let rates = [(a, -rate), (b, rate)].into_iter();
     Condition {
         gap: cross(a.direction, b.direction),
-        rates: rates
-            .filter_map(|(axis, rate)| Some((axis.first?, rate)))
-            .collect(),
+        rates: rates.filter_map(|(axis, rate)| Some((axis.first?, rate))).collect(),
     }
 }
 
@@ -169,20 +148,13 @@ fn on_line(a: &Placed, b: &Placed) -> Condition {
     for (axis, sign) in [(a, -1.0), (b, 1.0)] {
         if let Some(first) = axis.first {
             let turning = dot(a.direction, axis.arm);
-            rates.extend([
-                (first, sign * turning),
-                (first + 1, -sign * y),
-                (first + 2, sign * x),
-            ]);
+            rates.extend([(first, sign * turning), (first + 1, -sign * y), (first + 2, sign * x)]);
         }
     }
     if let Some(first) = a.first {
         rates.push((first, -dot(a.direction, between)));
     }
-    Condition {
-        gap: cross(a.direction, between),
-        rates,
-    }
+    Condition { gap: cross(a.direction, between), rates }
 }
 
 /// The steps that close the gaps. `None` if the conditions are singular.

@@ -35,12 +35,7 @@ pub(crate) struct Block {
 impl Contestant {
     /// A mechanism with one motor.
     pub(crate) fn new<M: Mechanism>(method: Method, precision: Precision) -> Self {
-        Self {
-            method,
-            precision,
-            trace: trace::<M>,
-            time: time::<M>,
-        }
+        Self { method, precision, trace: trace::<M>, time: time::<M> }
     }
 
     /// Its positions for these values of its motor, one after the other.
@@ -74,9 +69,7 @@ fn trace<M: Mechanism>(values: &[f64]) -> Result<Trace<f64>, Block> {
         })?;
         let poses = mechanism.poses().iter();
         trace.push(
-            poses
-                .map(|pose| [pose.cos, pose.sin, pose.x, pose.y].map(Real::to_f64))
-                .collect(),
+            poses.map(|pose| [pose.cos, pose.sin, pose.x, pose.y].map(Real::to_f64)).collect(),
         );
     }
     Ok(trace)

@@ -9,9 +9,8 @@ const SAME: f64 = 1.04;
 /// The rows at a step that are worth their price, from the cheapest to the most exact.
 pub(crate) fn frontier(measurement: &Measurement, step: Step) -> Vec<&Row> {
     let rows = measurement.rows.iter().filter(|row| row.step == step);
-    let priced: Vec<(&Row, Figures)> = rows
-        .filter_map(|row| Some((row, *row.outcome.as_ref().ok()?)))
-        .collect();
+    let priced: Vec<(&Row, Figures)> =
+        rows.filter_map(|row| Some((row, *row.outcome.as_ref().ok()?))).collect();
     let points: Vec<Figures> = priced.iter().map(|(_, figures)| *figures).collect();
     let best = best(&points).into_iter();
     best.map(|index| priced[index].0).collect()
@@ -69,10 +68,7 @@ mod tests {
     #[test]
     fn what_is_beaten_is_left_out() {
         assert_eq!(best_of(&[]), []);
-        assert_eq!(
-            best_of(&[(9.0, 1.0), (5.0, 3.0), (7.0, 4.0), (12.0, 0.5)]),
-            [1, 0, 3]
-        );
+        assert_eq!(best_of(&[(9.0, 1.0), (5.0, 3.0), (7.0, 4.0), (12.0, 0.5)]), [1, 0, 3]);
     }
 
     #[test]

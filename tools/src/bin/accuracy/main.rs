@@ -38,14 +38,8 @@ fn run(command: Command) -> Result<(), String> {
             say(format_args!("{HELP}"));
             return Ok(());
         }
-        Command::Full => Effort {
-            rounds: 101,
-            positions: 4000,
-        },
-        Command::Quick => Effort {
-            rounds: 3,
-            positions: 500,
-        },
+        Command::Full => Effort { rounds: 101, positions: 4000 },
+        Command::Quick => Effort { rounds: 3, positions: 500 },
     };
     let mut measurements = Vec::new();
     for subject in subject::subjects() {
@@ -54,22 +48,15 @@ fn run(command: Command) -> Result<(), String> {
         say(format_args!("{}", table::table(&measurement)));
         measurements.push(measurement);
     }
-    say(format_args!(
-        "* nothing else is both cheaper and more exact at this step\n"
-    ));
+    say(format_args!("* nothing else is both cheaper and more exact at this step\n"));
     let files: [(&str, Vec<u8>); 4] = [
         ("accuracy.csv", table::csv(&measurements).into()),
         ("accuracy.svg", diagram::svg(&measurements)?.into()),
         (
             "accuracy.png",
-            diagram::picture(&measurements)?
-                .png()
-                .map_err(|error| error.to_string())?,
+            diagram::picture(&measurements)?.png().map_err(|error| error.to_string())?,
         ),
-        (
-            "accuracy.md",
-            article::article(&measurements, effort).into(),
-        ),
+        ("accuracy.md", article::article(&measurements, effort).into()),
     ];
     for folder in folders(command) {
         fs::create_dir_all(&folder)

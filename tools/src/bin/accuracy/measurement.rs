@@ -108,27 +108,13 @@ pub(crate) fn measure(subject: Subject, effort: Effort) -> Result<Measurement, S
                             sweeps: sweeps(effort.positions, values.len()),
                             times: Vec::new(),
                         });
-                        Ok(Figures {
-                            error: reference.error(&trace, &truth),
-                            nanoseconds: 0.0,
-                        })
+                        Ok(Figures { error: reference.error(&trace, &truth), nanoseconds: 0.0 })
                     }
-                    Err(Block {
-                        place,
-                        position,
-                        words,
-                    }) => Err(Stuck {
-                        place,
-                        degrees: degrees[position],
-                        words,
-                    }),
+                    Err(Block { place, position, words }) => {
+                        Err(Stuck { place, degrees: degrees[position], words })
+                    }
                 };
-                rows.push(Row {
-                    method: contestant.method,
-                    precision,
-                    step,
-                    outcome,
-                });
+                rows.push(Row { method: contestant.method, precision, step, outcome });
             }
         }
     }
@@ -144,11 +130,7 @@ pub(crate) fn measure(subject: Subject, effort: Effort) -> Result<Measurement, S
             figures.nanoseconds = median(entry.times);
         }
     }
-    Ok(Measurement {
-        size: reference.size,
-        subject,
-        rows,
-    })
+    Ok(Measurement { size: reference.size, subject, rows })
 }
 
 /// The motor's targets from the start to its limit and back, in degrees.

@@ -49,10 +49,7 @@ pub(crate) enum Precision {
 
 impl Precision {
     /// The nearest number that it has.
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "rounding is what is asked for"
-    )]
+    #[expect(clippy::cast_possible_truncation, reason = "rounding is what is asked for")]
     pub(crate) fn round(self, value: f64) -> f64 {
         match self {
             Self::Single => f64::from(value as f32),

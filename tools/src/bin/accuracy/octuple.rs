@@ -84,11 +84,7 @@ impl Real for Octuple {
         let fraction = part(bits & ((1 << 52) - 1)) | 1.0_f64.to_bits();
         let exponent = i32::try_from(bits >> 52).unwrap_or(i32::MAX) - BIAS;
         let size = f64::from_bits(fraction) * 2.0_f64.powi(exponent);
-        if self.0.is_sign_negative() {
-            -size
-        } else {
-            size
-        }
+        if self.0.is_sign_negative() { -size } else { size }
     }
 
     #[expect(clippy::cast_possible_truncation, reason = "that is what is asked for")]

@@ -36,12 +36,10 @@ impl Reference {
         let axes = axes.map(|axis| (axis.link.index().checked_sub(1), axis.at));
         let places: Vec<[f64; 2]> = axes
             .clone()
-            .map(
-                |(link, at)| match link.and_then(|link| program.start.poses.get(link)) {
-                    None => at,
-                    Some(pose) => place(*pose, at),
-                },
-            )
+            .map(|(link, at)| match link.and_then(|link| program.start.poses.get(link)) {
+                None => at,
+                Some(pose) => place(*pose, at),
+            })
             .collect();
         let far = |a: &[f64; 2]| {
             let distances = places.iter().map(|b| (b[0] - a[0]).hypot(b[1] - a[1]));
@@ -49,13 +47,7 @@ impl Reference {
         };
         let size = places.iter().map(far).fold(0.0, f64::max);
         let points = axes.filter_map(|(link, at)| Some((link?, at))).collect();
-        Ok(Self {
-            model,
-            program,
-            points,
-            size,
-            start,
-        })
+        Ok(Self { model, program, points, size, start })
     }
 
     /// The positions for these values of the motor.
@@ -77,9 +69,7 @@ impl Reference {
     /// The greatest distance between an axis in these positions and in those of the reference, over all positions.
     pub(crate) fn error(&self, trace: &[Poses<f64>], reference: &[Poses<Octuple>]) -> f64 {
         let pairs = trace.iter().zip(reference);
-        pairs
-            .map(|(poses, reference)| self.distance(poses, reference))
-            .fold(0.0, f64::max)
+        pairs.map(|(poses, reference)| self.distance(poses, reference)).fold(0.0, f64::max)
     }
 
     fn distance(&self, poses: &[[f64; 4]], reference: &[[Octuple; 4]]) -> f64 {

@@ -67,9 +67,7 @@ fn section(title: &str, rows: &[Row]) -> String {
     );
     let first = rows.first().map_or(f64::NAN, |row| row.nanoseconds);
     for row in rows {
-        let code = row
-            .code
-            .map_or("not known here".to_owned(), |code| code.to_string());
+        let code = row.code.map_or("not known here".to_owned(), |code| code.to_string());
         // Writing into a string does not fail.
         let _ = writeln!(
             text,

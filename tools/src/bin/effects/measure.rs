@@ -67,9 +67,8 @@ fn size_of_code(module: &str) -> Option<u64> {
     let path = format!("{}{module}", module.len());
     let sizes = file.symbols().filter_map(|symbol| {
         let name = symbol.name().ok()?;
-        let measures = ["3run", "7subject"]
-            .iter()
-            .any(|own| name.contains(&format!("{path}{own}")));
+        let measures =
+            ["3run", "7subject"].iter().any(|own| name.contains(&format!("{path}{own}")));
         (name.contains(&path) && !measures).then_some(symbol.size())
     });
     Some(sizes.sum()).filter(|size| *size > 0)

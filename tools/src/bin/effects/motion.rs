@@ -91,9 +91,5 @@ fn follow(method: GaussLegendre, steps: u32, end: f64) -> Result<Followed, Strin
     if angle < TAU {
         return Err("the crank does not turn round".to_owned());
     }
-    Ok(Followed {
-        drift: drift / kinetic,
-        angle,
-        nanoseconds: spent / count * 1e9,
-    })
+    Ok(Followed { drift: drift / kinetic, angle, nanoseconds: spent / count * 1e9 })
 }

@@ -233,11 +233,7 @@ pub(crate) fn subjects() -> [(&'static str, Vec<Subject>); 5] {
         ),
         (
             "Four-bar with a dead point (one loop), watched or proved",
-            vec![
-                rocking_watched::subject(),
-                rocking_proved::subject(),
-                rocking_within::subject(),
-            ],
+            vec![rocking_watched::subject(), rocking_proved::subject(), rocking_within::subject()],
         ),
     ]
 }

@@ -67,19 +67,12 @@ impl Layout {
     pub(crate) fn new(sketch: &Sketch) -> Self {
         let centers = sketch.arrange();
         let boxes = centers.iter().zip(&sketch.boxes);
-        let vertices: Vec<_> = boxes
-            .map(|(&center, &size)| Area { center, size })
-            .collect();
+        let vertices: Vec<_> = boxes.map(|(&center, &size)| Area { center, size }).collect();
         let curves = (0..sketch.edges.len()).map(|edge| sketch.route(&vertices, edge));
         let curves: Vec<_> = curves.collect();
         let labels = sketch.place_labels(&vertices, &curves);
         let view = view(vertices.iter().chain(&labels), &curves);
-        Self {
-            centers,
-            curves,
-            labels: labels.iter().map(|label| label.center).collect(),
-            view,
-        }
+        Self { centers, curves, labels: labels.iter().map(|label| label.center).collect(), view }
     }
 }
 
@@ -201,9 +194,7 @@ impl Sketch {
         }
         if self.has_arrows {
             let is_free = |point: &Point| !vertices[to].holds(*point, 2.0);
-            let tip = (0..=256)
-                .map(|step| at(curve, 1.0 - f64::from(step) / 256.0))
-                .find(is_free);
+            let tip = (0..=256).map(|step| at(curve, 1.0 - f64::from(step) / 256.0)).find(is_free);
             curve[2] = tip.unwrap_or(curve[2]);
         }
         curve
@@ -215,16 +206,9 @@ impl Sketch {
         for (&(.., size), &curve) in self.edges.iter().zip(curves) {
             let shares = (0..=15)
                 .flat_map(|step| [0.5 + f64::from(step) / 40.0, 0.5 - f64::from(step) / 40.0]);
-            let mut areas = shares.map(|share| Area {
-                center: at(curve, share),
-                size,
-            });
-            let is_free = |area: &Area| {
-                !vertices
-                    .iter()
-                    .chain(&labels)
-                    .any(|other| area.meets(*other, 2.0))
-            };
+            let mut areas = shares.map(|share| Area { center: at(curve, share), size });
+            let is_free =
+                |area: &Area| !vertices.iter().chain(&labels).any(|other| area.meets(*other, 2.0));
             let center = at(curve, 0.5);
             let label = areas.find(is_free).unwrap_or(Area { center, size });
             labels.push(label);
@@ -262,10 +246,7 @@ fn samples(curve: [Point; 3]) -> impl Iterator<Item = Point> {
 /// The upper left corner and the size of what holds everything.
 fn view<'a>(areas: impl Iterator<Item = &'a Area>, curves: &[[Point; 3]]) -> (Point, Point) {
     let points = curves.iter().flat_map(|&curve| samples(curve));
-    let points = points.map(|center| Area {
-        center,
-        size: [0.0; 2],
-    });
+    let points = points.map(|center| Area { center, size: [0.0; 2] });
     let (mut low, mut high) = ([f64::MAX; 2], [f64::MIN; 2]);
     for Area { center, size } in areas.copied().chain(points) {
         for axis in [0, 1] {

@@ -16,9 +16,7 @@ fn inside(point: Point, layout: &Layout) -> bool {
 
 fn corners(area: Area) -> impl Iterator<Item = Point> {
     let [[x, y], [w, h]] = [area.center, area.size];
-    [(-0.5, -0.5), (0.5, 0.5)]
-        .into_iter()
-        .map(move |(right, down)| [x + right * w, y + down * h])
+    [(-0.5, -0.5), (0.5, 0.5)].into_iter().map(move |(right, down)| [x + right * w, y + down * h])
 }
 
 /// No two vertices meet, no label lies on a vertex or on another label, all is seen; the layout, for more.
@@ -31,9 +29,7 @@ fn tidy(sketch: &Sketch) -> Layout {
     let all: Vec<Area> = vertices.into_iter().chain(labels).collect();
     for (index, area) in all.iter().enumerate() {
         assert!(corners(*area).all(|corner| inside(corner, &layout)));
-        let met = all[..index]
-            .iter()
-            .position(|other| other.meets(*area, 0.0));
+        let met = all[..index].iter().position(|other| other.meets(*area, 0.0));
         assert_eq!(met, None, "with number {index}");
     }
     for curve in &layout.curves {
@@ -80,10 +76,7 @@ fn edges_go_round_vertices() {
     let layout = tidy(&sketch);
     for (&(from, to, _), &curve) in sketch.edges.iter().zip(&layout.curves) {
         for (vertex, &center) in layout.centers.iter().enumerate() {
-            let area = Area {
-                center,
-                size: sketch.boxes[vertex],
-            };
+            let area = Area { center, size: sketch.boxes[vertex] };
             let hit = super::samples(curve).any(|point| area.holds(point, 0.0));
             assert!(!hit || vertex == from || vertex == to);
         }

@@ -7,10 +7,7 @@ use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
 
 fn ranges(ranges: &[(f64, f64)]) -> Vec<Interval> {
-    ranges
-        .iter()
-        .map(|&(low, high)| Interval::new(low, high))
-        .collect()
+    ranges.iter().map(|&(low, high)| Interval::new(low, high)).collect()
 }
 
 fn verdict(program: &Program, over: &[(f64, f64)]) -> Verdict {
@@ -34,10 +31,7 @@ fn strict(program: &Program, over: &[(f64, f64)]) {
 #[track_caller]
 fn touching(program: &Program, over: &[(f64, f64)]) {
     let verdict = verdict(program, over);
-    assert!(
-        matches!(&verdict, Verdict::Proved { touching } if touching.len() == 1),
-        "{verdict:?}"
-    );
+    assert!(matches!(&verdict, Verdict::Proved { touching } if touching.len() == 1), "{verdict:?}");
 }
 
 const DEAD_POINT: f64 = 0.935_085_041_393_594_5;
@@ -51,16 +45,10 @@ fn a_rocker_stops_at_its_dead_point() {
     assert!(up.interval.contains(up.at[0]));
     let down = blocked(&program, &[(-2.0, 0.9)]);
     assert!((down.limit + DEAD_POINT).abs() < 1e-12, "{down:?}");
-    assert_eq!(
-        (down.interval.low(), down.interval.high()),
-        (-2.0, down.limit)
-    );
+    assert_eq!((down.interval.low(), down.interval.high()), (-2.0, down.limit));
     let around = blocked(&program, &TURN);
     assert!((around.limit - DEAD_POINT).abs() < 1e-12, "{around:?}");
-    assert!(
-        (around.interval.high() - (TAU - DEAD_POINT)).abs() < 1e-11,
-        "{around:?}"
-    );
+    assert!((around.interval.high() - (TAU - DEAD_POINT)).abs() < 1e-11, "{around:?}");
     strict(&program, &[(-0.935, 0.935)]);
     strict(&program, &[(-DEAD_POINT + 1e-9, DEAD_POINT - 1e-9)]);
 }
@@ -68,15 +56,9 @@ fn a_rocker_stops_at_its_dead_point() {
 #[test]
 fn a_parallelogram_passes_its_change_points() {
     touching(&four_bar([2.0, 1.0, 2.0, 1.0], 0.0, 1.0, 1.0), &TURN);
-    touching(
-        &four_bar([2.0, 1.0, 2.0, 1.0], 0.0, 1.0, 1.0),
-        &[(-10.0, 13.0)],
-    );
+    touching(&four_bar([2.0, 1.0, 2.0, 1.0], 0.0, 1.0, 1.0), &[(-10.0, 13.0)]);
     touching(&four_bar([2.0, 1.0, 2.0, 1.0], 0.7, 1.7, 1.7), &TURN);
-    strict(
-        &four_bar([2.0, 1.0, 2.0, 1.0], 0.7, 1.7, 1.7),
-        &[(0.8, 3.7)],
-    );
+    strict(&four_bar([2.0, 1.0, 2.0, 1.0], 0.7, 1.7, 1.7), &[(0.8, 3.7)]);
 }
 
 /// Its pins meet where it is folded: there any direction closes it, and that which it had is kept.
@@ -91,10 +73,7 @@ fn a_piston_with_a_long_rod_moves_and_one_with_a_short_rod_does_not() {
     strict(&slider_crank(1.0, 3.0), &TURN);
     let short = blocked(&slider_crank(1.0, 0.5), &TURN);
     assert!((short.limit - PI / 6.0).abs() < 1e-12, "{short:?}");
-    assert!(
-        (short.interval.high() - 5.0 * PI / 6.0).abs() < 1e-11,
-        "{short:?}"
-    );
+    assert!((short.interval.high() - 5.0 * PI / 6.0).abs() < 1e-11, "{short:?}");
     touching(&slider_crank(1.0, 1.0), &[(0.0, 3.0)]);
 }
 
@@ -103,10 +82,7 @@ fn nearly_folded_four_bars_turn() {
     for gap in [1e-3, 1e-6, 1e-9] {
         for tilt in [0.0, 0.7] {
             let near = 1.0 + tilt;
-            strict(
-                &four_bar([2.0, 1.0, 2.0, 1.0 + gap], tilt, 1.0 + tilt, near),
-                &TURN,
-            );
+            strict(&four_bar([2.0, 1.0, 2.0, 1.0 + gap], tilt, 1.0 + tilt, near), &TURN);
         }
     }
 }
@@ -168,10 +144,7 @@ fn loops_without_a_closed_form_are_named() {
         motor a;
         method newton;";
     let program = program(tokens(text));
-    assert!(matches!(
-        verdict(&program, &TURN),
-        Verdict::NoClosedForm { .. }
-    ));
+    assert!(matches!(verdict(&program, &TURN), Verdict::NoClosedForm { .. }));
 }
 
 /// The parallelogram goes on the way it came, so its side changes; what hangs on it must close on both.
@@ -201,10 +174,7 @@ fn loops_that_change_sides_are_tried_on_both() {
     let wide = crossing(&text(3.8));
     assert!(matches!(verdict(&wide, &TURN), Verdict::Proved { touching } if touching.len() == 1));
     strict(&wide, &[(0.5, 2.5)]);
-    assert!(matches!(
-        verdict(&crossing(&text(1.5)), &TURN),
-        Verdict::Blocked(_)
-    ));
+    assert!(matches!(verdict(&crossing(&text(1.5)), &TURN), Verdict::Blocked(_)));
 }
 
 proptest! {

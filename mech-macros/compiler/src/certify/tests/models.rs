@@ -25,18 +25,16 @@ pub(super) fn tokens(text: &str) -> TokenStream {
 
 /// The mechanism declared in an exhibit of the gallery.
 pub(super) fn exhibit(name: &str) -> Program {
-    let path = format!(
-        "{}/../../examples/gallery/src/mechanisms/{name}.rs",
-        env!("CARGO_MANIFEST_DIR")
-    );
+    let path =
+        format!("{}/../../examples/gallery/src/mechanisms/{name}.rs", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(path).expect("the gallery is in its place");
     let trees: Vec<TokenTree> = tokens(&text).into_iter().collect();
     let body = trees.windows(3).find_map(|trees| match trees {
-        [
-            TokenTree::Ident(name),
-            TokenTree::Punct(_),
-            TokenTree::Group(body),
-        ] if name == "mechanism" => Some(body.stream()),
+        [TokenTree::Ident(name), TokenTree::Punct(_), TokenTree::Group(body)]
+            if name == "mechanism" =>
+        {
+            Some(body.stream())
+        }
         _ => None,
     });
     program(body.expect("an exhibit has a mechanism"))

@@ -28,11 +28,7 @@ static PROGRAMS: LazyLock<Vec<Program>> = LazyLock::new(|| {
 
 /// All tests of a program at once.
 fn whole(program: &Program) -> Group {
-    Group {
-        motors: (0..program.inputs()).collect(),
-        held: Vec::new(),
-        tests: tests(program),
-    }
+    Group { motors: (0..program.inputs()).collect(), held: Vec::new(), tests: tests(program) }
 }
 
 proptest! {

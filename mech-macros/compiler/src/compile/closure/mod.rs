@@ -74,11 +74,7 @@ fn goal(
 
 /// The unit in which the displacement of a motor is told: a radian, or the mechanism's size.
 pub(super) fn unit(model: &Model, motor: &Motor) -> f64 {
-    if slides(model, motor) {
-        model.size()
-    } else {
-        1.0
-    }
+    if slides(model, motor) { model.size() } else { 1.0 }
 }
 
 /// Whether a motor's joint slides.
@@ -250,9 +246,7 @@ pub(super) fn moved(rolling: &Rolling, start: &LinkFrames<'_>, now: &LinkFrames<
                 let off = now.turn(carrier, wheel) - start.turn(carrier, wheel);
                 off - TAU * (off / TAU).round()
             }
-            RollingEnd::Bar {
-                slide, forwards, ..
-            } => {
+            RollingEnd::Bar { slide, forwards, .. } => {
                 let [now, start] = [now, start].map(|frames| frames.coordinate(slide));
                 let (Some(now), Some(start)) = (now, start) else {
                     bug!("a bar has no slide");
@@ -267,10 +261,7 @@ pub(super) fn moved(rolling: &Rolling, start: &LinkFrames<'_>, now: &LinkFrames<
 /// A number of teeth or a radius.
 pub(super) fn size(factor: Factor) -> f64 {
     match factor {
-        #[expect(
-            clippy::cast_precision_loss,
-            reason = "a wheel of 2^53 teeth does not exist"
-        )]
+        #[expect(clippy::cast_precision_loss, reason = "a wheel of 2^53 teeth does not exist")]
         Factor::Whole(value) => value as f64,
         Factor::Float(value) => value,
     }
@@ -282,11 +273,7 @@ fn whole_turns_off(number: f64, turn: f64) -> f64 {
 }
 
 fn greatest_divisor(a: i64, b: i64) -> i64 {
-    if b == 0 {
-        a.abs()
-    } else {
-        greatest_divisor(b, a % b)
-    }
+    if b == 0 { a.abs() } else { greatest_divisor(b, a % b) }
 }
 
 #[cfg(test)]

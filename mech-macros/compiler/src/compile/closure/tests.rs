@@ -36,9 +36,7 @@ fn read(text: &str) -> Model {
 
 fn built() -> (Model, Structure, Program) {
     let model = read(TEXT);
-    let Compiled {
-        structure, program, ..
-    } = compile(&model).expect("it moves");
+    let Compiled { structure, program, .. } = compile(&model).expect("it moves");
     (model, structure, program)
 }
 

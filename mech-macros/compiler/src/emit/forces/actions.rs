@@ -34,13 +34,7 @@ pub(super) fn bind_loads(emitter: &Emitter<'_>) -> Option<TokenStream> {
 
 /// The methods of a load; `first` is the index of its first number.
 fn load(emitter: &Emitter<'_>, first: usize, load: &Load) -> TokenStream {
-    let Emitter {
-        visibility,
-        scalar,
-        blocked,
-        model,
-        ..
-    } = emitter;
+    let Emitter { visibility, scalar, blocked, model, .. } = emitter;
     let name = &load.name;
     let refusal = refusal_by(emitter, &quote!(generated::not_finite(#name)));
     let getter = emitter.ident(name, load.origin);
@@ -54,9 +48,7 @@ fn load(emitter: &Emitter<'_>, first: usize, load: &Load) -> TokenStream {
             format!("the torque on link `{}`", model.link(link).name),
         ),
         LoadKind::Force(point) => {
-            let NamedPoint {
-                link_name, name, ..
-            } = NamedPoint::new(model, point);
+            let NamedPoint { link_name, name, .. } = NamedPoint::new(model, point);
             (
                 quote!([#scalar; 2]),
                 quote!([self.loads[#index], self.loads[#next]]),

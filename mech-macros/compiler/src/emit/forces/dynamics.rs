@@ -10,23 +10,14 @@ use quote::quote;
 
 /// The field of the motors' rates, the methods that read and set them, `motor_accelerations`, `energy` and `simulate`.
 pub(super) fn dynamics(emitter: &Emitter<'_>) -> Parts {
-    let Emitter {
-        visibility,
-        scalar,
-        values,
-        motors,
-        blocked,
-        model,
-        ..
-    } = emitter;
+    let Emitter { visibility, scalar, values, motors, blocked, model, .. } = emitter;
     let Some(inertia) = &emitter.compiled.forced.inertia else {
         return Parts::default();
     };
     let advance = advance_with(inertia, &quote!(position), &quote!(motors));
     let found = forces_here(inertia);
-    let turning = model
-        .motor_ids()
-        .map(|motor| emitter.turns(motor) && model.motor(motor).range.is_none());
+    let turning =
+        model.motor_ids().map(|motor| emitter.turns(motor) && model.motor(motor).range.is_none());
     let size = model.size();
     let scales = model
         .motor_ids()

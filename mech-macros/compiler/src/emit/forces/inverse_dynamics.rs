@@ -14,14 +14,7 @@ use quote::quote;
 
 /// `hold_at`, `torques` and `come_to_rest`.
 pub(super) fn holding(emitter: &Emitter<'_>) -> Parts {
-    let Emitter {
-        visibility,
-        values,
-        motors,
-        blocked,
-        model,
-        ..
-    } = emitter;
+    let Emitter { visibility, values, motors, blocked, model, .. } = emitter;
     let Some(holding) = &emitter.compiled.forced.holding else {
         return Parts::default();
     };
@@ -91,13 +84,7 @@ pub(super) fn holding(emitter: &Emitter<'_>) -> Parts {
 
 /// `forces`, and the mechanical advantage over each load.
 pub(super) fn forces(emitter: &Emitter<'_>) -> Parts {
-    let Emitter {
-        visibility,
-        values,
-        blocked,
-        model,
-        ..
-    } = emitter;
+    let Emitter { visibility, values, blocked, model, .. } = emitter;
     let Some(inverse_dynamics) = &emitter.compiled.forced.inverse_dynamics else {
         return Parts::default();
     };
@@ -124,14 +111,7 @@ pub(super) fn forces(emitter: &Emitter<'_>) -> Parts {
 
 /// The method that returns the mechanical advantage over a load; `first` is the index of the load's first number.
 fn advantage(emitter: &Emitter<'_>, first: usize, load: &Load) -> TokenStream {
-    let Emitter {
-        visibility,
-        scalar,
-        values,
-        motors,
-        blocked,
-        ..
-    } = emitter;
+    let Emitter { visibility, scalar, values, motors, blocked, .. } = emitter;
     let name = emitter.ident(&format!("{}_advantage", load.name), load.origin);
     let index = integer(first);
     let (mut parameter, mut test, mut what) = (None, None, "");

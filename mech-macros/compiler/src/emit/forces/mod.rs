@@ -18,11 +18,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
     let programs = [
         (&forced.holding, "TORQUES_COST", "the torques that hold it"),
         (&forced.inverse_dynamics, "FORCES_COST", "all forces in it"),
-        (
-            &forced.inertia,
-            "INERTIA_COST",
-            "its inertia and what drives it",
-        ),
+        (&forced.inertia, "INERTIA_COST", "its inertia and what drives it"),
     ];
     let derived = programs.into_iter().filter_map(|(program, name, what)| {
         let program = program.as_ref()?;

@@ -8,12 +8,8 @@ use quote::quote;
 /// The `let` of a value; sine and cosine of one angle share it.
 pub(super) fn binding(value: Value, scope: &mut Scope<'_>) -> TokenStream {
     let pair = match scope.program.node(value).op {
-        Op::Sin(angle) => scope
-            .value_of(Op::Cos(angle))
-            .map(|cos| (angle, value, cos)),
-        Op::Cos(angle) => scope
-            .value_of(Op::Sin(angle))
-            .map(|sin| (angle, sin, value)),
+        Op::Sin(angle) => scope.value_of(Op::Cos(angle)).map(|cos| (angle, value, cos)),
+        Op::Cos(angle) => scope.value_of(Op::Sin(angle)).map(|sin| (angle, sin, value)),
         _ => None,
     };
     if let Some((angle, sin, cos)) = pair {

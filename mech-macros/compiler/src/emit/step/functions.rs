@@ -34,21 +34,14 @@ pub(super) struct Margins<'p> {
 impl<'p> FromIterator<(TokenStream, &'p str)> for Margins<'p> {
     fn from_iter<I: IntoIterator<Item = (TokenStream, &'p str)>>(margins: I) -> Self {
         let (values, places) = margins.into_iter().unzip();
-        Self {
-            values,
-            places,
-            array: None,
-        }
+        Self { values, places, array: None }
     }
 }
 
 impl Margins<'_> {
     /// The same margins, kept in a variable that is an array.
     pub(super) fn in_array(self, array: &Ident) -> Self {
-        Self {
-            array: Some(array.clone()),
-            ..self
-        }
+        Self { array: Some(array.clone()), ..self }
     }
 
     pub(super) fn is_empty(&self) -> bool {
@@ -101,11 +94,7 @@ impl Results {
 
 /// A tuple; one element stands for itself.
 fn tuple<T: ToTokens>(elements: &[T]) -> TokenStream {
-    if let [element] = elements {
-        quote!(#element)
-    } else {
-        quote!((#(#elements),*))
-    }
+    if let [element] = elements { quote!(#element) } else { quote!((#(#elements),*)) }
 }
 
 /// The functions of a step: `step`, and for steps in closed form `position` and `step_reduced`.
@@ -126,15 +115,7 @@ pub(super) fn step_functions(parts: &StepParts<'_>, scope: &Scope<'_>) -> TokenS
 
 /// The function `position` by itself.
 pub(super) fn lanes_function(parts: &StepParts<'_>, program: &Program) -> TokenStream {
-    let (
-        StepParts {
-            last,
-            statements,
-            margins,
-            ..
-        },
-        scalar,
-    ) = (parts, scalar(program.precision));
+    let (StepParts { last, statements, margins, .. }, scalar) = (parts, scalar(program.precision));
     let mut results = Results::default();
     results.push(position(program), parts.position.clone(), "position");
     results.push(margins.kind(&scalar), margins.array(), "margins");
@@ -162,10 +143,8 @@ fn iterated_step(
     let statements = &parts.statements;
     let what = what.map_or_else(String::new, |what| format!(", and {what}"));
     let doc = format!(" The position at these motor values, close to the last one{what}.");
-    let determined = program
-        .derived
-        .is_some()
-        .then(|| parts.rate_margins.check_here(&quote!(determined)));
+    let determined =
+        program.derived.is_some().then(|| parts.rate_margins.check_here(&quote!(determined)));
     let (kind, value) = (tuple(&results.kinds), tuple(&results.values));
     quote! {
         #[doc = #doc]
@@ -185,13 +164,7 @@ fn closed_step(
     scope: &Scope<'_>,
 ) -> TokenStream {
     let program = scope.program;
-    let StepParts {
-        last,
-        statements,
-        margins,
-        rate_margins,
-        ..
-    } = parts;
+    let StepParts { last, statements, margins, rate_margins, .. } = parts;
     let (scalar, arguments) = (scalar(program.precision), arguments(program));
     let [own, parameters] = [last, &quote!(last)].map(|last| step_parameters(last, program));
     let (kind, found) = (tuple(&results.kinds), tuple(&results.names));
@@ -201,11 +174,7 @@ fn closed_step(
         results.push(rate_margins.kind(&scalar), rate_margins.array(), "regular");
         rate_margins.check(&quote!(determined), &quote!(regular))
     });
-    let Results {
-        kinds,
-        values,
-        names,
-    } = results;
+    let Results { kinds, values, names } = results;
     let body = |sines: Option<TokenStream>| {
         quote! {
             let (#(#names),*) = position #sines(last, motors #arguments);
@@ -226,11 +195,7 @@ fn closed_step(
     } else {
         quote!(inline)
     };
-    let inline_reduced = if what.is_none() {
-        quote!(inline)
-    } else {
-        quote!(inline(always))
-    };
+    let inline_reduced = if what.is_none() { quote!(inline) } else { quote!(inline(always)) };
     let step_reduced = takes_sines(program).then(|| {
         let body = body(Some(quote!(::<Reduced>)));
         quote! {

@@ -106,16 +106,10 @@ fn arrays(program: &Program) -> Vec<Array> {
         let names = program.motors.iter();
         names.map(|name| format!("{name}_{what}")).collect()
     };
-    let rates = || {
-        array("rates", of_motors("rate"), |motor| {
-            Op::Rate(MotorId::new(motor))
-        })
-    };
+    let rates = || array("rates", of_motors("rate"), |motor| Op::Rate(MotorId::new(motor)));
     let accelerations = || {
         let names = of_motors("acceleration");
-        array("accelerations", names, |motor| {
-            Op::Acceleration(MotorId::new(motor))
-        })
+        array("accelerations", names, |motor| Op::Acceleration(MotorId::new(motor)))
     };
     match program.results() {
         None | Some(Results::Sensitivity(_)) => Vec::new(),

@@ -25,9 +25,7 @@ pub(super) fn iteration(block: BlockId, newton: &Newton, scope: &mut Scope<'_>) 
     let next = scope.expressions(newton.scalars.iter().map(|scalar| &scalar.next));
     let exits = scope.expressions(&exits);
     let exits = quote!((#(#exits),*));
-    let first_step = newton
-        .contracting_step()
-        .map(|_| quote!(let mut before = before_first();));
+    let first_step = newton.contracting_step().map(|_| quote!(let mut before = before_first();));
     let contracts = newton.contracting_step().map(|step| {
         let step = scope.expression(step);
         quote!(if !contracts(&mut before, #step) { break #exits; })
@@ -100,13 +98,7 @@ impl<'r> Round<'r> {
             let mut operands = operands(program, body, vec![value]).into_iter();
             operands.any(|value| is_dense(program, value))
         });
-        Self {
-            program,
-            exits,
-            columns,
-            solved,
-            after,
-        }
+        Self { program, exits, columns, solved, after }
     }
 
     /// The statements before the test whether a round is the last.

@@ -18,12 +18,7 @@ use std::collections::BTreeSet;
 
 /// The module of the function `laws`: at a time, the motors and if they are asked for their rates and accelerations.
 pub(in crate::emit) fn laws(emitter: &Emitter<'_>, timing: &Timing) -> TokenStream {
-    let Emitter {
-        model,
-        program,
-        values,
-        ..
-    } = emitter;
+    let Emitter { model, program, values, .. } = emitter;
     let laws = &*timing.program.divide(MOST_LETS);
     let mut scope = Scope::new(laws, all_uses(laws), quote!(sin_cos));
     let mut time = scope.fresh("t");

@@ -68,11 +68,7 @@ enum Purpose {
 /// The functions of a program.
 fn functions(program: &Program, purpose: Purpose) -> TokenStream {
     let flows = flows(program);
-    let sin_cos = if takes_sines(program) {
-        quote!(S::sin_cos)
-    } else {
-        quote!(sin_cos)
-    };
+    let sin_cos = if takes_sines(program) { quote!(S::sin_cos) } else { quote!(sin_cos) };
     let mut scope = Scope::new(program, uses::all_uses(program), sin_cos);
     let inputs = inputs::inputs(&mut scope);
     let mut names = BTreeSet::new();
@@ -82,10 +78,8 @@ fn functions(program: &Program, purpose: Purpose) -> TokenStream {
     };
     let Blocks { acts, functions } =
         shared.unwrap_or_else(|| blocks(&flows, &mut scope, &mut names));
-    let Body {
-        statements,
-        functions: stages,
-    } = body(acts, count_lets(&inputs), &mut scope, &mut names);
+    let Body { statements, functions: stages } =
+        body(acts, count_lets(&inputs), &mut scope, &mut names);
     let is_last = |value: &Value| matches!(program.node(*value).op, Op::Last(_));
     let mut run = flows.iter().filter(|flow| !flow.gives.is_empty());
     let reads_last = program.state.iter().any(is_last) || run.any(|flow| flow.reads_last);
@@ -216,7 +210,5 @@ fn position(scope: &Scope<'_>, gathered: Option<&Gathered>) -> TokenStream {
 /// The margins by which rates are determined.
 fn rate_margins<'p>(scope: &Scope<'p>) -> Margins<'p> {
     let margins = scope.program.rate_margins().iter();
-    margins
-        .map(|margin| (scope.expression(margin.margin), margin.place.as_str()))
-        .collect()
+    margins.map(|margin| (scope.expression(margin.margin), margin.place.as_str())).collect()
 }

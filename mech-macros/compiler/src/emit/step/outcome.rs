@@ -29,11 +29,7 @@ impl Outcome {
             }
             Results::Sensitivity(_) => return None,
         };
-        Some(Self {
-            kind: outcome_type(scope.program),
-            value,
-            what,
-        })
+        Some(Self { kind: outcome_type(scope.program), value, what })
     }
 }
 

@@ -77,10 +77,8 @@ fn runs<const N: usize>(rows: &[[Value; N]], scope: &Scope<'_>) -> (Vec<Run>, Ve
     if !scope.has_arrays() {
         return (Vec::new(), Vec::new());
     }
-    let parts: Vec<Vec<Part>> = rows
-        .iter()
-        .map(|row| row.iter().map(|&value| part(value, scope)).collect())
-        .collect();
+    let parts: Vec<Vec<Part>> =
+        rows.iter().map(|row| row.iter().map(|&value| part(value, scope)).collect()).collect();
     let (mut runs, mut others) = (Vec::new(), Vec::new());
     let mut is_free = vec![true; rows.len()];
     for first in 0..rows.len() {
@@ -115,10 +113,7 @@ impl Run {
         let parts = parts.map(|pair| match pair {
             (Part::Element(array, first), Part::Element(other, second)) if array == other => {
                 let step = second.checked_sub(*first)?;
-                let progression = Progression {
-                    first: *first,
-                    step,
-                };
+                let progression = Progression { first: *first, step };
                 Some(RunPart::Elements(array.clone(), progression))
             }
             (Part::Number(first), Part::Number(second)) if first.to_bits() == second.to_bits() => {

@@ -149,10 +149,7 @@ impl<'p> Scope<'p> {
     /// The array in which a value stands, and where.
     pub(super) fn place_of(&self, value: Value) -> Option<Place> {
         let element = self.elements.get(&value)?;
-        Some(Place {
-            array: element.array.clone(),
-            row: element.row,
-        })
+        Some(Place { array: element.array.clone(), row: element.row })
     }
 
     /// The array whose elements are these values, from the first to the last.
@@ -178,14 +175,10 @@ impl<'p> Scope<'p> {
         let mut known = BTreeSet::new();
         for &value in values {
             let variable = match self.elements.get(&value) {
-                Some(Element { array, rows, .. }) => Variable {
-                    name: array.clone(),
-                    rows: Some(*rows),
-                },
-                None => Variable {
-                    name: self.bind(value),
-                    rows: None,
-                },
+                Some(Element { array, rows, .. }) => {
+                    Variable { name: array.clone(), rows: Some(*rows) }
+                }
+                None => Variable { name: self.bind(value), rows: None },
             };
             if known.insert((variable.name.clone(), variable.rows)) {
                 variables.push(variable);
@@ -329,11 +322,7 @@ impl<'p> Scope<'p> {
         binding: Binding,
     ) -> (TokenStream, Binding) {
         // Floats do not associate: on the right side the same binding needs parentheses too.
-        let tighter = if binding == Binding::Sum {
-            Binding::Product
-        } else {
-            Binding::Sign
-        };
+        let tighter = if binding == Binding::Sum { Binding::Product } else { Binding::Sign };
         let (a, b) = (self.operand(a, binding), self.operand(b, tighter));
         (quote!(#a #sign #b), binding)
     }
@@ -341,11 +330,7 @@ impl<'p> Scope<'p> {
     /// A value as an operand, in parentheses unless it binds at least as tightly as `wanted`.
     fn operand(&self, value: Value, wanted: Binding) -> TokenStream {
         let (tokens, binding) = self.name_or_operation(value);
-        if binding < wanted {
-            quote!((#tokens))
-        } else {
-            tokens
-        }
+        if binding < wanted { quote!((#tokens)) } else { tokens }
     }
 
     /// A number of the last position, by the variable of the link it belongs to if there is one.
@@ -395,11 +380,7 @@ fn free_name(
 /// A staircase, as it is made in generated code.
 fn staircase(stairs: Staircase) -> TokenStream {
     let law = format_ident!("{}", format!("{:?}", stairs.law));
-    let made = if stairs.repeats {
-        quote!(endless)
-    } else {
-        quote!(single)
-    };
+    let made = if stairs.repeats { quote!(endless) } else { quote!(single) };
     let order = Literal::u8_unsuffixed(stairs.order);
     quote!(Staircase::#made(MotionLaw::#law, #order))
 }

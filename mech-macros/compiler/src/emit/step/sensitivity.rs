@@ -16,12 +16,7 @@ pub(super) fn sensitivity_functions(
     parts: &StepParts<'_>,
     scope: &Scope<'_>,
 ) -> TokenStream {
-    let StepParts {
-        statements,
-        margins,
-        rate_margins,
-        ..
-    } = parts;
+    let StepParts { statements, margins, rate_margins, .. } = parts;
     let program = scope.program;
     let (position, parameters) = (position(program), step_parameters(&parts.last, program));
     let (kind, rates) = (rates_type(program, sensitivity), rates(sensitivity, scope));

@@ -37,10 +37,7 @@ pub(in crate::emit) fn takes_sines(program: &Program) -> bool {
 pub(super) fn type_parameter(program: &Program) -> [Option<TokenStream>; 2] {
     let takes_sines = takes_sines(program);
     let scalar = scalar(program.precision);
-    [
-        takes_sines.then(|| quote!(<S: Sines<#scalar>>)),
-        takes_sines.then(|| quote!(::<FullRange>)),
-    ]
+    [takes_sines.then(|| quote!(<S: Sines<#scalar>>)), takes_sines.then(|| quote!(::<FullRange>))]
 }
 
 /// Whether a sine or cosine is of something that depends on a param.

@@ -105,8 +105,7 @@ fn roots(program: &Program) -> BTreeSet<Value> {
     let margins = program.margins().map(|(_, closed)| closed.margin);
     let margins = margins.filter(|_| program.is_closed());
     let all = program.roots().chain(margins);
-    all.filter(|&value| is_computed(program.node(value).op))
-        .collect()
+    all.filter(|&value| is_computed(program.node(value).op)).collect()
 }
 
 /// Consecutive acts in a function of their own.

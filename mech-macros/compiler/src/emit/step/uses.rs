@@ -36,14 +36,9 @@ fn uses_in(program: &Program, is_in: impl Fn(BlockId) -> bool) -> BTreeMap<Value
         let columns = newton.columns.iter().flatten();
         let columns = columns.filter(|_| newton.dense);
         let gap = newton.gap.iter().copied();
-        gap.chain([newton.det])
-            .chain(newton.extent)
-            .chain(columns.copied())
-            .for_each(&mut count);
+        gap.chain([newton.det]).chain(newton.extent).chain(columns.copied()).for_each(&mut count);
         let scalars = newton.scalars.iter();
-        scalars
-            .flat_map(|scalar| [scalar.first, scalar.next])
-            .for_each(&mut count);
+        scalars.flat_map(|scalar| [scalar.first, scalar.next]).for_each(&mut count);
     }
     uses
 }

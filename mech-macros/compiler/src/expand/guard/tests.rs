@@ -54,10 +54,7 @@ fn any_panic_of_ours_is_an_internal_error() {
     let list = tokens(CRANK).into_iter().collect::<Vec<_>>();
     let beyond = list.len();
     let said = message(provoke(|| list[beyond].clone().into()));
-    assert!(
-        said.starts_with("internal error: index out of bounds"),
-        "{said}"
-    );
+    assert!(said.starts_with("internal error: index out of bounds"), "{said}");
     assert!(said.contains("Please report it"), "{said}");
 }
 
@@ -74,8 +71,5 @@ fn a_stub_that_fails_too_does_not_hide_the_error() {
 fn outside_the_macro_the_panic_names_itself() {
     let panic = catch_unwind(|| bug!("{} motors", 0)).expect_err("a panic");
     let text = panic.downcast_ref::<String>().expect("a text");
-    assert_eq!(
-        text,
-        "internal error in mech: 0 motors; please report this with the mechanism"
-    );
+    assert_eq!(text, "internal error in mech: 0 motors; please report this with the mechanism");
 }

@@ -53,9 +53,6 @@ impl Extents {
         let spots = self.0.iter().flatten().flatten();
         let origins = position.poses.iter().flat_map(|pose| &pose[2..]);
         let motors = &position.motors;
-        spots
-            .chain(origins)
-            .chain(motors)
-            .fold(0.0, |reach, number| reach.max(number.abs()))
+        spots.chain(origins).chain(motors).fold(0.0, |reach, number| reach.max(number.abs()))
     }
 }

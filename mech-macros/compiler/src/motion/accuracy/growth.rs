@@ -36,14 +36,8 @@ pub(super) fn growing(model: &Model, program: &Program) -> Option<MotorId> {
                 of_motor(input.index(), &endless)
             }
             Op::Turns(input) => of_motor(input.index(), &endless),
-            Op::Round(_) => Growth {
-                size: winding,
-                error: None,
-            },
-            Op::Solved(block, _) => Growth {
-                size: None,
-                error: blocks[block.index()],
-            },
+            Op::Round(_) => Growth { size: winding, error: None },
+            Op::Solved(block, _) => Growth { size: None, error: blocks[block.index()] },
             op => of_operation(program, op, |value| found[value.index()]),
         };
         let own = &mut blocks[node.block.index()];
@@ -56,10 +50,7 @@ pub(super) fn growing(model: &Model, program: &Program) -> Option<MotorId> {
 
 fn of_motor(motor: usize, endless: &[MotorId]) -> Growth {
     let size = endless.iter().find(|id| id.index() == motor);
-    Growth {
-        size: size.copied(),
-        error: None,
-    }
+    Growth { size: size.copied(), error: None }
 }
 
 fn of_operation(program: &Program, op: Op, get: impl Fn(Value) -> Growth) -> Growth {
@@ -74,10 +65,7 @@ fn of_operation(program: &Program, op: Op, get: impl Fn(Value) -> Growth) -> Gro
         Op::Mul(a, b) if is_power_of_two(program, a) || is_power_of_two(program, b) => {
             Growth { size, error }
         }
-        _ => Growth {
-            size,
-            error: error.or(size),
-        },
+        _ => Growth { size, error: error.or(size) },
     }
 }
 
@@ -110,10 +98,7 @@ fn winding(program: &Program, endless: &[MotorId]) -> Option<MotorId> {
                 return false;
             }
             let state = &machine.position().state;
-            if carried
-                .iter()
-                .all(|&index| (state[index] - start.state[index]).abs() < NEAR)
-            {
+            if carried.iter().all(|&index| (state[index] - start.state[index]).abs() < NEAR) {
                 return false;
             }
         }

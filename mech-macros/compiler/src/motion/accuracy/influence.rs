@@ -15,22 +15,14 @@ impl Influence {
     /// On the links, one after the other.
     pub(super) fn on_links(program: &Program, loops: usize) -> Vec<Self> {
         let poses = program.poses.iter();
-        poses
-            .map(|pose| Self::on(program, loops, pose.to_vec()))
-            .collect()
+        poses.map(|pose| Self::on(program, loops, pose.to_vec())).collect()
     }
 
     /// On the loops, in the order in which they are closed; each has influence on itself.
     pub(super) fn on_loops(program: &Program, loops: usize) -> Vec<Self> {
-        let mut found: Vec<Self> = (0..loops)
-            .map(|_| Self::on(program, loops, Vec::new()))
-            .collect();
-        for (number, roots) in program
-            .ssa
-            .blocks
-            .iter()
-            .filter_map(|block| roots(&block.kind))
-        {
+        let mut found: Vec<Self> =
+            (0..loops).map(|_| Self::on(program, loops, Vec::new())).collect();
+        for (number, roots) in program.ssa.blocks.iter().filter_map(|block| roots(&block.kind)) {
             found[number] = Self::on(program, loops, roots);
             found[number].loops[number] = true;
         }
@@ -38,10 +30,8 @@ impl Influence {
     }
 
     fn on(program: &Program, loops: usize, mut waiting: Vec<Value>) -> Self {
-        let mut influence = Self {
-            motors: vec![false; program.inputs()],
-            loops: vec![false; loops],
-        };
+        let mut influence =
+            Self { motors: vec![false; program.inputs()], loops: vec![false; loops] };
         let mut seen = vec![false; program.ssa.nodes.len()];
         while let Some(value) = waiting.pop() {
             if std::mem::replace(&mut seen[value.index()], true) {

@@ -59,15 +59,11 @@ pub struct SolvedLoop {
 
 /// Lists the loops of a program, with their methods.
 pub(crate) fn solved_loops(program: &Program, prediction: Option<&Prediction>) -> Vec<SolvedLoop> {
-    let blocks = program
-        .ssa
-        .blocks
-        .iter()
-        .filter_map(|block| match &block.kind {
-            BlockKind::Straight => None,
-            BlockKind::ClosedForm(closed) => Some((closed.number, "exact".to_owned())),
-            BlockKind::Newton(newton) => Some((newton.number, method(newton))),
-        });
+    let blocks = program.ssa.blocks.iter().filter_map(|block| match &block.kind {
+        BlockKind::Straight => None,
+        BlockKind::ClosedForm(closed) => Some((closed.number, "exact".to_owned())),
+        BlockKind::Newton(newton) => Some((newton.number, method(newton))),
+    });
     let of_loop = |((number, method), cost): ((usize, String), Cost)| SolvedLoop {
         number,
         method,
@@ -111,10 +107,7 @@ pub(crate) fn choose(
     let rounding = judge.rounding(&found);
     let least = greatest(&rounding);
     if starts && least > accuracy {
-        return Err(Diagnosis::TooAccurate {
-            accuracy,
-            best: least,
-        });
+        return Err(Diagnosis::TooAccurate { accuracy, best: least });
     }
     for (candidate, rival) in candidates.iter_mut().flatten().zip(&rivals) {
         candidate.error = judge.safety() * rival.error();
@@ -131,10 +124,7 @@ pub(crate) fn choose(
         tighten(&mut candidates);
     }
     let choices = judge.exact.clone();
-    let prediction = Prediction {
-        error: least,
-        loops: vec![None; choices.len()],
-    };
+    let prediction = Prediction { error: least, loops: vec![None; choices.len()] };
     Ok((choices, prediction))
 }
 
@@ -142,18 +132,13 @@ pub(crate) fn choose(
 /// number of rounds.
 pub(crate) fn predict(model: &Model, plan: &Plan, choices: &[Choice]) -> Option<Prediction> {
     let counted = |choice: &Choice| {
-        matches!(
-            choice.solver,
-            Solver::Linear | Solver::Newton(Rounds::Exactly(_))
-        )
+        matches!(choice.solver, Solver::Linear | Solver::Newton(Rounds::Exactly(_)))
     };
     if !choices.iter().any(counted) || model.motors.iter().all(|motor| motor.step.is_none()) {
         return None;
     }
-    let exact = choices.iter().map(|choice| Choice {
-        solver: Solver::ClosedForm,
-        ..choice.clone()
-    });
+    let exact =
+        choices.iter().map(|choice| Choice { solver: Solver::ClosedForm, ..choice.clone() });
     let judge = Judge::new(model, plan, exact.collect());
     if growth::growing(model, &judge.reference).is_some() {
         return None;
@@ -217,9 +202,7 @@ impl<'m> Judge<'m> {
     /// Whether the steps of all motors are declared that move a loop.
     fn is_stepped(&self, number: usize) -> bool {
         let moved = self.model.motors.iter().zip(&self.on_loops[number].motors);
-        moved
-            .filter(|(_, moves)| **moves)
-            .all(|(motor, _)| motor.step.is_some())
+        moved.filter(|(_, moves)| **moves).all(|(motor, _)| motor.step.is_some())
     }
 
     fn safety(&self) -> f64 {
@@ -234,11 +217,7 @@ impl<'m> Judge<'m> {
     /// For each loop the solvers that cost less than the most exact one, the cheapest first.
     fn candidates(&self) -> Vec<Vec<Candidate>> {
         let weigh = |program: &Program| {
-            cost::weight(
-                cost::of_program(program),
-                self.model.target,
-                self.model.precision,
-            )
+            cost::weight(cost::of_program(program), self.model.target, self.model.precision)
         };
         let most = weigh(&self.reference);
         let of_loop = |number: usize| {
@@ -254,24 +233,15 @@ impl<'m> Judge<'m> {
             let until_closed = Choice::by(Method::Newton).solver;
             let counted = (1..=MOST_ROUNDS).map(|rounds| Solver::Newton(Rounds::Exactly(rounds)));
             let counted = std::iter::once(Solver::Linear).chain(counted);
-            let solvers = counted
-                .filter(|_| self.is_stepped(number))
-                .chain([until_closed]);
+            let solvers = counted.filter(|_| self.is_stepped(number)).chain([until_closed]);
             let candidate = |solver: Solver| {
                 let mut choices = without_watching(&self.exact);
                 choices[number].solver = solver;
                 let program = build_as(&self.model, self.plan, &choices);
-                Candidate {
-                    weight: weigh(&program),
-                    error: f64::INFINITY,
-                    solver,
-                    program,
-                }
+                Candidate { weight: weigh(&program), error: f64::INFINITY, solver, program }
             };
-            let mut candidates: Vec<Candidate> = solvers
-                .map(candidate)
-                .filter(|candidate| candidate.weight < most)
-                .collect();
+            let mut candidates: Vec<Candidate> =
+                solvers.map(candidate).filter(|candidate| candidate.weight < most).collect();
             candidates.sort_by(|a, b| a.weight.total_cmp(&b.weight));
             candidates
         };
@@ -283,20 +253,15 @@ impl<'m> Judge<'m> {
         let choices = self.exact.iter().zip(candidates);
         let choice = |(exact, candidates): (&Choice, &Vec<Candidate>)| {
             let solver = candidates.first().map(|candidate| candidate.solver);
-            Choice {
-                solver: solver.unwrap_or(exact.solver),
-                ..exact.clone()
-            }
+            Choice { solver: solver.unwrap_or(exact.solver), ..exact.clone() }
         };
         choices.map(choice).collect()
     }
 
     /// Tries a program.
     fn predict(&self, choices: &[Choice], rounding: Option<&[f64]>) -> Prediction {
-        let is_exact: Vec<bool> = choices
-            .iter()
-            .map(|choice| choice.solver == Solver::ClosedForm)
-            .collect();
+        let is_exact: Vec<bool> =
+            choices.iter().map(|choice| choice.solver == Solver::ClosedForm).collect();
         let all = is_exact.iter().all(|exact| *exact);
         let mut rivals = Vec::new();
         if !all {
@@ -305,12 +270,7 @@ impl<'m> Judge<'m> {
         }
         let rounding = match rounding {
             Some(rounding) if all => rounding.to_vec(),
-            _ => self.rounding(&compare(
-                &self.model,
-                self.plan,
-                &self.reference,
-                &mut rivals,
-            )),
+            _ => self.rounding(&compare(&self.model, self.plan, &self.reference, &mut rivals)),
         };
         let mut errors = rounding;
         for rival in &rivals {
@@ -323,10 +283,7 @@ impl<'m> Judge<'m> {
         }
         let of_loop = |number: usize| {
             let before = self.on_loops[number].loops.iter().zip(&is_exact);
-            if before
-                .filter(|(needed, _)| **needed)
-                .all(|(_, exact)| *exact)
-            {
+            if before.filter(|(needed, _)| **needed).all(|(_, exact)| *exact) {
                 return None;
             }
             let links = self.on_links.iter().zip(&errors);
@@ -334,10 +291,7 @@ impl<'m> Judge<'m> {
                 .filter(|(link, _)| link.loops.iter().rposition(|needed| *needed) == Some(number));
             Some(own.map(|(_, error)| *error).fold(0.0, f64::max))
         };
-        Prediction {
-            loops: (0..choices.len()).map(of_loop).collect(),
-            error: greatest(&errors),
-        }
+        Prediction { loops: (0..choices.len()).map(of_loop).collect(), error: greatest(&errors) }
     }
 
     /// For each link the error that rounding makes, from what it is in single precision.
@@ -346,11 +300,7 @@ impl<'m> Judge<'m> {
         let least = LEAST_ROUNDING * epsilon * found.reach;
         let part = ROUNDING_SAFETY[self.several()] * epsilon / Precision::F32.epsilon();
         let of_link = |single: &f64| {
-            if found.seen {
-                least + part * single
-            } else {
-                4.0 * least
-            }
+            if found.seen { least + part * single } else { 4.0 * least }
         };
         found.single.iter().map(of_link).collect()
     }
@@ -379,11 +329,7 @@ fn changes(choice: &Choice) -> bool {
 fn without_watching(choices: &[Choice]) -> Vec<Choice> {
     let unwatched = |choice: &Choice| {
         let watching: Option<Watching> = choice.watching.clone().filter(|_| changes(choice));
-        Choice {
-            watching,
-            predictor: 0,
-            ..choice.clone()
-        }
+        Choice { watching, predictor: 0, ..choice.clone() }
     };
     choices.iter().map(unwatched).collect()
 }

@@ -30,9 +30,7 @@ const COUPLED: &str = "struct SixBar;
 
 /// The same with a short crank, which turns all the way round.
 fn cranked() -> String {
-    COUPLED
-        .replace("(5.6, 4.6)", "(6.44, 1.68)")
-        .replace("motor g;", "motor g by 1 deg;")
+    COUPLED.replace("(5.6, 4.6)", "(6.44, 1.68)").replace("motor g;", "motor g by 1 deg;")
 }
 
 /// Gears tie two of the unknown directions of a five-bar.
@@ -49,10 +47,7 @@ const TIED: &str = "struct TiedFiveBar;
 fn model(text: &str, accuracy: f64) -> Model {
     let parsed = parse(text.parse().expect("tokens"));
     assert_eq!(parsed.errors.len(), 0);
-    Model {
-        accuracy: Some(accuracy),
-        ..parsed.model
-    }
+    Model { accuracy: Some(accuracy), ..parsed.model }
 }
 
 fn accepted(model: &Model) -> Compiled {
@@ -63,14 +58,10 @@ fn accepted(model: &Model) -> Compiled {
 }
 
 fn rounds(program: &Program) -> Option<Rounds> {
-    program
-        .ssa
-        .blocks
-        .iter()
-        .find_map(|block| match &block.kind {
-            BlockKind::Newton(newton) => Some(newton.rounds),
-            BlockKind::Straight | BlockKind::ClosedForm(_) => None,
-        })
+    program.ssa.blocks.iter().find_map(|block| match &block.kind {
+        BlockKind::Newton(newton) => Some(newton.rounds),
+        BlockKind::Straight | BlockKind::ClosedForm(_) => None,
+    })
 }
 
 #[test]
@@ -153,11 +144,7 @@ const GEARED: &str = "struct Geared: f32;
 
 #[test]
 fn an_accuracy_holds_after_any_number_of_turns() {
-    for (ratio, part) in [
-        ("20 : 37", 20.0 / 37.0),
-        ("37 : 20", 37.0 / 20.0),
-        ("30 : 10", 3.0),
-    ] {
+    for (ratio, part) in [("20 : 37", 20.0 / 37.0), ("37 : 20", 37.0 / 20.0), ("30 : 10", 3.0)] {
         let text = GEARED.replace("20 : 37", ratio);
         let mut model = model(&text, 3e-4);
         model.precision = Precision::F32;
@@ -191,14 +178,8 @@ fn where_errors_grow_with_turns_a_range_is_demanded() {
     let Err(diagnoses) = compile(&endless) else {
         panic!("it goes anywhere");
     };
-    assert!(
-        matches!(diagnoses[..], [Diagnosis::EndlessAccuracy { .. }]),
-        "{diagnoses:?}"
-    );
-    for (range, fits) in [
-        ("in -3 * PI ..= 3 * PI", true),
-        ("in -9e4 * PI ..= 9e4 * PI", false),
-    ] {
+    assert!(matches!(diagnoses[..], [Diagnosis::EndlessAccuracy { .. }]), "{diagnoses:?}");
+    for (range, fits) in [("in -3 * PI ..= 3 * PI", true), ("in -9e4 * PI ..= 9e4 * PI", false)] {
         let text = RACK.replace("motor a;", &format!("motor a {range};"));
         let mut ranged = model(&text, 1e-3);
         ranged.precision = Precision::F32;
@@ -213,15 +194,9 @@ fn a_motion_that_is_shorter_than_a_step_has_errors_too() {
     let parsed = parse(text.parse().expect("tokens"));
     assert_eq!(parsed.errors.len(), 0);
     let compiled = compile(&parsed.model).expect("it moves");
-    let predicted = compiled
-        .prediction
-        .as_ref()
-        .map(|prediction| prediction.error);
+    let predicted = compiled.prediction.as_ref().map(|prediction| prediction.error);
     let predicted = predicted.expect("its step is known");
-    let exact = Model {
-        method: None,
-        ..parsed.model.clone()
-    };
+    let exact = Model { method: None, ..parsed.model.clone() };
     let exact = compile(&exact).expect("it moves").program;
     let mut reference = Machine::<f64>::new(&exact);
     let mut ends = [4.0, -4.0].map(|far| {
@@ -246,8 +221,5 @@ fn a_motion_that_is_shorter_than_a_step_has_errors_too() {
         }
     }
     assert!(measured > 1e-9, "{measured:e}");
-    assert!(
-        predicted >= measured,
-        "{predicted:e} predicted, {measured:e} measured"
-    );
+    assert!(predicted >= measured, "{predicted:e} predicted, {measured:e} measured");
 }

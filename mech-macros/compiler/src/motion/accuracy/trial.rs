@@ -45,11 +45,7 @@ pub(super) struct Rival {
 
 impl Rival {
     pub(super) fn new(program: Program) -> Self {
-        Self {
-            worst: vec![0.0; program.poses.len()],
-            stopped: false,
-            program,
-        }
+        Self { worst: vec![0.0; program.poses.len()], stopped: false, program }
     }
 
     /// Returns the greatest error of any link; infinite if it stopped.
@@ -82,10 +78,7 @@ pub(super) fn compare(model: &Model, plan: &Plan, exact: &Program, rivals: &mut 
     };
     let steps = STEPS * patterns.len();
     let per_sample = operations(exact) * (2 + steps)
-        + rivals
-            .iter()
-            .map(|rival| steps * operations(&rival.program))
-            .sum::<usize>();
+        + rivals.iter().map(|rival| steps * operations(&rival.program)).sum::<usize>();
     let extents = Extents::of(model, &exact.stored);
     let mut trial = Trial {
         affordable: BUDGET / (per_sample * model.motors.len()).max(1),
@@ -102,9 +95,7 @@ pub(super) fn compare(model: &Model, plan: &Plan, exact: &Program, rivals: &mut 
         single: Machine::new(exact),
         rivals,
     };
-    sweep_motors(model, plan, MostTurns::OfMotor(MOST_TURNS), |sweep| {
-        trial.follow(sweep)
-    });
+    sweep_motors(model, plan, MostTurns::OfMotor(MOST_TURNS), |sweep| trial.follow(sweep));
     if model.motors.len() > 1 {
         trial.wander(model);
     }
@@ -119,9 +110,7 @@ fn patterns(model: &Model) -> Vec<Vec<f64>> {
         // A motor without a declared step is not moved.
         .map(|motor| motor.step.unwrap_or(0.0))
         .collect();
-    let moved: Vec<usize> = (0..steps.len())
-        .filter(|&motor| steps[motor] > 0.0)
-        .collect();
+    let moved: Vec<usize> = (0..steps.len()).filter(|&motor| steps[motor] > 0.0).collect();
     let alone = moved.iter().flat_map(|&motor| {
         [1.0, -1.0].map(|sign| {
             let mut pattern = vec![0.0; steps.len()];
@@ -160,10 +149,7 @@ struct Trial<'a, 'p> {
 impl Trial<'_, '_> {
     /// Follows the exact program along a sweep; returns whether it reached the end.
     fn follow(&mut self, sweep: &Sweep) -> bool {
-        let Sweep {
-            displacements,
-            turns,
-        } = sweep;
+        let Sweep { displacements, turns } = sweep;
         let samples = turns * (self.affordable / turns).clamp(SAMPLES[0], SAMPLES[1]);
         let start = &self.exact.start;
         let mut machine = Machine::<f64>::new(self.exact);
@@ -258,17 +244,11 @@ impl Trial<'_, '_> {
         let end = machine.position().clone();
         self.try_around(&end, 0..self.patterns.len());
         self.back_to(&end);
-        let back: Vec<f64> = motors
-            .iter()
-            .zip(&before.motors)
-            .map(|(there, here)| here - there)
-            .collect();
+        let back: Vec<f64> =
+            motors.iter().zip(&before.motors).map(|(there, here)| here - there).collect();
         for part in NEAR_THE_END {
             machine.put_back(before.clone());
-            if machine
-                .move_to(&representable(interpolate(&end.motors, &back, part)))
-                .is_ok()
-            {
+            if machine.move_to(&representable(interpolate(&end.motors, &back, part))).is_ok() {
                 self.in_single(&before, machine.position());
             }
         }
@@ -279,11 +259,7 @@ impl Trial<'_, '_> {
     fn in_single(&mut self, before: &Position<f64>, there: &Position<f64>) {
         self.found.reach = self.found.reach.max(self.extents.reach(there));
         self.single.put_back(to_single_precision(before));
-        let motors: Vec<f32> = there
-            .motors
-            .iter()
-            .map(|&motor| f32::from_f64(motor))
-            .collect();
+        let motors: Vec<f32> = there.motors.iter().map(|&motor| f32::from_f64(motor)).collect();
         if self.single.move_to(&motors).is_err() {
             return;
         }
@@ -377,11 +353,7 @@ fn to_single_precision(position: &Position<f64>) -> Position<f32> {
     Position {
         motors: position.motors.iter().map(number).collect(),
         turns: position.turns.clone(),
-        poses: position
-            .poses
-            .iter()
-            .map(|pose| pose.map(f32::from_f64))
-            .collect(),
+        poses: position.poses.iter().map(|pose| pose.map(f32::from_f64)).collect(),
         state: position.state.iter().map(number).collect(),
     }
 }

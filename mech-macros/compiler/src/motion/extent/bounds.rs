@@ -91,9 +91,8 @@ impl<'m> Bounds<'m> {
             _ => None,
         };
         let joints = self.model.joint_ids();
-        let mut order: Vec<(JointId, [AxisId; 2])> = joints
-            .filter_map(|id| Some((id, axes(self.model.joint(id).kind)?)))
-            .collect();
+        let mut order: Vec<(JointId, [AxisId; 2])> =
+            joints.filter_map(|id| Some((id, axes(self.model.joint(id).kind)?))).collect();
         for _ in 0..ROUNDS {
             let before = (self.angles.clone(), self.places.clone());
             for &(joint, ends) in &order {
@@ -146,9 +145,7 @@ impl<'m> Bounds<'m> {
     /// Returns the range of the motor of a joint, if it has one.
     fn range(&self, joint: JointId) -> Option<Interval> {
         let mut motors = self.model.motors.iter().zip(self.ranges);
-        motors
-            .find(|(motor, _)| motor.joint == joint)
-            .map(|(_, range)| *range)
+        motors.find(|(motor, _)| motor.joint == joint).map(|(_, range)| *range)
     }
 
     /// The second of two axes is turned by this against the first.
@@ -245,11 +242,7 @@ fn meet(a: Region, b: Region) -> Region {
 
 /// The angles that are in both ranges. Whole turns do not count: a range wider than a turn says nothing.
 fn meet_angles(known: Interval, found: Interval) -> Interval {
-    if found.width() < known.width() {
-        found
-    } else {
-        known
-    }
+    if found.width() < known.width() { found } else { known }
 }
 
 fn add(a: Region, b: Region) -> Region {

@@ -81,10 +81,8 @@ impl Survey<'_> {
                 let farthest = if is_arm { self.most[link][side] } else { out };
                 farthest >= self.sides[side]
             };
-            let mut links: Vec<(f64, usize)> = links
-                .map(|link| (self.expected(side, link).0, link))
-                .filter(may_go_on)
-                .collect();
+            let mut links: Vec<(f64, usize)> =
+                links.map(|link| (self.expected(side, link).0, link)).filter(may_go_on).collect();
             links.sort_by(|a, b| b.0.total_cmp(&a.0));
             links
         };
@@ -145,12 +143,7 @@ impl Survey<'_> {
         let (_, motors, from) = self.expected(side, link);
         self.walker.begin_roughly(&from);
         let out = self.seen.of_link(link, from.poses[link]).sides[side];
-        let mut top = Top {
-            side,
-            link,
-            out,
-            from,
-        };
+        let mut top = Top { side, link, out, from };
         if self.visit(&motors).is_none() {
             return;
         }
@@ -222,9 +215,7 @@ impl Survey<'_> {
 
     /// Finds the rates of a link's place on a side with the motors, in parts of the motors' ranges; none if nothing moves it.
     fn slope(&mut self, top: &Top) -> Option<Slope> {
-        let Top {
-            side, link, from, ..
-        } = top;
+        let Top { side, link, from, .. } = top;
         let seen = self.seen.of_link(*link, from.poses[*link]);
         let here = seen.sides[*side];
         let point = *self.seen.moving[*link].get(seen.points[*side] as usize)?;
@@ -245,11 +236,7 @@ impl Survey<'_> {
                     out[motor] = (outwards(point, beside.poses[*link])[*side] - here) / step;
                     sine[motor] = (square(beside) - square(from)) / step;
                     let value = from.motors[motor];
-                    let is_beyond = if out[motor] > 0.0 {
-                        value >= *high
-                    } else {
-                        value <= *low
-                    };
+                    let is_beyond = if out[motor] > 0.0 { value >= *high } else { value <= *low };
                     if is_beyond && !is_endless {
                         out[motor] = 0.0;
                     }

@@ -22,11 +22,7 @@ impl Sample {
         motor: usize,
         (position, links): (Rc<Position<f64>>, Vec<Outermost>),
     ) -> Self {
-        Self {
-            at: position.motors[motor],
-            position,
-            links,
-        }
+        Self { at: position.motors[motor], position, links }
     }
 }
 
@@ -38,10 +34,7 @@ pub(super) struct Guess {
 }
 
 /// A guess of nothing.
-pub(super) const NOTHING: Guess = Guess {
-    out: f64::NEG_INFINITY,
-    at: 0.0,
-};
+pub(super) const NOTHING: Guess = Guess { out: f64::NEG_INFINITY, at: 0.0 };
 
 /// Positions in the order of the motor's values.
 pub(super) struct Line {
@@ -55,9 +48,7 @@ impl Line {
     /// Guesses between all neighbours; `most` is how far out each link can be, and `known` how far anything is known to be.
     pub(super) fn guess_all(&mut self, points: &[Vec<Reach>], most: &[[f64; 4]], known: [f64; 4]) {
         let pairs = 0..self.samples.len().saturating_sub(1);
-        self.guesses = pairs
-            .map(|pair| self.guess(pair, points, most, known))
-            .collect();
+        self.guesses = pairs.map(|pair| self.guess(pair, points, most, known)).collect();
     }
 
     /// Puts a position between two neighbours, and guesses anew around it.
@@ -83,9 +74,7 @@ impl Line {
         most: &[[f64; 4]],
         known: [f64; 4],
     ) -> [Guess; 4] {
-        let first = pair
-            .saturating_sub(1)
-            .min(self.samples.len().saturating_sub(4));
+        let first = pair.saturating_sub(1).min(self.samples.len().saturating_sub(4));
         let around = &self.samples[first..self.samples.len().min(first + 4)];
         let here = pair - first;
         let [a, b] = [&around[here], &around[here + 1]];
@@ -128,11 +117,7 @@ impl Line {
 fn bow(places: &[(f64, f64)], here: usize) -> Guess {
     let ((s, f), (t, g)) = (places[here], places[here + 1]);
     let length = t - s;
-    let farther = if f > g {
-        Guess { out: f, at: s }
-    } else {
-        Guess { out: g, at: t }
-    };
+    let farther = if f > g { Guess { out: f, at: s } } else { Guess { out: g, at: t } };
     let slope = |(s, f): (f64, f64), (t, g): (f64, f64)| (g - f) / (t - s);
     let bends: Vec<f64> = places
         .windows(3)

@@ -106,11 +106,7 @@ impl<'a> Survey<'a> {
         let walker = Walker::new(program, BUDGET.min(positions * price(program)));
         let start = &program.start;
         // A mechanism with all its axes in one place is as large as its shapes.
-        let size = if model.size() > 0.0 {
-            model.size()
-        } else {
-            seen.size()
-        };
+        let size = if model.size() > 0.0 { model.size() } else { seen.size() };
         let slide = FARTHEST_SLIDE * size;
         let range = |(motor, start): (_, &f64)| {
             let motor: &crate::model::Motor = motor;
@@ -196,17 +192,12 @@ impl<'a> Survey<'a> {
             MostTurns::OfMotor(MOST_TURNS)
         };
         let (model, size) = (self.model, self.size);
-        sweep_each(model, plan, (most_turns, size), &mut |sweep| {
-            self.follow(sweep)
-        });
+        sweep_each(model, plan, (most_turns, size), &mut |sweep| self.follow(sweep));
     }
 
     /// Moves one motor along a sweep from the start; returns whether all that is seen on its way was seen then.
     fn follow(&mut self, sweep: &Sweep) -> bool {
-        let Sweep {
-            displacements,
-            turns,
-        } = sweep;
+        let Sweep { displacements, turns } = sweep;
         let of_turn = if self.ranges.len() > 1 {
             OF_TURN[0]
         } else {
@@ -216,10 +207,7 @@ impl<'a> Survey<'a> {
         let affordable =
             BUDGET / (4 * (self.walker.price + self.seen.count()) * self.ranges.len().max(1));
         let samples = samples.min(affordable.max(OF_TURN[0]));
-        let Some(motor) = displacements
-            .iter()
-            .position(|displacement| *displacement != 0.0)
-        else {
+        let Some(motor) = displacements.iter().position(|displacement| *displacement != 0.0) else {
             return true;
         };
         self.walker.begin(&self.program.start, OF_WAY);
@@ -296,11 +284,7 @@ impl<'a> Survey<'a> {
         if !forwards {
             way.reverse();
         }
-        self.lines.push(Line {
-            motor,
-            samples: way,
-            guesses: Vec::new(),
-        });
+        self.lines.push(Line { motor, samples: way, guesses: Vec::new() });
     }
 
     /// Tries positions between others where something may be farther out than was seen, the farthest first.
@@ -384,11 +368,7 @@ impl<'a> Survey<'a> {
             let motion = (seen[0] + seen[2]).max(seen[1] + seen[3]);
             for side in SIDES {
                 let proved = most[side] - seen[side];
-                let beyond = if proved <= wasteful * motion {
-                    proved
-                } else {
-                    unseen * motion
-                };
+                let beyond = if proved <= wasteful * motion { proved } else { unseen * motion };
                 sides[side] = sides[side].max(seen[side] + beyond);
             }
         }
@@ -414,18 +394,14 @@ fn most(
     ranges: &[([f64; 2], bool)],
 ) -> Vec<Sides> {
     let anywhere = |&(range, is_endless): &([f64; 2], bool)| {
-        if is_endless {
-            Interval::ENTIRE
-        } else {
-            Interval::new(range[0], range[1])
-        }
+        if is_endless { Interval::ENTIRE } else { Interval::new(range[0], range[1]) }
     };
     let ranges: Vec<Interval> = ranges.iter().map(anywhere).collect();
     let bounds = Bounds::new(model, &ranges);
     let start = seen.outermost(&program.start.poses);
-    let start = start.iter().fold(seen.ground, |sides, link| {
-        SIDES.map(|side| sides[side].max(link.sides[side]))
-    });
+    let start = start
+        .iter()
+        .fold(seen.ground, |sides, link| SIDES.map(|side| sides[side].max(link.sides[side])));
     let of_link = |(&link, points): (&LinkId, &Vec<Reach>)| {
         let proved = points.iter().fold(EMPTY, |sides, &(at, radius)| {
             let [x, y] = bounds.of_point(link, at);
@@ -433,19 +409,10 @@ fn most(
             SIDES.map(|side| sides[side].max(radius + out[side]))
         });
         SIDES.map(|side| {
-            if proved[side] < f64::INFINITY {
-                proved[side]
-            } else {
-                start[side] + LIMIT * size
-            }
+            if proved[side] < f64::INFINITY { proved[side] } else { start[side] + LIMIT * size }
         })
     };
-    program
-        .stored
-        .iter()
-        .zip(&seen.moving)
-        .map(of_link)
-        .collect()
+    program.stored.iter().zip(&seen.moving).map(of_link).collect()
 }
 
 /// For each stored link the motors that move it, as bits.
@@ -458,15 +425,11 @@ fn motors_of_links(program: &Program) -> Vec<u64> {
             }
             // An iterated value may depend on all motors.
             Op::Unknown(..) | Op::Solved(..) | Op::Dense(..) => u64::MAX,
-            op => op
-                .operands()
-                .fold(0, |all, operand| all | motors[operand.index()]),
+            op => op.operands().fold(0, |all, operand| all | motors[operand.index()]),
         };
     }
     let of_pose = |pose: &[_; 4]| {
-        pose.iter().fold(0, |all, value: &crate::program::Value| {
-            all | motors[value.index()]
-        })
+        pose.iter().fold(0, |all, value: &crate::program::Value| all | motors[value.index()])
     };
     program.poses.iter().map(of_pose).collect()
 }

@@ -54,11 +54,7 @@ impl SeenPoints {
     /// The greatest number that it takes to say where a point is in its link.
     pub(super) fn size(&self) -> f64 {
         let numbers = |&([x, y], radius): &Reach| x.abs().max(y.abs()) + radius;
-        self.moving
-            .iter()
-            .flatten()
-            .map(numbers)
-            .fold(0.0, f64::max)
+        self.moving.iter().flatten().map(numbers).fold(0.0, f64::max)
     }
 
     /// Returns the number of points that move.
@@ -69,17 +65,12 @@ impl SeenPoints {
     /// Returns the outermost places of each link, if the links have these poses.
     pub(super) fn outermost(&self, poses: &[[f64; 4]]) -> Vec<Outermost> {
         let poses = poses.iter().enumerate();
-        poses
-            .map(|(link, pose)| self.of_link(link, *pose))
-            .collect()
+        poses.map(|(link, pose)| self.of_link(link, *pose)).collect()
     }
 
     /// Returns the outermost places of a link, if it has this pose.
     pub(super) fn of_link(&self, link: usize, pose: [f64; 4]) -> Outermost {
-        let mut found = Outermost {
-            sides: EMPTY,
-            points: [0; 4],
-        };
+        let mut found = Outermost { sides: EMPTY, points: [0; 4] };
         for (number, &point) in (0..).zip(&self.moving[link]) {
             let out = outwards(point, pose);
             for side in SIDES {

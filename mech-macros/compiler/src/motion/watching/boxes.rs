@@ -25,11 +25,7 @@ pub(super) fn boxes(ranges: &[Interval], most: usize) -> Vec<Vec<Interval>> {
                     range.low() + (range.high() - range.low()) * (part as f64 / own as f64)
                 };
                 let mut place: Vec<Interval> = before.clone();
-                let high = if part + 1 == own {
-                    range.high()
-                } else {
-                    at(part + 1)
-                };
+                let high = if part + 1 == own { range.high() } else { at(part + 1) };
                 place.push(Interval::new(at(part), high));
                 next.push(place);
             }

@@ -257,10 +257,7 @@ impl<'a> Domain<'a> {
             let mean = match op {
                 _ if cut.contains(&value) => Some(0.0),
                 Op::Stairs(stairs, place, _) if stairs.repeats => {
-                    let part = self
-                        .cutter
-                        .parts(place)
-                        .map(|parts| parts.get(&input).copied());
+                    let part = self.cutter.parts(place).map(|parts| parts.get(&input).copied());
                     // Of the slope of a staircase nothing is left after a step.
                     part.map(|part| part.filter(|_| stairs.order == 0).unwrap_or(0.0))
                 }

@@ -43,16 +43,10 @@ fn prove_free(
     left: &mut usize,
 ) -> Option<Free> {
     let asked = LoopQuery::new(domain, block, closed);
-    let alone = Cuts {
-        own: Some(closed.number),
-        ..Cuts::ALONE
-    };
+    let alone = Cuts { own: Some(closed.number), ..Cuts::ALONE };
     let cone = domain.cutter.cone(&asked.outputs, &alone)?;
-    let ranges: Vec<Interval> = cone
-        .variables
-        .iter()
-        .map(|variable| domain.of_variable(*variable))
-        .collect();
+    let ranges: Vec<Interval> =
+        cone.variables.iter().map(|variable| domain.of_variable(*variable)).collect();
     let carriers = asked.carriers(domain, &cone);
     let held = carriers.iter().fold(ranges.clone(), |mut held, carrier| {
         held[carrier.variable] = Interval::point(carrier.start);
@@ -124,11 +118,7 @@ fn turned_along(mut free: Free, carriers: &[Carrier], ranges: &[Interval]) -> Fr
 
 /// A range of angles, or all angles if the range is a whole turn.
 fn all_if_wide(range: Interval) -> Interval {
-    if range.width() < TAU {
-        range
-    } else {
-        Interval::new(-PI.next_up(), PI.next_up())
-    }
+    if range.width() < TAU { range } else { Interval::new(-PI.next_up(), PI.next_up()) }
 }
 
 /// Whether variables of a loop may depend on each other. Then a proof by itself, which takes them for independent, may be too weak.
@@ -144,12 +134,7 @@ fn hangs_together(domain: &Domain<'_>, cone: &Cone, carriers: &[Carrier]) -> boo
         match *variable {
             Variable::Angle(angle) => {
                 inputs.extend(
-                    domain
-                        .cutter
-                        .parts(angle)
-                        .into_iter()
-                        .flatten()
-                        .map(|(input, _)| input),
+                    domain.cutter.parts(angle).into_iter().flatten().map(|(input, _)| input),
                 );
             }
             Variable::Input(input) => inputs.push(input),
@@ -175,9 +160,8 @@ struct LoopQuery<'c> {
 impl<'c> LoopQuery<'c> {
     fn new(domain: &Domain<'_>, block: BlockId, closed: &'c ClosedForm) -> Self {
         let solutions = (0..2).filter_map(|index| domain.solution(closed.number, index));
-        let unknowns: Vec<(Solution<Value>, f64)> = solutions
-            .map(|solution| (solution, domain.angle_at_start(&solution)))
-            .collect();
+        let unknowns: Vec<(Solution<Value>, f64)> =
+            solutions.map(|solution| (solution, domain.angle_at_start(&solution))).collect();
         let mut outputs = vec![closed.discriminant, closed.tolerance, closed.sine];
         outputs.extend(closed.dyad.vectors().into_iter().flatten());
         for (solution, _) in &unknowns {
@@ -186,12 +170,7 @@ impl<'c> LoopQuery<'c> {
                 Solution::Slide(displacement) => outputs.push(displacement),
             }
         }
-        Self {
-            block,
-            closed,
-            outputs,
-            unknowns,
-        }
+        Self { block, closed, outputs, unknowns }
     }
 
     /// The directions among the variables of a cone that carry the loop.
@@ -216,22 +195,14 @@ impl<'c> LoopQuery<'c> {
             let turned = trial.turned_along(variable)?;
             let mut turned = turned.into_iter().take(directions);
             let along = self.unknowns.iter().map(|(solution, _)| match solution {
-                Solution::Direction(_) => turned
-                    .next()
-                    .unwrap_or_else(|| bug!("a direction of a loop is not looked at")),
+                Solution::Direction(_) => {
+                    turned.next().unwrap_or_else(|| bug!("a direction of a loop is not looked at"))
+                }
                 Solution::Slide(_) => false,
             });
-            Some(Carrier {
-                variable,
-                start,
-                along: along.collect(),
-            })
+            Some(Carrier { variable, start, along: along.collect() })
         };
-        cone.variables
-            .iter()
-            .enumerate()
-            .filter_map(carrier)
-            .collect()
+        cone.variables.iter().enumerate().filter_map(carrier).collect()
     }
 
     /// Where a value of the program is among the outputs of a cone.

@@ -73,9 +73,8 @@ impl Paces<'_> {
 
     /// For each input the fastest that turns with it, in radians, or in sizes of the mechanism.
     pub(super) fn fastest(&self) -> Vec<f64> {
-        let mut fastest: Vec<f64> = (0..self.inputs())
-            .map(|input| 1.0 / self.unit(input))
-            .collect();
+        let mut fastest: Vec<f64> =
+            (0..self.inputs()).map(|input| 1.0 / self.unit(input)).collect();
         let program = self.domain.cutter.program;
         for node in &program.ssa.nodes {
             if let Op::Sin(angle) | Op::Cos(angle) = node.op {

@@ -12,19 +12,13 @@ pub(super) type Motors = Option<BTreeSet<usize>>;
 
 /// For each loop of a plan the motors that have a part in whether it closes. Params are not looked at.
 pub(super) fn motors_of_loops(model: &Model, plan: &Plan) -> Vec<Motors> {
-    let mut joined = Joined {
-        model,
-        of_link: vec![Vec::new(); model.links.len()],
-    };
+    let mut joined = Joined { model, of_link: vec![Vec::new(); model.links.len()] };
     let mut of_loops = Vec::new();
     for step in &plan.steps {
         match step {
             Step::Weld(weld) => joined.add(weld.connection, &Some(BTreeSet::new())),
             Step::Drive(drive) => {
-                joined.add(
-                    drive.connection,
-                    &Some(BTreeSet::from([drive.motor.index()])),
-                );
+                joined.add(drive.connection, &Some(BTreeSet::from([drive.motor.index()])));
             }
             Step::Mesh(mesh) => joined.add(mesh.connection, &of_parts(plan, &mesh.parts)),
             Step::Cam(cam) => joined.add(cam.connection, &of_parts(plan, &cam.parts)),

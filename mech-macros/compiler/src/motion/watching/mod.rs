@@ -49,9 +49,8 @@ pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decisi
     let mut domain = Domain::new(model, &program, choices.len());
     free::prove(&mut domain, &influence::motors_of_loops(model, plan));
     let mut paces = Paces::new(&domain);
-    let all_free = program
-        .closed_forms()
-        .all(|(_, closed)| domain.known[closed.number].free.is_some());
+    let all_free =
+        program.closed_forms().all(|(_, closed)| domain.known[closed.number].free.is_some());
     if !(all_free && program.followed.is_empty()) {
         paces.look_at_all();
     }
@@ -77,10 +76,7 @@ pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decisi
         // An iteration fails where its equations are singular.
         choice.solver = Solver::ClosedForm;
         choice.pins_near = true;
-        choice.watching = Some(Watching {
-            bound: paces.of_sine(closed),
-            at_zero,
-        });
+        choice.watching = Some(Watching { bound: paces.of_sine(closed), at_zero });
     }
     // Where rolling ties unknowns, or loops are coupled, there is no closed form, and nothing is proved.
     let at_zero = match model.change_points {
@@ -99,20 +95,12 @@ pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decisi
             AtZero::Stay => AtZero::Stop,
             passed => passed,
         };
-        choice.watching = Some(Watching {
-            bound: paces.of_tied(&closing.ties),
-            at_zero,
-        });
+        choice.watching = Some(Watching { bound: paces.of_tied(&closing.ties), at_zero });
     }
     let turning = program.followed.iter();
-    let turning = turning
-        .map(|(what, angle)| (*what, paces.of_angle(*angle)))
-        .collect();
+    let turning = turning.map(|(what, angle)| (*what, paces.of_angle(*angle))).collect();
     watch_nearly_stuck(&mut paces, &program, &mut decided);
-    Decisions {
-        choices: decided,
-        turning,
-    }
+    Decisions { choices: decided, turning }
 }
 
 /// A loop that never comes to its dead point, but nearly, makes later ones fast there: it is watched too, if a bound asks for it.
@@ -128,10 +116,8 @@ fn watch_nearly_stuck(paces: &mut Paces<'_>, program: &Program, decided: &mut [C
         }
         let choice = &mut decided[closed.number];
         if choice.watching.is_none() {
-            choice.watching = Some(Watching {
-                bound: paces.of_sine(closed),
-                at_zero: AtZero::Stay,
-            });
+            choice.watching =
+                Some(Watching { bound: paces.of_sine(closed), at_zero: AtZero::Stay });
         }
     }
 }

@@ -103,19 +103,12 @@ impl<'d> Paces<'d> {
             // The greatest slope of x² / (1 + x²) is 0.65; where the line passes beside the pin, the height adds to that.
             Dyad::TurningLine { .. } => {
                 let [[_, height], _] = pair(&goal.arms);
-                bound.add(
-                    (0.65 + 4.0 * height / closed.size) / closed.size,
-                    &goal.moves,
-                );
+                bound.add((0.65 + 4.0 * height / closed.size) / closed.size, &goal.moves);
             }
             Dyad::TwoLines { .. } => bound.add(1.0, &goal.turns),
         }
         self.with_params(&mut bound, closed.number);
-        let most = if goal.direct {
-            MOST_DIRECT
-        } else {
-            MOST_OF_SINE
-        };
+        let most = if goal.direct { MOST_DIRECT } else { MOST_OF_SINE };
         tame(&mut bound, most, &goal.driven);
         self.sharpen(&mut bound, 1.0 / MOST_SHARP);
         bound
@@ -143,8 +136,7 @@ impl<'d> Paces<'d> {
 
     fn closed_form(&self, number: usize) -> Option<&'d ClosedForm> {
         let mut all = self.domain.cutter.program.closed_forms();
-        all.find(|(_, closed)| closed.number == number)
-            .map(|(_, closed)| closed)
+        all.find(|(_, closed)| closed.number == number).map(|(_, closed)| closed)
     }
 
     fn found_goal(&mut self, number: usize) -> Goal {
@@ -175,10 +167,7 @@ impl<'d> Paces<'d> {
             reach: swept.reach,
             far,
             arms: swept.lengths.clone(),
-            direct: cone
-                .variables
-                .iter()
-                .all(|variable| self.is_direct(*variable)),
+            direct: cone.variables.iter().all(|variable| self.is_direct(*variable)),
             driven: self.fastest.clone(),
         };
         let turning = swept.lines.iter().any(|turned| *turned > 0.0);
@@ -194,13 +183,8 @@ impl<'d> Paces<'d> {
             let [moved, arms, turned] =
                 [&swept.goal, &swept.arms, &swept.lines].map(|all| all[variable]);
             goal.turns.add(turned, &bound);
-            let swung = if turned > 0.0 {
-                swept.reach * turned
-            } else {
-                0.0
-            };
-            goal.moves
-                .add(farther * (moved + 3.0 * arms + swung), &bound);
+            let swung = if turned > 0.0 { swept.reach * turned } else { 0.0 };
+            goal.moves.add(farther * (moved + 3.0 * arms + swung), &bound);
         }
         if goal.direct && goal.far.is_empty() {
             self.move_together(&mut goal, (&cone, closed));
@@ -267,11 +251,7 @@ impl<'d> Paces<'d> {
             let Variable::Input(input) = *of else { return };
             let [moved, arms, turned] =
                 [&swept.goal, &swept.arms, &swept.lines].map(|all| all[variable]);
-            let swung = if turned > 0.0 {
-                swept.reach * turned
-            } else {
-                0.0
-            };
+            let swung = if turned > 0.0 { swept.reach * turned } else { 0.0 };
             moves.rates[input] += moved + 3.0 * arms + swung;
         }
         goal.reach = goal.reach.min(swept.reach);
@@ -291,18 +271,11 @@ impl<'d> Paces<'d> {
 
     /// Whether the outputs of a cone change no faster than some rate, however far its variables go.
     fn is_steady(&self, cone: &Cone) -> bool {
-        let whole: Vec<Interval> = cone
-            .variables
-            .iter()
-            .map(|variable| self.domain.of_variable(*variable))
-            .collect();
+        let whole: Vec<Interval> =
+            cone.variables.iter().map(|variable| self.domain.of_variable(*variable)).collect();
         let mut slopes = Slopes::new(cone);
         slopes.run(&whole);
-        let vectors = if cone.outputs.len() > 2 {
-            &cone.outputs[2..]
-        } else {
-            &cone.outputs
-        };
+        let vectors = if cone.outputs.len() > 2 { &cone.outputs[2..] } else { &cone.outputs };
         let bounded = |value: &Value| {
             (0..whole.len()).all(|variable| slopes.slope(*value, variable).is_bounded())
         };
@@ -311,11 +284,8 @@ impl<'d> Paces<'d> {
 
     /// The ranges of a cone's variables in which it is looked at, and the causes that take variables beyond them.
     fn ranges(&self, cone: &Cone) -> (Vec<Interval>, Vec<Growth>) {
-        let whole: Vec<Interval> = cone
-            .variables
-            .iter()
-            .map(|variable| self.domain.of_variable(*variable))
-            .collect();
+        let whole: Vec<Interval> =
+            cone.variables.iter().map(|variable| self.domain.of_variable(*variable)).collect();
         let mut growth = Vec::new();
         let mut ranges = whole.clone();
         for (index, variable) in cone.variables.iter().enumerate() {
@@ -336,11 +306,7 @@ impl<'d> Paces<'d> {
         let size = self.domain.model.size().max(f64::MIN_POSITIVE);
         match variable {
             Variable::Input(input) => {
-                let unit = if self.domain.turns(input) {
-                    TAU
-                } else {
-                    2.0 * size
-                };
+                let unit = if self.domain.turns(input) { TAU } else { 2.0 * size };
                 (unit, vec![Growth::FarOut(input, unit)])
             }
             Variable::Found(number, index) => match self.loops.get(&number) {
@@ -379,10 +345,7 @@ impl<'d> Paces<'d> {
     fn of_found(&mut self, number: usize, index: usize) -> Bound {
         let inputs = self.inputs();
         let mut bound = Bound::still(inputs);
-        let direction = matches!(
-            self.domain.solution(number, index),
-            Some(Solution::Direction(_))
-        );
+        let direction = matches!(self.domain.solution(number, index), Some(Solution::Direction(_)));
         let Some(closed) = self.closed_form(number) else {
             let size = self.domain.model.size();
             let unit = if direction { ITERATED } else { ITERATED * size };

@@ -14,12 +14,7 @@ const MOST_PARTS: usize = 512;
 /// Whether a loop has dead points only. That can be told only of a loop with one variable, which moves on as long as the motors do. There
 /// the discriminant goes through zero instead of touching it.
 pub(super) fn only_ends(domain: &Domain<'_>, closed: &ClosedForm) -> bool {
-    let outputs = [
-        closed.discriminant,
-        closed.tolerance,
-        closed.sine,
-        closed.rounding_square,
-    ];
+    let outputs = [closed.discriminant, closed.tolerance, closed.sine, closed.rounding_square];
     let Some(cone) = domain.cutter.cone(&outputs, &Cuts::ALONE) else {
         return false;
     };
@@ -34,12 +29,8 @@ pub(super) fn only_ends(domain: &Domain<'_>, closed: &ClosedForm) -> bool {
     let [discriminant, tolerance, sine, rounding_square] =
         [0, 1, 2, 3].map(|output| cone.outputs[output]);
     let mut slopes = Slopes::new(&cone);
-    let mut waiting: Vec<Vec<Interval>> = vec![
-        cone.variables
-            .iter()
-            .map(|variable| domain.of_variable(*variable))
-            .collect(),
-    ];
+    let mut waiting: Vec<Vec<Interval>> =
+        vec![cone.variables.iter().map(|variable| domain.of_variable(*variable)).collect()];
     for _ in 0..MOST_PARTS {
         let Some(place) = waiting.pop() else {
             return true;

@@ -34,24 +34,16 @@ impl Search<'_> {
 
     /// The step in which a cam moves its follower, if its shaft is known and the follower is not.
     fn find_cam(&self, by: JointId, shaft: JointId, follower: JointId) -> Option<Cam> {
-        let (shaft, follower) = (
-            self.declared_connection(shaft)?,
-            self.declared_connection(follower)?,
-        );
-        let parts = self
-            .relations
-            .value(&coordinate(shaft, self.link_of(shaft)))?;
+        let (shaft, follower) =
+            (self.declared_connection(shaft)?, self.declared_connection(follower)?);
+        let parts = self.relations.value(&coordinate(shaft, self.link_of(shaft)))?;
         let (from, to) = self.link_of(follower);
         let turns = follower.kind == ConnectionKind::Revolute;
         let held = turns && self.aligned.equiv(from.index(), to.index());
         if held || self.clusters.are_joined(from, to) {
             return None;
         }
-        Some(Cam {
-            by,
-            connection: follower,
-            parts,
-        })
+        Some(Cam { by, connection: follower, parts })
     }
 
     /// A joint with a coordinate, as it is declared.
@@ -61,12 +53,7 @@ impl Search<'_> {
             JointKind::Prismatic(from, to) => (ConnectionKind::Prismatic, from, to),
             _ => return None,
         };
-        Some(Connection {
-            kind,
-            from,
-            to,
-            joint,
-        })
+        Some(Connection { kind, from, to, joint })
     }
 
     /// A cam whose follower is never moved by it, unless loops that wait for each other are the reason.
@@ -75,16 +62,10 @@ impl Search<'_> {
             let mut steps = self.steps.iter();
             steps.any(|step| matches!(step, Step::Cam(step) if step.by == cam))
         };
-        let idle = self
-            .model
-            .cams()
-            .map(|(cam, ..)| cam)
-            .find(|&cam| !used(cam))?;
+        let idle = self.model.cams().map(|(cam, ..)| cam).find(|&cam| !used(cam))?;
         let connections = self.connections();
         let blocks = self.blocks(&connections).into_iter();
-        let waits = blocks
-            .map(|block| self.describe(block))
-            .any(|found| self.is_square(&found));
+        let waits = blocks.map(|block| self.describe(block)).any(|found| self.is_square(&found));
         (!waits).then_some(idle)
     }
 }

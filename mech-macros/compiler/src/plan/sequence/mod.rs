@@ -41,10 +41,7 @@ pub(super) fn sequence(model: &Model, structure: &Structure) -> Result<Sequence,
         return Err(Diagnosis::CamNotDriven { joint });
     }
     if search.clusters.is_one() {
-        return Ok(Sequence {
-            steps: search.steps,
-            sources: search.sources,
-        });
+        return Ok(Sequence { steps: search.steps, sources: search.sources });
     }
     let (rings, waiting) = (search.rings(), search.open_joints());
     Err(Diagnosis::NotSequential { waiting, rings })
@@ -99,10 +96,7 @@ impl<'m> Search<'m> {
     }
 
     fn link_of(&self, connection: Connection) -> (LinkId, LinkId) {
-        (
-            self.model.axis(connection.from).link,
-            self.model.axis(connection.to).link,
-        )
+        (self.model.axis(connection.from).link, self.model.axis(connection.to).link)
     }
 
     fn weld(&mut self) {
@@ -119,20 +113,12 @@ impl<'m> Search<'m> {
             else {
                 bug!("what never turns neither is welded nor has a pin");
             };
-            let connection = Connection {
-                kind: ConnectionKind::Revolute,
-                from,
-                to,
-                joint,
-            };
+            let connection = Connection { kind: ConnectionKind::Revolute, from, to, joint };
             let (a, b) = self.link_of(connection);
             if !self.clusters.are_joined(a, b) {
                 self.merge(&[a, b], &Knowledge::default());
                 self.bodies.union(a.index(), b.index());
-                self.steps.push(Step::Weld(Weld {
-                    connection,
-                    direction,
-                }));
+                self.steps.push(Step::Weld(Weld { connection, direction }));
             }
         }
     }
@@ -145,12 +131,7 @@ impl<'m> Search<'m> {
             // `syntax` lets no motor on anything else.
             _ => return,
         };
-        let connection = Connection {
-            kind,
-            from,
-            to,
-            joint,
-        };
+        let connection = Connection { kind, from, to, joint };
         let (a, b) = self.link_of(connection);
         if !self.clusters.are_joined(a, b) {
             self.source(
@@ -189,11 +170,7 @@ impl<'m> Search<'m> {
 
     /// The knowledge of these joints.
     fn knowledge(&self, joints: &[JointId]) -> Knowledge {
-        Knowledge::of(
-            joints
-                .iter()
-                .filter_map(|joint| self.known[joint.index()].as_ref()),
-        )
+        Knowledge::of(joints.iter().filter_map(|joint| self.known[joint.index()].as_ref()))
     }
 
     /// Accepts loops of three clusters, or of two that slide: of those found, the ones of the lowest level, in the order of declaration.
@@ -225,10 +202,7 @@ impl<'m> Search<'m> {
     fn couple(&mut self) -> bool {
         let connections = self.connections();
         let allow = self.model.allow;
-        let redundant = allow
-            .redundant
-            .then(|| coupled::redundant_block(&connections))
-            .flatten();
+        let redundant = allow.redundant.then(|| coupled::redundant_block(&connections)).flatten();
         let found = match redundant {
             Some(block) => self.describe(block),
             None if allow.coupled => {
@@ -265,11 +239,7 @@ impl<'m> Search<'m> {
     fn turning_clusters(&self, rings: &[Vec<Connection>], tree: &[Connection]) -> Vec<LinkId> {
         let base = |axis| self.clusters.base(self.model.axis(axis).link);
         let mut classes = UnionFind::<usize>::new(self.model.links.len());
-        for connection in rings
-            .iter()
-            .flatten()
-            .filter(|connection| connection.slides())
-        {
+        for connection in rings.iter().flatten().filter(|connection| connection.slides()) {
             classes.union(base(connection.from).index(), base(connection.to).index());
         }
         let mut turning: Vec<LinkId> = Vec::new();
@@ -297,14 +267,7 @@ impl<'m> Search<'m> {
         } else {
             Vec::new()
         };
-        Loop {
-            rings,
-            tree,
-            ties,
-            members,
-            level: before.level + 1,
-            needs: before.needs,
-        }
+        Loop { rings, tree, ties, members, level: before.level + 1, needs: before.needs }
     }
 
     /// A ring of three clusters, seen from the first of them that changes its form: where its pins meet, they meet as they do where a motor
@@ -347,10 +310,7 @@ impl<'m> Search<'m> {
 
     fn accept(&mut self, found: Loop) {
         self.note_body(&found);
-        let how = Knowledge {
-            needs: vec![self.loops],
-            level: found.level,
-        };
+        let how = Knowledge { needs: vec![self.loops], level: found.level };
         let bases: Vec<LinkId> = found
             .tree
             .iter()
@@ -358,10 +318,7 @@ impl<'m> Search<'m> {
             .collect();
         let first = self.clusters.base(self.link_of(found.first()).0);
         for &base in &bases {
-            let angle = Source::Angle {
-                from: first,
-                to: base,
-            };
+            let angle = Source::Angle { from: first, to: base };
             self.source(angle, &LinearForm::turn(first, base), how.clone());
         }
         for slide in found.connections().filter(Connection::slides) {
@@ -397,10 +354,8 @@ impl<'m> Search<'m> {
         for ring in rings {
             for (index, connection) in ring.iter().enumerate() {
                 let next = ring[(index + 1) % ring.len()];
-                let (from, to) = (
-                    self.model.axis(connection.to).link,
-                    self.model.axis(next.from).link,
-                );
+                let (from, to) =
+                    (self.model.axis(connection.to).link, self.model.axis(next.from).link);
                 let path = self.path(from, to);
                 for joint in [connection.joint].into_iter().chain(path) {
                     if !members.contains(&joint) {
@@ -434,8 +389,6 @@ impl<'m> Search<'m> {
         let connections = self.connections();
         let blocks = self.blocks(&connections);
         let rings = blocks.iter().flat_map(|(rings, _)| rings);
-        rings
-            .map(|ring| ring.iter().map(|connection| connection.joint).collect())
-            .collect()
+        rings.map(|ring| ring.iter().map(|connection| connection.joint).collect()).collect()
     }
 }

@@ -56,12 +56,7 @@ impl Open {
                 return None;
             };
             let kind = ConnectionKind::Prismatic;
-            Some(Connector::Slide(Connection {
-                kind,
-                from,
-                to,
-                joint,
-            }))
+            Some(Connector::Slide(Connection { kind, from, to, joint }))
         });
         let connectors: Vec<Connector> = pins.chain(slides).collect();
         let mut of_link = vec![Vec::new(); model.links.len()];
@@ -106,13 +101,9 @@ impl Open {
         for link in moved {
             self.base[link.index()] = Some(known.clusters.base(link));
         }
-        let old = self
-            .rings
-            .keys()
-            .filter(|ring| ring.iter().any(|base| involved.contains(base)));
-        let mut changed: BTreeSet<Pair> = old
-            .flat_map(|&[a, b, c]| [(a, b), (a, c), (b, c)])
-            .collect();
+        let old = self.rings.keys().filter(|ring| ring.iter().any(|base| involved.contains(base)));
+        let mut changed: BTreeSet<Pair> =
+            old.flat_map(|&[a, b, c]| [(a, b), (a, c), (b, c)]).collect();
         for (number, renewed) in renewed {
             cancel::check();
             changed.extend(self.new_pairs(number, &renewed));
@@ -157,9 +148,7 @@ impl Open {
         let on = &self.on[number];
         let with = |one: LinkId, others: &BTreeSet<LinkId>| {
             let others = others.iter().filter(|other| **other != one);
-            others
-                .map(|&other| (one.min(other), one.max(other)))
-                .collect::<Vec<Pair>>()
+            others.map(|&other| (one.min(other), one.max(other))).collect::<Vec<Pair>>()
         };
         if renewed.len() * on.len() <= FEW {
             let on = on.keys().copied().collect();
@@ -174,9 +163,7 @@ impl Open {
             }
         }
         let pairs = beside.iter().flat_map(|(near, bases)| {
-            let new = bases
-                .intersection(renewed)
-                .flat_map(|&one| with(one, bases));
+            let new = bases.intersection(renewed).flat_map(|&one| with(one, bases));
             // Beside each other by two connectors.
             let is_own = on.contains_key(near);
             let own = is_own.then(|| with(*near, bases)).into_iter().flatten();
@@ -225,10 +212,7 @@ impl Open {
             [single] => Some(single),
             _ => None,
         };
-        let elsewhere = |base| {
-            self.connectors_of(base)
-                .filter(move |&one| Some(one) != single)
-        };
+        let elsewhere = |base| self.connectors_of(base).filter(move |&one| Some(one) != single);
         // The ground may be on very many.
         let count = |base| elsewhere(base).map(|number| self.on[number].len()).sum();
         let [few, many] = fewer(a, b, count);
@@ -312,29 +296,13 @@ impl Open {
                 let [from, to] = if first == *a { [*a, *b] } else { [*b, *a] };
                 let joint = named_on(known.model, known.clusters, pin, from, to);
                 let connection = pivot(pin, from, to)?;
-                (
-                    Connection {
-                        joint,
-                        ..connection
-                    },
-                    Some(number_of_pin),
-                )
+                (Connection { joint, ..connection }, Some(number_of_pin))
             }
             Connector::Slide(connection) => (connection, None),
         };
-        let connection = if base(connection.from) == a {
-            connection
-        } else {
-            connection.reverse()
-        };
+        let connection = if base(connection.from) == a { connection } else { connection.reverse() };
         let heading = known.structure.parallels.of(connection.joint);
-        Some(Between {
-            a,
-            b,
-            connection,
-            pin,
-            direction: heading.map(|heading| heading.number),
-        })
+        Some(Between { a, b, connection, pin, direction: heading.map(|heading| heading.number) })
     }
 }
 
@@ -388,8 +356,7 @@ pub(super) fn named_on(
         |joint: &&JointId| bases(**joint) == wanted || bases(**joint) == (wanted.1, wanted.0);
     let holds = |joint: &&JointId| ends(**joint).0 == b || ends(**joint).1 == b;
     let found = pin.joints.iter().find(direct);
-    let found = found
-        .or_else(|| pin.joints.iter().find(between))
-        .or_else(|| pin.joints.iter().find(holds));
+    let found =
+        found.or_else(|| pin.joints.iter().find(between)).or_else(|| pin.joints.iter().find(holds));
     found.copied().unwrap_or(pin.joints[0])
 }

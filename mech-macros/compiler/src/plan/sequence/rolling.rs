@@ -110,12 +110,8 @@ impl Search<'_> {
         if !self.rolls() {
             return false;
         }
-        let ends = || {
-            self.structure
-                .rollings
-                .iter()
-                .flat_map(|rolling| [(rolling, 0), (rolling, 1)])
-        };
+        let ends =
+            || self.structure.rollings.iter().flat_map(|rolling| [(rolling, 0), (rolling, 1)]);
         let direct = |(rolling, end): &(&Rolling, usize)| {
             let other = rolling.ends[1 - *end].0.link();
             self.clusters.are_joined(rolling.carrier, other)
@@ -139,21 +135,16 @@ impl Search<'_> {
         let connection = self.carrier_connection(rolling, rolling.ends[end].0)?;
         let (from, to) = self.link_of(connection);
         let (free, quantity) = match connection.kind {
-            ConnectionKind::Revolute => (
-                !self.aligned.equiv(from.index(), to.index()),
-                LinearForm::turn(from, to),
-            ),
+            ConnectionKind::Revolute => {
+                (!self.aligned.equiv(from.index(), to.index()), LinearForm::turn(from, to))
+            }
             ConnectionKind::Prismatic => (true, self.along(connection)),
         };
         if !free || self.clusters.are_joined(from, to) {
             return None;
         }
         let parts = self.relations.value(&quantity)?;
-        Some(Mesh {
-            by: rolling.joint,
-            connection,
-            parts,
-        })
+        Some(Mesh { by: rolling.joint, connection, parts })
     }
 
     /// The joint by which a wheel or bar is on its carrier. A wheel may only share an axis with its carrier: then the declared joint that
@@ -177,11 +168,7 @@ impl Search<'_> {
     pub(super) fn along(&self, connection: Connection) -> LinearForm {
         let slide = LinearForm::slide(connection.joint);
         let declared = self.model.ends(connection.joint) == self.link_of(connection);
-        if declared {
-            slide
-        } else {
-            LinearForm::default().plus(&-one(), &slide)
-        }
+        if declared { slide } else { LinearForm::default().plus(&-one(), &slide) }
     }
 
     /// The clusters of each gear, belt or rack that still ties them.
@@ -195,10 +182,7 @@ impl Search<'_> {
             bases
         };
         let rollings = self.structure.rollings.iter();
-        rollings
-            .filter(|rolling| self.ties_clusters(rolling))
-            .map(of)
-            .collect()
+        rollings.filter(|rolling| self.ties_clusters(rolling)).map(of).collect()
     }
 
     /// Whether a gear, belt or rack ties anything unknown. One that moves a wheel has nothing left to say: its other wheel may keep its
@@ -226,9 +210,8 @@ impl Search<'_> {
 
     /// The directions and displacements of a loop that rolling ties.
     pub(super) fn ties(&self, rings: &[Vec<Connection>], tree: &[Connection]) -> Vec<Tie> {
-        let Some(first) = tree
-            .first()
-            .map(|connection| self.clusters.base(self.link_of(*connection).0))
+        let Some(first) =
+            tree.first().map(|connection| self.clusters.base(self.link_of(*connection).0))
         else {
             return Vec::new();
         };
@@ -245,17 +228,10 @@ impl Search<'_> {
             Unknown::Slide(joint) => LinearForm::slide(joint),
         };
         let combinations: Vec<LinearForm> = unknowns.iter().map(combination).collect();
-        let ties = self
-            .relations
-            .ties(&combinations)
-            .into_iter()
-            .zip(&unknowns);
+        let ties = self.relations.ties(&combinations).into_iter().zip(&unknowns);
         ties.filter_map(|(parts, &of)| {
             let (own, sources) = parts?;
-            let parts = own
-                .into_iter()
-                .map(|(place, part)| (unknowns[place], part))
-                .collect();
+            let parts = own.into_iter().map(|(place, part)| (unknowns[place], part)).collect();
             Some(Tie { of, parts, sources })
         })
         .collect()
@@ -286,11 +262,7 @@ fn relation(rolling: &Rolling) -> LinearForm {
 fn quantity(rolling: &Rolling, end: RollingEnd) -> LinearForm {
     match end {
         RollingEnd::Wheel(wheel) => LinearForm::turn(rolling.carrier, wheel),
-        RollingEnd::Bar {
-            slide,
-            forwards: true,
-            ..
-        } => LinearForm::slide(slide),
+        RollingEnd::Bar { slide, forwards: true, .. } => LinearForm::slide(slide),
         RollingEnd::Bar { slide, .. } => {
             LinearForm::default().plus(&-one(), &LinearForm::slide(slide))
         }

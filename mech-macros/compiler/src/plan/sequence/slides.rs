@@ -50,11 +50,7 @@ impl Search<'_> {
                 continue;
             };
             let declared = self.model.ends(connection.joint) == self.link_of(*connection);
-            let sign = if declared == heading.forwards {
-                1.0
-            } else {
-                -1.0
-            };
+            let sign = if declared == heading.forwards { 1.0 } else { -1.0 };
             #[expect(clippy::cast_precision_loss, reason = "there are not so many slides")]
             let (sin, cos) = (ANGLE * heading.number as f64).sin_cos();
             sums[0][place] += sign * cos;
@@ -66,11 +62,8 @@ impl Search<'_> {
 
 /// Returns the equation of a tie in these displacements, as a row.
 fn row_of(tie: &Tie, joints: &[JointId]) -> RowDVector<f64> {
-    let place = |unknown: Unknown| {
-        joints
-            .iter()
-            .position(|joint| unknown == Unknown::Slide(*joint))
-    };
+    let place =
+        |unknown: Unknown| joints.iter().position(|joint| unknown == Unknown::Slide(*joint));
     let mut row = RowDVector::<f64>::zeros(joints.len());
     if let Some(place) = place(tie.of) {
         row[place] += 1.0;

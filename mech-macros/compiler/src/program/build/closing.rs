@@ -44,14 +44,11 @@ impl PositionPass<'_> {
         };
         let closed = self.solve_in_closed_form(&site);
         site.iterated = closed.is_none();
-        let (solution, tied) = closed.map_or_else(
-            || self.solve_by_iteration(&site),
-            |solution| (solution, None),
-        );
+        let (solution, tied) =
+            closed.map_or_else(|| self.solve_by_iteration(&site), |solution| (solution, None));
         let lowering = &mut self.lowering;
         let placement = &mut lowering.placement;
-        site.equation
-            .place(&mut lowering.ssa, placement, closing, &solution);
+        site.equation.place(&mut lowering.ssa, placement, closing, &solution);
         lowering.name_moved();
         self.loops.push(SolvedLoop {
             number,
@@ -133,11 +130,7 @@ impl PositionPass<'_> {
             predictor: &mut self.predictor,
             site,
         };
-        let IteratedLoop {
-            mut newton,
-            solution,
-            side,
-        } = match (&tied, &triad) {
+        let IteratedLoop { mut newton, solution, side } = match (&tied, &triad) {
             (Some(tied), _) => iteration.iterate_tied(tied),
             (None, Some(triad)) => iteration.iterate_triad(triad),
             (None, None) => iteration.iterate(&self.watches),

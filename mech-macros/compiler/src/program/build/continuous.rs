@@ -24,17 +24,11 @@ struct ContinuousJoint {
 impl ContinuousAngles {
     pub(super) fn new(model: &Model) -> Self {
         let revolute = |joint| match model.joint(joint).kind {
-            JointKind::Revolute(a, b) => Some(ContinuousJoint {
-                joint,
-                axes: [a, b],
-            }),
+            JointKind::Revolute(a, b) => Some(ContinuousJoint { joint, axes: [a, b] }),
             _ => None,
         };
         let joints = model.continuous_joints().into_iter();
-        Self {
-            joints: joints.filter_map(revolute).collect(),
-            known: Vec::new(),
-        }
+        Self { joints: joints.filter_map(revolute).collect(), known: Vec::new() }
     }
 
     /// Whether the angle of this connection is carried.
@@ -74,11 +68,7 @@ impl ContinuousAngles {
             let forwards = connection.turns_between(axes)?;
             Some((*whole, forwards))
         })?;
-        Some(if forwards {
-            value
-        } else {
-            lowering.ssa.neg(value)
-        })
+        Some(if forwards { value } else { lowering.ssa.neg(value) })
     }
 }
 

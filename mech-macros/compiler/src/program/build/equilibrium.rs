@@ -29,9 +29,7 @@ pub(super) fn choose_balances(
     unknowns: usize,
 ) -> Option<(Vec<usize>, Vec<EquationSet>)> {
     let mut choices = vec![0; alternatives.len()];
-    let first = alternatives
-        .iter()
-        .flat_map(|alternatives| alternatives[0].clone());
+    let first = alternatives.iter().flat_map(|alternatives| alternatives[0].clone());
     let mut system = System::new(first.collect(), unknowns)?;
     for _ in 0..PASSES {
         let mut is_better = false;
@@ -63,11 +61,7 @@ impl System {
     fn new(pattern: Pattern, unknowns: usize) -> Option<Self> {
         let matching = Matching::new(&pattern, unknowns)?;
         let blocks = components(&pattern, &matching, 0..pattern.len());
-        let mut system = Self {
-            sizes: vec![0; pattern.len()],
-            pattern,
-            matching,
-        };
+        let mut system = Self { sizes: vec![0; pattern.len()], pattern, matching };
         system.note_sizes(&blocks);
         Some(system)
     }
@@ -122,10 +116,7 @@ impl System {
         let mut waiting: Vec<usize> = found.iter().copied().collect();
         while let Some(equation) = waiting.pop() {
             let old = equation.checked_sub(first).and_then(|own| before.get(own));
-            for unknown in self.pattern[equation]
-                .iter()
-                .chain(old.into_iter().flatten())
-            {
+            for unknown in self.pattern[equation].iter().chain(old.into_iter().flatten()) {
                 let owners = self.matching.equation_of[*unknown].iter();
                 let owners = owners.chain(former.get(unknown).into_iter().flatten());
                 for &owner in owners {
@@ -145,15 +136,10 @@ fn blocks(pattern: &Pattern, unknowns: usize) -> Option<Vec<EquationSet>> {
     let blocks = components(pattern, &matching, 0..pattern.len()).into_iter();
     let blocks = blocks.map(|mut equations| {
         equations.sort_unstable();
-        let mut unknowns: Vec<usize> = equations
-            .iter()
-            .filter_map(|&equation| matching.of_equation[equation])
-            .collect();
+        let mut unknowns: Vec<usize> =
+            equations.iter().filter_map(|&equation| matching.of_equation[equation]).collect();
         unknowns.sort_unstable();
-        EquationSet {
-            equations,
-            unknowns,
-        }
+        EquationSet { equations, unknowns }
     });
     Some(blocks.collect())
 }
@@ -165,10 +151,8 @@ fn components(
     equations: impl Iterator<Item = usize> + Clone,
 ) -> Vec<Vec<usize>> {
     let mut graph = DiGraph::<usize, ()>::new();
-    let nodes: BTreeMap<usize, NodeIndex> = equations
-        .clone()
-        .map(|equation| (equation, graph.add_node(equation)))
-        .collect();
+    let nodes: BTreeMap<usize, NodeIndex> =
+        equations.clone().map(|equation| (equation, graph.add_node(equation))).collect();
     for equation in equations {
         for &unknown in &pattern[equation] {
             let needed = matching.equation_of[unknown];
@@ -180,9 +164,7 @@ fn components(
     }
     let components = tarjan_scc(&graph).into_iter();
     let equations = |component: Vec<NodeIndex>| component.into_iter().map(|node| graph[node]);
-    components
-        .map(|component| equations(component).collect())
-        .collect()
+    components.map(|component| equations(component).collect()).collect()
 }
 
 /// An equation had this unknown before.
@@ -203,10 +185,8 @@ impl Matching {
         if pattern.len() != unknowns {
             return None;
         }
-        let mut matching = Self {
-            of_equation: vec![None; pattern.len()],
-            equation_of: vec![None; unknowns],
-        };
+        let mut matching =
+            Self { of_equation: vec![None; pattern.len()], equation_of: vec![None; unknowns] };
         let mut equations = 0..pattern.len();
         let is_whole = equations.all(|equation| matching.augment(pattern, equation).is_some());
         is_whole.then_some(matching)
@@ -286,12 +266,7 @@ mod tests {
 
     fn work(pattern: &Pattern) -> Option<usize> {
         let blocks = blocks(pattern, pattern.len())?;
-        Some(
-            blocks
-                .iter()
-                .map(|block| block.equations.len().pow(3))
-                .sum(),
-        )
+        Some(blocks.iter().map(|block| block.equations.len().pow(3)).sum())
     }
 
     #[test]

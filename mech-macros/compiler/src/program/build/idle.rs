@@ -18,9 +18,7 @@ impl Program {
         let idle = blocks.filter_map(|block| self.loop_of(block));
         // The turns of what is tied are counted from move to move.
         let tied = |number: &usize| {
-            plan.loops()
-                .nth(*number)
-                .is_some_and(|closing| !closing.ties.is_empty())
+            plan.loops().nth(*number).is_some_and(|closing| !closing.ties.is_empty())
         };
         idle.filter(|number| !tied(number)).collect()
     }
@@ -70,10 +68,7 @@ impl Program {
     /// Makes the blocks of these loops straight: they place links, but solve nothing.
     pub(super) fn forget_loops(&mut self, idle: &[usize]) {
         for block in &mut self.ssa.blocks {
-            if block
-                .loop_number()
-                .is_some_and(|number| idle.contains(&number))
-            {
+            if block.loop_number().is_some_and(|number| idle.contains(&number)) {
                 block.kind = BlockKind::Straight;
             }
         }

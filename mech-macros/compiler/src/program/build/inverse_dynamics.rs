@@ -75,10 +75,7 @@ impl Lowering<'_> {
         for body in &bodies {
             wrenches.extend(self.inertial_wrenches(body, &mut given));
         }
-        self.ssa.block(
-            "equilibrium".to_owned(),
-            "The equilibrium of each link.".to_owned(),
-        );
+        self.ssa.block("equilibrium".to_owned(), "The equilibrium of each link.".to_owned());
         let unknowns = self.unknown_reactions(positions, structure);
         let found = self.equilibrium(&unknowns, &wrenches, equations)?;
         let velocity_ratios = influence_coefficients
@@ -106,9 +103,8 @@ impl Lowering<'_> {
         let acting = Acting::on_all(self.model.links.len(), unknowns, wrenches);
         for &link in &links {
             let balances = self.balances(link);
-            let rows = balances
-                .into_iter()
-                .map(|balance| self.rows(link, balance, &acting[link.index()]));
+            let rows =
+                balances.into_iter().map(|balance| self.rows(link, balance, &acting[link.index()]));
             alternatives.push(rows.collect());
         }
         let pattern: Vec<Vec<[Vec<usize>; 3]>> = alternatives
@@ -221,20 +217,12 @@ impl Lowering<'_> {
     /// The equations of a link for one balance.
     fn rows(&mut self, link: LinkId, balance: Balance, acting: &Acting<'_>) -> Rows {
         let zero = self.ssa.constant(0.0);
-        let mut rows = Rows {
-            unknown: Default::default(),
-            known: [zero; 3],
-        };
+        let mut rows = Rows { unknown: Default::default(), known: [zero; 3] };
         for &(number, unknown) in &acting.unknowns {
             let mut sums = [zero; 3];
             for push in &unknown.pushes {
                 let parts = match *push {
-                    Push::Force {
-                        link: pushed,
-                        at,
-                        along,
-                        size,
-                    } if pushed == link => {
+                    Push::Force { link: pushed, at, along, size } if pushed == link => {
                         let parts = self.force_terms(link, balance, at, along);
                         parts.map(|part| self.ssa.mul(size, part))
                     }
@@ -251,19 +239,12 @@ impl Lowering<'_> {
         }
         for &wrench in &acting.wrenches {
             let parts = match *wrench {
-                Wrench::Force {
-                    link: pushed,
-                    at,
-                    force,
-                } if pushed == link => {
+                Wrench::Force { link: pushed, at, force } if pushed == link => {
                     let arm = self.arm(link, balance, Place::Scene(at));
                     let [along, across] = self.resolve(balance, force);
                     [along, across, self.ssa.cross(arm, force)]
                 }
-                Wrench::Torque {
-                    link: pushed,
-                    torque,
-                } if pushed == link => [zero, zero, torque],
+                Wrench::Torque { link: pushed, torque } if pushed == link => [zero, zero, torque],
                 _ => continue,
             };
             self.ssa.add_to(&mut rows.known, parts);
@@ -402,8 +383,6 @@ impl Lowering<'_> {
 impl Rows {
     /// The unknowns that each equation contains.
     fn pattern(&self) -> [Vec<usize>; 3] {
-        self.unknown
-            .each_ref()
-            .map(|row| row.iter().map(|&(unknown, _)| unknown).collect())
+        self.unknown.each_ref().map(|row| row.iter().map(|&(unknown, _)| unknown).collect())
     }
 }

@@ -86,9 +86,7 @@ impl LoopIteration<'_> {
         // A loop whose unknowns are all displacements has one solution.
         let has_several = is_coupled && now.iter().any(Solution::is_direction);
         let choice = &self.site.choice;
-        let side = is_coupled
-            .then(|| self.ssa.carry_coupled_side(choice, &columns))
-            .flatten();
+        let side = is_coupled.then(|| self.ssa.carry_coupled_side(choice, &columns)).flatten();
         let system = System {
             gap: residuals.gap(),
             columns,
@@ -201,9 +199,7 @@ impl LoopIteration<'_> {
         let order = self.site.choice.predictor;
         let histories = self.predictor.predict(self.ssa, order, &mut last);
         let mut scalars = Vec::new();
-        let now = last
-            .iter()
-            .map(|unknown| self.unknown(unknown, &mut scalars));
+        let now = last.iter().map(|unknown| self.unknown(unknown, &mut scalars));
         Unknowns {
             now: now.collect(),
             names: last.iter().map(|unknown| unknown.name.clone()).collect(),
@@ -219,9 +215,7 @@ impl LoopIteration<'_> {
         system: System,
         side: Option<CoupledSide>,
     ) -> IteratedLoop {
-        let (steps, det) = self
-            .ssa
-            .solve_linear(self.site.block, &system.columns, &system.gap);
+        let (steps, det) = self.ssa.solve_linear(self.site.block, &system.columns, &system.gap);
         let det = match system.side {
             Some(side) => {
                 let one = self.ssa.constant(1.0);
@@ -252,12 +246,10 @@ impl LoopIteration<'_> {
             }
         }
         let scalars = unknowns.scalars.into_iter().zip(next);
-        let scalars: Vec<Scalar> = scalars
-            .map(|(scalar, next)| Scalar { next, ..scalar })
-            .collect();
+        let scalars: Vec<Scalar> =
+            scalars.map(|(scalar, next)| Scalar { next, ..scalar }).collect();
         let solution = self.solution(&unknowns.now, &scalars);
-        self.predictor
-            .remember(self.ssa, &unknowns.histories, &solution);
+        self.predictor.remember(self.ssa, &unknowns.histories, &solution);
         let newton = Newton {
             number: self.site.number,
             place: self.site.place.clone(),
@@ -273,11 +265,7 @@ impl LoopIteration<'_> {
             linear,
             limits: Limits::default(),
         };
-        IteratedLoop {
-            newton,
-            solution,
-            side,
-        }
+        IteratedLoop { newton, solution, side }
     }
 
     /// The square of a step.
@@ -287,11 +275,7 @@ impl LoopIteration<'_> {
         let inverse = self.ssa.constant(1.0 / length.max(f64::MIN_POSITIVE));
         let mut sum = self.ssa.constant(0.0);
         for (step, is_angle) in steps.iter().zip(angles) {
-            let part = if *is_angle {
-                *step
-            } else {
-                self.ssa.mul(inverse, *step)
-            };
+            let part = if *is_angle { *step } else { self.ssa.mul(inverse, *step) };
             let square = self.ssa.mul(part, part);
             sum = self.ssa.add(sum, square);
         }
@@ -330,12 +314,7 @@ impl LoopIteration<'_> {
             let now = self.ssa.make(unknown);
             self.ssa.begins_with(now, first);
             self.ssa.name(now, &name);
-            scalars.push(Scalar {
-                name,
-                first,
-                now,
-                next: now,
-            });
+            scalars.push(Scalar { name, first, now, next: now });
             now
         };
         let name = &last.name;

@@ -25,10 +25,7 @@ pub(super) fn last_pose(ssa: &mut SsaBuilder, model: &Model, link: LinkId) -> Po
         Some(index) => {
             let [cos, sin, x, y] =
                 Part::ALL.map(|part| ssa.make(Op::Last(Slot::Pose(index, part))));
-            Pose {
-                direction: [cos, sin],
-                origin: [x, y],
-            }
+            Pose { direction: [cos, sin], origin: [x, y] }
         }
     }
 }
@@ -55,10 +52,8 @@ pub(super) fn last_unknown(
             let displacement = match model.joint(joint).kind {
                 JointKind::Prismatic(from, to) => {
                     let (from, to) = (model.axis(from), model.axis(to));
-                    let (start, end) = (
-                        last_pose(ssa, model, from.link),
-                        last_pose(ssa, model, to.link),
-                    );
+                    let (start, end) =
+                        (last_pose(ssa, model, from.link), last_pose(ssa, model, to.link));
                     let heading = start.heading(ssa, from);
                     let start = start.carry(ssa, from);
                     let end = end.carry(ssa, to);

@@ -46,11 +46,7 @@ impl SsaBuilder {
     fn cramer(&mut self, [a, b, c]: [&Vec<Value>; 3], gap: &[Value]) -> (Vec<Value>, Value) {
         let [a, b, c, gap] = [a, b, c, gap].map(|column| [column[0], column[1], column[2]]);
         let det = self.triple(a, b, c);
-        let parts = [
-            self.triple(gap, b, c),
-            self.triple(a, gap, c),
-            self.triple(a, b, gap),
-        ];
+        let parts = [self.triple(gap, b, c), self.triple(a, gap, c), self.triple(a, b, gap)];
         let steps = parts.map(|part| {
             let part = self.neg(part);
             self.div(part, det)

@@ -29,13 +29,7 @@ impl<'m> Lowering<'m> {
         ssa.block("start".to_owned(), String::new());
         ssa.evaluate_formulas(model);
         let placement = Placement::new(&mut ssa, model);
-        Self {
-            model,
-            plan,
-            ssa,
-            placement,
-            layout: StateLayout::default(),
-        }
+        Self { model, plan, ssa, placement, layout: StateLayout::default() }
     }
 
     pub(super) fn link_of(&self, axis: AxisId) -> LinkId {
@@ -61,8 +55,7 @@ impl<'m> Lowering<'m> {
 
     /// Brings two clusters together over a connection of known coordinate.
     pub(super) fn connect(&mut self, connection: Connection, coordinate: Solution<Value>) {
-        self.placement
-            .connect(&mut self.ssa, connection, coordinate);
+        self.placement.connect(&mut self.ssa, connection, coordinate);
         self.name_moved();
     }
 

@@ -22,11 +22,7 @@ pub(super) fn max_steps(model: &Model, plan: &Plan, is_coupled: bool) -> Vec<f64
         let of_motor = rolling.iter().filter(of_motor);
         of_motor.fold(own, |least, one| {
             let (gain, most) = (float_of(one.part).abs(), most(one.turns));
-            if gain * least > most {
-                most / gain
-            } else {
-                least
-            }
+            if gain * least > most { most / gain } else { least }
         })
     });
     let params = model.params.ids().map(|param| {
@@ -64,9 +60,5 @@ fn rolling(step: &Step) -> Vec<Rolling<'_>> {
 
 /// All that moves by these parts of sources.
 fn rolling_by(parts: &[(usize, Rational)], turns: bool) -> impl Iterator<Item = Rolling<'_>> {
-    parts.iter().map(move |(source, part)| Rolling {
-        source: *source,
-        part,
-        turns,
-    })
+    parts.iter().map(move |(source, part)| Rolling { source: *source, part, turns })
 }

@@ -60,11 +60,7 @@ pub fn build_as(model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
     let mut links = model.asked_links();
     loop {
         let lower = |idle: &[usize]| {
-            let target = Target {
-                links: &links,
-                idle,
-                output: None,
-            };
+            let target = Target { links: &links, idle, output: None };
             target.lower(model, plan, choices)
         };
         let mut program = lower(&[]);
@@ -108,11 +104,7 @@ pub fn derive(
     let solved = positions.solved_loops();
     let idle = (0..plan.loops().count()).filter(|number| !solved.contains(number));
     let idle: Vec<usize> = idle.collect();
-    let target = Target {
-        links: &positions.stored,
-        idle: &idle,
-        output: Some(output),
-    };
+    let target = Target { links: &positions.stored, idle: &idle, output: Some(output) };
     let mut program = target.lower(model, plan, choices);
     program.number_stored();
     // Where joints hold links more than once, equilibrium does not determine what they do.
@@ -197,21 +189,12 @@ impl Target<'_> {
         loops.retain(|solved| !self.idle.contains(&solved.number));
         let found = |solved: &SolvedLoop| (solved.number, solved.solution.clone());
         let solutions = loops.iter().map(found).collect();
-        let positions = Positions {
-            loops,
-            followers,
-            angles: sources.angles,
-        };
+        let positions = Positions { loops, followers, angles: sources.angles };
         let pose = |&link: &LinkId| lowering.placement.pose(link).numbers();
         let mut poses: Vec<[Value; 4]> = self.links.iter().map(pose).collect();
         let derived = self.derive(&mut lowering, &positions, &poses);
         let Lowering { ssa, layout, .. } = lowering;
-        let SsaBuilder {
-            ssa,
-            start,
-            mut state,
-            ..
-        } = ssa;
+        let SsaBuilder { ssa, start, mut state, .. } = ssa;
         if matches!(self.output, Some(Output::Sensitivity)) {
             // It computes nothing else.
             state.clear();
@@ -242,9 +225,7 @@ impl Target<'_> {
             reduced: overflow::reduced_inputs(model, plan),
             overflows: overflow::overflows(model, plan),
             curved: model.cams().next().is_some(),
-            motors: motors
-                .map(|motor| model.joint(motor.joint).name.clone())
-                .collect(),
+            motors: motors.map(|motor| model.joint(motor.joint).name.clone()).collect(),
             params: params.map(|param| param.name.clone()).collect(),
             stored: self.links.to_vec(),
             links: stored.map(|&link| model.link(link).name.clone()).collect(),
@@ -305,11 +286,7 @@ impl Target<'_> {
             return choice;
         }
         // It only says how its links hang together.
-        Choice {
-            watching: None,
-            predictor: 0,
-            ..choice
-        }
+        Choice { watching: None, predictor: 0, ..choice }
     }
 }
 

@@ -49,9 +49,7 @@ impl<'m> PositionPass<'m> {
 
     /// The part of a source in a coordinate. Of a motor's whole turns, an angle needs only the remainder.
     pub(super) fn share(&mut self, number: usize, part: &Rational, is_angle: bool) -> Value {
-        let Self {
-            lowering, watches, ..
-        } = self;
+        let Self { lowering, watches, .. } = self;
         let source = self.sources.value(lowering, watches, number);
         let (model, plan, ssa) = (lowering.model, lowering.plan, &mut lowering.ssa);
         let factor = ssa.constant(float_of(part));
@@ -67,11 +65,8 @@ impl<'m> PositionPass<'m> {
         let turns = match (is_angle, part.numer().to_i64(), part.denom().to_i64()) {
             (true, Some(_), Some(1)) => return share,
             (true, Some(numerator), Some(denominator)) => {
-                let turns = ssa.make(Op::PartOfTurns(
-                    InputId::of_motor(motor),
-                    numerator,
-                    denominator,
-                ));
+                let turns =
+                    ssa.make(Op::PartOfTurns(InputId::of_motor(motor), numerator, denominator));
                 ssa.name(turns, name)
             }
             _ => {

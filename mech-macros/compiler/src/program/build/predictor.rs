@@ -42,10 +42,7 @@ struct Steady {
 impl Predictor {
     pub(super) fn new(model: &Model) -> Self {
         let turns = model.motors.iter().map(|motor| model.turns(motor.joint));
-        Self {
-            inputs: turns.chain(model.params.ids().map(|_| false)).collect(),
-            steady: None,
-        }
+        Self { inputs: turns.chain(model.params.ids().map(|_| false)).collect(), steady: None }
     }
 
     /// Predicts each unknown from so many of its differences, and gives its history; from none, it stays where it was.
@@ -158,25 +155,20 @@ impl History {
                 (displacement.index, Solution::Slide(displacement.last))
             }
         });
-        Self {
-            last,
-            differences: differences.collect(),
-        }
+        Self { last, differences: differences.collect() }
     }
 
     /// The last value, moved on by all differences.
     fn extrapolate(&self, ssa: &mut SsaBuilder) -> Solution<Value> {
         let differences = self.differences.iter();
-        differences.fold(self.last, |guess, (_, difference)| {
-            match (guess, *difference) {
-                (Solution::Direction(guess), Solution::Direction(turn)) => {
-                    Solution::Direction(ssa.rotate(guess, turn))
-                }
-                (Solution::Slide(guess), Solution::Slide(displacement)) => {
-                    Solution::Slide(ssa.add(guess, displacement))
-                }
-                (guess, _) => guess,
+        differences.fold(self.last, |guess, (_, difference)| match (guess, *difference) {
+            (Solution::Direction(guess), Solution::Direction(turn)) => {
+                Solution::Direction(ssa.rotate(guess, turn))
             }
+            (Solution::Slide(guess), Solution::Slide(displacement)) => {
+                Solution::Slide(ssa.add(guess, displacement))
+            }
+            (guess, _) => guess,
         })
     }
 }

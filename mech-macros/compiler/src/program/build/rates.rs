@@ -41,18 +41,14 @@ impl Lowering<'_> {
             self.add_second_rates(positions, &rates, &mut tangents, equations);
             let mut accelerations = Vec::new();
             for some in velocities.chunks(MOST_LINKS) {
-                self.ssa
-                    .block("accelerations".to_owned(), "Accelerations.".to_owned());
+                self.ssa.block("accelerations".to_owned(), "Accelerations.".to_owned());
                 for rates in some {
                     accelerations.push(rates.map(|rate| tangents.of(&mut self.ssa, rate)));
                 }
             }
             accelerations
         });
-        LinkRates {
-            velocities,
-            accelerations,
-        }
+        LinkRates { velocities, accelerations }
     }
 
     /// The rates of what all loops solve, if the motors do this.
@@ -101,8 +97,7 @@ impl Lowering<'_> {
     ) {
         for (solved, rates) in positions.loops.iter().zip(rates) {
             let title = format!("Second rates of the loop that {} close.", solved.place);
-            self.ssa
-                .block(format!("{}_second_rates", solved.name), title);
+            self.ssa.block(format!("{}_second_rates", solved.name), title);
             self.loop_second_rates(rates, tangents, equations);
         }
     }
@@ -134,12 +129,7 @@ impl Lowering<'_> {
         tangents: &mut Tangents,
         equations: &mut LinearEquations,
     ) -> LoopRates {
-        let SolvedLoop {
-            equation,
-            solution,
-            tied,
-            ..
-        } = solved;
+        let SolvedLoop { equation, solution, tied, .. } = solved;
         let residuals = equation.residuals(&mut self.ssa, solution);
         // The gap is linear in what is known: its rate is the gap of what changes.
         let ssa = &mut self.ssa;
@@ -168,17 +158,14 @@ impl Lowering<'_> {
         let margin = self.ssa.sub(size, least);
         // The effects of several motors on a loop depend on the same determinant.
         if equations.margins.iter().all(|other| other.margin != margin) {
-            equations.margins.push(RateMargin {
-                place: solved.place.clone(),
-                margin,
-            });
+            equations.margins.push(RateMargin { place: solved.place.clone(), margin });
         }
         for (unknown, solution) in solution.iter().enumerate() {
             let rate = match tied {
                 None => rates[unknown],
-                Some(tied) => tied.rate(&mut self.ssa, unknown, &rates, |ssa, known| {
-                    tangents.of(ssa, known)
-                }),
+                Some(tied) => {
+                    tied.rate(&mut self.ssa, unknown, &rates, |ssa, known| tangents.of(ssa, known))
+                }
             };
             let moving = match equation.unknowns[unknown] {
                 Unknown::Direction(base) => self.name_of(base),
@@ -195,12 +182,7 @@ impl Lowering<'_> {
                 }
             }
         }
-        LoopRates {
-            block,
-            columns,
-            gap,
-            rates,
-        }
+        LoopRates { block, columns, gap, rates }
     }
 
     /// The second rates of what a loop solves.
@@ -211,11 +193,7 @@ impl Lowering<'_> {
         equations: &mut LinearEquations,
     ) {
         let ssa = &mut self.ssa;
-        let mut gap: Vec<Value> = solved
-            .gap
-            .iter()
-            .map(|&gap| tangents.of(ssa, gap))
-            .collect();
+        let mut gap: Vec<Value> = solved.gap.iter().map(|&gap| tangents.of(ssa, gap)).collect();
         for (column, &rate) in solved.columns.iter().zip(&solved.rates) {
             for (gap, &part) in gap.iter_mut().zip(column) {
                 let changed = tangents.of(ssa, part);

@@ -31,12 +31,7 @@ pub(super) enum Along {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Push {
     /// A force of this size.
-    Force {
-        link: LinkId,
-        at: Place,
-        along: Along,
-        size: Value,
-    },
+    Force { link: LinkId, at: Place, along: Along, size: Value },
     /// A torque of this size.
     Torque { link: LinkId, size: Value },
 }
@@ -104,9 +99,7 @@ impl Lowering<'_> {
                         ));
                     }
                 }
-                JointKind::Cam {
-                    shaft, follower, ..
-                } => {
+                JointKind::Cam { shaft, follower, .. } => {
                     let slope = self.slope(positions, joint);
                     unknowns
                         .extend(slope.map(|slope| self.cam_push(joint, slope, [shaft, follower])));
@@ -135,12 +128,7 @@ impl Lowering<'_> {
 
     /// An unknown of a joint.
     fn unknown(&self, joint: JointId, name: &str, pushes: Vec<Push>, part: Part) -> Unknown {
-        Unknown {
-            joint,
-            name: format!("{}_{name}", self.model.joint(joint).name),
-            pushes,
-            part,
-        }
+        Unknown { joint, name: format!("{}_{name}", self.model.joint(joint).name), pushes, part }
     }
 
     /// Two forces at a pin, along x and y.
@@ -160,19 +148,9 @@ impl Lowering<'_> {
         along: Along,
         [first, second]: [(LinkId, Place); 2],
     ) -> Unknown {
-        let push = |(link, at), size| Push::Force {
-            link,
-            at,
-            along,
-            size,
-        };
+        let push = |(link, at), size| Push::Force { link, at, along, size };
         let (one, back) = (self.ssa.constant(1.0), self.ssa.constant(-1.0));
-        self.unknown(
-            joint,
-            name,
-            vec![push(second, one), push(first, back)],
-            Part::Force(along),
-        )
+        self.unknown(joint, name, vec![push(second, one), push(first, back)], Part::Force(along))
     }
 
     /// A force between the links of a slide, where the second one's line begins.
@@ -185,12 +163,7 @@ impl Lowering<'_> {
     ) -> Unknown {
         let (first, link, own) = (self.link_of(a), self.link_of(b), Place::Own(b));
         let there = self.point(b);
-        self.force(
-            joint,
-            name,
-            along,
-            [(first, Place::Scene(there)), (link, own)],
-        )
+        self.force(joint, name, along, [(first, Place::Scene(there)), (link, own)])
     }
 
     /// A torque on the second link of a joint, and back on the first.
@@ -204,9 +177,7 @@ impl Lowering<'_> {
     fn torques(&mut self, joint: JointId, size: Value) -> Vec<Push> {
         let (a, b) = self.model.ends(joint);
         let back = self.ssa.neg(size);
-        [(b, size), (a, back)]
-            .map(|(link, size)| Push::Torque { link, size })
-            .to_vec()
+        [(b, size), (a, back)].map(|(link, size)| Push::Torque { link, size }).to_vec()
     }
 
     /// The push of a cam on its follower, which turns the shaft back by as much as the follower is faster than it.
@@ -257,16 +228,13 @@ impl Lowering<'_> {
             let place = Place::Scene(at);
             return self.force(joint, "tooth", along, [(a, place), (b, place)]);
         }
-        let [(first, p), (second, q)] = rolling
-            .ends
-            .map(|(end, factor)| (end.link(), number(factor)));
+        let [(first, p), (second, q)] =
+            rolling.ends.map(|(end, factor)| (end.link(), number(factor)));
         // Of size one is the moment on the second, whatever the unit of the factors.
         let p = p / q;
         let torques = [(first, p), (second, 1.0), (rolling.carrier, -p - 1.0)];
-        let pushes = torques.map(|(link, size)| Push::Torque {
-            link,
-            size: self.ssa.constant(size),
-        });
+        let pushes =
+            torques.map(|(link, size)| Push::Torque { link, size: self.ssa.constant(size) });
         self.unknown(joint, "pull", pushes.to_vec(), Part::Torque)
     }
 
@@ -322,10 +290,7 @@ impl Lowering<'_> {
         rolling: &Rolling,
     ) -> Option<([Value; 2], Along)> {
         let [(pinion, turn), (bar, displacement)] = rolling.ends;
-        let RollingEnd::Bar {
-            slide, forwards, ..
-        } = bar
-        else {
+        let RollingEnd::Bar { slide, forwards, .. } = bar else {
             return None;
         };
         let JointKind::Prismatic(a, b) = self.model.joint(slide).kind else {

@@ -34,11 +34,7 @@ impl Lowering<'_> {
                 joints: self.joint_rates(&joints, &mut tangents),
             });
         }
-        Sensitivity {
-            points,
-            joints,
-            of_params,
-        }
+        Sensitivity { points, joints, of_params }
     }
 
     fn point_rates(&mut self, points: &[AxisId], tangents: &mut Tangents) -> Vec<[Value; 2]> {

@@ -31,11 +31,7 @@ impl Size {
 impl SsaBuilder {
     /// A length, if a param has a part in it; else what it is at the start.
     pub(super) fn size_or(&self, length: Value, at_start: f64) -> Size {
-        if self.any_varies(&[length]) {
-            Size::Varying(length)
-        } else {
-            Size::Fixed(at_start)
-        }
+        if self.any_varies(&[length]) { Size::Varying(length) } else { Size::Fixed(at_start) }
     }
 
     /// A part of a size.
@@ -188,10 +184,7 @@ impl SsaBuilder {
 
     /// The length of the vectors round a loop, if params have a part in it.
     pub(super) fn varying_extent(&mut self, equation: &Equation<Value>) -> Option<Value> {
-        let arms = equation
-            .rings
-            .iter()
-            .flat_map(|ring| ring.arms.iter().flatten());
+        let arms = equation.rings.iter().flat_map(|ring| ring.arms.iter().flatten());
         let offsets = equation.rings.iter().map(|ring| &ring.offset);
         let sides: Vec<[Value; 2]> = arms.chain(offsets).copied().collect();
         match self.size(&sides) {

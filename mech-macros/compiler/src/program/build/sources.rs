@@ -61,9 +61,9 @@ impl Sources {
                 let name = format!("{}_angle", lowering.name_of(to));
                 lowering.ssa.name(angle, name)
             }
-            Source::Displacement(joint) => lowering
-                .placement
-                .sliding_coordinate(&mut lowering.ssa, joint),
+            Source::Displacement(joint) => {
+                lowering.placement.sliding_coordinate(&mut lowering.ssa, joint)
+            }
         };
         self.values[number] = Some(value);
         value

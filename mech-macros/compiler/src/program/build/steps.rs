@@ -12,8 +12,7 @@ impl PositionPass<'_> {
     /// Lowers a joint that never turns.
     pub(super) fn weld(&mut self, weld: &Weld) {
         let direction = self.lowering.ssa.vector(weld.direction);
-        self.lowering
-            .connect(weld.connection, Solution::Direction(direction));
+        self.lowering.connect(weld.connection, Solution::Direction(direction));
     }
 
     /// A joint whose coordinate a motor gives.
@@ -69,12 +68,10 @@ impl PositionPass<'_> {
                 match (step, source) {
                     // It may be that nothing needs its whole turns.
                     (Step::Cam(_), Source::Angle { from, to }) => {
-                        self.sources
-                            .principal(&mut self.lowering, *number, [from, to]);
+                        self.sources.principal(&mut self.lowering, *number, [from, to]);
                     }
                     _ => {
-                        self.sources
-                            .value(&mut self.lowering, &mut self.watches, *number);
+                        self.sources.value(&mut self.lowering, &mut self.watches, *number);
                     }
                 }
             }
@@ -91,9 +88,5 @@ fn difference(number: f64, others: impl Iterator<Item = f64>, unit: f64) -> f64 
         difference -= other;
         size += other.abs();
     }
-    if difference.abs() <= ROUNDINGS * f64::EPSILON * size {
-        0.0
-    } else {
-        difference
-    }
+    if difference.abs() <= ROUNDINGS * f64::EPSILON * size { 0.0 } else { difference }
 }

@@ -232,12 +232,7 @@ impl Tangents {
     }
 
     fn of_rotation(&mut self, ssa: &mut SsaBuilder, rotation: &Rotation) -> Value {
-        let Rotation {
-            direction: [cos, sin],
-            vector,
-            is_x,
-            other,
-        } = *rotation;
+        let Rotation { direction: [cos, sin], vector, is_x, other } = *rotation;
         let speed = self.angular_velocity(ssa, [cos, sin]);
         let across = ssa.mul(speed, other);
         let [p, q] = self.of_vector(ssa, vector);
@@ -313,23 +308,12 @@ impl Tangents {
         let (Op::Mul(a, b), Op::Mul(c, d)) = (ssa.op(first), ssa.op(second)) else {
             return None;
         };
-        let pairs = [
-            ([a, b], [c, d]),
-            ([b, a], [c, d]),
-            ([a, b], [d, c]),
-            ([b, a], [d, c]),
-        ];
+        let pairs = [([a, b], [c, d]), ([b, a], [c, d]), ([a, b], [d, c]), ([b, a], [d, c])];
         let swapped = pairs.map(|(first, second)| (second, first));
-        let candidates = pairs
-            .into_iter()
-            .chain(swapped.into_iter().filter(|_| !is_x));
+        let candidates = pairs.into_iter().chain(swapped.into_iter().filter(|_| !is_x));
         for ([e, p], [f, q]) in candidates {
             // The cosine turns p into x, and q into y.
-            let (direction, vector) = if is_x {
-                ([e, f], [p, q])
-            } else {
-                ([f, e], [p, q])
-            };
+            let (direction, vector) = if is_x { ([e, f], [p, q]) } else { ([f, e], [p, q]) };
             if !self.is_direction(ssa, direction) {
                 continue;
             }
@@ -343,12 +327,7 @@ impl Tangents {
                 ssa.find(Op::Sub(a, b))
             };
             if let Some(other) = other {
-                return Some(Rotation {
-                    direction,
-                    vector,
-                    is_x,
-                    other,
-                });
+                return Some(Rotation { direction, vector, is_x, other });
             }
         }
         None

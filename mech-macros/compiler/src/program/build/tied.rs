@@ -120,10 +120,8 @@ impl Tied {
         now: &[Solution<Value>],
     ) -> Vec<Solution<Value>> {
         // The unknown angles are iterated as plain numbers, as displacements are.
-        let numbers: Vec<Value> = now
-            .iter()
-            .filter_map(|solution| solution.numbers().next())
-            .collect();
+        let numbers: Vec<Value> =
+            now.iter().filter_map(|solution| solution.numbers().next()).collect();
         let mut all = Vec::new();
         for (unknown, relation) in equation.unknowns.iter().zip(&self.relations) {
             let moved = relation.sum(ssa, relation.known, &numbers);

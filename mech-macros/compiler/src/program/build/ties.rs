@@ -25,19 +25,13 @@ impl PositionPass<'_> {
                 unknowns.push(TiedUnknown { name, index, turns });
             }
         }
-        let place = |wanted: &Unknown| {
-            unknowns
-                .iter()
-                .position(|unknown| all[unknown.index] == *wanted)
-        };
+        let place =
+            |wanted: &Unknown| unknowns.iter().position(|unknown| all[unknown.index] == *wanted);
         let mut relations = Vec::new();
         for unknown in all {
             relations.push(match tie(unknown) {
                 None => Relation {
-                    parts: place(unknown)
-                        .map(|place| (place, 1.0))
-                        .into_iter()
-                        .collect(),
+                    parts: place(unknown).map(|place| (place, 1.0)).into_iter().collect(),
                     known: self.lowering.ssa.constant(0.0),
                     start: match *unknown {
                         Unknown::Direction(link) => self.direction_at_start(site.base, link),
@@ -54,10 +48,7 @@ impl PositionPass<'_> {
                 }
             });
         }
-        Tied {
-            relations,
-            unknowns,
-        }
+        Tied { relations, unknowns }
     }
 
     /// The share of the sources in a tied direction or displacement, since the start.
@@ -119,10 +110,7 @@ impl LoopIteration<'_> {
             last.push(if *turns {
                 let carried = self.ssa.carry(0.0);
                 angles.push(carried.index);
-                LastUnknown {
-                    name: name.clone(),
-                    value: Solution::Slide(carried.last),
-                }
+                LastUnknown { name: name.clone(), value: Solution::Slide(carried.last) }
             } else {
                 let unknown = equation.unknowns[*index];
                 last_unknown(self.ssa, self.model, unknown, self.site.base)

@@ -31,9 +31,7 @@ impl LoopIteration<'_> {
         for leg in triad.legs {
             self.leg_equation(leg, &unknowns.now, &mut system);
         }
-        let side = self
-            .ssa
-            .carry_coupled_side(&self.site.choice, &system.columns);
+        let side = self.ssa.carry_coupled_side(&self.site.choice, &system.columns);
         system.side = side.map(|side| side.last);
         self.advance(unknowns, system, side)
     }
@@ -112,16 +110,11 @@ fn reach(
     let foot = placement.spot(ssa, leg.foot.from);
     let head = placement.spot(ssa, leg.head.to);
     let (arm, origin) = match *now {
-        [
-            Solution::Direction(direction),
-            Solution::Slide(x),
-            Solution::Slide(y),
-        ] => (ssa.rotate(direction, head), [x, y]),
+        [Solution::Direction(direction), Solution::Slide(x), Solution::Slide(y)] => {
+            (ssa.rotate(direction, head), [x, y])
+        }
         _ => (head, foot),
     };
     let head = ssa.plus(origin, arm);
-    Reach {
-        span: ssa.minus(head, foot),
-        arm,
-    }
+    Reach { span: ssa.minus(head, foot), arm }
 }

@@ -38,29 +38,21 @@ impl Lowering<'_> {
         let mut alone = self.influence_coefficients(positions, equations);
         let (mut coasting, rates) = self.all_rates(positions, Seed::Coasting, equations);
         self.add_second_rates(positions, &rates, &mut coasting, equations);
-        self.ssa.block(
-            "inertia".to_owned(),
-            "Inertia and forces as the motors feel them.".to_owned(),
-        );
+        self.ssa
+            .block("inertia".to_owned(), "Inertia and forces as the motors feel them.".to_owned());
         let bodies = self.bodies();
         let mut wrenches = self.wrenches(&bodies);
         wrenches.extend(self.resistances(&mut coasting));
         for body in &bodies {
             wrenches.extend(self.inertial_wrenches(body, &mut coasting));
         }
-        let drive: Vec<Value> = alone
-            .iter_mut()
-            .map(|tangents| self.power(&wrenches, tangents))
-            .collect();
+        let drive: Vec<Value> =
+            alone.iter_mut().map(|tangents| self.power(&wrenches, tangents)).collect();
         self.name_motors(&drive, "drive");
         let matrix = self.reduced_inertia(&bodies, &mut alone);
         let kinetic = self.kinetic_energy(&matrix);
         let potential = self.potential_energy(&bodies);
-        Inertia {
-            matrix,
-            drive,
-            energy: [kinetic, potential],
-        }
+        Inertia { matrix, drive, energy: [kinetic, potential] }
     }
 
     /// The rates of everything for a unit rate of each motor alone.
@@ -70,9 +62,7 @@ impl Lowering<'_> {
         equations: &mut LinearEquations,
     ) -> Vec<Tangents> {
         let motors = 0..self.model.motors.len();
-        motors
-            .map(|motor| self.all_rates(positions, Seed::Alone(motor), equations).0)
-            .collect()
+        motors.map(|motor| self.all_rates(positions, Seed::Alone(motor), equations).0).collect()
     }
 
     /// The power of forces and torques.
@@ -101,12 +91,7 @@ impl Lowering<'_> {
         body: &Body,
         tangents: &mut Tangents,
     ) -> [Wrench; 2] {
-        let Body {
-            link,
-            mass,
-            center,
-            direction,
-        } = *body;
+        let Body { link, mass, center, direction } = *body;
         let ssa = &mut self.ssa;
         let velocity = tangents.of_vector(ssa, center);
         let acceleration = tangents.of_vector(ssa, velocity);
@@ -116,14 +101,7 @@ impl Lowering<'_> {
         let change = tangents.of(ssa, turning);
         let inertia = ssa.constant(-mass.inertia);
         let torque = ssa.mul(inertia, change);
-        [
-            Wrench::Force {
-                link,
-                at: center,
-                force,
-            },
-            Wrench::Torque { link, torque },
-        ]
+        [Wrench::Force { link, at: center, force }, Wrench::Torque { link, torque }]
     }
 
     /// The reduced inertia.
@@ -159,9 +137,8 @@ impl Lowering<'_> {
     /// The kinetic energy, from the reduced inertia.
     fn kinetic_energy(&mut self, matrix: &[Vec<Value>]) -> Value {
         let ssa = &mut self.ssa;
-        let rates: Vec<Value> = (0..matrix.len())
-            .map(|motor| ssa.make(Op::Rate(MotorId::new(motor))))
-            .collect();
+        let rates: Vec<Value> =
+            (0..matrix.len()).map(|motor| ssa.make(Op::Rate(MotorId::new(motor)))).collect();
         let mut twice = ssa.constant(0.0);
         for (row, &rate) in matrix.iter().zip(&rates) {
             for (&part, &other) in row.iter().zip(&rates) {

@@ -99,10 +99,7 @@ impl Watches {
             let square = ssa.dot(goal, goal);
             let square = ssa.add(square, tiny);
             let distance = ssa.sqrt(square);
-            let watch = self
-                .loops
-                .iter()
-                .find(|watch| watch.number == closed.number);
+            let watch = self.loops.iter().find(|watch| watch.number == closed.number);
             let displaced = match watch.map(|watch| of_sine(ssa, watch)) {
                 Some(turned) => {
                     let length = ssa.constant(length);

@@ -10,15 +10,8 @@ use crate::program::node::{Op, Value};
 /// A force at a point of a link, or a torque on it, in the scene.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Wrench {
-    Force {
-        link: LinkId,
-        at: [Value; 2],
-        force: [Value; 2],
-    },
-    Torque {
-        link: LinkId,
-        torque: Value,
-    },
+    Force { link: LinkId, at: [Value; 2], force: [Value; 2] },
+    Torque { link: LinkId, torque: Value },
 }
 
 impl Wrench {
@@ -61,12 +54,7 @@ impl Lowering<'_> {
             let center = pose.carry_point(&mut self.ssa, mass.center);
             let name = format!("{}_center", self.name_of(link));
             let center = self.ssa.name_vector(center, &name);
-            bodies.push(Body {
-                link,
-                mass,
-                center,
-                direction: pose.direction,
-            });
+            bodies.push(Body { link, mass, center, direction: pose.direction });
         }
         bodies
     }
@@ -94,10 +82,7 @@ impl Lowering<'_> {
                 self.ssa.name(value, format!("{}{what}", load.name))
             };
             wrenches.push(match load.kind {
-                LoadKind::Torque(link) => Wrench::Torque {
-                    link,
-                    torque: given(0, ""),
-                },
+                LoadKind::Torque(link) => Wrench::Torque { link, torque: given(0, "") },
                 LoadKind::Force(point) => {
                     let force = [given(0, "_x"), given(1, "_y")];
                     let (link, at) = (self.link_of(point), self.point(point));
@@ -111,9 +96,7 @@ impl Lowering<'_> {
     /// The forces and torques of dampers, from the rates of everything.
     pub(super) fn resistances(&mut self, tangents: &mut Tangents) -> Vec<Wrench> {
         let dampers = self.model.actions.dampers.iter();
-        dampers
-            .flat_map(|damper| self.resist(damper, tangents))
-            .collect()
+        dampers.flat_map(|damper| self.resist(damper, tangents)).collect()
     }
 
     /// The forces or torques of a spring on the links at its ends.
@@ -193,9 +176,7 @@ impl Lowering<'_> {
         match damper.between {
             Between::Points(a, b) => {
                 let span = self.span(a, b);
-                let [from, to] = span
-                    .points
-                    .map(|point| tangents.of_vector(&mut self.ssa, point));
+                let [from, to] = span.points.map(|point| tangents.of_vector(&mut self.ssa, point));
                 let apart = self.ssa.minus(to, from);
                 let inverse = self.inverse_length(span.offset);
                 let along = self.ssa.scale(inverse, span.offset);
@@ -255,16 +236,7 @@ impl Lowering<'_> {
     fn joint_torques(&mut self, joint: JointId, torque: Value) -> [Wrench; 2] {
         let (first, second) = self.model.ends(joint);
         let back = self.ssa.neg(torque);
-        [
-            Wrench::Torque {
-                link: first,
-                torque,
-            },
-            Wrench::Torque {
-                link: second,
-                torque: back,
-            },
-        ]
+        [Wrench::Torque { link: first, torque }, Wrench::Torque { link: second, torque: back }]
     }
 
     /// The angle from the rest of a torsional spring to a joint's coordinate, whole turns included.

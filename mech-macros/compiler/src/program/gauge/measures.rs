@@ -207,18 +207,11 @@ impl<'a> Measures<'a> {
     pub(super) fn angle(&mut self, direction: [Value; 2]) -> Value {
         let [cos, sin] = direction.map(|part| self.ssa.at_start(part));
         let reference = self.ssa.carry(sin.atan2(cos));
-        let turn = [
-            self.ssa.make(Op::Cos(reference.last)),
-            self.ssa.make(Op::Sin(reference.last)),
-        ];
+        let turn = [self.ssa.make(Op::Cos(reference.last)), self.ssa.make(Op::Sin(reference.last))];
         let back = self.ssa.conjugate(turn);
         let [cos, sin] = self.ssa.rotate(back, direction);
         let beyond = self.ssa.make(Op::Atan2(sin, cos));
-        self.angles.push(GaugedAngle {
-            reference: reference.index,
-            beyond,
-            is_measured: true,
-        });
+        self.angles.push(GaugedAngle { reference: reference.index, beyond, is_measured: true });
         let angle = self.ssa.add(reference.last, beyond);
         self.directions.push((angle, direction));
         angle
@@ -297,10 +290,8 @@ impl<'a> Measures<'a> {
         let offset = parts.iter().map(|(_, part, at_start)| part * at_start);
         let mut sum = self.ssa.constant(start - offset.sum::<f64>());
         for (motor, part, _) in parts {
-            let (input, part) = (
-                self.ssa.make(Op::Input(InputId::of_motor(motor))),
-                self.ssa.constant(part),
-            );
+            let (input, part) =
+                (self.ssa.make(Op::Input(InputId::of_motor(motor))), self.ssa.constant(part));
             let share = self.ssa.mul(part, input);
             sum = self.ssa.add(sum, share);
         }
@@ -324,23 +315,14 @@ impl<'a> Measures<'a> {
     /// The contact of a cam and its roller.
     fn pressed(&mut self, cam: JointId) -> Pressed<Value> {
         let model = self.model;
-        let (
-            Some(roller),
-            JointKind::Cam {
-                shaft,
-                follower,
-                law,
-            },
-        ) = (model.roller_of(cam), model.joint(cam).kind)
+        let (Some(roller), JointKind::Cam { shaft, follower, law }) =
+            (model.roller_of(cam), model.joint(cam).kind)
         else {
             bug!("a cam without a roller is measured");
         };
         let carrier = model.carrier_of_cam(shaft, follower);
         let found = carrier.and_then(|carrier| {
-            Some((
-                model.beside(shaft, carrier)?,
-                model.beside(follower, carrier)?,
-            ))
+            Some((model.beside(shaft, carrier)?, model.beside(follower, carrier)?))
         });
         let Some(((center, sense), (own, forwards))) = found else {
             bug!("the joints of a cam have no link in common");

@@ -107,24 +107,12 @@ impl Gauge {
             measures.ssa.variables.push(value);
             summaries.push(state);
         }
-        let Measures {
-            mut ssa,
-            mut angles,
-            differentiated,
-            ..
-        } = measures;
+        let Measures { mut ssa, mut angles, differentiated, .. } = measures;
         let formulas = requirement.formulas.evaluate(&mut ssa);
         angles.extend(followed(program, &mut ssa));
-        let SsaBuilder {
-            ssa, start, state, ..
-        } = ssa;
+        let SsaBuilder { ssa, start, state, .. } = ssa;
         Some(Self {
-            program: Program {
-                ssa,
-                state,
-                start,
-                ..program.clone()
-            },
+            program: Program { ssa, state, start, ..program.clone() },
             formulas,
             angles,
             summaries,

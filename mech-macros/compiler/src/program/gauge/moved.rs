@@ -92,10 +92,7 @@ impl Measures<'_> {
         let turning = self.turning([cos, sin], tangents);
         let turning = self.rate(turning, tangents);
         let [mass, inertia] = [mass.mass, mass.inertia].map(|part| self.ssa.constant(part));
-        (
-            self.ssa.scale(mass, accelerations),
-            self.ssa.mul(inertia, turning),
-        )
+        (self.ssa.scale(mass, accelerations), self.ssa.mul(inertia, turning))
     }
 
     /// A part of a force at a place, with a torque besides.

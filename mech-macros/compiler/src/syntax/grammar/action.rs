@@ -38,14 +38,8 @@ pub(super) fn spring(input: ParseStream) -> Statement {
     read_declared(input, "the name of a spring", |input, name| {
         let body = to_semicolon(input, &STATEMENTS, |input| {
             let (between, strength) = body(input, "stiffness")?;
-            let rest = take_word(input, "rest")
-                .map(|_| expression(input))
-                .transpose()?;
-            Ok(ElasticBody {
-                between,
-                strength,
-                rest,
-            })
+            let rest = take_word(input, "rest").map(|_| expression(input)).transpose()?;
+            Ok(ElasticBody { between, strength, rest })
         });
         Statement::Spring(Box::new(Elastic { name, body }))
     })
@@ -56,11 +50,7 @@ pub(super) fn damper(input: ParseStream) -> Statement {
     read_declared(input, "the name of a damper", |input, name| {
         let body = to_semicolon(input, &STATEMENTS, |input| {
             let (between, strength) = body(input, "damping")?;
-            Ok(ElasticBody {
-                between,
-                strength,
-                rest: None,
-            })
+            Ok(ElasticBody { between, strength, rest: None })
         });
         Statement::Damper(Box::new(Elastic { name, body }))
     })

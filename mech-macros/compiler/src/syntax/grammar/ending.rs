@@ -33,16 +33,12 @@ pub(super) fn missing_after(
 pub(super) fn after_last(input: ParseStream, begin: Cursor, missing: &str) -> Option<Message> {
     let last = last_between(begin, input.cursor())?;
     let (text, place) = match &last {
-        TokenTree::Group(group) => (
-            closing_bracket(group.delimiter()),
-            Place::at(group.span_close()),
-        ),
+        TokenTree::Group(group) => {
+            (closing_bracket(group.delimiter()), Place::at(group.span_close()))
+        }
         tree => (beginning(tree), Place::at(tree.span())),
     };
-    Some(Message::new(
-        place,
-        format!("expected {missing} after `{text}`"),
-    ))
+    Some(Message::new(place, format!("expected {missing} after `{text}`")))
 }
 
 /// Whether a name comes next that is given a value.

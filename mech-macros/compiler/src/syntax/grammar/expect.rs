@@ -15,12 +15,8 @@ use syn::parse::ParseStream;
 use syn::token::Paren;
 
 /// The signs of comparisons, the longest first: whether the second side is the greater, and whether both must differ.
-const RELATIONS: [(&str, bool, bool); 4] = [
-    ("<=", true, false),
-    (">=", false, false),
-    ("<", true, true),
-    (">", false, true),
-];
+const RELATIONS: [(&str, bool, bool); 4] =
+    [("<=", true, false), (">=", false, false), ("<", true, true), (">", false, true)];
 
 /// Reads a condition, the motors' values for which it holds, and the reason.
 pub(super) fn expect(input: ParseStream, keyword: Span) -> Statement {
@@ -40,13 +36,7 @@ pub(super) fn expect(input: ParseStream, keyword: Span) -> Statement {
             }
         }
         let why = take(input, ",").map(|_| reason(input)).transpose()?;
-        Ok(Statement::Expect(Box::new(Expect {
-            keyword,
-            condition,
-            cases,
-            loads,
-            why,
-        })))
+        Ok(Statement::Expect(Box::new(Expect { keyword, condition, cases, loads, why })))
     })
 }
 
@@ -74,11 +64,7 @@ fn condition(input: ParseStream) -> Read<ConditionExpr> {
         );
         return Err(Message::new(first.place.to(second.place), text));
     }
-    Ok(ConditionExpr::Compare {
-        sides: [first, second],
-        is_upper,
-        is_strict,
-    })
+    Ok(ConditionExpr::Compare { sides: [first, second], is_upper, is_strict })
 }
 
 fn relation(input: ParseStream) -> Option<(bool, bool)> {
@@ -127,21 +113,14 @@ fn range_or_load(
             let place = place.to(number.place);
             (vec![number], place)
         };
-        loads.push(LoadCase {
-            name,
-            numbers,
-            place,
-        });
+        loads.push(LoadCase { name, numbers, place });
         return Ok(());
     }
     word(input, "in")?;
     let low = expression(input)?;
     symbol(input, "..=")?;
     let values = vec![low, expression(input)?];
-    cases.push(CaseExpr {
-        motor: name,
-        values,
-    });
+    cases.push(CaseExpr { motor: name, values });
     Ok(())
 }
 

@@ -48,19 +48,13 @@ impl Callee {
 
 /// Reads a number.
 pub(super) fn expression(input: ParseStream) -> Read<Expr> {
-    let nesting = Nesting {
-        left: DEPTH,
-        measuring: None,
-    };
+    let nesting = Nesting { left: DEPTH, measuring: None };
     sum(input, nesting)
 }
 
 /// Reads a number in which some may be measured.
 pub(super) fn measured(input: ParseStream, measuring: Measuring) -> Read<Expr> {
-    let nesting = Nesting {
-        left: DEPTH,
-        measuring: Some(measuring),
-    };
+    let nesting = Nesting { left: DEPTH, measuring: Some(measuring) };
     sum(input, nesting)
 }
 
@@ -99,10 +93,9 @@ pub(super) fn direction(input: ParseStream) -> Read<Direction> {
     let begins = input.cursor();
     match expression(input) {
         Ok(angle) => Ok(Direction::Angle(angle)),
-        Err(_) if input.cursor() == begins => Err(expected_message(
-            input,
-            "`(dx, dy)`, or an angle such as `30 deg`",
-        )),
+        Err(_) if input.cursor() == begins => {
+            Err(expected_message(input, "`(dx, dy)`, or an angle such as `30 deg`"))
+        }
         Err(error) => Err(error),
     }
 }
@@ -113,10 +106,7 @@ fn is_angle_in_parens(input: ParseStream) -> bool {
         return false;
     };
     let is = |token: &TokenTree, mark: char| matches!(token, TokenTree::Punct(punct) if punct.as_char() == mark);
-    let has_comma = inner
-        .token_stream()
-        .into_iter()
-        .any(|token| is(&token, ','));
+    let has_comma = inner.token_stream().into_iter().any(|token| is(&token, ','));
     let goes_on = rest.token_tree().is_some_and(|(next, _)| {
         let is_unit = matches!(&next, TokenTree::Ident(word) if word == "deg");
         is_unit || ['+', '-', '*', '/'].iter().any(|&mark| is(&next, mark))
@@ -158,10 +148,7 @@ fn chain(mut parts: Vec<(bool, Expr)>, kind: fn(Vec<(bool, Expr)>) -> ExprKind) 
     let places = parts.first().zip(parts.last());
     let place = places.map(|((_, first), (_, last))| first.place.to(last.place));
     match (parts.len(), place) {
-        (2.., Some(place)) => Expr {
-            kind: kind(parts),
-            place,
-        },
+        (2.., Some(place)) => Expr { kind: kind(parts), place },
         _ => parts.remove(0).1,
     }
 }
@@ -179,11 +166,8 @@ fn read_signed(input: ParseStream, nesting: Nesting) -> Read<Expr> {
     };
     let place = first.to(number.place);
     // Two signs cancel, so a long row of them is no deeper than one.
-    let kind = if signs.len() % 2 == 1 {
-        ExprKind::Negative(Box::new(number))
-    } else {
-        number.kind
-    };
+    let kind =
+        if signs.len() % 2 == 1 { ExprKind::Negative(Box::new(number)) } else { number.kind };
     Ok(Expr { kind, place })
 }
 
@@ -194,11 +178,7 @@ fn without_power(input: ParseStream, number: &Expr, nesting: Nesting) -> Read<()
         return Ok(());
     };
     take(input, operator);
-    Err(foreign::power(
-        operator,
-        number,
-        &with_unit(input, nesting)?,
-    ))
+    Err(foreign::power(operator, number, &with_unit(input, nesting)?))
 }
 
 fn with_unit(input: ParseStream, nesting: Nesting) -> Read<Expr> {
@@ -226,14 +206,8 @@ fn with_unit(input: ParseStream, nesting: Nesting) -> Read<Expr> {
 
 /// A number in a unit.
 fn with(kind: fn(Box<Expr>) -> ExprKind, number: Expr, unit: Span) -> Expr {
-    let place = Place {
-        start: number.place.start,
-        end: unit,
-    };
-    Expr {
-        kind: kind(Box::new(number)),
-        place,
-    }
+    let place = Place { start: number.place.start, end: unit };
+    Expr { kind: kind(Box::new(number)), place }
 }
 
 fn primary(input: ParseStream, nesting: Nesting) -> Read<Expr> {
@@ -247,10 +221,7 @@ fn primary(input: ParseStream, nesting: Nesting) -> Read<Expr> {
     }
     if input.peek(token::Paren) {
         let (inner, place) = in_parens(input, "a number", |input| sum(input, nesting))?;
-        return Ok(Expr {
-            kind: inner.kind,
-            place,
-        });
+        return Ok(Expr { kind: inner.kind, place });
     }
     if let Some((literal, _)) = input.cursor().literal() {
         return number(input, literal);
@@ -285,11 +256,7 @@ fn read_interpolated(tokens: TokenStream, nesting: Nesting) -> Read<Expr> {
     let place = Place::of(&tokens);
     let inner = run(tokens, |input| {
         let inner = sum(input, nesting)?;
-        if input.is_empty() {
-            Ok(inner)
-        } else {
-            Err(expected_message(input, "an operator"))
-        }
+        if input.is_empty() { Ok(inner) } else { Err(expected_message(input, "an operator")) }
     });
     inner.unwrap_or_else(|| Err(Message::new(place, "expected a number")))
 }
@@ -299,14 +266,10 @@ fn number(input: ParseStream, literal: Literal) -> Read<Expr> {
     let place = Place::at(literal.span());
     let literal = Lit::new(literal);
     let (kind, suffix) = match &literal {
-        Lit::Int(number) => (
-            ExprKind::Integer(number.base10_digits().to_owned()),
-            number.suffix(),
-        ),
-        Lit::Float(number) => (
-            ExprKind::Decimal(number.base10_digits().to_owned()),
-            number.suffix(),
-        ),
+        Lit::Int(number) => (ExprKind::Integer(number.base10_digits().to_owned()), number.suffix()),
+        Lit::Float(number) => {
+            (ExprKind::Decimal(number.base10_digits().to_owned()), number.suffix())
+        }
         _ => return Err(expected_message(input, "a number")),
     };
     take_tree(input);
@@ -326,11 +289,7 @@ fn named(input: ParseStream, nesting: Nesting) -> Read<Expr> {
     }
     without_path(input, &ident)?;
     let place = Place::at(ident.span());
-    let kind = if ident == "PI" {
-        ExprKind::Pi
-    } else {
-        ExprKind::Constant(ident)
-    };
+    let kind = if ident == "PI" { ExprKind::Pi } else { ExprKind::Constant(ident) };
     Ok(Expr { kind, place })
 }
 
@@ -353,10 +312,7 @@ fn without_path(input: ParseStream, first: &Ident) -> Read<()> {
             "paths of Rust cannot be seen here; declare `const {last} = ...;` in the mechanism and write `{last}`"
         )
     };
-    Err(Message::new(
-        Place::at(first.span()).to(Place::at(end)),
-        text,
-    ))
+    Err(Message::new(Place::at(first.span()).to(Place::at(end)), text))
 }
 
 fn call(input: ParseStream, ident: &Ident, nesting: Nesting) -> Read<Expr> {
@@ -375,10 +331,7 @@ fn call(input: ParseStream, ident: &Ident, nesting: Nesting) -> Read<Expr> {
             }
         })
     })?;
-    let place = Place {
-        start: ident.span(),
-        end: place.end,
-    };
+    let place = Place { start: ident.span(), end: place.end };
     Ok(Expr { kind, place })
 }
 
@@ -400,10 +353,7 @@ fn unknown_function(input: ParseStream, ident: &Ident, nesting: Nesting) -> Mess
         Some(meant) if !foreign::is_function(&name) => {
             format!("unknown function `{name}`; did you mean `{meant}`?")
         }
-        _ => format!(
-            "unknown function `{name}`; there are {}",
-            spelling::list_all(&names)
-        ),
+        _ => format!("unknown function `{name}`; there are {}", spelling::list_all(&names)),
     };
     Message::new(place, text)
 }
@@ -434,8 +384,5 @@ pub(super) fn one_of<T: Copy>(
     }
     let words: Vec<_> = words.iter().map(|(word, _)| *word).collect();
     let remedy = spelling::remedy(&ident.to_string(), &words);
-    Err(Message::new(
-        Place::at(ident.span()),
-        format!("expected {what}, found `{ident}`{remedy}"),
-    ))
+    Err(Message::new(Place::at(ident.span()), format!("expected {what}, found `{ident}`{remedy}")))
 }

@@ -8,9 +8,7 @@ use syn::parse::ParseStream;
 
 /// Reads `radius 0.4`, which may be left out.
 fn optional(input: ParseStream, label: &str) -> Read<Option<Expr>> {
-    take_word(input, label)
-        .map(|_| expression(input))
-        .transpose()
+    take_word(input, label).map(|_| expression(input)).transpose()
 }
 
 pub(super) fn gear(input: ParseStream) -> Read<Outline> {
@@ -32,20 +30,12 @@ pub(super) fn stand(input: ParseStream) -> Read<Outline> {
 
 pub(super) fn rail(input: ParseStream) -> Read<Outline> {
     let (ends, place) = in_brackets(input, "`[(x, y), (x, y)]`", corners)?;
-    Ok(Outline::Rail {
-        ends,
-        place,
-        width: optional(input, "width")?,
-    })
+    Ok(Outline::Rail { ends, place, width: optional(input, "width")? })
 }
 
 pub(super) fn spring(input: ParseStream) -> Read<Outline> {
     let (ends, place) = in_brackets(input, "`[(x, y), (x, y)]`", corners)?;
-    Ok(Outline::Spring {
-        ends,
-        place,
-        width: read_labelled(input, "width")?,
-    })
+    Ok(Outline::Spring { ends, place, width: read_labelled(input, "width")? })
 }
 
 pub(super) fn text(input: ParseStream) -> Read<Outline> {
@@ -53,9 +43,7 @@ pub(super) fn text(input: ParseStream) -> Read<Outline> {
     if !input.peek(LitStr) {
         return Err(expected_message(input, "a text in quotes"));
     }
-    let text = input
-        .parse::<LitStr>()
-        .map_err(|_| expected_message(input, "a text in quotes"))?;
+    let text = input.parse::<LitStr>().map_err(|_| expected_message(input, "a text in quotes"))?;
     Ok(Outline::Text {
         at,
         text,

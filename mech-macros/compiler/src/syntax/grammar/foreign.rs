@@ -50,10 +50,7 @@ fn spell_power(base: &Expr, power: &Expr) -> Option<String> {
     let text = in_product(base);
     match &power.kind {
         ExprKind::Integer(digits) => {
-            let factors = digits
-                .parse()
-                .ok()
-                .filter(|count| (1..=MOST).contains(count));
+            let factors = digits.parse().ok().filter(|count| (1..=MOST).contains(count));
             Some(format!("({})", vec![text; factors?].join(" * ")))
         }
         ExprKind::Decimal(digits) if digits.parse() == Ok(0.5) => Some(format!("sqrt({base})")),

@@ -35,8 +35,7 @@ pub(super) fn seems(input: ParseStream) -> bool {
         None if text.starts_with(char::is_uppercase) => rest,
         _ => return false,
     };
-    rest.punct()
-        .is_some_and(|(mark, _)| ";:".contains(mark.as_char()))
+    rest.punct().is_some_and(|(mark, _)| ";:".contains(mark.as_char()))
 }
 
 /// Reads a `struct` line from its visibility on.
@@ -61,10 +60,7 @@ pub(super) fn line(input: ParseStream, mut attributes: Vec<Attribute>) -> Line {
     if error.is_some() {
         skip(input, &STATEMENTS);
     }
-    Line {
-        header,
-        error: error.or(twice),
-    }
+    Line { header, error: error.or(twice) }
 }
 
 /// `pub struct Name`
@@ -75,11 +71,7 @@ fn beginning(input: ParseStream, attributes: Vec<Attribute>) -> Read<Header> {
     }
     any_word(input);
     let name = name(input, "the name of the struct")?;
-    Ok(Header {
-        attributes,
-        visibility,
-        name,
-    })
+    Ok(Header { attributes, visibility, name })
 }
 
 /// A `derive` of what every mechanism is already.

@@ -33,16 +33,10 @@ fn item(input: ParseStream) -> Item {
             take_tree(input);
             skip(input, &ITEMS);
         }
-        return Item::Broken(Broken {
-            error: otherwise,
-            names: Vec::new(),
-        });
+        return Item::Broken(Broken { error: otherwise, names: Vec::new() });
     };
     if let Some(error) = doubled(input, &keyword) {
-        return Item::Broken(Broken {
-            error,
-            names: Vec::new(),
-        });
+        return Item::Broken(Broken { error, names: Vec::new() });
     }
     match keyword.to_string().as_str() {
         "point" => axis(input, AxisKind::Point),
@@ -68,10 +62,9 @@ fn unknown_item(input: ParseStream, keyword: &Ident) -> Item {
     let text = as_item(&keyword.to_string()).unwrap_or_else(|| {
         let remedy = match spelling::nearest(&keyword.to_string(), &ITEMS) {
             Some(near) => format!("did you mean `{near}`?"),
-            None => format!(
-                "what is fixed to a link begins with one of {}",
-                spelling::list(&ITEMS)
-            ),
+            None => {
+                format!("what is fixed to a link begins with one of {}", spelling::list(&ITEMS))
+            }
         };
         format!("unknown item `{keyword}`; {remedy}")
     });
@@ -104,38 +97,24 @@ fn axis_value(input: ParseStream, kind: AxisKind) -> Read<AxisValue> {
         error.text.push_str("; a line has a direction");
         return Err(error);
     }
-    let turned = take_word(input, "turned")
-        .map(|_| expression(input))
-        .transpose()?;
+    let turned = take_word(input, "turned").map(|_| expression(input)).transpose()?;
     if direction.is_none() && turned.is_none() && !comes(input, ";") {
         let missing = "`;`, or `-> (dx, dy)`";
         let forgotten = missing_after(input, begin, &ITEMS, "`;`");
         return Err(forgotten.unwrap_or_else(|| expected_message(input, missing)));
     }
-    Ok(AxisValue {
-        at,
-        direction,
-        turned,
-    })
+    Ok(AxisValue { at, direction, turned })
 }
 
 fn shape(input: ParseStream, keyword: Span, outline: fn(ParseStream) -> Read<Outline>) -> Item {
     let shape = to_semicolon(input, &ITEMS, |input| {
         let outline = outline(input)?;
         let (plane, color) = look(input)?;
-        Ok(Shape {
-            keyword,
-            outline,
-            plane,
-            color,
-        })
+        Ok(Shape { keyword, outline, plane, color })
     });
     match shape {
         Ok(shape) => Item::Shape(shape),
-        Err(error) => Item::Broken(Broken {
-            error,
-            names: Vec::new(),
-        }),
+        Err(error) => Item::Broken(Broken { error, names: Vec::new() }),
     }
 }
 
@@ -176,11 +155,7 @@ fn color(input: ParseStream) -> Read<Option<Color>> {
     if let Some(first) = take_shade(input)
         && let Some(word) = any_word(input)
     {
-        let shade = if first.0 == Shade::Light {
-            "light"
-        } else {
-            "dark"
-        };
+        let shade = if first.0 == Shade::Light { "light" } else { "dark" };
         let place = Place::at(first.1).to(Place::at(word.span()));
         let text = format!("`{shade}` stands after the color's name; write `{word} {shade}`");
         return Err(Message::new(place, text));
@@ -199,20 +174,16 @@ fn take_shade(input: ParseStream) -> Option<(Shade, Span)> {
 fn after_color(input: ParseStream) -> Read<()> {
     let on = take_word(input, "on").or_else(|| take_word(input, "plane"));
     match on {
-        Some(on) => Err(Message::new(
-            Place::at(on),
-            "`on plane` stands before `color`; swap the two",
-        )),
+        Some(on) => {
+            Err(Message::new(Place::at(on), "`on plane` stands before `color`; swap the two"))
+        }
         None => Ok(()),
     }
 }
 
 fn circle(input: ParseStream) -> Read<Outline> {
     let center = pair(input)?;
-    Ok(Outline::Circle {
-        center,
-        radius: read_labelled(input, "radius")?,
-    })
+    Ok(Outline::Circle { center, radius: read_labelled(input, "radius")? })
 }
 
 fn ring(input: ParseStream) -> Read<Outline> {
@@ -226,11 +197,7 @@ fn ring(input: ParseStream) -> Read<Outline> {
 
 fn bar(input: ParseStream) -> Read<Outline> {
     let (pins, place) = in_brackets(input, "`[(x, y), ...]`", corners)?;
-    Ok(Outline::Bar {
-        pins,
-        place,
-        width: read_labelled(input, "width")?,
-    })
+    Ok(Outline::Bar { pins, place, width: read_labelled(input, "width")? })
 }
 
 fn polygon(input: ParseStream) -> Read<Outline> {
@@ -241,10 +208,7 @@ fn polygon(input: ParseStream) -> Read<Outline> {
 fn matter(input: ParseStream, keyword: Span, kind: fn(ParseStream) -> Read<MatterKind>) -> Item {
     match to_semicolon(input, &ITEMS, kind) {
         Ok(kind) => Item::Matter(Box::new(Matter { keyword, kind })),
-        Err(error) => Item::Broken(Broken {
-            error,
-            names: Vec::new(),
-        }),
+        Err(error) => Item::Broken(Broken { error, names: Vec::new() }),
     }
 }
 
@@ -252,9 +216,7 @@ fn matter(input: ParseStream, keyword: Span, kind: fn(ParseStream) -> Read<Matte
 fn mass(input: ParseStream) -> Read<MatterKind> {
     let mass = expression(input)?;
     let at = take_word(input, "at").map(|_| pair(input)).transpose()?;
-    let inertia = take_word(input, "inertia")
-        .map(|_| expression(input))
-        .transpose()?;
+    let inertia = take_word(input, "inertia").map(|_| expression(input)).transpose()?;
     Ok(MatterKind::Mass { mass, at, inertia })
 }
 

@@ -42,9 +42,7 @@ pub(super) fn joint(input: ParseStream) -> Statement {
 /// Whether `= revolute(` comes next: a joint whose keyword is missing.
 pub(super) fn body_comes(input: ParseStream) -> bool {
     let sign = input.cursor().punct();
-    let kind = sign
-        .filter(|(sign, _)| sign.as_char() == '=')
-        .and_then(|(_, rest)| rest.ident());
+    let kind = sign.filter(|(sign, _)| sign.as_char() == '=').and_then(|(_, rest)| rest.ident());
     kind.is_some_and(|(kind, rest)| {
         let is_called = rest.group(Delimiter::Parenthesis).is_some();
         is_called && WORDS.iter().any(|(word, _)| kind == word)
@@ -67,10 +65,7 @@ fn body(input: ParseStream) -> Read<JointBody> {
     let ((ends, (rolling, law)), _) = in_parens(input, "`(`", |input| parts(input, kind))?;
     if input.peek(Paren) {
         let place = pair(input)?;
-        let text = format!(
-            "a place follows `at`; write `at ({}, {})`",
-            place.x, place.y
-        );
+        let text = format!("a place follows `at`; write `at ({}, {})`", place.x, place.y);
         return Err(Message::new(place.place, text));
     }
     let roller = match kind {
@@ -82,16 +77,7 @@ fn body(input: ParseStream) -> Read<JointBody> {
     if rolling.is_some() {
         carrier_outside(input)?;
     }
-    Ok(JointBody {
-        word,
-        kind,
-        ends,
-        rolling,
-        law,
-        roller,
-        at,
-        along,
-    })
+    Ok(JointBody { word, kind, ends, rolling, law, roller, at, along })
 }
 
 /// The text in the brackets: the ends, the sizes of rolling parts, and a cam's law.
@@ -123,10 +109,7 @@ fn parts(input: ParseStream, kind: JointWord) -> Read<Parts> {
         | JointWord::Cam => None,
     };
     let rolling = match size {
-        Some(size) => Some(Rolling {
-            size,
-            carrier: carrier(input)?,
-        }),
+        Some(size) => Some(Rolling { size, carrier: carrier(input)? }),
         None => None,
     };
     if take(input, ",").is_some() && size_is_none(kind) {
@@ -156,10 +139,7 @@ fn ratio(input: ParseStream, [a, b]: [&End; 2]) -> Read<Size> {
     let otherwise = expected_message(input, "`:`");
     if take(input, ",").is_some() && !input.is_empty() {
         let second = expression(input)?;
-        return Err(Message::new(
-            first.place.to(second.place),
-            written(&first, &second),
-        ));
+        return Err(Message::new(first.place.to(second.place), written(&first, &second)));
     }
     if !input.is_empty() && !comes_word(input, "on") {
         return Err(otherwise);
@@ -178,10 +158,7 @@ fn ratio(input: ParseStream, [a, b]: [&End; 2]) -> Read<Size> {
 }
 
 fn size_is_none(kind: JointWord) -> bool {
-    !matches!(
-        kind,
-        JointWord::Gear | JointWord::Belt | JointWord::Rack | JointWord::Cam
-    )
+    !matches!(kind, JointWord::Gear | JointWord::Belt | JointWord::Rack | JointWord::Cam)
 }
 
 /// Complains about a third link.
@@ -193,9 +170,7 @@ fn two_links(input: ParseStream, kind: JointWord, [first, second]: [&End; 2]) ->
     let words = WORDS.iter().filter(|(_, word)| *word == kind);
     let word: String = words.map(|(word, _)| *word).collect();
     let link = third.link.to_string();
-    let is_known = [first, second]
-        .iter()
-        .any(|end| end.link.to_string() == link);
+    let is_known = [first, second].iter().any(|end| end.link.to_string() == link);
     let mut text = format!("a joint joins two links; leave `, {third}` out");
     if !is_known {
         text += &format!(", or declare another joint for it, as `{word}({first}, {third})`");
@@ -204,9 +179,7 @@ fn two_links(input: ParseStream, kind: JointWord, [first, second]: [&End; 2]) ->
 }
 
 fn carrier(input: ParseStream) -> Read<Option<Name>> {
-    take_word(input, "on")
-        .map(|_| path(input, "the name of a link"))
-        .transpose()
+    take_word(input, "on").map(|_| path(input, "the name of a link")).transpose()
 }
 
 /// Complains about a carrier that is named after the brackets.
@@ -217,10 +190,7 @@ fn carrier_outside(input: ParseStream) -> Read<()> {
     let link = path(input, "the name of a link")?;
     let text =
         format!("the carrier is named within the brackets; write `on {link})` for `) on {link}`");
-    Err(Message::new(
-        Place::at(keyword).to(Place::at(link.span())),
-        text,
-    ))
+    Err(Message::new(Place::at(keyword).to(Place::at(link.span())), text))
 }
 
 /// Reads `roller valve.foot radius 5`, if it comes.
@@ -250,8 +220,5 @@ fn clause<T>(
     let Some(keyword) = take_word(input, keyword) else {
         return Ok(None);
     };
-    Ok(Some(Clause {
-        keyword,
-        value: value(input)?,
-    }))
+    Ok(Some(Clause { keyword, value: value(input)? }))
 }

@@ -28,14 +28,7 @@ const MEASURES: [&str; 10] = [
 ];
 
 /// The words before a colon.
-const KINDS: [&str; 6] = [
-    "velocity",
-    "acceleration",
-    "torque",
-    "power",
-    "reaction",
-    "shaking",
-];
+const KINDS: [&str; 6] = ["velocity", "acceleration", "torque", "power", "reaction", "shaking"];
 
 /// The words before brackets that sum up a motion.
 const SUMMARIES: [(&str, Summary); 6] = [
@@ -96,10 +89,9 @@ fn measure(input: ParseStream, number: &dyn Fn(ParseStream) -> Read<Expr>) -> Re
     any_word(input);
     let (kind, brackets) = in_parens(input, "`(`", |input| match (summary, name.as_str()) {
         (Some((word, summary)), _) => Ok(MeasuredExpr::Summary(summary, word, number(input)?)),
-        (None, "transmission") => Ok(MeasuredExpr::Transmission(path(
-            input,
-            "the name of a joint",
-        )?)),
+        (None, "transmission") => {
+            Ok(MeasuredExpr::Transmission(path(input, "the name of a joint")?))
+        }
         (None, "pressure") => path(input, "the name of a cam").map(MeasuredExpr::Pressure),
         (None, "curvature") => path(input, "the name of a cam").map(MeasuredExpr::Curvature),
         (None, "angle") => {
@@ -189,19 +181,12 @@ fn kind_and_subject(input: ParseStream, kind: &Ident) -> Read<Expr> {
             (reaction.whole.place(), MeasuredExpr::Reaction(reaction))
         }
         _ => {
-            let rate = if text == "velocity" {
-                Rate::Velocity
-            } else {
-                Rate::Acceleration
-            };
+            let rate = if text == "velocity" { Rate::Velocity } else { Rate::Acceleration };
             let (of, place) = moving(input)?;
             (place, MeasuredExpr::Moving(Some(rate), of))
         }
     };
-    Ok(Expr {
-        kind: ExprKind::Measured(Box::new(measured)),
-        place: Place { start, ..place },
-    })
+    Ok(Expr { kind: ExprKind::Measured(Box::new(measured)), place: Place { start, ..place } })
 }
 
 /// Reads a joint, a link, a constant, a point or a part of one.
@@ -211,11 +196,9 @@ fn moving(input: ParseStream) -> Read<(MovingExpr, Place)> {
     let named = path(input, what)?;
     let place = named.place();
     let moving = match cut_part(again, 2, |_| true) {
-        Ok((point, part, word)) if part != VectorPart::Torque => MovingExpr {
-            named: None,
-            point: Some(end_of(point)),
-            part: Some((part, word)),
-        },
+        Ok((point, part, word)) if part != VectorPart::Torque => {
+            MovingExpr { named: None, point: Some(end_of(point)), part: Some((part, word)) }
+        }
         Ok(_) => return Err(Message::new(place, "only a reaction has a torque")),
         Err(again) => MovingExpr {
             point: (!named.uses.is_empty()).then(|| end_of(again)),
@@ -268,27 +251,15 @@ fn end_of(mut name: Name) -> End {
     match name.uses.pop_if(|segment| segment.index.is_none()) {
         Some(link) => {
             let axis = std::mem::replace(&mut name.name, link.name);
-            End {
-                link: name,
-                axis: Some(axis),
-            }
+            End { link: name, axis: Some(axis) }
         }
-        None => End {
-            link: name,
-            axis: None,
-        },
+        None => End { link: name, axis: None },
     }
 }
 
 /// What is measured, from its first word to the end of its brackets.
 fn from(start: Span, brackets: Place, kind: MeasuredExpr) -> Expr {
-    Expr {
-        kind: ExprKind::Measured(Box::new(kind)),
-        place: Place {
-            start,
-            end: brackets.end,
-        },
-    }
+    Expr { kind: ExprKind::Measured(Box::new(kind)), place: Place { start, end: brackets.end } }
 }
 
 /// The message about a word before brackets that is no function, but nearly one that measures something.

@@ -15,20 +15,12 @@ pub(super) fn method(input: ParseStream, keyword: Span) -> Statement {
     read_setting(input, |input| {
         let word = any_word(input)
             .ok_or_else(|| expected_message(input, "`exact`, `newton` or `linear`"))?;
-        let steps = if input.peek(token::Paren) {
-            Some(in_parens(input, "`(`", steps)?)
-        } else {
-            None
-        };
+        let steps =
+            if input.peek(token::Paren) { Some(in_parens(input, "`(`", steps)?) } else { None };
         let predictor = take_word(input, "predictor")
             .map(|span| Ok((span, in_parens(input, "`(`", expression)?.0)))
             .transpose()?;
-        Ok(Statement::Method(Method {
-            keyword,
-            word,
-            steps,
-            predictor,
-        }))
+        Ok(Statement::Method(Method { keyword, word, steps, predictor }))
     })
 }
 
@@ -41,12 +33,7 @@ fn steps(input: ParseStream) -> Read<Option<Expr>> {
 
 /// Reads `1e-9;`.
 pub(super) fn accuracy(input: ParseStream, keyword: Span) -> Statement {
-    read_setting(input, |input| {
-        Ok(Statement::Accuracy {
-            keyword,
-            value: expression(input)?,
-        })
-    })
+    read_setting(input, |input| Ok(Statement::Accuracy { keyword, value: expression(input)? }))
 }
 
 /// Reads `x86_64;`.
@@ -79,9 +66,7 @@ fn at_change_points(input: ParseStream) -> Read<AtChangePoints> {
     } else {
         return Err(expected_message(input, "`go`, `keep` or `stop`"));
     };
-    words
-        .iter()
-        .try_for_each(|text| word(input, text).map(drop))?;
+    words.iter().try_for_each(|text| word(input, text).map(drop))?;
     Ok(what)
 }
 

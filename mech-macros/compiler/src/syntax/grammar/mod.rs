@@ -42,11 +42,7 @@ pub(super) fn read(input: TokenStream) -> Text {
             let line = input.into_iter().take_while(|tree| !is_end(tree));
             let line: TokenStream = line.take(LINE).collect();
             let is_short = limits::of_tokens(&line).is_ok();
-            let mut text = if is_short {
-                read_within(line)
-            } else {
-                Text::default()
-            };
+            let mut text = if is_short { read_within(line) } else { Text::default() };
             text.statements = vec![recover::broken_statement(excess.message())];
             text.beginnings.clear();
             text.is_beyond = true;
@@ -58,9 +54,7 @@ pub(super) fn read(input: TokenStream) -> Text {
 /// The same of a text that is within all limits.
 fn read_within(input: TokenStream) -> Text {
     let text = tokens::run(braces_at_end(input), |input| {
-        tokens::open_braces(input)
-            .map(|(_, content)| statement::text(&content))
-            .unwrap_or_default()
+        tokens::open_braces(input).map(|(_, content)| statement::text(&content)).unwrap_or_default()
     });
     text.unwrap_or_default()
 }

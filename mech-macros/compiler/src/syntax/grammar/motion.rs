@@ -19,11 +19,7 @@ const AFTER_NUMBERS: [&str; 4] = ["deg", "rpm", "in", "by"];
 
 /// Reads a law: a motion in segments, or a number.
 pub(super) fn law(input: ParseStream) -> Read<Expr> {
-    if begins(input.cursor()) {
-        motion(input)
-    } else {
-        expression(input)
-    }
+    if begins(input.cursor()) { motion(input) } else { expression(input) }
 }
 
 /// Whether a motion in segments comes next, and not a number that begins with a constant of such a name.
@@ -59,11 +55,7 @@ fn has_segments(mut cursor: Cursor) -> bool {
 
 fn motion(input: ParseStream) -> Read<Expr> {
     let begin = Place::at(input.span());
-    let mut motion = MotionExpr {
-        from: None,
-        segments: Vec::new(),
-        repeats: false,
-    };
+    let mut motion = MotionExpr { from: None, segments: Vec::new(), repeats: false };
     if take_word(input, FROM).is_some() {
         motion.from = Some(expression(input)?);
         if take(input, ",").is_none() {
@@ -95,10 +87,7 @@ fn motion(input: ParseStream) -> Read<Expr> {
         let text = "`repeat` is the last word of a motion; move it behind all segments";
         return Err(Message::new(end, text));
     }
-    Ok(Expr {
-        kind: ExprKind::Motion(Box::new(motion)),
-        place,
-    })
+    Ok(Expr { kind: ExprKind::Motion(Box::new(motion)), place })
 }
 
 /// Complains about a segment that follows another without a comma.
@@ -118,11 +107,7 @@ fn segment(input: ParseStream) -> Read<SegmentExpr> {
         let text = "a motion begins with `from`; move it before all segments";
         return Err(Message::new(begin, text));
     }
-    let (_, word) = one_of(
-        input,
-        "`rise`, `fall`, `return`, `dwell` or `repeat`",
-        &words,
-    )?;
+    let (_, word) = one_of(input, "`rise`, `fall`, `return`, `dwell` or `repeat`", &words)?;
     let way = match word {
         "rise" => Way::Rise(expression(input)?),
         "fall" => Way::Fall(expression(input)?),
@@ -144,20 +129,13 @@ fn segment(input: ParseStream) -> Read<SegmentExpr> {
     if let Some((word, _)) = &law {
         end = Place::at(word.span());
     }
-    Ok(SegmentExpr {
-        way,
-        span,
-        law: law.map(|(_, law)| law),
-        place: begin.to(end),
-    })
+    Ok(SegmentExpr { way, span, law: law.map(|(_, law)| law), place: begin.to(end) })
 }
 
 /// Whether nothing follows that belongs to a segment.
 fn ends(input: ParseStream) -> bool {
     let cursor = input.cursor();
-    let is_over = cursor
-        .punct()
-        .is_some_and(|(sign, _)| matches!(sign.as_char(), ',' | ';'));
+    let is_over = cursor.punct().is_some_and(|(sign, _)| matches!(sign.as_char(), ',' | ';'));
     is_over || cursor.eof() || comes_word(input, "in") || comes_word(input, "by")
 }
 

@@ -23,11 +23,7 @@ pub(super) fn part(input: ParseStream, statement: fn(ParseStream) -> Statement) 
             parameters = numbers(input)?;
             in_braces(input, "`{`", statement)
         });
-        Statement::Part(Box::new(Part {
-            name,
-            parameters,
-            body,
-        }))
+        Statement::Part(Box::new(Part { name, parameters, body }))
     })
 }
 
@@ -75,10 +71,7 @@ pub(super) fn used(input: ParseStream) -> Statement {
         let unread = name.clone();
         match to_semicolon(input, &STATEMENTS, |input| instances(input, name)) {
             Ok(used) => Statement::Use(Box::new(used)),
-            Err(error) => Statement::Broken(Broken {
-                error,
-                names: vec![unread],
-            }),
+            Err(error) => Statement::Broken(Broken { error, names: vec![unread] }),
         }
     })
 }
@@ -93,9 +86,7 @@ fn instances(input: ParseStream, instance: Ident) -> Read<Use> {
     let part = name(input, "the name of a part")?;
     let arguments = numbers(input)?;
     let mirrored = take_word(input, "mirrored");
-    let scaled = take_word(input, "scaled")
-        .map(|_| expression(input))
-        .transpose()?;
+    let scaled = take_word(input, "scaled").map(|_| expression(input)).transpose()?;
     let mirrored = mirrored.or_else(|| take_word(input, "mirrored"));
     let ports = if input.peek(token::Brace) {
         ports(input)?
@@ -105,15 +96,7 @@ fn instances(input: ParseStream, instance: Ident) -> Read<Use> {
             "`{` and the links that are lent, as `{ frame = ground }`",
         ));
     };
-    Ok(Use {
-        name: instance,
-        count,
-        part,
-        arguments,
-        mirrored,
-        scaled,
-        ports,
-    })
+    Ok(Use { name: instance, count, part, arguments, mirrored, scaled, ports })
 }
 
 /// Reads `(size = 1, phase = 30 deg)`, or nothing.
@@ -145,15 +128,8 @@ fn ports(input: ParseStream) -> Read<Vec<PortBinding>> {
         symbol(input, "=")?;
         let link = path(input, "the name of a link")?;
         let at = take_word(input, "at").map(|_| pair(input)).transpose()?;
-        let turned = take_word(input, "turned")
-            .map(|_| expression(input))
-            .transpose()?;
-        Ok(PortBinding {
-            port,
-            link,
-            at,
-            turned,
-        })
+        let turned = take_word(input, "turned").map(|_| expression(input)).transpose()?;
+        Ok(PortBinding { port, link, at, turned })
     })?;
     end(&content, "}")?;
     Ok(ports)

@@ -16,16 +16,10 @@ pub(super) fn end(input: ParseStream) -> Read<End> {
         segments(input, "the name of a link", "the name of a point or line")?;
     let is_link = |segment: &Segment| segment.index.is_none();
     let Some(link) = segments.pop_if(|segment| is_link(segment)) else {
-        let link = Name {
-            uses: segments,
-            name: last,
-        };
+        let link = Name { uses: segments, name: last };
         return Ok(End { link, axis: None });
     };
-    let link = Name {
-        uses: segments,
-        name: link.name,
-    };
+    let link = Name { uses: segments, name: link.name };
     let axis = Some(last);
     Ok(End { link, axis })
 }

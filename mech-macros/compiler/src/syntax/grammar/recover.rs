@@ -62,10 +62,7 @@ fn ends_with_braces(tree: Option<TokenTree>) -> bool {
 
 /// A statement without a name that could not be read.
 pub(super) fn broken_statement(error: Message) -> Statement {
-    Statement::Broken(Broken {
-        error,
-        names: Vec::new(),
-    })
+    Statement::Broken(Broken { error, names: Vec::new() })
 }
 
 /// Reads the name that a statement declares; without one, the statement is lost.
@@ -87,10 +84,8 @@ pub(super) fn declared_name(
     what: &str,
 ) -> Result<Ident, Broken> {
     let names = seeming_name(input, beginnings);
-    or_skip(input, beginnings, |input| name(input, what)).map_err(|error| Broken {
-        error,
-        names: names.into_iter().collect(),
-    })
+    or_skip(input, beginnings, |input| name(input, what))
+        .map_err(|error| Broken { error, names: names.into_iter().collect() })
 }
 
 /// The name that a statement seems to declare after its first word: the next word, be it in quotes.
@@ -117,19 +112,14 @@ pub(super) fn leave_behind(
 ) -> Broken {
     let name = seeming_name(input, beginnings).unwrap_or_else(|| keyword.clone());
     skip(input, beginnings);
-    Broken {
-        error,
-        names: vec![name],
-    }
+    Broken { error, names: vec![name] }
 }
 
 /// The message about a word that stands twice, of which the first has been read. Before a name's mark or braces, the second is a name.
 pub(super) fn doubled(input: ParseStream, keyword: &Ident) -> Option<Message> {
     const WITHOUT_NAME: [&str; 3] = ["ground", "start", "effects"];
     let (_, rest) = input.cursor().ident().filter(|(next, _)| next == keyword)?;
-    let is_word = rest
-        .ident()
-        .is_some_and(|(word, _)| word != "in" && word != "by");
+    let is_word = rest.ident().is_some_and(|(word, _)| word != "in" && word != "by");
     let is_doubled =
         is_word || rest.any_group().is_some() && WITHOUT_NAME.iter().any(|word| keyword == word);
     let text = format!("`{keyword}` stands here twice; remove one of the two");

@@ -37,16 +37,9 @@ pub(super) fn motor(input: ParseStream) -> Statement {
         let law = take(input, "=").map(|_| motion::law(input)).transpose()?;
         worded_range(input)?;
         let range = take_word(input, "in").map(|_| range(input)).transpose()?;
-        let step = take_word(input, "by")
-            .map(|_| expression(input))
-            .transpose()?;
+        let step = take_word(input, "by").map(|_| expression(input)).transpose()?;
         after_step(input)?;
-        Ok(Statement::Motor(Motor {
-            joint,
-            law,
-            range,
-            step,
-        }))
+        Ok(Statement::Motor(Motor { joint, law, range, step }))
     })
 }
 
@@ -62,10 +55,7 @@ fn one_motor(input: ParseStream, first: &Name) -> Read<()> {
     let place = first.place().to(last.place());
     let names = std::iter::once(first).chain(&others);
     let statements: Vec<_> = names.map(|name| format!("motor {name};")).collect();
-    let text = format!(
-        "each motor has its own statement; write `{}`",
-        statements.join(" ")
-    );
+    let text = format!("each motor has its own statement; write `{}`", statements.join(" "));
     Err(Message::new(place, text))
 }
 
@@ -82,20 +72,11 @@ fn worded_speed(input: ParseStream) -> Read<()> {
     let error = match expression(input) {
         Ok(speed) => Message::new(
             speed.place,
-            format!(
-                "a motor's law follows `=`; write `= {} * t`",
-                in_product(&speed)
-            ),
+            format!("a motor's law follows `=`; write `= {} * t`", in_product(&speed)),
         ),
-        Err(error) => Message {
-            text: error.text.replacen("write `", "write `= ", 1),
-            ..error
-        },
+        Err(error) => Message { text: error.text.replacen("write `", "write `= ", 1), ..error },
     };
-    Err(Message {
-        place: Place::at(word).to(error.place),
-        ..error
-    })
+    Err(Message { place: Place::at(word).to(error.place), ..error })
 }
 
 /// Complains about a range in words: `from low to high`.
@@ -130,14 +111,10 @@ fn range(input: ParseStream) -> Read<[Expr; 2]> {
 
 fn after_step(input: ParseStream) -> Read<()> {
     match take_word(input, "in") {
-        Some(word) => Err(Message::new(
-            Place::at(word),
-            "`in` stands before `by`; swap the two",
-        )),
-        None if comes(input, "=") => Err(expected_message(
-            input,
-            "`;` (a law stands before `in` and `by`)",
-        )),
+        Some(word) => Err(Message::new(Place::at(word), "`in` stands before `by`; swap the two")),
+        None if comes(input, "=") => {
+            Err(expected_message(input, "`;` (a law stands before `in` and `by`)"))
+        }
         None => Ok(()),
     }
 }
@@ -146,10 +123,7 @@ fn after_step(input: ParseStream) -> Read<()> {
 pub(super) fn start(input: ParseStream, keyword: Span) -> Statement {
     match or_skip(input, &STATEMENTS, |input| in_braces(input, "`{`", clause)) {
         Ok(clauses) => Statement::Start(Start { keyword, clauses }),
-        Err(error) => Statement::Broken(Broken {
-            error,
-            names: Vec::new(),
-        }),
+        Err(error) => Statement::Broken(Broken { error, names: Vec::new() }),
     }
 }
 
@@ -158,16 +132,9 @@ fn clause(input: ParseStream) -> Read<StartClause> {
         let name = path(input, "the name of a joint or a link")?;
         let near = take_word(input, "near").is_some();
         if !near && take(input, "=").is_none() {
-            return Err(expected_message(
-                input,
-                "`=` (for a joint) or `near` (for a link)",
-            ));
+            return Err(expected_message(input, "`=` (for a joint) or `near` (for a link)"));
         }
-        Ok(StartClause {
-            name,
-            near,
-            value: expression(input)?,
-        })
+        Ok(StartClause { name, near, value: expression(input)? })
     })
 }
 
@@ -184,10 +151,7 @@ pub(super) fn effects(input: ParseStream, keyword: Span) -> Statement {
     };
     match or_skip(input, &STATEMENTS, in_braces) {
         Ok(effects) => Statement::Effects { keyword, effects },
-        Err(error) => Statement::Broken(Broken {
-            error,
-            names: Vec::new(),
-        }),
+        Err(error) => Statement::Broken(Broken { error, names: Vec::new() }),
     }
 }
 
@@ -211,10 +175,7 @@ pub(super) fn stray_effects(input: ParseStream, first: &Ident) -> Message {
             plain => format!("{plain};"),
         })
         .collect();
-    let text = format!(
-        "effects stand in braces; write `effects {{ {} }}`",
-        statements.join(" ")
-    );
+    let text = format!("effects stand in braces; write `effects {{ {} }}`", statements.join(" "));
     Message::new(place, text)
 }
 
@@ -272,13 +233,7 @@ pub(super) fn follow(input: ParseStream, keyword: Span) -> Statement {
         }
         let motors = read_list(input, |input| path(input, "the name of a motor's joint"))?;
         let least = take_word(input, "least");
-        Ok(Statement::Follow(Follow {
-            keyword,
-            what,
-            region,
-            motors,
-            least,
-        }))
+        Ok(Statement::Follow(Follow { keyword, what, region, motors, least }))
     })
 }
 
@@ -289,11 +244,7 @@ pub(super) fn trajectory(input: ParseStream, keyword: Span) -> Statement {
         symbol(input, "=")?;
         let expected = "the laws of x and y, as `(2 + cos(t), 1 + sin(t))`";
         let laws = in_parens(input, expected, |input| read_list(input, expression))?.0;
-        Ok(Statement::Path(Trajectory {
-            keyword,
-            what,
-            laws,
-        }))
+        Ok(Statement::Path(Trajectory { keyword, what, laws }))
     })
 }
 

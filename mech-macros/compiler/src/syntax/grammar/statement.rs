@@ -36,11 +36,8 @@ pub(super) fn text(input: ParseStream) -> Text {
         };
         if header::comes(input) {
             let Line { header, error } = header::line(input, attributes);
-            let misplaced = out_of_place(
-                header.as_ref().map(|(header, _)| &header.name),
-                first,
-                headed,
-            );
+            let misplaced =
+                out_of_place(header.as_ref().map(|(header, _)| &header.name), first, headed);
             text.statements.extend(misplaced.map(broken_statement));
             text.statements.extend(error.map(broken_statement));
             text.header = text.header.or(header);
@@ -66,8 +63,7 @@ pub(super) fn text(input: ParseStream) -> Text {
     }
     if !headed {
         text.statements.drain(of_header);
-        text.statements
-            .insert(0, broken_statement(headless(beginning)));
+        text.statements.insert(0, broken_statement(headless(beginning)));
         text.beginnings.clear();
     }
     text
@@ -82,10 +78,7 @@ fn headless(beginning: Span) -> Message {
 fn out_of_place(name: Option<&Ident>, first: bool, headed: bool) -> Option<Message> {
     let place = Place::at(name?.span());
     if headed {
-        Some(Message::new(
-            place,
-            "a mechanism has one `struct` line; remove this one",
-        ))
+        Some(Message::new(place, "a mechanism has one `struct` line; remove this one"))
     } else if first {
         None
     } else {
@@ -124,10 +117,7 @@ pub(super) fn statement(input: ParseStream) -> Statement {
             take_tree(input);
             skip(input, &STATEMENTS);
         }
-        return Statement::Broken(Broken {
-            error: otherwise,
-            names,
-        });
+        return Statement::Broken(Broken { error: otherwise, names });
     };
     if let Some(error) = doubled(input, &keyword) {
         return broken_statement(error);
@@ -184,10 +174,7 @@ pub(super) fn statement(input: ParseStream) -> Statement {
 }
 
 fn not_yet(keyword: &Ident) -> Message {
-    Message::new(
-        Place::at(keyword.span()),
-        format!("`{keyword}` is not supported yet"),
-    )
+    Message::new(Place::at(keyword.span()), format!("`{keyword}` is not supported yet"))
 }
 
 fn unknown_statement(keyword: &Ident) -> Message {
@@ -200,15 +187,9 @@ fn unknown_statement(keyword: &Ident) -> Message {
     } else {
         let supported = STATEMENTS.into_iter().filter(|&word| word != NOT_YET);
         let supported: Vec<&str> = supported.collect();
-        format!(
-            "a statement begins with one of {}",
-            spelling::list(&supported)
-        )
+        format!("a statement begins with one of {}", spelling::list(&supported))
     };
-    Message::new(
-        Place::at(keyword.span()),
-        format!("unknown statement `{text}`; {remedy}"),
-    )
+    Message::new(Place::at(keyword.span()), format!("unknown statement `{text}`; {remedy}"))
 }
 
 /// Reads `NAME = value;`.
@@ -233,10 +214,7 @@ fn refuse_type(input: ParseStream) -> Read<()> {
         Some(word) => (colon.to(Place::at(word.span())), format!(": {word}")),
         None => (colon, ":".to_owned()),
     };
-    Err(Message::new(
-        place,
-        format!("numbers have no type here; leave `{text}` out"),
-    ))
+    Err(Message::new(place, format!("numbers have no type here; leave `{text}` out")))
 }
 
 /// Complains about a comma after a link: it stands for `;`, or between several links.
@@ -258,10 +236,7 @@ fn after_comma(input: ParseStream, first: Ident) -> Statement {
 fn several_links(names: &[Ident]) -> Message {
     let place = Place::at(names[0].span()).to(Place::at(names[names.len() - 1].span()));
     let statements: Vec<String> = names.iter().map(|name| format!("link {name};")).collect();
-    let text = format!(
-        "each link has its own statement; write `{}`",
-        statements.join(" ")
-    );
+    let text = format!("each link has its own statement; write `{}`", statements.join(" "));
     Message::new(place, text)
 }
 
@@ -284,27 +259,14 @@ fn link(input: ParseStream) -> Statement {
 /// Words of Rust that declare a value.
 const VALUES: [&str; 3] = ["let", "var", "static"];
 /// Words of Rust that declare something else.
-const OF_RUST: [&str; 8] = [
-    "fn",
-    "use",
-    "mod",
-    "impl",
-    "trait",
-    "enum",
-    "type",
-    "macro_rules",
-];
+const OF_RUST: [&str; 8] = ["fn", "use", "mod", "impl", "trait", "enum", "type", "macro_rules"];
 
 /// Returns the help for a word that begins no statement, but something else.
 fn as_statement(word: &str) -> Option<String> {
     if VALUES.contains(&word) {
-        Some(format!(
-            "numbers are declared by `const`; write `const` for `{word}`"
-        ))
+        Some(format!("numbers are declared by `const`; write `const` for `{word}`"))
     } else if OF_RUST.contains(&word) {
-        Some(format!(
-            "`{word}` belongs to Rust; write it outside of `mechanism!`"
-        ))
+        Some(format!("`{word}` belongs to Rust; write it outside of `mechanism!`"))
     } else if ITEMS.contains(&word) {
         Some(format!(
             "`{word}` is fixed to a link; write it in the braces of `ground` or of a `link`"

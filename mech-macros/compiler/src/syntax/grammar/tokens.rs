@@ -55,9 +55,7 @@ pub(super) fn advance<T>(
 ) -> Option<T> {
     // Most often there is nothing: then no error of `syn`'s is made, which costs more than all else here.
     read(input.cursor())?;
-    input
-        .step(|cursor| read(*cursor).ok_or_else(|| cursor.error("nothing to take")))
-        .ok()
+    input.step(|cursor| read(*cursor).ok_or_else(|| cursor.error("nothing to take"))).ok()
 }
 
 /// Takes whatever comes next.
@@ -76,10 +74,7 @@ fn punctuation<'c>(mut cursor: Cursor<'c>, text: &str) -> Option<(Place, Cursor<
             return None;
         }
         let start = place.map_or(punct.span(), |place| place.start);
-        place = Some(Place {
-            start,
-            end: punct.span(),
-        });
+        place = Some(Place { start, end: punct.span() });
         cursor = after;
     }
     Some((place?, cursor))
@@ -102,18 +97,13 @@ pub(super) fn symbol(input: ParseStream, text: &str) -> Read<Place> {
 
 /// Whether this word comes next.
 pub(super) fn comes_word(input: ParseStream, word: &str) -> bool {
-    input
-        .cursor()
-        .ident()
-        .is_some_and(|(ident, _)| ident == word)
+    input.cursor().ident().is_some_and(|(ident, _)| ident == word)
 }
 
 /// Takes this word if it comes next.
 pub(super) fn take_word(input: ParseStream, word: &str) -> Option<Span> {
-    advance(input, |cursor| {
-        cursor.ident().filter(|(ident, _)| ident == word)
-    })
-    .map(|ident| ident.span())
+    advance(input, |cursor| cursor.ident().filter(|(ident, _)| ident == word))
+        .map(|ident| ident.span())
 }
 
 /// Takes this word.
@@ -145,11 +135,7 @@ pub(super) fn name(input: ParseStream, what: &str) -> Read<Ident> {
 
 /// Nothing may be left before the closing bracket.
 pub(super) fn end(input: ParseStream, closing: &str) -> Read<()> {
-    if input.is_empty() {
-        Ok(())
-    } else {
-        Err(expected_message(input, &format!("`{closing}`")))
-    }
+    if input.is_empty() { Ok(()) } else { Err(expected_message(input, &format!("`{closing}`"))) }
 }
 
 /// Reads what stands in `( )`.
@@ -163,13 +149,7 @@ pub(super) fn in_parens<T>(
     };
     let value = read(&content)?;
     end(&content, ")")?;
-    Ok((
-        value,
-        Place {
-            start: paren.span.open(),
-            end: paren.span.close(),
-        },
-    ))
+    Ok((value, Place { start: paren.span.open(), end: paren.span.close() }))
 }
 
 /// Reads what stands in `[ ]`.
@@ -183,13 +163,7 @@ pub(super) fn in_brackets<T>(
     };
     let value = read(&content)?;
     end(&content, "]")?;
-    Ok((
-        value,
-        Place {
-            start: bracket.span.open(),
-            end: bracket.span.close(),
-        },
-    ))
+    Ok((value, Place { start: bracket.span.open(), end: bracket.span.close() }))
 }
 
 /// Reads everything that stands in `{ }`, one item after the other. An item takes at least one token.

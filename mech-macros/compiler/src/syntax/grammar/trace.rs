@@ -12,17 +12,10 @@ pub(super) fn trace(input: ParseStream) -> Read<Trace> {
     let point = end(input)?;
     if comes(input, ";") || input.is_empty() {
         let mut error = expected_message(input, "how many places are kept");
-        error
-            .text
-            .push_str("; write a number after the point, such as 256");
+        error.text.push_str("; write a number after the point, such as 256");
         return Err(error);
     }
     let length = expression(input)?;
     let (plane, color) = look(input)?;
-    Ok(Trace {
-        point,
-        length,
-        plane,
-        color,
-    })
+    Ok(Trace { point, length, plane, color })
 }

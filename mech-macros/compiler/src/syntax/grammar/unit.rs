@@ -12,9 +12,7 @@ const DEGREES: [&str; 3] = ["degree", "degrees", "degs"];
 const RADIANS: [&str; 4] = ["rad", "rads", "radian", "radians"];
 const TURNS: [&str; 5] = ["turn", "turns", "rev", "revs", "revolutions"];
 const LENGTHS: [&str; 9] = ["um", "mm", "cm", "dm", "m", "km", "inch", "inches", "ft"];
-const OTHERS: [&str; 11] = [
-    "kg", "g", "mg", "lb", "ms", "s", "sec", "N", "kN", "Nm", "Hz",
-];
+const OTHERS: [&str; 11] = ["kg", "g", "mg", "lb", "ms", "s", "sec", "N", "kN", "Nm", "Hz"];
 /// Turns in a minute, in radians per second.
 pub(super) const SPEED: &str = "rpm";
 const TYPES: [&str; 6] = ["f64", "f32", "i32", "i64", "u32", "u64"];
@@ -56,10 +54,7 @@ pub(super) fn trouble(number: &Expr, unit: &str, place: Place) -> Message {
             "there is no unit `{unit}`; write `{number}`, in units that fit the others, such as m, kg and s"
         )
     } else if unit == "t" {
-        format!(
-            "a product is written with `*`; write `{} * t`",
-            in_product(number)
-        )
+        format!("a product is written with `*`; write `{} * t`", in_product(number))
     } else if TYPES.contains(&unit) {
         format!("a number has no type; write `{number}`")
     } else {

@@ -100,10 +100,7 @@ impl Display for Limit {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let [subject, counted] = self.words();
         let most = self.most();
-        write!(
-            f,
-            "{subject} has more than {most} {counted}, which is the limit"
-        )
+        write!(f, "{subject} has more than {most} {counted}, which is the limit")
     }
 }
 
@@ -133,10 +130,7 @@ pub fn of_text(text: &str) -> Result<(), Excess<Range<usize>>> {
         let boundary = |at: &usize| text.is_char_boundary(*at);
         let start = (0..=most).rev().find(boundary).unwrap_or(0);
         let end = (start + 1..text.len()).find(boundary).unwrap_or(text.len());
-        return Err(Excess {
-            limit: Limit::Length,
-            place: start..end,
-        });
+        return Err(Excess { limit: Limit::Length, place: start..end });
     }
     let mut counter = Counter::default();
     for lexeme in Lexer::new(text, 0) {
@@ -202,11 +196,7 @@ fn count(counted: &mut usize, limit: Limit) -> Result<(), Limit> {
 }
 
 fn within(count: usize, limit: Limit) -> Result<(), Limit> {
-    if count > limit.most() {
-        Err(limit)
-    } else {
-        Ok(())
-    }
+    if count > limit.most() { Err(limit) } else { Ok(()) }
 }
 
 impl Counter {
@@ -235,14 +225,7 @@ impl Counter {
     pub(super) fn word(&mut self, text: &str) -> Result<(), Limit> {
         count(&mut self.tokens, Limit::Tokens)?;
         let is_number = text.starts_with(|first: char| first.is_ascii_digit());
-        within(
-            text.len(),
-            if is_number {
-                Limit::Number
-            } else {
-                Limit::Word
-            },
-        )
+        within(text.len(), if is_number { Limit::Number } else { Limit::Word })
     }
 
     /// A number, or a literal in quotes, which may be as long as the text.

@@ -15,10 +15,7 @@ fn text_with(limit: Limit, many: usize) -> Option<String> {
         ),
         Limit::Number => format!("struct A; const N = {};", "9".repeat(many)),
         Limit::Word => format!("struct A; link {};", "a".repeat(many)),
-        Limit::Tokens => format!(
-            "struct A; const N = 1 {}",
-            "+ 1 ".repeat(many / 2 - 4) + ";"
-        ),
+        Limit::Tokens => format!("struct A; const N = 1 {}", "+ 1 ".repeat(many / 2 - 4) + ";"),
         Limit::Statements => format!("struct A{}", ";".repeat(many)),
         _ => return None,
     })
@@ -131,8 +128,5 @@ fn the_page_of_limits_tells_them_all() {
         writeln!(table, "| {counted} | a {subject} | {} |", limit.most()).expect("a line");
     }
     let page = include_str!("../../../../../docs/limits.md");
-    assert!(
-        page.contains(&table),
-        "docs/limits.md needs these rows:\n{table}"
-    );
+    assert!(page.contains(&table), "docs/limits.md needs these rows:\n{table}");
 }

@@ -86,10 +86,7 @@ impl Listing {
 
     /// The same, and how many names there are up to the end of each statement.
     pub(super) fn by_statements(text: &Text) -> (Self, Vec<usize>) {
-        let mut reader = Reader {
-            listing: Self::default(),
-            part: None,
-        };
+        let mut reader = Reader { listing: Self::default(), part: None };
         let mut ends = Vec::new();
         for statement in &text.statements {
             reader.statement(statement);
@@ -227,11 +224,8 @@ impl Reader {
         let (points, lengths) = shape_numbers(&shape.outline);
         let is_single = points.len() == 1;
         for (number, point) in (1..).zip(points) {
-            let corner = if is_single {
-                prefix.to_owned()
-            } else {
-                format!("{prefix}corner {number} ")
-            };
+            let corner =
+                if is_single { prefix.to_owned() } else { format!("{prefix}corner {number} ") };
             self.pair(link, &format!("{corner}at"), &corner, point);
         }
         for (word, length) in lengths {
@@ -321,11 +315,8 @@ impl Reader {
 
     fn start(&mut self, start: &Start) {
         for clause in start.clauses.iter().flatten() {
-            let (noun, role) = if clause.near {
-                (Noun::Body, "near")
-            } else {
-                (Noun::Joint, "start")
-            };
+            let (noun, role) =
+                if clause.near { (Noun::Body, "near") } else { (Noun::Joint, "start") };
             self.name(&clause.name, noun);
             self.number(&in_words(&clause.name), role, &clause.value);
         }
@@ -359,9 +350,7 @@ impl Reader {
     fn part(&mut self, part: &Part) {
         self.declare(Noun::Part, &part.name);
         let outer = self.part.replace(part.name.to_string());
-        part.parameters
-            .iter()
-            .for_each(|number| self.constant(number));
+        part.parameters.iter().for_each(|number| self.constant(number));
         for statement in part.body.iter().flatten() {
             self.statement(statement);
         }
@@ -379,12 +368,7 @@ impl Reader {
         let outer = self.part.clone();
         for argument in &used.arguments {
             self.part = Some(used.part.to_string());
-            self.mention(
-                Noun::Number,
-                argument.name.to_string(),
-                false,
-                argument.name.span(),
-            );
+            self.mention(Noun::Number, argument.name.to_string(), false, argument.name.span());
             self.part.clone_from(&outer);
             let value = argument.value.iter();
             value.for_each(|value| self.number(owner, &argument.name.to_string(), value));
@@ -393,12 +377,7 @@ impl Reader {
         scaled.for_each(|factor| self.number(owner, "scaled", factor));
         for binding in &used.ports {
             self.part = Some(used.part.to_string());
-            self.mention(
-                Noun::Body,
-                binding.port.to_string(),
-                false,
-                binding.port.span(),
-            );
+            self.mention(Noun::Body, binding.port.to_string(), false, binding.port.span());
             self.part.clone_from(&outer);
             self.name(&binding.link, Noun::Body);
             let at = binding.at.iter();

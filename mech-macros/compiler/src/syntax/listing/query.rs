@@ -4,10 +4,7 @@ use super::{ListedName, ListedNumber, Listing, Noun};
 
 impl<P> Default for Listing<P> {
     fn default() -> Self {
-        Self {
-            names: Vec::new(),
-            numbers: Vec::new(),
-        }
+        Self { names: Vec::new(), numbers: Vec::new() }
     }
 }
 
@@ -56,10 +53,7 @@ impl<P> Listing<P> {
             is_pair: number.is_pair,
             literals: number.literals.into_iter().map(&place).collect(),
         });
-        Listing {
-            names: names.collect(),
-            numbers: numbers.collect(),
-        }
+        Listing { names: names.collect(), numbers: numbers.collect() }
     }
 
     /// The number of this owner and role. What is declared in a part is called by the part's name first: `Leg.foot.tip`.

@@ -8,10 +8,7 @@ use crate::syntax::ast::{ConditionExpr, Expect, MeasuredExpr, MovingExpr, Reacti
 impl Reader {
     pub(super) fn expect(&mut self, expect: &Expect) {
         match &expect.condition {
-            ConditionExpr::Compare {
-                sides: [first, second],
-                ..
-            } => {
+            ConditionExpr::Compare { sides: [first, second], .. } => {
                 self.number("expect", "first", first);
                 self.number("expect", "second", second);
             }
@@ -86,10 +83,7 @@ impl Reader {
             MeasuredExpr::Reaction(ReactionExpr { whole, part: None }) => {
                 self.name(whole, Noun::Joint);
             }
-            MeasuredExpr::Reaction(ReactionExpr {
-                whole,
-                part: Some((joint, _)),
-            }) => {
+            MeasuredExpr::Reaction(ReactionExpr { whole, part: Some((joint, _)) }) => {
                 self.name(joint, Noun::Joint);
                 // Or it is a joint of an instance that is called so.
                 self.mention(Noun::Joint, in_words(whole), false, whole.span());

@@ -10,11 +10,7 @@ pub(super) fn shape_numbers(outline: &Outline) -> (Vec<&Pair>, Vec<(&'static str
             lengths.push(("radius", radius));
             vec![center]
         }
-        Outline::Ring {
-            center,
-            radius,
-            hole,
-        } => {
+        Outline::Ring { center, radius, hole } => {
             lengths.extend([("radius", radius), ("hole", hole)]);
             vec![center]
         }
@@ -23,12 +19,7 @@ pub(super) fn shape_numbers(outline: &Outline) -> (Vec<&Pair>, Vec<(&'static str
             lengths.push(("width", width));
             pins.iter().collect()
         }
-        Outline::Gear {
-            center,
-            radius,
-            teeth,
-            turned,
-        } => {
+        Outline::Gear { center, radius, teeth, turned } => {
             lengths.extend(radius.iter().map(|radius| ("radius", radius)));
             lengths.push(("teeth", teeth));
             lengths.extend(turned.iter().map(|angle| ("turned", angle)));
@@ -47,9 +38,7 @@ pub(super) fn shape_numbers(outline: &Outline) -> (Vec<&Pair>, Vec<(&'static str
             lengths.push(("width", width));
             ends.iter().collect()
         }
-        Outline::Text {
-            at, height, turned, ..
-        } => {
+        Outline::Text { at, height, turned, .. } => {
             lengths.push(("height", height));
             lengths.extend(turned.iter().map(|angle| ("turned", angle)));
             vec![at]

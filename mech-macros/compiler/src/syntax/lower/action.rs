@@ -53,17 +53,11 @@ pub(super) fn spring(reader: &mut Reader, draft: &mut Draft, spring: &Elastic) {
 fn keep_spring(reader: &mut Reader, draft: &mut Draft, spring: &Elastic) {
     let name = reader.key_of(&spring.name);
     let mut known = draft.model.actions.springs.iter();
-    let is_own = draft
-        .claims
-        .has(&name, &format!("spring `{}`", spring.name));
+    let is_own = draft.claims.has(&name, &format!("spring `{}`", spring.name));
     if !is_own || known.any(|known| known.name == name) {
         return;
     }
-    if let Ok(ElasticBody {
-        between: BetweenEnds::Points(_),
-        ..
-    }) = spring.body
-    {
+    if let Ok(ElasticBody { between: BetweenEnds::Points(_), .. }) = spring.body {
         let (origin, nowhere) = (draft.note(&spring.name), AxisId::new(0));
         draft.model.actions.springs.push(Spring {
             name,
@@ -112,10 +106,8 @@ fn resolve_between(
 ) -> Option<Between> {
     match ends {
         BetweenEnds::Points([first, second]) => {
-            let (a, b) = (
-                end_point(reader, draft, first, what),
-                end_point(reader, draft, second, what),
-            );
+            let (a, b) =
+                (end_point(reader, draft, first, what), end_point(reader, draft, second, what));
             let (a, b) = (a?, b?);
             if draft.model.axis(a).link == draft.model.axis(b).link {
                 let link = &second.link;
@@ -143,9 +135,7 @@ fn pinned_together(model: &Model, a: AxisId, b: AxisId) -> Option<&str> {
         JointKind::Revolute(p, q) | JointKind::Weld(p, q) => [p, q] == [a, b] || [q, p] == [a, b],
         _ => false,
     };
-    joints
-        .find(|joint| holds(joint.kind))
-        .map(|joint| joint.name.as_str())
+    joints.find(|joint| holds(joint.kind)).map(|joint| joint.name.as_str())
 }
 
 /// The joint of this name, if it turns.
@@ -164,15 +154,10 @@ fn find_turning(reader: &mut Reader, draft: &Draft, name: &Name, what: &str) -> 
 fn end_point(reader: &mut Reader, draft: &Draft, end: &End, what: &str) -> Option<AxisId> {
     let link = find::body(reader, draft, &end.link)?;
     let Some(name) = &end.axis else {
-        let points = reader
-            .names
-            .axes_of(&draft.model, link, Some(AxisKind::Point));
+        let points = reader.names.axes_of(&draft.model, link, Some(AxisKind::Point));
         let text = match points.first() {
             Some(point) => format!("a {what} is fixed to a point: `{}.{point}`", end.link),
-            None => format!(
-                "a {what} is fixed to a point; declare one in `{}`",
-                end.link
-            ),
+            None => format!("a {what} is fixed to a point; declare one in `{}`", end.link),
         };
         return reader.report.refuse(end.place(), text);
     };
@@ -218,10 +203,7 @@ pub(super) fn load(reader: &mut Reader, draft: &mut Draft, load: &ast::Load) {
         let setter = format!("{}set_{}", reader.here().prefix, load.name);
         let methods = [
             (setter, format!("load `{name}`")),
-            (
-                format!("{name}_advantage"),
-                format!("the advantage over load `{name}`"),
-            ),
+            (format!("{name}_advantage"), format!("the advantage over load `{name}`")),
         ];
         for (method, owner) in methods {
             let place = Place::at(load.name.span());

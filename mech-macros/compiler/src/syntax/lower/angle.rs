@@ -31,9 +31,7 @@ pub(super) fn ask_about_degrees(report: &mut Report, [low, high]: &[Expr; 2], ra
 pub(super) fn is_half_in_degrees(report: &mut Report, numbers: &[&Expr]) -> bool {
     let mut ends = numbers.iter().take(2);
     let with = ends.find(|number| is_in_degrees(number));
-    let without = numbers
-        .iter()
-        .find(|number| is_plain(number) && !is_zero(number));
+    let without = numbers.iter().find(|number| is_plain(number) && !is_zero(number));
     let (Some(with), Some(without)) = (with, without) else {
         return false;
     };

@@ -40,11 +40,7 @@ pub(super) fn cam(reader: &mut Reader, draft: &mut Draft, joining: &Joining) -> 
     };
     draft.model.rollers.extend(roller);
     let law = law?;
-    Some(JointKind::Cam {
-        shaft,
-        follower,
-        law,
-    })
+    Some(JointKind::Cam { shaft, follower, law })
 }
 
 /// The joint of a shaft or a follower: one that has a coordinate.
@@ -125,11 +121,7 @@ fn roller(
 /// What the law of a cam between these joints is a function of, and what it gives.
 fn nature(draft: &Draft, [shaft, follower]: [Option<JointId>; 2]) -> Option<Nature> {
     let slides = |joint| matches!(draft.model.joint(joint).kind, JointKind::Prismatic(..));
-    let of = if slides(shaft?) {
-        Argument::Length
-    } else {
-        Argument::Angle
-    };
+    let of = if slides(shaft?) { Argument::Length } else { Argument::Angle };
     let is_angle = !slides(follower?);
     Some(Nature { of, is_angle })
 }
@@ -151,11 +143,7 @@ fn apart(reader: &mut Reader, draft: &Draft, place: Place, shaft: JointId, follo
     let name = |link: LinkId| format!("`{}`", draft.model.link(link).name);
     let joins = |joint: JointId| {
         let (a, b) = draft.model.ends(joint);
-        format!(
-            "`{}` joins {}",
-            draft.model.joint(joint).name,
-            [name(a), name(b)].join(" to ")
-        )
+        format!("`{}` joins {}", draft.model.joint(joint).name, [name(a), name(b)].join(" to "))
     };
     let text = format!(
         "the shaft and the follower of a cam are carried by one link, but {} and {}; name two joints with a link in common",

@@ -126,9 +126,5 @@ fn lower_case(reader: &mut Reader, draft: &mut Draft, case: &CaseExpr) -> Option
         }
     }
     let origin = draft.places.note(place);
-    Some(Case {
-        motor,
-        ends: [low, high],
-        origin,
-    })
+    Some(Case { motor, ends: [low, high], origin })
 }

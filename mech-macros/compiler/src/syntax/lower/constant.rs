@@ -82,28 +82,15 @@ impl Constants {
     fn enter(&mut self, name: &Ident, statement: usize, word: &'static str) {
         let name = name.to_string();
         if self.find(&name).is_none() {
-            self.entries.push(Entry {
-                name,
-                statement,
-                value: Value::default(),
-                word,
-            });
+            self.entries.push(Entry { name, statement, value: Value::default(), word });
         }
     }
 
     /// Gives a number of a part its value; false if there is one of its name.
     pub(super) fn give(&mut self, name: &Ident, value: Value) -> bool {
-        let is_new = self
-            .entries
-            .iter()
-            .all(|entry| name != &entry.name || entry.statement != 0);
+        let is_new = self.entries.iter().all(|entry| name != &entry.name || entry.statement != 0);
         self.entries.retain(|entry| name != &entry.name);
-        self.entries.push(Entry {
-            name: name.to_string(),
-            statement: 0,
-            value,
-            word: NUMBER,
-        });
+        self.entries.push(Entry { name: name.to_string(), statement: 0, value, word: NUMBER });
         is_new
     }
 
@@ -124,16 +111,13 @@ impl Constants {
 
     /// Whether this stands for a number that depends on a param.
     pub(super) fn depends(&self, name: &Ident) -> bool {
-        let value = self
-            .find(&name.to_string())
-            .and_then(|entry| entry.value.quantity);
+        let value = self.find(&name.to_string()).and_then(|entry| entry.value.quantity);
         value.is_some_and(|value| value.formula.is_some())
     }
 
     /// Returns the word for it in messages: constant, or param.
     pub(super) fn word_for(&self, name: &Ident) -> &'static str {
-        self.find(&name.to_string())
-            .map_or("constant", |entry| entry.word)
+        self.find(&name.to_string()).map_or("constant", |entry| entry.word)
     }
 
     /// Gives a constant or param (`what`) its value, at its declaration: whether this is its declaration.

@@ -28,14 +28,10 @@ fn cannot_go_on(model: &Model, name: &Name, joint: JointId) -> Option<String> {
         return Some(text);
     }
     if let JointKind::Prismatic(..) = model.joint(joint).kind {
-        return Some(format!(
-            "joint `{name}` slides: its coordinate has no turns; leave this out"
-        ));
+        return Some(format!("joint `{name}` slides: its coordinate has no turns; leave this out"));
     }
     if model.continuous.contains(&joint) {
-        return Some(format!(
-            "`{name}` is continuous already; remove one of the two"
-        ));
+        return Some(format!("`{name}` is continuous already; remove one of the two"));
     }
     (!model.shows_joint(joint)).then(|| {
         format!("`show` leaves the coordinate of `{name}` out; add it there, or leave this out")

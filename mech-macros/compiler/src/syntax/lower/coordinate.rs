@@ -9,24 +9,17 @@ use crate::syntax::ast::Name;
 pub(super) fn missing(model: &Model, name: &Name, joint: JointId, verb: &str) -> Option<String> {
     let kind = model.joint(joint).kind;
     let (word, remedy) = match (rolling::word_for(kind), kind) {
-        (Some(word), JointKind::Rack { .. }) => (
-            word,
-            format!("{verb} that of the joint of its pinion or its bar"),
-        ),
-        (Some(word), JointKind::Cam { shaft, .. }) => (
-            word,
-            format!("{verb} that of its shaft, `{}`", model.joint(shaft).name),
-        ),
-        (Some(word), _) => (
-            word,
-            format!("{verb} that of the joint of one of its wheels"),
-        ),
+        (Some(word), JointKind::Rack { .. }) => {
+            (word, format!("{verb} that of the joint of its pinion or its bar"))
+        }
+        (Some(word), JointKind::Cam { shaft, .. }) => {
+            (word, format!("{verb} that of its shaft, `{}`", model.joint(shaft).name))
+        }
+        (Some(word), _) => (word, format!("{verb} that of the joint of one of its wheels")),
         (None, JointKind::Weld(..)) => ("weld", "leave this out".to_owned()),
         (None, _) => return None,
     };
-    Some(format!(
-        "`{name}` is a {word}, which has no coordinate; {remedy}"
-    ))
+    Some(format!("`{name}` is a {word}, which has no coordinate; {remedy}"))
 }
 
 /// Whether a joint was placed by `at`.

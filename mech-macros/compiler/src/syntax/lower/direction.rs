@@ -85,17 +85,9 @@ impl Reader<'_> {
             return Some((turned, [None; 2]));
         };
         let mut product = |a, b| self.formulas().add(Formula::Mul(a, b));
-        let [cx, sy, sx, cy] = [
-            product(cos, x),
-            product(sin, y),
-            product(sin, x),
-            product(cos, y),
-        ];
+        let [cx, sy, sx, cy] = [product(cos, x), product(sin, y), product(sin, x), product(cos, y)];
         let formulas = [Formula::Sub(cx, sy), Formula::Add(sx, cy)];
-        Some((
-            turned,
-            formulas.map(|formula| Some(self.formulas().add(formula))),
-        ))
+        Some((turned, formulas.map(|formula| Some(self.formulas().add(formula)))))
     }
 }
 

@@ -28,18 +28,13 @@ pub(super) fn axes(
     let mut axis = |body: Body, kind| {
         let link = body.id;
         // In a drawing the frames of all links are one, those of ports and of the part's own.
-        let frame = body
-            .port
-            .map_or(reader.frame, |_| reader.names.frame_of(body));
+        let frame = body.port.map_or(reader.frame, |_| reader.names.frame_of(body));
         let (at, formulas) = reader.transform(at, frame, place)?;
         let (direction, direction_formulas) = frame.direction(direction, reader.formulas());
         draft.model.links[link.index()].drawn |= link != LinkId::GROUND;
         let drawn = match kind {
             AxisKind::Point => DrawnAxis::point(at),
-            AxisKind::Line => DrawnAxis {
-                direction_formulas,
-                ..DrawnAxis::line(at, direction)
-            },
+            AxisKind::Line => DrawnAxis { direction_formulas, ..DrawnAxis::line(at, direction) },
         };
         let drawn = DrawnAxis { formulas, ..drawn };
         Some(draft.drawn_axis(link, drawn, joining.origin))

@@ -18,10 +18,7 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, effects: &[Read<Effe
         match effect {
             Ok(Effect::Trace(trace)) => {
                 for every in choices(reader, &trace.point.link) {
-                    let mut reader = Reader {
-                        every: &every,
-                        ..reader.again()
-                    };
+                    let mut reader = Reader { every: &every, ..reader.again() };
                     trace::lower(&mut reader, draft, trace);
                 }
             }
@@ -77,19 +74,11 @@ pub(super) fn check(draft: &Draft, report: &mut Report) {
 
 /// Claims the names of the methods that return rates.
 pub(super) fn take_rate_methods(draft: &mut Draft, report: &mut Report) {
-    let Effects {
-        velocity,
-        acceleration,
-        sensitivity,
-        ..
-    } = draft.model.effects;
+    let Effects { velocity, acceleration, sensitivity, .. } = draft.model.effects;
     for (name, owner, origin, rate) in accessors(&draft.model) {
         let place = draft.places.get(origin);
-        let rates = [
-            (velocity, rate),
-            (acceleration, "acceleration"),
-            (sensitivity, "sensitivity"),
-        ];
+        let rates =
+            [(velocity, rate), (acceleration, "acceleration"), (sensitivity, "sensitivity")];
         for (_, what) in rates.into_iter().filter(|(wanted, _)| *wanted) {
             let (method, owner) = (format!("{name}_{what}"), format!("the {what} of {owner}"));
             draft.claims.take(method, owner, place, report);
@@ -110,12 +99,7 @@ pub(super) fn take_time_method(draft: &mut Draft, report: &mut Report) {
 fn accessors(model: &Model) -> Vec<(String, String, Origin, &'static str)> {
     let links = model.declared_links().map(|id| {
         let link = model.link(id);
-        (
-            link.name.clone(),
-            format!("link `{}`", link.name),
-            link.origin,
-            "velocity",
-        )
+        (link.name.clone(), format!("link `{}`", link.name), link.origin, "velocity")
     });
     let points = model.axes.iter().filter_map(|axis| {
         let name = axis.name.as_deref()?;
@@ -125,19 +109,10 @@ fn accessors(model: &Model) -> Vec<(String, String, Origin, &'static str)> {
         is_exposed.then(|| (format!("{link}_{name}"), owner, axis.origin, "velocity"))
     });
     let joints = model.joints.iter().filter(|joint| {
-        let moves = matches!(
-            joint.kind,
-            JointKind::Revolute(..) | JointKind::Prismatic(..)
-        );
+        let moves = matches!(joint.kind, JointKind::Revolute(..) | JointKind::Prismatic(..));
         moves && !joint.hidden
     });
-    let joints = joints.map(|joint| {
-        (
-            joint.name.clone(),
-            format!("joint `{}`", joint.name),
-            joint.origin,
-            "rate",
-        )
-    });
+    let joints = joints
+        .map(|joint| (joint.name.clone(), format!("joint `{}`", joint.name), joint.origin, "rate"));
     links.chain(points).chain(joints).collect()
 }

@@ -51,10 +51,7 @@ pub(super) fn locate(
 ) -> impl DoubleEndedIterator<Item = Located<'_>> {
     let place = move |number| match part {
         None => StatementPlace::of_mechanism(number),
-        Some(outer) => StatementPlace {
-            outer,
-            inner: Some(number),
-        },
+        Some(outer) => StatementPlace { outer, inner: Some(number) },
     };
     let numbered = statements.iter().enumerate();
     numbered.map(move |(index, statement)| Located {

@@ -18,12 +18,7 @@ const MOST_LETTERS: usize = 100;
 /// A shape that depends on no param.
 pub(super) fn figure(reader: &mut Reader, outline: &Outline) -> Option<ShapeKind> {
     let figure = match outline {
-        Outline::Gear {
-            center,
-            radius,
-            teeth,
-            turned,
-        } => {
+        Outline::Gear { center, radius, teeth, turned } => {
             let center = steady_place(reader, center);
             let length = steady_length(reader, radius.as_ref(), "a pitch radius");
             let teeth = reader.whole(teeth, "a number of teeth", TEETH);
@@ -57,25 +52,14 @@ pub(super) fn figure(reader: &mut Reader, outline: &Outline) -> Option<ShapeKind
             // Mirrored, the right would be the left.
             let is_mirrored = reader.frame.sense() < 0.0;
             let ends = if is_mirrored { [to, from] } else { [from, to] };
-            Figure::Rail {
-                ends,
-                width: width?,
-            }
+            Figure::Rail { ends, width: width? }
         }
         Outline::Spring { ends, place, width } => {
             let ends = two_ends(reader, ends, *place, "spring");
             let width = steady_length(reader, Some(width), "a width");
-            Figure::Spring {
-                ends: ends?,
-                width: width??,
-            }
+            Figure::Spring { ends: ends?, width: width?? }
         }
-        Outline::Text {
-            at,
-            text,
-            height,
-            turned,
-        } => {
+        Outline::Text { at, text, height, turned } => {
             let at = steady_place(reader, at);
             let height = steady_length(reader, Some(height), "a height");
             let turned = steady_angle(reader, turned.as_ref())?.unwrap_or(0.0);
@@ -125,10 +109,7 @@ fn steady_place(reader: &mut Reader, pair: &Pair) -> Option<[f64; 2]> {
 }
 
 /// A length that no param changes; none if it is not given.
-#[expect(
-    clippy::option_option,
-    reason = "an error, or a length that may be left out"
-)]
+#[expect(clippy::option_option, reason = "an error, or a length that may be left out")]
 fn steady_length(reader: &mut Reader, expr: Option<&Expr>, what: &str) -> Option<Option<f64>> {
     let Some(expr) = expr else {
         return Some(None);
@@ -140,10 +121,7 @@ fn steady_length(reader: &mut Reader, expr: Option<&Expr>, what: &str) -> Option
 }
 
 /// An angle that no param changes; none if it is not given.
-#[expect(
-    clippy::option_option,
-    reason = "an error, or an angle that may be left out"
-)]
+#[expect(clippy::option_option, reason = "an error, or an angle that may be left out")]
 fn steady_angle(reader: &mut Reader, expr: Option<&Expr>) -> Option<Option<f64>> {
     let Some(expr) = expr else {
         return Some(None);
@@ -171,11 +149,7 @@ pub(super) fn check_gears(draft: &Draft, report: &mut Report) {
     let shapes = links.flat_map(|(id, link)| link.shapes.iter().map(move |shape| (id, shape)));
     let mut gears: Vec<_> = shapes
         .filter_map(|(link, shape)| match shape.kind {
-            ShapeKind::Figure(Figure::Gear {
-                radius: None,
-                teeth,
-                ..
-            }) => {
+            ShapeKind::Figure(Figure::Gear { radius: None, teeth, .. }) => {
                 let has_radius = meshes(&draft.model, link, teeth);
                 (!has_radius).then_some((shape.origin, link, teeth))
             }

@@ -38,10 +38,7 @@ pub(super) fn body(reader: &mut Reader, draft: &Draft, name: &Name) -> Option<Bo
         Some(Referent::Use) => used_as(&text, "link"),
         Some(Referent::Joint(_)) => {
             let links = reader.names.links(&key);
-            format!(
-                "`{text}` is a joint; this must be a link, one of {}",
-                spelling::list(&links)
-            )
+            format!("`{text}` is a joint; this must be a link, one of {}", spelling::list(&links))
         }
         None if name.name == "ground" => format!(
             "a part has no ground of its own; declare `port {};`, and lend it `ground` where the part is used",
@@ -114,15 +111,10 @@ fn not_a_joint(model: &Model, link: LinkId) -> String {
         let moves = matches!(kind, JointKind::Revolute(..) | JointKind::Prismatic(..));
         moves && (a == link || b == link)
     });
-    let joints: Vec<_> = joints
-        .map(|joint| model.joint(joint).name.as_str())
-        .collect();
+    let joints: Vec<_> = joints.map(|joint| model.joint(joint).name.as_str()).collect();
     match joints.as_slice() {
         [] => format!("`{name}` is a link; this must be a joint"),
-        joints => format!(
-            "`{name}` is a link; name one of its joints: {}",
-            spelling::list(joints)
-        ),
+        joints => format!("`{name}` is a link; name one of its joints: {}", spelling::list(joints)),
     }
 }
 
@@ -141,9 +133,7 @@ pub(super) fn refuse_unknown(reader: &mut Reader, name: &Name) {
     let remedy = spelling::remedy(divide(&key).1, &candidates);
     let trouble = format!("unknown link or joint `{text}`{remedy}");
     let unknown = reader.names.unknown(noun, &key);
-    reader
-        .report
-        .refuse_unknown::<()>(unknown, name.place(), trouble);
+    reader.report.refuse_unknown::<()>(unknown, name.place(), trouble);
 }
 
 /// The axis of this name on a link; of this kind, if one is given.
@@ -173,9 +163,7 @@ pub(super) fn axis(
     let is_declared = draft.model.link(link.id).origin != Origin::default();
     let name_of_all = if is_declared { text.as_str() } else { "" };
     let unknown = reader.names.unknown_axis(link_name, name_of_all);
-    reader
-        .report
-        .refuse_unknown(unknown, Place::at(name.span()), message)
+    reader.report.refuse_unknown(unknown, Place::at(name.span()), message)
 }
 
 /// Returns the message about a use of a part where one of its links or joints should be.

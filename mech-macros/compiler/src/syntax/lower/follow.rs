@@ -55,10 +55,7 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, follow: &Follow) {
 
 /// Lowers the path of the point that motors follow.
 pub(super) fn trajectory(reader: &mut Reader, draft: &mut Draft, path: &Trajectory) {
-    let nature = |is_angle| Nature {
-        of: Argument::Time,
-        is_angle,
-    };
+    let nature = |is_angle| Nature { of: Argument::Time, is_angle };
     // Each is looked at, so that the errors of all are reported.
     let factors = [Quantity::fixed(1.0); 2];
     let laws = path.laws.iter().zip([false, false, true]);
@@ -93,9 +90,8 @@ fn wrong_trajectory(
     let (what, model) = (&path.what, &draft.model);
     let Some(inverse) = &model.inverse else {
         let motors = model.motors.iter().take(Inverse::GIVEN.len() - 1);
-        let motors: Vec<&str> = motors
-            .map(|motor| model.joint(motor.joint).name.as_str())
-            .collect();
+        let motors: Vec<&str> =
+            motors.map(|motor| model.joint(motor.joint).name.as_str()).collect();
         let text = format!(
             "no motors follow `{what}` on its path; write `follow {what} by {};`",
             motors.join(", ")
@@ -141,9 +137,7 @@ fn find_region(reader: &mut Reader, draft: &mut Draft, follow: &Follow) -> Optio
     let ranges = ranges.map(|(ends, name)| {
         let is_told = match name {
             "angle" => is_half_in_degrees(reader.report, &ends.iter().collect::<Vec<_>>()),
-            _ => ends
-                .iter()
-                .any(|end| is_angle(reader.report, end, "a length")),
+            _ => ends.iter().any(|end| is_angle(reader.report, end, "a length")),
         };
         if is_told {
             return None;

@@ -94,10 +94,9 @@ fn refuse_links(reader: &mut Reader, body: &JointBody) {
     let ([first, second], word) = (&body.ends, &body.word);
     let (clauses, axes) = match body.kind {
         JointWord::Revolute => ("at (x, y)", "a point of each"),
-        JointWord::Slot => (
-            "at (x, y) along (dx, dy)",
-            "a point of the first and a line of the second",
-        ),
+        JointWord::Slot => {
+            ("at (x, y) along (dx, dy)", "a point of the first and a line of the second")
+        }
         _ => ("at (x, y) along (dx, dy)", "a line of each"),
     };
     let text = format!(

@@ -12,19 +12,12 @@ use crate::syntax::ast::{Joint, JointWord};
 pub(super) fn declare(reader: &mut Reader, draft: &mut Draft, joint: &Joint) -> Referent {
     let is_taken = draft.claims.take_name(reader, &joint.name, "joint");
     reader.report.read(&joint.body);
-    if is_taken {
-        Referent::Joint(None)
-    } else {
-        Referent::Broken
-    }
+    if is_taken { Referent::Joint(None) } else { Referent::Broken }
 }
 
 /// Whether a joint is a cam, as far as it could be read.
 pub(super) fn is_cam(joint: &Joint) -> bool {
-    joint
-        .body
-        .as_ref()
-        .is_ok_and(|body| body.kind == JointWord::Cam)
+    joint.body.as_ref().is_ok_and(|body| body.kind == JointWord::Cam)
 }
 
 /// Enters a joint, if it can be understood. One that cannot have its name is left out.
@@ -37,11 +30,7 @@ pub(super) fn lower(
     let body = joint.body.as_ref().ok()?;
     let origin = draft.note(&joint.name);
     let name = reader.key_of(&joint.name);
-    let joining = Joining {
-        name: &joint.name,
-        body,
-        origin,
-    };
+    let joining = Joining { name: &joint.name, body, origin };
     let kind = match body.kind {
         JointWord::Revolute => {
             let [a, b] = given::axes(reader, draft, &joining, [AxisKind::Point; 2])?;
@@ -67,12 +56,7 @@ pub(super) fn lower(
     };
     is_named.then(|| {
         let id = JointId::new(draft.model.joints.len());
-        draft.model.joints.push(model::Joint {
-            name,
-            origin,
-            kind,
-            hidden: false,
-        });
+        draft.model.joints.push(model::Joint { name, origin, kind, hidden: false });
         id
     })
 }

@@ -56,11 +56,7 @@ impl Kind {
     fn of_motors(model: &Model) -> Self {
         let mut all = model.motor_ids().map(|motor| Self::of_motor(model, motor));
         let first = all.next().unwrap_or(Self::Plain);
-        if all.all(|kind| kind == first) {
-            first
-        } else {
-            Self::Plain
-        }
+        if all.all(|kind| kind == first) { first } else { Self::Plain }
     }
 
     /// That of its derivative.
@@ -80,9 +76,7 @@ impl Kind {
 
 /// The kinds of all formulas, by their numbers.
 pub(super) fn kinds(model: &Model, formulas: &Formulas, measured: &[Measured]) -> Vec<Kind> {
-    let mut arithmetic = Kinds {
-        variables: Vec::new(),
-    };
+    let mut arithmetic = Kinds { variables: Vec::new() };
     for one in measured {
         let kind = match one {
             Measured::Quantity(quantity) => match quantity.dimension(model) {

@@ -22,21 +22,9 @@ pub(super) fn read(
     nature: Option<Nature>,
 ) -> Option<LawId> {
     let origin = draft.places.note(expr.place);
-    let passing = Passing {
-        variable: Some(variable),
-        ..reader.passing
-    };
-    let law = LawReading {
-        input,
-        formulas: Formulas::default(),
-        measured: Vec::new(),
-        nature,
-    };
-    let mut inner = Reader {
-        passing,
-        law: Some(law),
-        ..reader.again()
-    };
+    let passing = Passing { variable: Some(variable), ..reader.passing };
+    let law = LawReading { input, formulas: Formulas::default(), measured: Vec::new(), nature };
+    let mut inner = Reader { passing, law: Some(law), ..reader.again() };
     let quantity = match &expr.kind {
         ExprKind::Motion(motion) => motion::read(&mut inner, motion, expr.place)?,
         _ => inner.quantity(expr)?,
@@ -45,9 +33,7 @@ pub(super) fn read(
     let quantity = quantity.times(output, inner.formulas());
     let mut formulas = inner.law?.formulas;
     let constant = || quantity.value.map(Formula::constant);
-    let value = quantity
-        .formula
-        .or_else(|| constant().map(|constant| formulas.add(constant)))?;
+    let value = quantity.formula.or_else(|| constant().map(|constant| formulas.add(constant)))?;
     if formulas.all().len() > MOST_FORMULAS {
         let text =
             format!("a law has {MOST_FORMULAS} numbers and operations at most; this one has more");

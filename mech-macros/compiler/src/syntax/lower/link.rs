@@ -152,9 +152,7 @@ fn take_axis(reader: &mut Reader, draft: &mut Draft, link: Body, axis: &Axis) ->
         return false;
     }
     let kept = axis.kind == model::AxisKind::Line
-        || draft
-            .claims
-            .take_point(reader, &draft.model, link, &axis.name);
+        || draft.claims.take_point(reader, &draft.model, link, &axis.name);
     if !kept {
         draft.lose_axis(link, Some(&axis.name));
     }
@@ -164,11 +162,7 @@ fn take_axis(reader: &mut Reader, draft: &mut Draft, link: Body, axis: &Axis) ->
 fn lower_shape(reader: &mut Reader, draft: &mut Draft, link: LinkId, shape: &Shape) {
     let kind = match &shape.outline {
         Outline::Circle { center, radius } => circle(reader, center, radius),
-        Outline::Ring {
-            center,
-            radius,
-            hole,
-        } => ring(reader, center, radius, hole),
+        Outline::Ring { center, radius, hole } => ring(reader, center, radius, hole),
         Outline::Polygon { corners, place } => polygon(reader, corners, *place),
         Outline::Bar { pins, place, width } => bar(reader, pins, *place, width),
         figure => {
@@ -245,11 +239,7 @@ fn ring(reader: &mut Reader, center: &Pair, radius: &Expr, hole: &Expr) -> Optio
         return reader.report.refuse(hole.place, text);
     }
     let (center, [x, y]) = center?;
-    let kind = ShapeKind::Ring {
-        center,
-        radius,
-        hole: inner,
-    };
+    let kind = ShapeKind::Ring { center, radius, hole: inner };
     Some((kind, vec![x, y, reach, within]))
 }
 
@@ -268,10 +258,7 @@ fn bar(reader: &mut Reader, pins: &[Pair], place: Place, width: &Expr) -> Option
 fn polygon(reader: &mut Reader, corners: &[Pair], place: Place) -> Option<Drawing> {
     let found = spots(reader, corners);
     if corners.len() < 3 {
-        let text = format!(
-            "a polygon has at least three corners, not {}",
-            corners.len()
-        );
+        let text = format!("a polygon has at least three corners, not {}", corners.len());
         return reader.report.refuse(place, text);
     }
     let (corners, formulas) = found?;
@@ -287,10 +274,7 @@ fn fixed_spot(reader: &mut Reader, pair: &Pair) -> Option<Spot> {
 /// A length on a link, greater than zero.
 fn fixed_length(reader: &mut Reader, expr: &Expr, what: &str) -> Option<Length> {
     let (value, formula) = reader.length(expr, what)?;
-    let length = Quantity {
-        value: Some(value),
-        formula,
-    };
+    let length = Quantity { value: Some(value), formula };
     let scale = reader.frame.scale;
     let scaled = length.times(scale, reader.formulas());
     Some((scaled.value?, scaled.formula))

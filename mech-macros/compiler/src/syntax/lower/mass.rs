@@ -27,9 +27,9 @@ pub(super) fn matter(
         MatterKind::Mass { mass, at, inertia } => {
             given(reader, mass, at.as_ref(), inertia.as_ref()).map(Massive::Given)
         }
-        MatterKind::Density(density) => reader
-            .positive(density, "a density")
-            .map(|density| Massive::Density(density, place)),
+        MatterKind::Density(density) => {
+            reader.positive(density, "a density").map(|density| Massive::Density(density, place))
+        }
     };
     if link.id == LinkId::GROUND {
         let text = "the ground does not move, whatever its mass; leave this out";
@@ -57,11 +57,7 @@ fn given(
     });
     let what = "a moment of inertia";
     let inertia = inertia.map_or(Some(0.0), |inertia| reader.not_negative(inertia, what));
-    Some(Mass {
-        mass: weight?,
-        center: center?.0,
-        inertia: inertia?,
-    })
+    Some(Mass { mass: weight?, center: center?.0, inertia: inertia? })
 }
 
 /// Gives a link its mass, now that its shapes are known.

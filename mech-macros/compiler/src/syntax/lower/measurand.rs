@@ -65,21 +65,13 @@ fn measurands(reader: &mut Reader, draft: &Draft, expr: &Expr) -> Option<Vec<Mea
         .into_iter()
         .map(|(ending, number)| (ending, number.as_formula(inner.formulas())))
         .collect();
-    let Some(LawReading {
-        formulas, measured, ..
-    }) = inner.law.take()
-    else {
+    let Some(LawReading { formulas, measured, .. }) = inner.law.take() else {
         bug!("a measurand has lost its formulas");
     };
     check_size(reader, &formulas, expr.place)?;
     refuse_summaries(reader, &measured, expr)?;
     let made = numbers.into_iter().map(|(ending, subject)| {
-        Measurand::new(
-            ending.to_owned(),
-            formulas.clone(),
-            measured.clone(),
-            subject,
-        )
+        Measurand::new(ending.to_owned(), formulas.clone(), measured.clone(), subject)
     });
     Some(made.collect())
 }
@@ -121,14 +113,8 @@ impl Names {
             let Some(path) = axis.port.as_ref().filter(|path| names.get(path).is_none()) else {
                 continue;
             };
-            let body = Body {
-                id: axis.link,
-                port: Some(names.ports.len()),
-            };
-            names.ports.push(LentLink {
-                path: path.clone(),
-                similarity: Similarity::IDENTITY,
-            });
+            let body = Body { id: axis.link, port: Some(names.ports.len()) };
+            names.ports.push(LentLink { path: path.clone(), similarity: Similarity::IDENTITY });
             names.enter(path.clone(), Referent::Link(body));
         }
         names

@@ -34,10 +34,7 @@ impl Measuring for Required<'_> {
         let model = &self.draft.model;
         let trouble = match expr {
             MeasuredExpr::Power(name)
-                if model
-                    .motor(find::motor(reader, self.draft, name)?)
-                    .law
-                    .is_none() =>
+                if model.motor(find::motor(reader, self.draft, name)?).law.is_none() =>
             {
                 let text = format!(
                     "a power needs the rate at which a motor moves; give it a law, as `motor {name} = 60 rpm * t;`"
@@ -92,14 +89,7 @@ impl Tabulated<'_> {
         expr: &MeasuredExpr,
         place: Place,
     ) -> Option<Subject> {
-        if let MeasuredExpr::Moving(
-            None,
-            MovingExpr {
-                named: Some(name),
-                point: None,
-                ..
-            },
-        ) = expr
+        if let MeasuredExpr::Moving(None, MovingExpr { named: Some(name), point: None, .. }) = expr
             && name.name == TIME
             && reader.names.get(TIME).is_none()
         {
@@ -197,8 +187,7 @@ impl Reader<'_> {
                 return Some(Subject::Vector(Vector::Shaking, *part));
             }
         };
-        self.variable_for(Measured::Quantity(quantity))
-            .map(Subject::Number)
+        self.variable_for(Measured::Quantity(quantity)).map(Subject::Number)
     }
 
     /// The number of a load.
@@ -401,11 +390,7 @@ impl Reader<'_> {
                 [] => format!(
                     "`{name}` has no shape, so nobody knows how far it reaches; give it one, as `bar [(0, 0), (1, 0)] width 0.2`"
                 ),
-                shapes
-                    if shapes
-                        .iter()
-                        .any(|shape| matches!(shape.kind, ShapeKind::Figure(_))) =>
-                {
+                shapes if shapes.iter().any(|shape| matches!(shape.kind, ShapeKind::Figure(_))) => {
                     format!(
                         "`{name}` has a figure; clearances are measured of circles, rings, bars and polygons"
                     )

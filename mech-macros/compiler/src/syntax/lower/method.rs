@@ -7,11 +7,8 @@ use crate::model::Method;
 use crate::syntax::Place;
 use crate::syntax::ast::{self, Expr};
 
-const METHODS: [(&str, Method); 3] = [
-    ("exact", Method::Exact),
-    ("newton", Method::Newton),
-    ("linear", Method::Linear),
-];
+const METHODS: [(&str, Method); 3] =
+    [("exact", Method::Exact), ("newton", Method::Newton), ("linear", Method::Linear)];
 
 /// More Newton steps than this are a mistake: the error is squared by each.
 const MOST_STEPS: i32 = 64;
@@ -35,9 +32,7 @@ pub(super) fn method(reader: &mut Reader, draft: &mut Draft, method: &ast::Metho
         }
         let order = reader.whole(order, "the order of a predictor", [1, MOST_ORDER]);
         // An error was reported: any value will do.
-        draft.model.predictor = order
-            .and_then(|order| u8::try_from(order).ok())
-            .unwrap_or(0);
+        draft.model.predictor = order.and_then(|order| u8::try_from(order).ok()).unwrap_or(0);
     }
 }
 
@@ -59,10 +54,7 @@ fn without_steps(reader: &mut Reader, method: &ast::Method, chosen: Method) -> O
     let Some((_, brackets)) = &method.steps else {
         return Some(chosen);
     };
-    let text = format!(
-        "method `{}` takes no number of steps; leave the brackets out",
-        method.word
-    );
+    let text = format!("method `{}` takes no number of steps; leave the brackets out", method.word);
     reader.report.refuse(*brackets, text)
 }
 

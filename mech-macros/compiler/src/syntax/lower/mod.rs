@@ -81,13 +81,7 @@ pub(super) fn lower(text: &mut Text, tokens: &TokenStream) -> Lowered {
     for located in &statements {
         expansion.lend(located);
     }
-    let Expansion {
-        mut names,
-        mut draft,
-        mut params,
-        mut report,
-        ..
-    } = expansion;
+    let Expansion { mut names, mut draft, mut params, mut report, .. } = expansion;
     // Cams join joints that may be declared after them.
     for is_cam in [false, true] {
         for located in &statements {
@@ -118,11 +112,7 @@ pub(super) fn lower(text: &mut Text, tokens: &TokenStream) -> Lowered {
     effect::take_time_method(&mut draft, &mut report);
     trace::take_methods(&mut draft, &mut report);
     follow::take_method(&mut draft, &mut report);
-    Lowered {
-        model: draft.model,
-        places: draft.places,
-        errors: report.finish(text, tokens),
-    }
+    Lowered { model: draft.model, places: draft.places, errors: report.finish(text, tokens) }
 }
 
 /// Lowers a setting, or a statement that refers to joints.

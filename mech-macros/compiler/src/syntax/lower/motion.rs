@@ -100,11 +100,7 @@ fn climbs(
     let sizes = heights.iter().filter_map(|height| height.value);
     let all: f64 = sizes.map(f64::abs).sum();
     // Zero where only rounding is left.
-    let far = |sum: Quantity| {
-        sum.value
-            .filter(|sum| sum.abs() > SLACK * all)
-            .unwrap_or(0.0)
-    };
+    let far = |sum: Quantity| sum.value.filter(|sum| sum.abs() > SLACK * all).unwrap_or(0.0);
     let mut climbs = Vec::new();
     let last = segments.len() - 1;
     for (number, (segment, &span)) in segments.iter().zip(spans).enumerate() {
@@ -128,12 +124,7 @@ fn climbs(
                 Way::Return => Quantity::fixed(0.0),
                 _ => sum.plus(height, reader.formulas()),
             };
-            climbs.push(Climb {
-                at,
-                span,
-                height,
-                law: segment.law.unwrap_or(USUAL),
-            });
+            climbs.push(Climb { at, span, height, law: segment.law.unwrap_or(USUAL) });
         }
         at += span;
     }
@@ -142,14 +133,8 @@ fn climbs(
 
 /// A number of a motion outside of its law: without the law's variable.
 fn apart<'r>(reader: &'r mut Reader) -> Reader<'r> {
-    let passing = Passing {
-        variable: None,
-        ..reader.passing
-    };
-    Reader {
-        passing,
-        ..reader.fixed(WHY_FIXED)
-    }
+    let passing = Passing { variable: None, ..reader.passing };
+    Reader { passing, ..reader.fixed(WHY_FIXED) }
 }
 
 /// How long a segment takes.
@@ -178,14 +163,8 @@ fn span(reader: &mut Reader, of: &Expr, nature: Option<Nature>) -> Option<f64> {
 /// A height that the follower goes to or from: it may depend on params.
 fn height(reader: &mut Reader, of: &Expr, nature: Option<Nature>) -> Option<Quantity> {
     let known = {
-        let passing = Passing {
-            variable: None,
-            ..reader.passing
-        };
-        let mut inner = Reader {
-            passing,
-            ..reader.again()
-        };
+        let passing = Passing { variable: None, ..reader.passing };
+        let mut inner = Reader { passing, ..reader.again() };
         inner.quantity(of)?
     };
     let known = reader.in_this_law(known);
@@ -193,9 +172,9 @@ fn height(reader: &mut Reader, of: &Expr, nature: Option<Nature>) -> Option<Quan
         Some(Nature { is_angle: true, .. }) if is_in_rpm(of) => {
             is_angle(reader.report, of, "an angle")
         }
-        Some(Nature { is_angle: true, .. }) => known
-            .value
-            .is_some_and(|value| is_degrees_perhaps(reader.report, of, value)),
+        Some(Nature { is_angle: true, .. }) => {
+            known.value.is_some_and(|value| is_degrees_perhaps(reader.report, of, value))
+        }
         Some(_) => is_angle(reader.report, of, "a length"),
         None => false,
     };
@@ -246,11 +225,7 @@ fn round(
         return reader.report.refuse(open.place, text);
     }
     if !turns {
-        return Some(if motion.repeats {
-            Round::Every(total)
-        } else {
-            Round::Once
-        });
+        return Some(if motion.repeats { Round::Every(total) } else { Round::Once });
     }
     let degrees = |angle: f64| format_number((angle.to_degrees() * 1e6).round() / 1e6);
     if motion.repeats {
@@ -294,17 +269,12 @@ fn stairs(reader: &mut Reader, climb: &Climb, round: Round) -> Quantity {
     let moved = variable.plus(Quantity::fixed(-climb.at), reader.formulas());
     let (stairs, unit, share) = match round {
         Round::Once => (Staircase::single(climb.law, 0), climb.span, 1.0),
-        Round::Every(after) => (
-            Staircase::endless(climb.law, 0),
-            after,
-            (climb.span / after).min(1.0),
-        ),
+        Round::Every(after) => {
+            (Staircase::endless(climb.law, 0), after, (climb.span / after).min(1.0))
+        }
     };
     let place = moved.over(Quantity::fixed(unit), reader.formulas());
     let place = place.as_formula(reader.formulas());
     let formula = Formula::Stairs(stairs, place, Number::new(share));
-    Quantity {
-        value: None,
-        formula: Some(reader.formulas().add(formula)),
-    }
+    Quantity { value: None, formula: Some(reader.formulas().add(formula)) }
 }

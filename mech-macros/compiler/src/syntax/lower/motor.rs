@@ -76,13 +76,7 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, motor: &Motor) {
         ask_about_degrees(reader.report, ends, range);
     }
     let origin = draft.note(&motor.joint.name);
-    draft.model.motors.push(model::Motor {
-        joint,
-        origin,
-        range,
-        step,
-        law,
-    });
+    draft.model.motors.push(model::Motor { joint, origin, range, step, law });
     let written = motor.range.as_ref();
     let written = written.map(|[low, high]| format!("{low} ..= {high}"));
     draft.motors.push(WrittenMotor {
@@ -147,10 +141,8 @@ fn step(reader: &mut Reader, motor: &Motor) -> Option<f64> {
     if value > 0.0 {
         return Some(value);
     }
-    let text = format!(
-        "the step of motor `{}` must be greater than zero, not `{step}`",
-        motor.joint
-    );
+    let text =
+        format!("the step of motor `{}` must be greater than zero, not `{step}`", motor.joint);
     reader.report.refuse(step.place, text)
 }
 
@@ -198,12 +190,7 @@ pub(super) fn check_unlisted(draft: &Draft, report: &mut Report) {
         return;
     }
     let model = &draft.model;
-    for (joint, motor) in model
-        .motors
-        .iter()
-        .map(|motor| motor.joint)
-        .zip(&draft.motors)
-    {
+    for (joint, motor) in model.motors.iter().map(|motor| motor.joint).zip(&draft.motors) {
         let Some((range, written)) = left(joint, 0.0, draft) else {
             continue;
         };
@@ -229,11 +216,7 @@ fn outside_as_drawn(model: &Model, joint: JointId, range: Range, written: &str) 
     let ends = written.split_once(" ..= ").map(|(low, high)| {
         let end = if range.low > 0.0 { low } else { high };
         let zero = if end.ends_with("deg") { "0 deg" } else { "0" };
-        if range.low > 0.0 {
-            format!("{zero} ..= {high}")
-        } else {
-            format!("{low} ..= {zero}")
-        }
+        if range.low > 0.0 { format!("{zero} ..= {high}") } else { format!("{low} ..= {zero}") }
     });
     let wider = ends.unwrap_or_default();
     format!(

@@ -130,10 +130,7 @@ impl Names {
         let (scope, _) = divide(name);
         let entries = self.entries.iter().filter(|entry| is_wanted(entry.named));
         let names = entries.map(|entry| divide(&entry.name));
-        names
-            .filter(|(prefix, _)| *prefix == scope)
-            .map(|(_, name)| name)
-            .collect()
+        names.filter(|(prefix, _)| *prefix == scope).map(|(_, name)| name).collect()
     }
 
     /// A link, a use or a joint that is unknown, by its name with the path to its scope.
@@ -146,11 +143,7 @@ impl Names {
     /// A point or line of a link that is unknown; without a name, all of them.
     pub(super) fn unknown_axis(&self, link: &str, name: &str) -> Unknown {
         let link = self.unknown(Noun::Axis, link);
-        Unknown {
-            owner: format!("{}.", link.word),
-            word: name.to_owned(),
-            ..link
-        }
+        Unknown { owner: format!("{}.", link.word), word: name.to_owned(), ..link }
     }
 
     /// The path of a link: that of its port in a part to which it is lent.

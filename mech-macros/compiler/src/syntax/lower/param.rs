@@ -46,10 +46,7 @@ fn take_setters(reader: &mut Reader, draft: &mut Draft, name: &Ident) -> bool {
         let owner = Owner::Params;
         for method in api::names_of(owner) {
             let owner = owner.to_string();
-            if !draft
-                .claims
-                .take(method.to_owned(), owner, place, reader.report)
-            {
+            if !draft.claims.take(method.to_owned(), owner, place, reader.report) {
                 return false;
             }
         }

@@ -74,11 +74,8 @@ impl<'t> Expansion<'t> {
             Statement::Broken(broken) => {
                 reader.report.pass_on(broken.error.clone());
                 draft.lose(&broken.names);
-                let keys: Vec<String> = broken
-                    .names
-                    .iter()
-                    .map(|name| reader.key_of(name))
-                    .collect();
+                let keys: Vec<String> =
+                    broken.names.iter().map(|name| reader.key_of(name)).collect();
                 for key in keys {
                     self.names.enter(key, Referent::Broken);
                 }
@@ -278,10 +275,8 @@ fn misplacement(scope: &Scope, statement: &Statement) -> Option<(Place, String)>
             Some((Place::at(ground.keyword), text.to_owned()))
         }
         Statement::Part(inner) => {
-            let text = format!(
-                "parts stand beside one another; move `{}` out of `{part}`",
-                inner.name
-            );
+            let text =
+                format!("parts stand beside one another; move `{}` out of `{part}`", inner.name);
             Some((Place::at(inner.name.span()), text))
         }
         Statement::Allow(word) => whole(word.span(), "allow"),
@@ -329,9 +324,7 @@ fn find_part<'t>(reader: &mut Reader, text: &'t Text, name: &Ident) -> Option<(u
             };
             let text = format!("unknown part `{word}`{remedy}");
             let unknown = Unknown::new(Noun::Part, None, name);
-            return reader
-                .report
-                .refuse_unknown(unknown, Place::at(name.span()), text);
+            return reader.report.refuse_unknown(unknown, Place::at(name.span()), text);
         }
     };
     reader.report.refuse(Place::at(name.span()), trouble)
@@ -343,10 +336,7 @@ fn own_similarity(reader: &mut Reader, used: &Use) -> Option<Similarity> {
     own.is_mirrored = used.mirrored.is_some();
     if let Some(scaled) = &used.scaled {
         let (value, formula) = reader.length(scaled, "a scale")?;
-        own.scale = Quantity {
-            value: Some(value),
-            formula,
-        };
+        own.scale = Quantity { value: Some(value), formula };
     }
     Some(own)
 }
@@ -371,11 +361,8 @@ fn arguments(reader: &mut Reader, used: &Use, part: &Part) -> Vec<Option<Value>>
             }
             None if part.body.is_err() => continue,
             None => {
-                let known: Vec<String> = part
-                    .parameters
-                    .iter()
-                    .map(|known| known.name.to_string())
-                    .collect();
+                let known: Vec<String> =
+                    part.parameters.iter().map(|known| known.name.to_string()).collect();
                 let known: Vec<&str> = known.iter().map(String::as_str).collect();
                 let part = part.name.to_string();
                 let text = format!(

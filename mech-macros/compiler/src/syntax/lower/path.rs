@@ -28,23 +28,14 @@ impl UseTable {
             });
             uses.collect()
         };
-        let parts = text
-            .statements
-            .iter()
-            .filter_map(|statement| match statement {
-                Statement::Part(part) => {
-                    let body = part.body.as_deref().unwrap_or_default();
-                    Some(Uses {
-                        by: Some(part.name.to_string()),
-                        parts: uses(body),
-                    })
-                }
-                _ => None,
-            });
-        let whole = Uses {
-            by: None,
-            parts: uses(&text.statements),
-        };
+        let parts = text.statements.iter().filter_map(|statement| match statement {
+            Statement::Part(part) => {
+                let body = part.body.as_deref().unwrap_or_default();
+                Some(Uses { by: Some(part.name.to_string()), parts: uses(body) })
+            }
+            _ => None,
+        });
+        let whole = Uses { by: None, parts: uses(&text.statements) };
         Self(std::iter::once(whole).chain(parts).collect())
     }
 
@@ -88,9 +79,7 @@ fn correct(statement: &mut Statement, table: &UseTable, scope: Option<&str>) {
         if end.axis.is_some() && table.is_use(scope, &end.link) {
             let link = end.axis.take();
             let used = link.map(|link| std::mem::replace(&mut end.link.name, link));
-            end.link
-                .uses
-                .extend(used.map(|name| Segment { name, index: None }));
+            end.link.uses.extend(used.map(|name| Segment { name, index: None }));
         }
     }
 }
@@ -201,10 +190,7 @@ fn instance(reader: &mut Reader, used: &UsedPart, index: &Expr) -> Option<usize>
     let value = reader.value(index)?;
     let count = used.instances.len();
     let mut all = 0..count;
-    #[expect(
-        clippy::cast_precision_loss,
-        reason = "there are not so many instances"
-    )]
+    #[expect(clippy::cast_precision_loss, reason = "there are not so many instances")]
     let found = all.find(|&instance| instance as f64 == value);
     if found.is_some() {
         return found;

@@ -21,10 +21,7 @@ pub(super) type Length = (f64, Option<FormulaId>);
 impl Quantity {
     /// A number that never changes.
     pub(super) const fn fixed(value: f64) -> Self {
-        Self {
-            value: Some(value),
-            formula: None,
-        }
+        Self { value: Some(value), formula: None }
     }
 
     /// This number times another.
@@ -55,9 +52,7 @@ impl Quantity {
     pub(super) fn negative(self, formulas: &mut Formulas) -> Self {
         Self {
             value: self.value.map(|value| -value),
-            formula: self
-                .formula
-                .map(|formula| formulas.add(Formula::Neg(formula))),
+            formula: self.formula.map(|formula| formulas.add(Formula::Neg(formula))),
         }
     }
 
@@ -98,10 +93,7 @@ pub(super) fn as_formulas<const N: usize>(
 
 /// The two numbers of a pair.
 pub(super) fn parts((numbers, formulas): Spot) -> [Quantity; 2] {
-    [0, 1].map(|part| Quantity {
-        value: Some(numbers[part]),
-        formula: formulas[part],
-    })
+    [0, 1].map(|part| Quantity { value: Some(numbers[part]), formula: formulas[part] })
 }
 
 /// Two numbers as a pair. Those of places have values at the start.

@@ -127,21 +127,12 @@ impl<'r> Reader<'r> {
 
     /// The same outside of laws, changed for a while.
     pub(super) fn again(&mut self) -> Reader<'_> {
-        Reader {
-            params: self.params,
-            report: self.report,
-            law: None,
-            measuring: None,
-            ..*self
-        }
+        Reader { params: self.params, report: self.report, law: None, measuring: None, ..*self }
     }
 
     /// Reading numbers that may not depend on params, for this reason.
     pub(super) fn fixed(&mut self, why: &'static str) -> Reader<'_> {
-        Reader {
-            why_fixed: Some(why),
-            ..self.again()
-        }
+        Reader { why_fixed: Some(why), ..self.again() }
     }
 
     /// The scope in which the text stands.

@@ -105,10 +105,7 @@ impl Report {
         if value.is_finite() {
             return Some(value);
         }
-        self.refuse(
-            place,
-            "this number is too large; the largest is about 1.8e308",
-        )
+        self.refuse(place, "this number is too large; the largest is about 1.8e308")
     }
 
     /// Tells that a word is none of those that are known.
@@ -134,9 +131,7 @@ impl Report {
 
     /// Returns the value that was read; reports the error if there is none.
     pub(super) fn read<'t, T>(&mut self, read: &'t Read<T>) -> Option<&'t T> {
-        read.as_ref()
-            .map_err(|error| self.pass_on(error.clone()))
-            .ok()
+        read.as_ref().map_err(|error| self.pass_on(error.clone())).ok()
     }
 
     /// Whether nothing is wrong so far.

@@ -40,10 +40,7 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, expect: &Expect) {
     if let Some(load) = expect.loads.first()
         && !quantities.any(model::Quantity::takes_loads)
     {
-        let text = format!(
-            "load `{}` has no part in what is measured; leave it out",
-            load.name
-        );
+        let text = format!("load `{}` has no part in what is measured; leave it out", load.name);
         return reader.report.error(load.name.place(), text);
     }
     let origin = draft.places.note(read.place);
@@ -89,11 +86,7 @@ fn condition(
                 condition: Condition::Turns(motor),
             })
         }
-        ConditionExpr::Compare {
-            sides: [first, second],
-            is_upper,
-            is_strict,
-        } => {
+        ConditionExpr::Compare { sides: [first, second], is_upper, is_strict } => {
             let sign = match (is_upper, is_strict) {
                 (true, true) => "<",
                 (true, false) => "<=",
@@ -101,25 +94,11 @@ fn condition(
                 (false, false) => ">=",
             };
             let written = format!("{first} {sign} {second}");
-            bounds(
-                reader,
-                required,
-                first,
-                &[(second, *is_upper)],
-                *is_strict,
-                written,
-            )
+            bounds(reader, required, first, &[(second, *is_upper)], *is_strict, written)
         }
         ConditionExpr::Within(of, [low, high]) => {
             let written = format!("{of} in {low} ..= {high}");
-            bounds(
-                reader,
-                required,
-                of,
-                &[(low, false), (high, true)],
-                false,
-                written,
-            )
+            bounds(reader, required, of, &[(low, false), (high, true)], false, written)
         }
     }
 }
@@ -150,17 +129,10 @@ fn bounds(
         ..reader.fixed(WHY_FIXED)
     };
     let first = inner.quantity(subject);
-    let others: Vec<Option<Quantity>> = limits
-        .iter()
-        .map(|(expr, _)| inner.quantity(expr))
-        .collect();
+    let others: Vec<Option<Quantity>> =
+        limits.iter().map(|(expr, _)| inner.quantity(expr)).collect();
     let (mut first, mut others) = (first?, others.into_iter().collect::<Option<Vec<_>>>()?);
-    let Some(LawReading {
-        mut formulas,
-        measured,
-        ..
-    }) = inner.law.take()
-    else {
+    let Some(LawReading { mut formulas, measured, .. }) = inner.law.take() else {
         bug!("a requirement has lost its formulas");
     };
     let last = limits.last().map_or(subject, |(last, _)| last);
@@ -188,21 +160,10 @@ fn bounds(
         } else {
             Formula::Sub(subject_formula, limit)
         });
-        bounds.push(RequiredBound {
-            margin,
-            limit,
-            is_upper: *is_upper,
-            is_strict,
-        });
+        bounds.push(RequiredBound { margin, limit, is_upper: *is_upper, is_strict });
     }
     check_formulas(reader, &formulas, place, &written)?;
-    check_clearance(
-        reader,
-        &formulas,
-        &measured,
-        (subject_formula, &bounds),
-        place,
-    )?;
+    check_clearance(reader, &formulas, &measured, (subject_formula, &bounds), place)?;
     let kinds = kinds(&required.draft.model, &formulas, &measured);
     let kind = kinds[subject_formula.index()];
     for (number, ((limit, _), bound)) in limits.iter().zip(&bounds).enumerate() {
@@ -271,22 +232,14 @@ fn check_formulas(
     place: Place,
     written: &str,
 ) -> Option<()> {
-    if formulas
-        .all()
-        .iter()
-        .any(|formula| matches!(formula, Formula::Param(_)))
-    {
+    if formulas.all().iter().any(|formula| matches!(formula, Formula::Param(_))) {
         let text = format!(
             "a param may change while the mechanism runs, and {WHY_FIXED}; use a `const` here"
         );
         return reader.report.refuse(place, text);
     }
     check_size(reader, formulas, place)?;
-    if !formulas
-        .all()
-        .iter()
-        .any(|formula| matches!(formula, Formula::Variable(_)))
-    {
+    if !formulas.all().iter().any(|formula| matches!(formula, Formula::Variable(_))) {
         let text = format!("nothing is measured in `{written}`: it never changes");
         return reader.report.refuse(place, text);
     }
@@ -369,9 +322,7 @@ fn lower_loads(reader: &mut Reader, draft: &Draft, given: &[LoadCase]) -> Option
                 continue;
             }
         };
-        return reader
-            .report
-            .refuse(*place, format!("load `{name}` is {how}"));
+        return reader.report.refuse(*place, format!("load `{name}` is {how}"));
     }
     Some(numbers)
 }

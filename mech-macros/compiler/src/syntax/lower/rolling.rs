@@ -36,12 +36,7 @@ pub(super) fn rolling(reader: &mut Reader, draft: &Draft, joining: &Joining) -> 
     let [a, b] = [links[0]?, links[1]?];
     joining.check_apart(reader, [a, b])?;
     Some(match size? {
-        RollingSize::Rack(radius) => JointKind::Rack {
-            pinion: a,
-            bar: b,
-            radius,
-            on,
-        },
+        RollingSize::Rack(radius) => JointKind::Rack { pinion: a, bar: b, radius, on },
         RollingSize::Belt(ratio) => JointKind::Belt { a, b, ratio, on },
         RollingSize::Gear(ratio) => JointKind::Gear { a, b, ratio, on },
     })

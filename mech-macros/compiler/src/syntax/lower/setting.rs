@@ -5,16 +5,11 @@ use crate::model::{Look, Model, Quality, Target};
 use crate::syntax::Place;
 use proc_macro2::Ident;
 
-const LOOKS: [(&str, Look); 3] = [
-    ("machine", Look::Machine),
-    ("diagram", Look::Diagram),
-    ("none", Look::Shapes),
-];
+const LOOKS: [(&str, Look); 3] =
+    [("machine", Look::Machine), ("diagram", Look::Diagram), ("none", Look::Shapes)];
 const QUALITIES: [(&str, Quality); 2] = [("hard", Quality::Hard), ("smooth", Quality::Smooth)];
-const MACHINES: [(&str, Target); 2] = [
-    ("x86_64", Target::X86_64),
-    ("cortex_m4f", Target::CortexM4f),
-];
+const MACHINES: [(&str, Target); 2] =
+    [("x86_64", Target::X86_64), ("cortex_m4f", Target::CortexM4f)];
 const PERMISSIONS: [&str; 2] = ["redundant", "coupled"];
 
 /// Returns the value of a word, one of these; reports any other word.

@@ -98,9 +98,9 @@ fn again(model: &Model, end: &End, one: Shown, before: &[(Place, Shown)]) -> Opt
         return Some(format!("`{end}` is shown already; remove one of the two"));
     }
     match one {
-        Shown::Point(point) if known(Shown::Link(model.axis(point).link)) => Some(format!(
-            "`{end}` is shown with its link already; leave this out"
-        )),
+        Shown::Point(point) if known(Shown::Link(model.axis(point).link)) => {
+            Some(format!("`{end}` is shown with its link already; leave this out"))
+        }
         _ => None,
     }
 }

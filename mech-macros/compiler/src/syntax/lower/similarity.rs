@@ -75,10 +75,7 @@ impl Similarity {
         if self.is_mirrored {
             sin = sin.negative(formulas);
         }
-        let unmirrored = Self {
-            is_mirrored: false,
-            ..*self
-        };
+        let unmirrored = Self { is_mirrored: false, ..*self };
         Self {
             is_mirrored: self.is_mirrored != inner.is_mirrored,
             scale: inner.scale.times(self.scale, formulas),

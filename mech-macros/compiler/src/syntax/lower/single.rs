@@ -24,16 +24,8 @@ pub(super) struct Single {
 impl Single {
     /// A statement, if there may be only one of it.
     pub(super) fn of(statement: &Statement) -> Option<Self> {
-        let own = |keyword, word, remedy| Self {
-            keyword,
-            word,
-            remedy,
-            is_whole: false,
-        };
-        let whole = |keyword, word, remedy| Self {
-            is_whole: true,
-            ..own(keyword, word, remedy)
-        };
+        let own = |keyword, word, remedy| Self { keyword, word, remedy, is_whole: false };
+        let whole = |keyword, word, remedy| Self { is_whole: true, ..own(keyword, word, remedy) };
         Some(match statement {
             Statement::Ground(ground) => own(ground.keyword, "ground", LIST),
             Statement::Start(start) => own(start.keyword, "start", LIST),

@@ -80,9 +80,8 @@ fn near_a_joint(model: &Model, clause: &StartClause, joint: JointId) -> String {
         return format!("{beginning}; write `{name} = {value}`");
     }
     let (a, b) = model.ends(joint);
-    let link = [b, a]
-        .into_iter()
-        .find(|&link| link != LinkId::GROUND && model.link(link).die.is_none());
+    let link =
+        [b, a].into_iter().find(|&link| link != LinkId::GROUND && model.link(link).die.is_none());
     match (link, model.joint(joint).kind) {
         (Some(link), JointKind::Revolute(..)) => {
             let link = &model.link(link).name;
@@ -104,9 +103,7 @@ fn near(reader: &mut Reader, draft: &mut Draft, clause: &StartClause, link: Link
     let angle = reader.value(&clause.value);
     let name = &clause.name;
     if link == LinkId::GROUND {
-        reader
-            .report
-            .error(name.place(), "`ground` is fixed; leave this out");
+        reader.report.error(name.place(), "`ground` is fixed; leave this out");
     } else if draft.model.start.near.iter().any(|near| near.link == link) {
         let text = format!("there is a `near` for link `{name}` already; remove one of the two");
         reader.report.error(name.place(), text);
@@ -115,11 +112,7 @@ fn near(reader: &mut Reader, draft: &mut Draft, clause: &StartClause, link: Link
     {
         let origin = draft.places.note(place(clause));
         let angle = reader.frame.sense() * angle + reader.here().angle;
-        draft.model.start.near.push(Near {
-            link,
-            angle,
-            origin,
-        });
+        draft.model.start.near.push(Near { link, angle, origin });
     }
 }
 
@@ -138,11 +131,7 @@ fn value(reader: &mut Reader, draft: &mut Draft, clause: &StartClause, joint: Jo
     motor::check_start(clause, joint, value, draft, reader.report);
     let value = coordinate::own(&draft.model, &reader.frame, joint, value);
     let origin = draft.places.note(place(clause));
-    draft.model.start.values.push(StartValue {
-        joint,
-        value,
-        origin,
-    });
+    draft.model.start.values.push(StartValue { joint, value, origin });
 }
 
 /// Why a joint cannot start at this value, and what to point at.
@@ -203,16 +192,8 @@ pub(super) fn start_by_laws(draft: &mut Draft, report: &mut Report) {
         } else {
             motor::check_law(joint, value, draft, report);
             // Of what is drawn, rounding has been let pass.
-            let value = if is_drawn(&draft.model, joint) {
-                0.0
-            } else {
-                value
-            };
-            draft.model.start.values.push(StartValue {
-                joint,
-                value,
-                origin,
-            });
+            let value = if is_drawn(&draft.model, joint) { 0.0 } else { value };
+            draft.model.start.values.push(StartValue { joint, value, origin });
         }
     }
 }

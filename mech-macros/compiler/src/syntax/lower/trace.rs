@@ -25,13 +25,7 @@ pub(super) fn lower(reader: &mut Reader, draft: &mut Draft, trace: &ast::Trace) 
         return;
     };
     let origin = draft.places.note(trace.point.place());
-    draft.model.traces.push(Trace {
-        point,
-        length,
-        plane: plane.flatten(),
-        color,
-        origin,
-    });
+    draft.model.traces.push(Trace { point, length, plane: plane.flatten(), color, origin });
 }
 
 /// The point that is to be traced, if it can be.
@@ -80,9 +74,7 @@ fn tell_no_point(reader: &mut Reader, draft: &Draft, end: &End) {
 /// Returns the remedy for a link that stands where a point is meant: one of its points.
 pub(super) fn one_of_its_points(reader: &Reader, draft: &Draft, link: Body) -> String {
     let name = reader.names.name_of(&draft.model, link);
-    let points = reader
-        .names
-        .axes_of(&draft.model, link, Some(AxisKind::Point));
+    let points = reader.names.axes_of(&draft.model, link, Some(AxisKind::Point));
     match points.first() {
         Some(point) if link.id != LinkId::GROUND => format!(", such as `{name}.{point}`"),
         _ if link.id == LinkId::GROUND => " of a moving link".to_owned(),

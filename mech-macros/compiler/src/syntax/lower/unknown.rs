@@ -18,12 +18,7 @@ pub(super) struct Unknown {
 impl Unknown {
     /// What is fixed to no link.
     pub(super) fn new(noun: Noun, part: Option<String>, name: &impl ToString) -> Self {
-        Self {
-            noun,
-            part,
-            owner: String::new(),
-            word: name.to_string(),
-        }
+        Self { noun, part, owner: String::new(), word: name.to_string() }
     }
 
     /// What is said instead, if nothing of the ground is declared.
@@ -54,12 +49,8 @@ impl Unknown {
         });
         let alike = spelling::alike(&self.word, links.map(|one| &*one.path));
         let is_misspelt = alike.iter().any(|(distance, _)| *distance == 1);
-        (is_link && uses.count() > 1 && !is_misspelt).then(|| {
-            format!(
-                "there is no link `{0}`; declare it with `link {0};`",
-                self.word
-            )
-        })
+        (is_link && uses.count() > 1 && !is_misspelt)
+            .then(|| format!("there is no link `{0}`; declare it with `link {0};`", self.word))
     }
 
     /// The number of the declaration that is misspelt, if one is, and what is said there: it looks like this name, and is not used.
@@ -81,10 +72,7 @@ impl Unknown {
             one.is_declared && is_like_it && one.path.strip_suffix(one.word()) == Some(owner)
         };
         let all = listing.names.iter();
-        let beside: Vec<&str> = all
-            .filter(|one| is_beside(one))
-            .map(ListedName::word)
-            .collect();
+        let beside: Vec<&str> = all.filter(|one| is_beside(one)).map(ListedName::word).collect();
         let mut unused = spelling::alike(word, beside.into_iter());
         unused.retain(|(_, near)| {
             let path = format!("{owner}{near}");

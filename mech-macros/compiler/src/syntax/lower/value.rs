@@ -27,10 +27,7 @@ impl Reader<'_> {
                     let degree = self.formulas().add(Formula::constant(PI / 180.0));
                     self.formulas().add(Formula::Mul(inner, degree))
                 });
-                Some(Quantity {
-                    value: inner.value.map(f64::to_radians),
-                    formula,
-                })
+                Some(Quantity { value: inner.value.map(f64::to_radians), formula })
             }
             ExprKind::Sum(terms) => self.chain(terms, Chain::Sum),
             ExprKind::Product(factors) => self.chain(factors, Chain::Product),
@@ -67,10 +64,7 @@ impl Reader<'_> {
 
     /// The value of an expression, and the same as an integer.
     pub(super) fn both(&mut self, expr: &Expr) -> Value {
-        Value {
-            quantity: self.quantity(expr),
-            integer: self.integer(expr),
-        }
+        Value { quantity: self.quantity(expr), integer: self.integer(expr) }
     }
 
     /// The value of an expression that is made from integers alone.
@@ -89,13 +83,14 @@ impl Reader<'_> {
                 _ => self.constants().integer(name),
             },
             ExprKind::Negative(inner) => self.integer(inner)?.checked_neg(),
-            ExprKind::Sum(terms) => chain(terms, |sum, term, is_less| {
-                if is_less {
-                    sum.checked_sub(term)
-                } else {
-                    sum.checked_add(term)
-                }
-            }),
+            ExprKind::Sum(terms) => {
+                chain(
+                    terms,
+                    |sum, term, is_less| {
+                        if is_less { sum.checked_sub(term) } else { sum.checked_add(term) }
+                    },
+                )
+            }
             ExprKind::Product(factors) => chain(factors, |product, factor, divides| {
                 (!divides).then(|| product.checked_mul(factor))?
             }),
@@ -123,16 +118,10 @@ impl Reader<'_> {
             }
             return Some(self.variable());
         }
-        #[expect(
-            clippy::cast_precision_loss,
-            reason = "there are not so many instances"
-        )]
+        #[expect(clippy::cast_precision_loss, reason = "there are not so many instances")]
         let known = match passing.instance {
             Some(instance) if name == INSTANCE => Quantity::fixed(instance as f64),
-            _ => match self
-                .constants()
-                .value(name, passing, self.report.statement())
-            {
+            _ => match self.constants().value(name, passing, self.report.statement()) {
                 Ok(known) => known?,
                 Err(text) => {
                     let unknown = self.unknown_number(name);
@@ -146,10 +135,8 @@ impl Reader<'_> {
 
     /// The variable of the law that is read.
     pub(super) fn variable(&mut self) -> Quantity {
-        let variable = Quantity {
-            value: None,
-            formula: Some(self.formulas().add(Formula::Variable(0))),
-        };
+        let variable =
+            Quantity { value: None, formula: Some(self.formulas().add(Formula::Variable(0))) };
         let input = self.law.as_ref().map(|law| law.input);
         let input = self.in_this_law(input.unwrap_or(Quantity::fixed(1.0)));
         variable.over(input, self.formulas())
@@ -283,15 +270,15 @@ impl Reader<'_> {
             | ExprKind::Degrees(inner)
             | ExprKind::Rpm(inner)
             | ExprKind::Call(_, inner) => self.first_dependent(inner),
-            ExprKind::Sum(parts) | ExprKind::Product(parts) => parts
-                .iter()
-                .find_map(|(_, part)| self.first_dependent(part)),
+            ExprKind::Sum(parts) | ExprKind::Product(parts) => {
+                parts.iter().find_map(|(_, part)| self.first_dependent(part))
+            }
             ExprKind::CallBoth(_, parts) => {
                 parts.iter().find_map(|part| self.first_dependent(part))
             }
-            ExprKind::Motion(motion) => motion
-                .numbers()
-                .find_map(|number| self.first_dependent(number)),
+            ExprKind::Motion(motion) => {
+                motion.numbers().find_map(|number| self.first_dependent(number))
+            }
             ExprKind::Integer(_) | ExprKind::Decimal(_) | ExprKind::Pi | ExprKind::Measured(_) => {
                 None
             }

@@ -56,11 +56,7 @@ impl Vector {
             Self::Ground => return (None, model::Quantity::Ground(part)),
             Self::Shaking => return (None, model::Quantity::Shaking(part)),
         };
-        let of = if is_abscissa {
-            model::Quantity::X(point)
-        } else {
-            model::Quantity::Y(point)
-        };
+        let of = if is_abscissa { model::Quantity::X(point) } else { model::Quantity::Y(point) };
         (rate, of)
     }
 }
@@ -142,10 +138,7 @@ impl Reader<'_> {
                 let parts = [along(ReactionPart::X)?, along(ReactionPart::Y)?];
                 let [x, y] = parts.map(|part| part.as_formula(self.formulas()));
                 let length = Formula::OfBoth(BinaryFunction::Hypot, x, y);
-                Some(Quantity {
-                    value: None,
-                    formula: Some(self.formulas().add(length)),
-                })
+                Some(Quantity { value: None, formula: Some(self.formulas().add(length)) })
             }
         }
     }

@@ -74,11 +74,7 @@ impl Edits {
         if changed.any(|known| is_within(&tokens, known)) {
             return;
         }
-        self.0.retain(|edit| {
-            !edit
-                .changed()
-                .is_some_and(|known| is_within(known, &tokens))
-        });
+        self.0.retain(|edit| !edit.changed().is_some_and(|known| is_within(known, &tokens)));
         self.0.push(Edit::Remove(tokens));
     }
 

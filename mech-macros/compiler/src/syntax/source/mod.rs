@@ -51,9 +51,7 @@ impl Tokens {
     #[must_use]
     pub fn statements(&self) -> Vec<StatementText<'_>> {
         let ranges = self.statements.iter();
-        ranges
-            .map(|range| StatementText::new(&self.all, range.clone()))
-            .collect()
+        ranges.map(|range| StatementText::new(&self.all, range.clone())).collect()
     }
 
     /// Where each token stands.
@@ -100,16 +98,8 @@ impl Source {
     pub fn read(input: TokenStream) -> Self {
         let tree = grammar::read(input.clone());
         // What is beyond a limit is not taken apart, either.
-        let input = if tree.is_beyond {
-            TokenStream::new()
-        } else {
-            input
-        };
-        Self {
-            tree: RefCell::new(tree),
-            input,
-            tokens: OnceCell::new(),
-        }
+        let input = if tree.is_beyond { TokenStream::new() } else { input };
+        Self { tree: RefCell::new(tree), input, tokens: OnceCell::new() }
     }
 
     /// Its tokens.
@@ -129,10 +119,8 @@ impl Source {
     pub fn model_with(&self, edits: &Edits) -> Option<Model> {
         let written = self.written(edits)?;
         let tree = &mut *self.tree.borrow_mut();
-        let mut old: Vec<Option<Statement>> = std::mem::take(&mut tree.statements)
-            .into_iter()
-            .map(Some)
-            .collect();
+        let mut old: Vec<Option<Statement>> =
+            std::mem::take(&mut tree.statements).into_iter().map(Some).collect();
         let mut kept = Vec::new();
         for (place, statement) in written.into_iter().enumerate() {
             match statement {

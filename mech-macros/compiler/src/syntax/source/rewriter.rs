@@ -18,10 +18,7 @@ impl<'s> Rewriter<'s> {
     /// No change yet.
     #[must_use]
     pub fn new(tokens: &'s Tokens) -> Self {
-        Self {
-            statements: tokens.statements(),
-            edits: Edits::default(),
-        }
+        Self { statements: tokens.statements(), edits: Edits::default() }
     }
 
     /// The statement that declares something of this kind and name.
@@ -81,9 +78,7 @@ impl<'s> Rewriter<'s> {
             let statement = format!("ground {{ {item} }}");
             let siblings = ["param", "const", "use", "look"];
             let is_ground = link == "ground";
-            return is_ground
-                .then(|| self.add_beside(&statement, &siblings))
-                .flatten();
+            return is_ground.then(|| self.add_beside(&statement, &siblings)).flatten();
         };
         let end = owner.len() - 1;
         if owner.word(end) == ";" {
@@ -92,8 +87,7 @@ impl<'s> Rewriter<'s> {
         } else if let Some(sibling) = owner.clauses().last() {
             self.edits.add(sibling.range(), item);
         } else {
-            self.edits
-                .insert_before(owner.token(end), format!(" {item} "));
+            self.edits.insert_before(owner.token(end), format!(" {item} "));
         }
         Some(())
     }
@@ -209,9 +203,7 @@ impl<'s> Rewriter<'s> {
         }
         self.forget_start(name);
         self.remove_from_lists(name);
-        self.remove_clauses("effects", |clause| {
-            clause.is("trace") && clause.mentions(name)
-        });
+        self.remove_clauses("effects", |clause| clause.is("trace") && clause.mentions(name));
         self.remove_all(|one| {
             let is_action = one.is("spring") || one.is("damper") || one.is("load");
             is_action && one.find("torsional").is_none() && one.mentions(name)
@@ -256,10 +248,7 @@ fn joints_with(model: &Model, link: LinkId) -> BTreeSet<&str> {
     };
     let mut gone: BTreeSet<&str> = model.joint_ids().filter(is_own).map(name).collect();
     for (cam, shaft, follower, _) in model.cams() {
-        if [shaft, follower]
-            .iter()
-            .any(|&joint| gone.contains(name(joint)))
-        {
+        if [shaft, follower].iter().any(|&joint| gone.contains(name(joint))) {
             gone.insert(name(cam));
         }
     }

@@ -19,10 +19,7 @@ pub(super) enum TokenKind {
 
 impl Token {
     pub(super) fn is_word(&self) -> bool {
-        matches!(
-            &self.kind,
-            TokenKind::Single(TokenTree::Ident(_) | TokenTree::Literal(_))
-        )
+        matches!(&self.kind, TokenKind::Single(TokenTree::Ident(_) | TokenTree::Literal(_)))
     }
 
     /// Where it stands.
@@ -54,10 +51,9 @@ pub(super) fn flat(stream: TokenStream) -> Vec<Token> {
                 });
                 waiting.push((group.stream().into_iter(), Some((delimiter, end))));
             }
-            Some(tree) => tokens.push(Token {
-                text: tree.to_string(),
-                kind: TokenKind::Single(tree),
-            }),
+            Some(tree) => {
+                tokens.push(Token { text: tree.to_string(), kind: TokenKind::Single(tree) })
+            }
             None => {
                 let ended = waiting.pop().and_then(|(_, end)| end);
                 tokens.extend(ended.map(|(delimiter, end)| Token {

@@ -62,10 +62,7 @@ fn long_chains_and_many_signs_do_no_harm() {
 
 #[test]
 fn deep_brackets_are_read() {
-    assert_eq!(
-        value(&format!("{}7{}", "(".repeat(63), ")".repeat(63))),
-        7.0
-    );
+    assert_eq!(value(&format!("{}7{}", "(".repeat(63), ")".repeat(63))), 7.0);
 }
 
 #[test]

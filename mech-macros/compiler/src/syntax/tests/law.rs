@@ -34,11 +34,7 @@ fn laws_are_functions_of_the_time() {
         ("min(t, t * t)", 0.5, 0.25),
         ("1 / (t - A + 4)", 3.0, 0.25),
         ("floor(t) + sign(-t) + mod(t, 2)", 3.5, 3.5),
-        (
-            "hypot(t, A) + atan2(t - 4, 1) + asin(t / 8 - 0.5)",
-            4.0,
-            5.0,
-        ),
+        ("hypot(t, A) + atan2(t - 4, 1) + asin(t / 8 - 0.5)", 4.0, 5.0),
     ] {
         assert_eq!(law(text).at(time, &[]), expected, "{text}");
     }
@@ -46,10 +42,7 @@ fn laws_are_functions_of_the_time() {
 
 #[test]
 fn a_law_may_have_params_in_it() {
-    let text = with_law(
-        "param p = 2; param q = 3; const SUM = p + q;",
-        "SUM * t + p",
-    );
+    let text = with_law("param p = 2; param q = 3; const SUM = p + q;", "SUM * t + p");
     let model = good(&format!("struct M; {text}")).model;
     let law = &model.laws[0];
     assert_eq!(law.at(2.0, &[2.0, 3.0]), 12.0);
@@ -69,10 +62,7 @@ fn a_motor_starts_where_its_law_has_it() {
     let model = good(&format!("struct M; {}", with_law("", "cos(t) + t"))).model;
     let joint = model.motors[0].joint;
     assert_eq!(model.start.value(joint), 1.0);
-    let text = format!(
-        "struct M; {} start {{ a = 90 deg; }}",
-        with_law("", "PI / 2 + t")
-    );
+    let text = format!("struct M; {} start {{ a = 90 deg; }}", with_law("", "PI / 2 + t"));
     assert_eq!(good(&text).model.start.values.len(), 1);
 }
 
@@ -85,10 +75,6 @@ fn what_is_drawn_starts_at_zero() {
 
 #[test]
 fn a_law_may_have_a_range_and_a_step() {
-    let model = good(&format!(
-        "struct M; {}",
-        with_law("", "sin(t) in -1 ..= 1 by 1 deg")
-    ))
-    .model;
+    let model = good(&format!("struct M; {}", with_law("", "sin(t) in -1 ..= 1 by 1 deg"))).model;
     assert!(model.motors[0].range.is_some() && model.motors[0].step.is_some());
 }

@@ -15,20 +15,12 @@ fn a_direction_may_be_an_angle() {
         ("PI", [-1.0, 0.0]),
         ("-90 deg", [0.0, -1.0]),
         ("(360 + 270) deg", [0.0, -1.0]),
-        (
-            "(90 + TILT) deg",
-            [
-                libm::cos(105_f64.to_radians()),
-                libm::sin(105_f64.to_radians()),
-            ],
-        ),
+        ("(90 + TILT) deg", [libm::cos(105_f64.to_radians()), libm::sin(105_f64.to_radians())]),
         ("atan2(3, 4)", [0.8, 0.6]),
         ("(cos(0), sin(0))", [1.0, 0.0]),
     ] {
         let found = direction(text);
-        let off = (found[0] - expected[0])
-            .abs()
-            .max((found[1] - expected[1]).abs());
+        let off = (found[0] - expected[0]).abs().max((found[1] - expected[1]).abs());
         assert!(off <= f64::EPSILON, "{text}: {found:?}");
         let is_exact = expected.contains(&0.0);
         assert!(!is_exact || found == expected, "{text}: {found:?}");
@@ -48,12 +40,7 @@ fn an_axis_may_be_turned_about_the_origin_of_its_link() {
         }",
     );
     assert!(parsed.errors.is_empty());
-    let axes = |index: usize| {
-        (
-            parsed.model.axes[index].at,
-            parsed.model.axes[index].direction,
-        )
-    };
+    let axes = |index: usize| (parsed.model.axes[index].at, parsed.model.axes[index].direction);
     assert_eq!(axes(0), ([0.0, 2.0], [1.0, 0.0]));
     assert_eq!(axes(1), ([-1.0, 0.0], [0.0, -1.0]));
     assert_eq!(axes(2), ([3.0, 0.0], [0.0, -1.0]));
@@ -90,20 +77,14 @@ fn a_trace_has_a_length_and_may_have_a_plane_and_a_color() {
         traces("trace crank.pin 2 * N; velocity; trace crank.shaft 1 on plane -3 color N + 1;"),
         [(pin.clone(), 16, None, 14), (shaft, 1, Some(-3), 9)]
     );
-    assert_eq!(
-        traces("trace crank.pin 16384 color 0;"),
-        [(pin, 16384, None, 0)]
-    );
+    assert_eq!(traces("trace crank.pin 16384 color 0;"), [(pin, 16384, None, 0)]);
 }
 
 #[test]
 fn what_is_traced_is_needed_whatever_is_shown() {
     let text = format!("struct M; {} show a;", with("trace crank.pin 4;"));
     let model = good(&text).model;
-    let asked: Vec<&str> = model
-        .asked_links()
-        .into_iter()
-        .map(|link| model.link(link).name.as_str())
-        .collect();
+    let asked: Vec<&str> =
+        model.asked_links().into_iter().map(|link| model.link(link).name.as_str()).collect();
     assert_eq!(asked, ["crank"], "a motor's coordinate needs none");
 }

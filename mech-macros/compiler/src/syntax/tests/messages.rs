@@ -74,10 +74,7 @@ impl Case {
         let found: Vec<_> = errors.iter().map(super::place).collect();
         if found != marks {
             let said: Vec<&str> = errors.iter().map(|error| error.text.as_str()).collect();
-            return Err(format!(
-                "{}marks {marks:?}, found {found:?} {said:#?}",
-                self.text
-            ));
+            return Err(format!("{}marks {marks:?}, found {found:?} {said:#?}", self.text));
         }
         let mut lines = String::new();
         for (number, error) in errors.iter().enumerate() {
@@ -102,11 +99,7 @@ impl Case {
         let mended = offer.and_then(|offer| with_offer(&self.text, offer));
         let mended = mended.ok_or_else(|| format!("nothing is offered: {message}"))?;
         let errors = parsed(&mended).errors;
-        if errors.is_empty() {
-            Ok(())
-        } else {
-            Err(format!("{mended}: {errors:?}"))
-        }
+        if errors.is_empty() { Ok(()) } else { Err(format!("{mended}: {errors:?}")) }
     }
 }
 
@@ -135,24 +128,14 @@ fn renewed(text: &str) -> (String, usize, Vec<String>) {
             before = format!("{}\n", rest.trim_start());
         } else if !block.lines().all(|line| line.starts_with("// ")) {
             count += 1;
-            let shared = if block.starts_with("//!") {
-                ""
-            } else {
-                &before
-            };
+            let shared = if block.starts_with("//!") { "" } else { &before };
             match Case::read(block, shared).judge() {
                 Ok(messages) => {
                     let is_text = |line: &&str| {
-                        !["//~", "//+", "//|"]
-                            .iter()
-                            .any(|mark| line.starts_with(mark))
+                        !["//~", "//+", "//|"].iter().any(|mark| line.starts_with(mark))
                     };
                     let lines: Vec<&str> = block.lines().filter(is_text).collect();
-                    blocks.push(
-                        format!("{}\n{messages}", lines.join("\n"))
-                            .trim_end()
-                            .to_owned(),
-                    );
+                    blocks.push(format!("{}\n{messages}", lines.join("\n")).trim_end().to_owned());
                     continue;
                 }
                 Err(error) => wrong.push(error),

@@ -20,10 +20,7 @@ type Spot = (usize, usize);
 
 /// Reads a text.
 fn parsed(text: &str) -> Parsed {
-    parse(
-        text.parse::<TokenStream>()
-            .expect("the text is made of tokens"),
-    )
+    parse(text.parse::<TokenStream>().expect("the text is made of tokens"))
 }
 
 /// Reads a text in which nothing is wrong.
@@ -44,11 +41,7 @@ fn places_of(marked: &str) -> (String, Vec<(Spot, Spot)>) {
             '»' => places.push((start.take().expect("a mark was opened"), (line, column))),
             _ => {
                 text.push(character);
-                (line, column) = if character == '\n' {
-                    (line + 1, 1)
-                } else {
-                    (line, column + 1)
-                };
+                (line, column) = if character == '\n' { (line + 1, 1) } else { (line, column + 1) };
             }
         }
     }

@@ -36,23 +36,14 @@ method newton(2);
 ";
 
 pub(super) fn named<'a>(model: &'a Model, link: &str, axis: &str) -> (AxisId, &'a Axis) {
-    let link = model
-        .links
-        .iter()
-        .position(|entry| entry.name == link)
-        .expect("a link");
+    let link = model.links.iter().position(|entry| entry.name == link).expect("a link");
     let owned = |entry: &Axis| entry.link.index() == link && entry.name.as_deref() == Some(axis);
     let index = model.axes.iter().position(owned).expect("an axis");
     (AxisId::new(index), &model.axes[index])
 }
 
 pub(super) fn joint(model: &Model, name: &str) -> JointKind {
-    model
-        .joints
-        .iter()
-        .find(|joint| joint.name == name)
-        .expect("a joint")
-        .kind
+    model.joints.iter().find(|joint| joint.name == name).expect("a joint").kind
 }
 
 #[test]
@@ -64,28 +55,19 @@ fn the_geared_piston_is_understood() {
     assert!(matches!(header.visibility, syn::Visibility::Public(_)));
 
     let model = &parsed.model;
-    assert_eq!(
-        (model.name.as_str(), model.precision),
-        ("GearedPiston", Precision::F64)
-    );
+    assert_eq!((model.name.as_str(), model.precision), ("GearedPiston", Precision::F64));
     let links: Vec<_> = model.links.iter().map(|link| link.name.as_str()).collect();
     assert_eq!(links, ["ground", "pinion", "wheel", "rod", "piston"]);
     assert!(model.links.iter().all(|link| !link.drawn));
     assert_eq!(model.axes.len(), 10);
 
     let (pin, axis) = named(model, "wheel", "pin");
-    assert_eq!(
-        (axis.kind, axis.at, axis.direction),
-        (AxisKind::Point, [1.0, 0.0], [1.0, 0.0])
-    );
+    assert_eq!((axis.kind, axis.at, axis.direction), (AxisKind::Point, [1.0, 0.0], [1.0, 0.0]));
     let (big_end, _) = named(model, "rod", "big_end");
     assert_eq!(joint(model, "f"), JointKind::Revolute(pin, big_end));
     let (bore, axis) = named(model, "ground", "bore");
     assert_eq!(axis.kind, AxisKind::Line);
-    assert_eq!(
-        joint(model, "h"),
-        JointKind::Prismatic(bore, named(model, "piston", "axis").0)
-    );
+    assert_eq!(joint(model, "h"), JointKind::Prismatic(bore, named(model, "piston", "axis").0));
     let gear = JointKind::Gear {
         a: LinkId::new(1),
         b: LinkId::new(2),
@@ -98,10 +80,7 @@ fn the_geared_piston_is_understood() {
     assert_eq!(model.motors[0].joint, JointId::new(0));
     assert_eq!(model.start.values[0].joint, JointId::new(0));
     assert_eq!(model.start.values[0].value, 30_f64.to_radians());
-    assert_eq!(
-        (model.start.near[0].link, model.start.near[0].angle),
-        (LinkId::new(3), 0.0)
-    );
+    assert_eq!((model.start.near[0].link, model.start.near[0].angle), (LinkId::new(3), 0.0));
     assert_eq!(model.method, Some(Method::NewtonSteps(2)));
 }
 
@@ -124,11 +103,7 @@ fn everything_knows_where_it_was_declared() {
     assert_eq!(spot(model.links[1].shapes[0].origin), (2, 27, 33));
     assert_eq!(spot(model.axes[0].origin), (2, 15, 16));
     assert_eq!(spot(model.joints[0].origin), (4, 6, 7));
-    let drawn = model
-        .axes
-        .iter()
-        .find(|axis| axis.name.is_none())
-        .expect("a drawn axis");
+    let drawn = model.axes.iter().find(|axis| axis.name.is_none()).expect("a drawn axis");
     assert_eq!(spot(drawn.origin), (4, 6, 7));
     assert_eq!(spot(model.motors[0].origin), (7, 6, 7));
     let range = model.motors[0].range.expect("a range");
@@ -205,19 +180,9 @@ fn shapes_have_planes_and_colors() {
         polygon [(0, 0), (1, 0), (0, 1),] color 200 + 55; }}"
     ));
     let links = &parsed.model.links;
-    let looks: Vec<_> = links[0]
-        .shapes
-        .iter()
-        .map(|shape| (shape.plane, shape.color))
-        .collect();
+    let looks: Vec<_> = links[0].shapes.iter().map(|shape| (shape.plane, shape.color)).collect();
     assert_eq!(looks, [(0, 1), (-2, 1), (0, 255)]);
-    assert_eq!(
-        links[0].shapes[1].kind,
-        ShapeKind::Circle {
-            center: [1.0, 2.0],
-            radius: 3.0
-        }
-    );
+    assert_eq!(links[0].shapes[1].kind, ShapeKind::Circle { center: [1.0, 2.0], radius: 3.0 });
     let corners = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
     assert_eq!(links[0].shapes[2].kind, ShapeKind::Polygon(corners));
     let colors = [1, 12, 13, 24, 25, 36, 37].map(|n: usize| links[n].shapes[0].color);
@@ -235,9 +200,7 @@ fn directions_have_length_one() {
         ("(0, -1e-320)", [0.0, -1.0]),
         ("(1e308, 0)", [1.0, 0.0]),
     ] {
-        let parsed = good(&format!(
-            "struct M; ground {{ point p = (0, 0) -> {given}; }}"
-        ));
+        let parsed = good(&format!("struct M; ground {{ point p = (0, 0) -> {given}; }}"));
         let [x, y] = parsed.model.axes[0].direction;
         let error = (x - expected[0]).abs().max((y - expected[1]).abs());
         assert!(error < 1e-12, "{given}: {x} {y}");
@@ -254,9 +217,6 @@ fn statements_may_come_in_any_order() {
         link a { point q = (0, 0); }
         ground { point p = (0, 0); }",
     );
-    assert_eq!(
-        (parsed.model.joints.len(), parsed.model.motors.len()),
-        (1, 1)
-    );
+    assert_eq!((parsed.model.joints.len(), parsed.model.motors.len()), (1, 1));
     assert_eq!(parsed.model.method, None);
 }

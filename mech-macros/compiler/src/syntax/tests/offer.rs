@@ -40,10 +40,7 @@ fn functions_of_other_languages_are_written_by_ours() {
         ("Y ^ 0.5", 2.0),
     ] {
         let offered = offered_value(wrong);
-        assert!(
-            (offered - value).abs() < 1e-12,
-            "{wrong}: {offered} is not {value}"
-        );
+        assert!((offered - value).abs() < 1e-12, "{wrong}: {offered} is not {value}");
     }
 }
 
@@ -53,10 +50,6 @@ fn a_name_of_a_color_is_its_entry_of_the_palette() {
         "struct M; const red = 200; link a { circle (0, 0) radius 1 color teal; ring (0, 0) radius 2 hole 1 color steel dark; \
          circle (0, 0) radius 1 color sky light; circle (0, 0) radius 1 color red; }",
     );
-    let colors: Vec<u8> = parsed.model.links[1]
-        .shapes
-        .iter()
-        .map(|shape| shape.color)
-        .collect();
+    let colors: Vec<u8> = parsed.model.links[1].shapes.iter().map(|shape| shape.color).collect();
     assert_eq!(colors, [4, 32, 42, 200]);
 }

@@ -5,8 +5,7 @@ use crate::model::{Axis, Model, Now};
 
 fn axis<'m>(model: &'m Model, name: &str) -> &'m Axis {
     let mut axes = model.axes.iter();
-    axes.find(|axis| axis.name.as_deref() == Some(name))
-        .expect("it was declared")
+    axes.find(|axis| axis.name.as_deref() == Some(name)).expect("it was declared")
 }
 
 #[test]
@@ -14,20 +13,13 @@ fn a_place_may_depend_on_params() {
     let text = "struct M; param length = 3 + 1; param angle = 30 deg; const HALF = length / 2; const FIXED = 2 * 3;
         link l { point a = (length, -HALF); point b = (FIXED, 1); point c = (cos(angle) * length, tan(angle) * 2); }";
     let model = good(text).model;
-    let names: Vec<(&str, f64)> = model
-        .params
-        .all()
-        .iter()
-        .map(|param| (param.name.as_str(), param.value))
-        .collect();
+    let names: Vec<(&str, f64)> =
+        model.params.all().iter().map(|param| (param.name.as_str(), param.value)).collect();
     assert_eq!(names, [("length", 4.0), ("angle", 30.0_f64.to_radians())]);
     assert_eq!(axis(&model, "a").at, [4.0, -2.0]);
     assert!(axis(&model, "a").formulas.iter().all(Option::is_some));
     assert!(!axis(&model, "b").varies());
-    let (sin, cos) = (
-        libm::sin(30.0_f64.to_radians()),
-        libm::cos(30.0_f64.to_radians()),
-    );
+    let (sin, cos) = (libm::sin(30.0_f64.to_radians()), libm::cos(30.0_f64.to_radians()));
     assert_eq!(axis(&model, "c").at[0], cos * 4.0);
     assert!((axis(&model, "c").at[1] - 2.0 * sin / cos).abs() < 1e-15);
 }
@@ -63,8 +55,7 @@ fn a_direction_may_depend_on_params() {
         model.params.evaluate(&mut Now { variables, params })
     };
     let turned = |axis: &Axis, params: &[f64]| {
-        axis.direction_formulas
-            .map(|formula| now(params)[formula.expect("both").index()])
+        axis.direction_formulas.map(|formula| now(params)[formula.expect("both").index()])
     };
     assert_eq!(turned(l, &[3.0]), [0.6, 0.8]);
     assert_eq!(turned(l, &[-3.0]), [-0.6, 0.8]);
@@ -96,8 +87,6 @@ fn equal_formulas_are_one() {
 
 #[test]
 fn what_follows_no_param_has_no_sensitivity() {
-    let effects = good("struct M; param a = 1; effects { sensitivity; }")
-        .model
-        .effects;
+    let effects = good("struct M; param a = 1; effects { sensitivity; }").model.effects;
     assert!(effects.sensitivity && !effects.velocity);
 }

@@ -24,11 +24,7 @@ fn instances_have_paths() {
     let model = parsed.model;
     let links: Vec<&str> = model.links.iter().map(|link| link.name.as_str()).collect();
     assert_eq!(links, ["ground", "left[0].bar", "left[1].bar", "right.bar"]);
-    let joints: Vec<&str> = model
-        .joints
-        .iter()
-        .map(|joint| joint.name.as_str())
-        .collect();
+    let joints: Vec<&str> = model.joints.iter().map(|joint| joint.name.as_str()).collect();
     assert_eq!(joints, ["left[0].pin", "left[1].pin", "right.pin"]);
     let JointKind::Revolute(frame, bar) = model.joints[2].kind else {
         panic!("it is a revolute");
@@ -48,9 +44,7 @@ fn instances_have_paths() {
 
 #[test]
 fn each_instance_has_its_number() {
-    let parsed = good(&arms(
-        "use a[3]: Arm(reach = 10 + k) { frame = ground at (k, 0) };",
-    ));
+    let parsed = good(&arms("use a[3]: Arm(reach = 10 + k) { frame = ground at (k, 0) };"));
     let places = |name: &str| -> Vec<f64> {
         let axes = parsed.model.axes.iter();
         let axes = axes.filter(|axis| axis.name.as_deref() == Some(name));
@@ -64,17 +58,12 @@ fn each_instance_has_its_number() {
 
 #[test]
 fn what_is_lent_stands_where_it_is_said() {
-    let parsed = good(&arms(
-        "use a: Arm mirrored scaled 2 { frame = ground at (10, 1) turned 90 deg };",
-    ));
+    let parsed =
+        good(&arms("use a: Arm mirrored scaled 2 { frame = ground at (10, 1) turned 90 deg };"));
     let model = parsed.model;
     // (2, 0) becomes (-4, 0), turns to (0, -4), and moves.
     let near = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]) < 1e-15;
-    assert!(
-        near(model.axes[0].at, [10.0, -3.0]),
-        "{:?}",
-        model.axes[0].at
-    );
+    assert!(near(model.axes[0].at, [10.0, -3.0]), "{:?}", model.axes[0].at);
     // The numbers of the part are in frames of its own: only mirrored and scaled.
     assert_eq!(model.axes[2].at, [-2.0, 2.0]);
     assert_eq!(model.start.values[0].value, -30.0_f64.to_radians());
@@ -92,10 +81,7 @@ fn a_drawing_is_placed_as_a_whole() {
     );
     let at: Vec<[f64; 2]> = parsed.model.axes.iter().map(|axis| axis.at).collect();
     assert_eq!(at, [[3.0, 1.0], [3.0, 1.0], [6.0, 1.0], [6.0, 1.0]]);
-    assert_eq!(
-        parsed.model.links[2].shapes[0].kind.numbers(),
-        [6.0, 1.0, 3.0]
-    );
+    assert_eq!(parsed.model.links[2].shapes[0].kind.numbers(), [6.0, 1.0, 3.0]);
     assert!(parsed.model.links[1].drawn && parsed.model.links[2].drawn);
 }
 
@@ -114,11 +100,7 @@ fn parts_have_parts() {
     assert_eq!(model.traces.len(), 5);
     let tip = model.axis(model.traces[3].point);
     assert_eq!(tip.at, [-4.0, 1.0]);
-    let paths: Vec<&str> = model
-        .instances
-        .iter()
-        .map(|one| one.path.as_str())
-        .collect();
+    let paths: Vec<&str> = model.instances.iter().map(|one| one.path.as_str()).collect();
     assert_eq!(
         paths,
         [
@@ -158,12 +140,7 @@ fn lengths_scale_and_senses_turn() {
     });
     assert_eq!(radius, Some(-2.0));
     assert_eq!(model.start.values[0].value, 12.0);
-    let rests: Vec<f64> = model
-        .actions
-        .springs
-        .iter()
-        .map(|spring| spring.rest)
-        .collect();
+    let rests: Vec<f64> = model.actions.springs.iter().map(|spring| spring.rest).collect();
     assert_eq!(rests, [-0.25, 8.0]);
     // Twice the angle in the part: its sense is reversed, and its lengths are four times as long.
     assert_eq!(model.at_start(&model.laws[0], 0.5), -4.0);

@@ -48,12 +48,7 @@ fn a_belt_has_teeth_or_radii() {
 #[test]
 fn a_rack_has_a_radius() {
     let rack = |text: &str| match rolling(&format!("rack(crank, rod, radius {text})")) {
-        JointKind::Rack {
-            pinion,
-            bar,
-            radius,
-            on,
-        } => {
+        JointKind::Rack { pinion, bar, radius, on } => {
             assert_eq!((pinion.index(), bar.index(), on), (CRANK, ROD, None));
             radius
         }

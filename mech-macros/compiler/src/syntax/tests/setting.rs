@@ -16,11 +16,8 @@ fn with_crank(text: &str) -> Parsed {
 fn accelerations_bring_velocities_with_them() {
     use crate::model::Effects;
     let effects = |text| {
-        let Effects {
-            velocity,
-            acceleration,
-            ..
-        } = good(&format!("struct M; {text}")).model.effects;
+        let Effects { velocity, acceleration, .. } =
+            good(&format!("struct M; {text}")).model.effects;
         [velocity, acceleration]
     };
     assert_eq!(effects(""), [false, false]);
@@ -53,11 +50,7 @@ fn what_is_shown_is_noted() {
     // The third axis of the text, after the two of the ground.
     assert_eq!(
         show("show wheel, crank.p, shaft,; motor shaft;"),
-        Some(vec![
-            Shown::Link(wheel),
-            Shown::Point(AxisId::new(2)),
-            Shown::Joint(JointId::new(0))
-        ])
+        Some(vec![Shown::Link(wheel), Shown::Point(AxisId::new(2)), Shown::Joint(JointId::new(0))])
     );
 }
 
@@ -88,25 +81,13 @@ fn a_motor_has_a_range_and_a_step() {
     let quarter = 90_f64.to_radians();
     for (text, expected) in [
         ("motor shaft;", (None, None)),
-        (
-            "motor shaft in 0 deg ..= 90 deg;",
-            (Some([0.0, quarter]), None),
-        ),
-        (
-            "motor shaft in 0deg..=90deg by 1deg;",
-            (Some([0.0, quarter]), Some(1_f64.to_radians())),
-        ),
+        ("motor shaft in 0 deg ..= 90 deg;", (Some([0.0, quarter]), None)),
+        ("motor shaft in 0deg..=90deg by 1deg;", (Some([0.0, quarter]), Some(1_f64.to_radians()))),
         ("motor shaft in -1..=1;", (Some([-1.0, 1.0]), None)),
         ("motor shaft by 0.5;", (None, Some(0.5))),
         // More than the range is as good as none.
-        (
-            "motor shaft in -1 ..= 1 by 7;",
-            (Some([-1.0, 1.0]), Some(7.0)),
-        ),
-        (
-            "const A = 2; motor shaft in -A ..= A + 1 by A / 4;",
-            (Some([-2.0, 3.0]), Some(0.5)),
-        ),
+        ("motor shaft in -1 ..= 1 by 7;", (Some([-1.0, 1.0]), Some(7.0))),
+        ("const A = 2; motor shaft in -A ..= A + 1 by A / 4;", (Some([-2.0, 3.0]), Some(0.5))),
     ] {
         assert_eq!(only_motor(text), expected, "{text}");
     }
@@ -135,10 +116,7 @@ fn an_accuracy_is_a_positive_length() {
     let accuracy = |text| settings(text).accuracy;
     assert_eq!(accuracy(""), None);
     assert_eq!(accuracy("accuracy 1e-9;"), Some(1e-9));
-    assert_eq!(
-        accuracy("const A = 1e-3; accuracy A / 10;"),
-        Some(1e-3 / 10.0)
-    );
+    assert_eq!(accuracy("const A = 1e-3; accuracy A / 10;"), Some(1e-3 / 10.0));
 }
 
 #[test]
@@ -153,18 +131,9 @@ fn costs_are_those_of_a_machine() {
 fn change_points_are_passed_in_one_of_three_ways() {
     let change_points = |text| settings(text).change_points;
     assert_eq!(change_points(""), AtChangePoints::GoOn);
-    assert_eq!(
-        change_points("at change points go on;"),
-        AtChangePoints::GoOn
-    );
-    assert_eq!(
-        change_points("at change points keep branch;"),
-        AtChangePoints::KeepBranch
-    );
-    assert_eq!(
-        change_points("at change points stop;"),
-        AtChangePoints::Stop
-    );
+    assert_eq!(change_points("at change points go on;"), AtChangePoints::GoOn);
+    assert_eq!(change_points("at change points keep branch;"), AtChangePoints::KeepBranch);
+    assert_eq!(change_points("at change points stop;"), AtChangePoints::Stop);
 }
 
 #[test]

@@ -87,11 +87,7 @@ fn dies_come_after_all_links() {
     let model = &parsed.model;
     let links: Vec<_> = model.links.iter().map(|link| link.name.as_str()).collect();
     assert_eq!(links, ["ground", "crank", "rod", "bare", "last", "d", "e"]);
-    let motors: Vec<_> = model
-        .motors
-        .iter()
-        .map(|motor| motor.joint.index())
-        .collect();
+    let motors: Vec<_> = model.motors.iter().map(|motor| motor.joint.index()).collect();
     assert_eq!(motors, [4, 3]);
 }
 
@@ -132,9 +128,7 @@ fn a_weld_is_drawn() {
 
 #[test]
 fn points_are_welded() {
-    let parsed = good(&format!(
-        "struct M; {LINKS} joint d = weld(crank.pin, rod.eye);"
-    ));
+    let parsed = good(&format!("struct M; {LINKS} joint d = weld(crank.pin, rod.eye);"));
     let model = &parsed.model;
     let (pin, eye) = (named(model, "crank", "pin").0, named(model, "rod", "eye").0);
     assert_eq!(model::joint(model, "d"), JointKind::Weld(pin, eye));

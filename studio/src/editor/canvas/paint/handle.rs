@@ -67,15 +67,10 @@ impl Paint<'_> {
         } else if a == LinkId::GROUND || b == LinkId::GROUND {
             let foot = center + Vec2::new(0.0, 16.0);
             for side in [-9.0, 9.0] {
-                painter.line_segment(
-                    [center + Vec2::new(0.0, PIN), foot + Vec2::new(side, 0.0)],
-                    ink,
-                );
+                painter
+                    .line_segment([center + Vec2::new(0.0, PIN), foot + Vec2::new(side, 0.0)], ink);
             }
-            painter.line_segment(
-                [foot - Vec2::new(13.0, 0.0), foot + Vec2::new(13.0, 0.0)],
-                ink,
-            );
+            painter.line_segment([foot - Vec2::new(13.0, 0.0), foot + Vec2::new(13.0, 0.0)], ink);
             for dash in [-9.0, -3.0, 3.0, 9.0] {
                 let from = foot + Vec2::new(dash, 0.0);
                 painter.line_segment([from, from + Vec2::new(-4.0, 5.0)], ink);
@@ -132,7 +127,6 @@ impl NameSpaces {
     pub(super) fn take(&mut self, center: Pos2) -> bool {
         let cell = center.to_vec2() / Self::ROOM;
         #[expect(clippy::cast_possible_truncation, reason = "pixels of a window")]
-        self.0
-            .insert([cell.x.floor() as i32, cell.y.floor() as i32])
+        self.0.insert([cell.x.floor() as i32, cell.y.floor() as i32])
     }
 }

@@ -21,20 +21,10 @@ impl Paint<'_> {
         let Some(board) = self.editor.board() else {
             return;
         };
-        let palette = if self.editor.settings.is_dark {
-            &Palette::NIGHT
-        } else {
-            &Palette::TEXTBOOK
-        };
+        let palette =
+            if self.editor.settings.is_dark { &Palette::NIGHT } else { &Palette::TEXTBOOK };
         let shown = self.shown;
-        board.paint(
-            0,
-            &mut Ink {
-                painter,
-                shown,
-                palette,
-            },
-        );
+        board.paint(0, &mut Ink { painter, shown, palette });
     }
 }
 
@@ -60,11 +50,7 @@ impl Canvas<f64> for Ink<'_> {
             Outline::Circle { center, radius } => {
                 Shape::circle_filled(pixel(center), self.length(radius), color)
             }
-            Outline::Ring {
-                center,
-                radius,
-                hole,
-            } => {
+            Outline::Ring { center, radius, hole } => {
                 let middle = self.length(f64::midpoint(radius, hole));
                 Shape::circle_stroke(pixel(center), middle, stroke(radius - hole))
             }
@@ -72,12 +58,7 @@ impl Canvas<f64> for Ink<'_> {
                 PathShape::convex_polygon(all(places), color, Stroke::NONE).into()
             }
             Outline::Line { points, width } => Shape::line(all(points), stroke(width)),
-            Outline::Arc {
-                center,
-                start,
-                angle,
-                width,
-            } => {
+            Outline::Arc { center, start, angle, width } => {
                 let [x, y] = [start[0] - center[0], start[1] - center[1]];
                 let places = (0..=PARTS).map(|part| {
                     let (sin, cos) = (angle * f64::from(part) / f64::from(PARTS)).sin_cos();
@@ -91,8 +72,7 @@ impl Canvas<f64> for Ink<'_> {
     fn text(&mut self, place: [f64; 2], text: &str, color: u8) {
         let (at, font) = (self.shown.pixel(place), FontId::monospace(10.0));
         let color = self.color(color);
-        self.painter
-            .text(at, Align2::LEFT_BOTTOM, text, font, color);
+        self.painter.text(at, Align2::LEFT_BOTTOM, text, font, color);
     }
 
     fn scale(&self) -> f64 {

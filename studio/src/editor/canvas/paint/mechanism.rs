@@ -13,12 +13,7 @@ use mech_compiler::model::{LinkId, ShapeKind};
 impl Paint<'_> {
     /// Links as bars and plates, with the shapes that they declare.
     pub(super) fn schematic(&self, painter: &Painter, drawing: &Drawing, strength: f32) {
-        self.shapes(
-            painter,
-            drawing,
-            LinkId::GROUND,
-            Color32::GRAY.gamma_multiply(0.3 * strength),
-        );
+        self.shapes(painter, drawing, LinkId::GROUND, Color32::GRAY.gamma_multiply(0.3 * strength));
         for (index, link) in drawing.model.declared_links().enumerate() {
             let color = distinct(index).gamma_multiply(strength);
             self.shapes(painter, drawing, link, color.gamma_multiply(0.4));
@@ -31,10 +26,7 @@ impl Paint<'_> {
                 );
             }
             let places = outline(drawing.places_on(link));
-            let points: Vec<Pos2> = places
-                .iter()
-                .map(|place| self.shown.pixel(*place))
-                .collect();
+            let points: Vec<Pos2> = places.iter().map(|place| self.shown.pixel(*place)).collect();
             match points[..] {
                 [] => {}
                 [only] => drop(painter.circle_filled(only, 9.0, color.gamma_multiply(0.5))),
@@ -69,11 +61,7 @@ impl Paint<'_> {
                 ShapeKind::Circle { center, radius } => {
                     painter.circle_filled(pixel(center), self.length(*radius), color);
                 }
-                ShapeKind::Ring {
-                    center,
-                    radius,
-                    hole,
-                } => {
+                ShapeKind::Ring { center, radius, hole } => {
                     let [middle, width] = [f64::midpoint(*radius, *hole), radius - hole];
                     painter.circle_stroke(
                         pixel(center),
@@ -135,15 +123,8 @@ impl Paint<'_> {
             };
             let center = self.shown.pixel(center);
             let green = Color32::from_rgb(30, 150, 60);
-            let width = if range.basis == Basis::Declared {
-                3.5
-            } else {
-                2.0
-            };
-            painter.add(egui::Shape::line(
-                arc(center, range.ends),
-                Stroke::new(width, green),
-            ));
+            let width = if range.basis == Basis::Declared { 3.5 } else { 2.0 };
+            painter.add(egui::Shape::line(arc(center, range.ends), Stroke::new(width, green)));
         }
     }
 }
@@ -199,9 +180,6 @@ mod tests {
         let mut all = square.to_vec();
         all.push([1.0, 1.0]);
         assert_eq!(outline(all), square);
-        assert_eq!(
-            outline(vec![[1.0, 0.0], [0.0, 0.0]]),
-            [[0.0, 0.0], [1.0, 0.0]]
-        );
+        assert_eq!(outline(vec![[1.0, 0.0], [0.0, 0.0]]), [[0.0, 0.0], [1.0, 0.0]]);
     }
 }

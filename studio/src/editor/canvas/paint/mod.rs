@@ -115,13 +115,7 @@ impl Paint<'_> {
     }
 
     fn arrows(&self, painter: &Painter) {
-        for Arrow {
-            kind,
-            place,
-            vector,
-            scale,
-        } in self.editor.arrows()
-        {
+        for Arrow { kind, place, vector, scale } in self.editor.arrows() {
             let tip = [place[0] + scale * vector[0], place[1] + scale * vector[1]];
             let [from, to] = [place, tip].map(|end| self.shown.pixel(end));
             let color = match kind {
@@ -149,10 +143,8 @@ impl Paint<'_> {
                 continue;
             };
             let places = outline(drawing.places_on(link));
-            let mut points: Vec<Pos2> = places
-                .iter()
-                .map(|place| self.shown.pixel(*place))
-                .collect();
+            let mut points: Vec<Pos2> =
+                places.iter().map(|place| self.shown.pixel(*place)).collect();
             if points.len() > 2 {
                 points.push(points[0]);
             }

@@ -12,12 +12,7 @@ const LINE: i32 = 42;
 /// Draws the legend.
 pub(super) fn draw<B: DrawingBackend>(area: &Area<'_, B>) -> Drawn<B> {
     let (left, right, mut y) = (150, 480, 110);
-    write(
-        area,
-        ("How to read it", 34.0, TEXT),
-        (left - 34, 34),
-        Side::Right,
-    )?;
+    write(area, ("How to read it", 34.0, TEXT), (left - 34, 34), Side::Right)?;
     for method in Method::ALL {
         marks::draw(area, (method, Precision::Double), 12.0, (left, y))?;
         let name = format!("method {method}");
@@ -25,10 +20,8 @@ pub(super) fn draw<B: DrawingBackend>(area: &Area<'_, B>) -> Drawn<B> {
         y += LINE;
     }
     y = 110;
-    for (precision, name) in [
-        (Precision::Double, "full: f64"),
-        (Precision::Single, "hollow: f32"),
-    ] {
+    for (precision, name) in [(Precision::Double, "full: f64"), (Precision::Single, "hollow: f32")]
+    {
         marks::draw(area, (Method::Exact, precision), 12.0, (right, y))?;
         write(area, (name, LETTER, TEXT), (right + 30, y), Side::Right)?;
         y += LINE;
@@ -43,12 +36,7 @@ pub(super) fn draw<B: DrawingBackend>(area: &Area<'_, B>) -> Drawn<B> {
         y += LINE;
     }
     marks::cross(area, Method::Newton, 12.0, (right, y))?;
-    write(
-        area,
-        ("blocked at this step", LETTER, TEXT),
-        (right + 30, y),
-        Side::Right,
-    )?;
+    write(area, ("blocked at this step", LETTER, TEXT), (right + 30, y), Side::Right)?;
     y += LINE + 22;
     for line in [
         "Left is cheaper, down is more exact. The grey line of a step is its",

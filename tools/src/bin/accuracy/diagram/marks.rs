@@ -102,10 +102,7 @@ pub(super) fn cross<B: DrawingBackend>(
 }
 
 /// The nearest pixel.
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "a picture is not that large"
-)]
+#[expect(clippy::cast_possible_truncation, reason = "a picture is not that large")]
 pub(super) fn nearest(value: f64) -> i32 {
     value.round() as i32
 }

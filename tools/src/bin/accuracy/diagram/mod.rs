@@ -64,10 +64,7 @@ pub(crate) fn picture(measurements: &[Measurement]) -> Result<Picture, String> {
     Ok(Picture {
         width,
         height,
-        pixels: pixels
-            .iter()
-            .map(|&[red, green, blue]| [red, green, blue, u8::MAX])
-            .collect(),
+        pixels: pixels.iter().map(|&[red, green, blue]| [red, green, blue, u8::MAX]).collect(),
     })
 }
 
@@ -126,6 +123,5 @@ fn write<B: DrawingBackend>(
 /// The approximate width of a text.
 fn width(text: &str, size: f64) -> i32 {
     let font = (FONT, size).into_font();
-    font.box_size(text)
-        .map_or(0, |(width, _)| width.cast_signed())
+    font.box_size(text).map_or(0, |(width, _)| width.cast_signed())
 }

@@ -26,10 +26,7 @@ impl Scale {
     /// The ranges of all measurements, the same in all panels.
     pub(super) fn fit(measurements: &[Measurement]) -> Self {
         let points = measurements.iter().flat_map(|measurement| {
-            let figures = measurement
-                .rows
-                .iter()
-                .filter_map(|row| row.outcome.as_ref().ok());
+            let figures = measurement.rows.iter().filter_map(|row| row.outcome.as_ref().ok());
             figures.map(|figures| logarithms(figures, measurement.size))
         });
         let (mut x, mut y) = ([f64::MAX, f64::MIN], [f64::MAX, f64::MIN]);
@@ -38,10 +35,7 @@ impl Scale {
             y = [y[0].min(at_y), y[1].max(at_y)];
         }
         // Room for marks and names.
-        Self {
-            x: [x[0] - 0.12, x[1] + 0.12],
-            y: [(y[0] - 0.6).floor(), (y[1] + 0.4).ceil()],
-        }
+        Self { x: [x[0] - 0.12, x[1] + 0.12], y: [(y[0] - 0.6).floor(), (y[1] + 0.4).ceil()] }
     }
 }
 
@@ -132,11 +126,7 @@ impl<'m> Panel<'m> {
         for decade in (low..=high).filter(|decade| decade % 3 == 0) {
             let y = self.y(decade.into());
             area.draw(&line((self.left, y), (self.right, y)))?;
-            let label = if decade == 0 {
-                "1".to_owned()
-            } else {
-                format!("1e{decade}")
-            };
+            let label = if decade == 0 { "1".to_owned() } else { format!("1e{decade}") };
             write(area, (&label, 23.0, SOFT), (self.left - 10, y), Side::Left)?;
         }
         for nanoseconds in [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000] {
@@ -150,12 +140,7 @@ impl<'m> Panel<'m> {
             write(area, label, (x, self.bottom + 22), Side::Center)?;
         }
         let below = (self.left + (self.right - self.left) / 2, self.bottom + 54);
-        write(
-            area,
-            ("nanoseconds a position", 23.0, SOFT),
-            below,
-            Side::Center,
-        )?;
+        write(area, ("nanoseconds a position", 23.0, SOFT), below, Side::Center)?;
         let above = (self.right, 38);
         write(area, ("worst error / size", 23.0, SOFT), above, Side::Left)
     }
@@ -194,10 +179,7 @@ impl<'m> Panel<'m> {
             let series = self.series(one.method, one.precision);
             let path = series.filter_map(|row| Some(self.at(row.outcome.as_ref().ok()?)));
             let color = marks::color(one.method);
-            area.draw(&PathElement::new(
-                path.collect::<Vec<_>>(),
-                color.stroke_width(2),
-            ))?;
+            area.draw(&PathElement::new(path.collect::<Vec<_>>(), color.stroke_width(2)))?;
         }
         let mut is_blocked = false;
         // The large ones first, and on top what is worth most.
@@ -274,12 +256,7 @@ impl<'m> Panel<'m> {
         let moves = columns.flat_map(|dx| (-7..=7).map(move |row| (dx, 26 * row)));
         let places = moves.map(|(dx, dy)| {
             let (x, y) = (x + dx, y + dy);
-            let place = [
-                x - half_width,
-                y - half_height,
-                x + half_width,
-                y + half_height,
-            ];
+            let place = [x - half_width, y - half_height, x + half_width, y + half_height];
             let inside = place[0] > self.left
                 && place[2] < self.right
                 && place[1] > self.top
@@ -295,22 +272,14 @@ impl<'m> Panel<'m> {
 
 /// The shortest line from a point to a box.
 fn leader((x, y): (i32, i32), place: &Taken) -> [(i32, i32); 2] {
-    let nearest = (
-        x.clamp(place[0], place[2]),
-        y.clamp(place[1] + 6, place[3] - 6),
-    );
+    let nearest = (x.clamp(place[0], place[2]), y.clamp(place[1] + 6, place[3] - 6));
     [(x, y), nearest]
 }
 
 /// The box around a line that is upright or level.
 fn around(a: (i32, i32), b: (i32, i32)) -> Taken {
     const HALF: i32 = 4;
-    [
-        a.0.min(b.0) - HALF,
-        a.1.min(b.1) - HALF,
-        a.0.max(b.0) + HALF,
-        a.1.max(b.1) + HALF,
-    ]
+    [a.0.min(b.0) - HALF, a.1.min(b.1) - HALF, a.0.max(b.0) + HALF, a.1.max(b.1) + HALF]
 }
 
 /// The area that two boxes share.

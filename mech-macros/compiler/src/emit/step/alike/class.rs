@@ -72,9 +72,6 @@ impl Class {
         let Some(&position) = self.rows[row].positions.get(&term.value) else {
             bug!("a piece gives what it does not make");
         };
-        Output {
-            position,
-            negative: term.negative != self.rows[row].opposite[position],
-        }
+        Output { position, negative: term.negative != self.rows[row].opposite[position] }
     }
 }

@@ -21,23 +21,16 @@ impl Writer<'_, '_> {
             Entry::One(piece) => self.one(&self.pieces.all[*piece]),
             Entry::Roll(roll) => self.roll(roll),
         });
-        Blocks {
-            acts: acts.collect(),
-            functions: self.functions,
-        }
+        Blocks { acts: acts.collect(), functions: self.functions }
     }
 
     /// A piece by itself.
     fn one(&mut self, piece: &Piece) -> Act {
         match (piece.row, piece.part) {
             (Some(place), _) => self.call(piece, place),
-            (None, Part::Whole) => whole_block(
-                piece.block,
-                &piece.flow,
-                self.scope,
-                self.names,
-                &mut self.functions,
-            ),
+            (None, Part::Whole) => {
+                whole_block(piece.block, &piece.flow, self.scope, self.names, &mut self.functions)
+            }
             (None, Part::Before | Part::Solution) => {
                 let statements = values_in_place(&piece.values, &piece.flow, self.scope);
                 Act {
@@ -82,13 +75,7 @@ impl Writer<'_, '_> {
     fn roll(&mut self, roll: &Roll) -> Act {
         let flow = self.flow(roll);
         let statements = Rounds::new(self, roll, &flow.gives).statements();
-        Act {
-            lets: count_lets(&statements),
-            statements,
-            flow,
-            fails: false,
-            takes_sines: false,
-        }
+        Act { lets: count_lets(&statements), statements, flow, fails: false, takes_sines: false }
     }
 
     /// The flow of a loop: values that it takes from outside, and values of it that others need.

@@ -21,23 +21,17 @@ pub(super) struct Numbers {
 
 impl Numbers {
     pub(super) fn of(class: &Class) -> Self {
-        let mut numbers = Self {
-            cells: Vec::new(),
-            columns: Vec::new(),
-        };
+        let mut numbers = Self { cells: Vec::new(), columns: Vec::new() };
         for place in 0..class.rows[0].numbers.len() {
             let column: Vec<f64> = class.rows.iter().map(|row| row.numbers[place]).collect();
             let cell = numbers.cell(column);
             numbers.cells.push(cell);
         }
         if class.has_sides() {
-            let sides = class.rows.iter().map(|row| {
-                if row.is_on_other_side(&class.shape) {
-                    -1.0
-                } else {
-                    1.0
-                }
-            });
+            let sides = class
+                .rows
+                .iter()
+                .map(|row| if row.is_on_other_side(&class.shape) { -1.0 } else { 1.0 });
             numbers.columns.push(sides.collect());
         }
         numbers

@@ -78,11 +78,7 @@ impl Pieces {
                     if !others.is_empty() {
                         all.push(piece(others.clone(), others, Part::Before));
                     }
-                    all.push(piece(
-                        solution.own.clone(),
-                        solution.anew.clone(),
-                        Part::Solution,
-                    ));
+                    all.push(piece(solution.own.clone(), solution.anew.clone(), Part::Solution));
                 }
             }
         }
@@ -127,10 +123,7 @@ impl Pieces {
             Some(&program.systems()[number])
         });
         let coefficients = systems.flat_map(System::coefficients).copied();
-        let operands = piece
-            .values
-            .iter()
-            .flat_map(|&value| program.node(value).op.operands());
+        let operands = piece.values.iter().flat_map(|&value| program.node(value).op.operands());
         let all = operands.chain(coefficients);
         all.filter(|value| !own.contains(value)).collect()
     }
@@ -140,11 +133,8 @@ impl Pieces {
         for (number, piece) in self.all.iter().enumerate() {
             makers.extend(piece.values.iter().map(|&value| (value, number)));
         }
-        let reads: Vec<BTreeSet<Value>> = self
-            .all
-            .iter()
-            .map(|piece| self.reads(program, piece))
-            .collect();
+        let reads: Vec<BTreeSet<Value>> =
+            self.all.iter().map(|piece| self.reads(program, piece)).collect();
         for (number, reads) in reads.into_iter().enumerate() {
             for value in reads {
                 match program.node(value).op {
@@ -214,14 +204,9 @@ fn solutions(program: &Program, values: &[Vec<Value>]) -> Option<BTreeMap<BlockI
         }
     }
     let classes = Class::find(shapes);
-    let alike: BTreeSet<usize> = classes
-        .iter()
-        .flat_map(|class| class.pieces.iter().copied())
-        .collect();
-    let alike = blocks
-        .into_iter()
-        .enumerate()
-        .filter(|(number, _)| alike.contains(number));
+    let alike: BTreeSet<usize> =
+        classes.iter().flat_map(|class| class.pieces.iter().copied()).collect();
+    let alike = blocks.into_iter().enumerate().filter(|(number, _)| alike.contains(number));
     let solutions: BTreeMap<BlockId, Solution> = alike.map(|(_, found)| found).collect();
     (!solutions.is_empty()).then_some(solutions)
 }
@@ -239,12 +224,7 @@ impl Solution {
         for value in needed(program, values, goal.first().copied()) {
             let node = program.node(value);
             let is_goal = goal.contains(&Term::of(program, value).value);
-            if is_goal
-                || !node
-                    .op
-                    .operands()
-                    .any(|operand| dependent.contains(&operand))
-            {
+            if is_goal || !node.op.operands().any(|operand| dependent.contains(&operand)) {
                 continue;
             }
             dependent.insert(value);
@@ -258,10 +238,7 @@ impl Solution {
                 others.insert(value);
             }
         }
-        Self {
-            anew: closure(program, &own, &others),
-            own,
-        }
+        Self { anew: closure(program, &own, &others), own }
     }
 }
 

@@ -118,11 +118,7 @@ impl<'s> Sequence<'s> {
                 made.insert(value, Made { place, output });
             }
         }
-        Self {
-            pieces,
-            order,
-            made,
-        }
+        Self { pieces, order, made }
     }
 
     /// The loop that begins at a place, with the length of round that puts most pieces into it.
@@ -189,10 +185,7 @@ impl<'s> Sequence<'s> {
             let first = first + number * length;
             self.order[first..first + length].to_vec()
         });
-        Some(Roll {
-            rounds: rounds.collect(),
-            arguments: arguments.collect(),
-        })
+        Some(Roll { rounds: rounds.collect(), arguments: arguments.collect() })
     }
 
     /// An argument of a piece in each round.
@@ -231,11 +224,8 @@ impl<'s> Sequence<'s> {
             return Whence::Known;
         }
         let offset = made.place - round.first;
-        let given = Given {
-            piece: offset % round.length,
-            output: made.output,
-            negative: term.negative,
-        };
+        let given =
+            Given { piece: offset % round.length, output: made.output, negative: term.negative };
         if offset / round.length == number && given.piece < index {
             Whence::Now(given)
         } else if offset / round.length + 1 == number {

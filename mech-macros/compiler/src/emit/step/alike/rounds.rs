@@ -58,13 +58,7 @@ impl<'r, 'w, 'p> Rounds<'r, 'w, 'p> {
             let result = self.result(given);
             self.after.extend(quote!(#variable = #result;));
         }
-        let Self {
-            row,
-            before,
-            body,
-            after,
-            ..
-        } = self;
+        let Self { row, before, body, after, .. } = self;
         let rows = integer(self.roll.rounds.len());
         quote! {
             #before
@@ -102,8 +96,7 @@ impl<'r, 'w, 'p> Rounds<'r, 'w, 'p> {
                 .iter()
                 .zip(&places)
                 .map(|(round, &place)| {
-                    self.writer
-                        .given(&self.writer.pieces.all[round[piece]], place, output)
+                    self.writer.given(&self.writer.pieces.all[round[piece]], place, output)
                 })
                 .collect();
             let Some(first) = values.iter().copied().flatten().next() else {
@@ -115,8 +108,7 @@ impl<'r, 'w, 'p> Rounds<'r, 'w, 'p> {
             results.push(quote!(#variable));
             self.results.push((piece, output, variable));
         }
-        self.body
-            .extend(quote!(let (#(#results),*) = #name(#(#arguments),*); #stores));
+        self.body.extend(quote!(let (#(#results),*) = #name(#(#arguments),*); #stores));
     }
 
     /// The statement that keeps a result for what comes after the loop.
@@ -131,9 +123,7 @@ impl<'r, 'w, 'p> Rounds<'r, 'w, 'p> {
         self.before.extend(quote!(let mut #array = [0.0; #rows];));
         for (row, value) in values.iter().enumerate() {
             if let Some(value) = value {
-                self.writer
-                    .scope
-                    .place(*value, array.clone(), row, values.len());
+                self.writer.scope.place(*value, array.clone(), row, values.len());
             }
         }
         let row = &self.row;
@@ -155,14 +145,8 @@ impl<'r, 'w, 'p> Rounds<'r, 'w, 'p> {
         let mut results = self.results.iter();
         let found =
             results.find(|(piece, output, _)| (*piece, *output) == (given.piece, given.output));
-        let Some((_, _, variable)) = found else {
-            bug!("a round reads what it has not computed")
-        };
-        if given.negative {
-            quote!(-#variable)
-        } else {
-            quote!(#variable)
-        }
+        let Some((_, _, variable)) = found else { bug!("a round reads what it has not computed") };
+        if given.negative { quote!(-#variable) } else { quote!(#variable) }
     }
 
     /// A result of the round before.
@@ -205,9 +189,7 @@ impl<'r, 'w, 'p> Rounds<'r, 'w, 'p> {
             return Vec::new();
         }
         let rows = columns.iter().map(|column| {
-            let numbers = places
-                .iter()
-                .map(|place| number(program.precision, column[place.row]));
+            let numbers = places.iter().map(|place| number(program.precision, column[place.row]));
             quote!([#(#numbers),*])
         });
         let rows: Vec<TokenStream> = rows.collect();
@@ -220,8 +202,7 @@ impl<'r, 'w, 'p> Rounds<'r, 'w, 'p> {
             quote!(#table[#column][#row])
         });
         let cells = cells.collect();
-        self.before
-            .extend(quote!(static #table: [[#scalar; #height]; #width] = [#(#rows),*];));
+        self.before.extend(quote!(static #table: [[#scalar; #height]; #width] = [#(#rows),*];));
         cells
     }
 }

@@ -87,10 +87,8 @@ impl Unifier<'_> {
             self.operation(theirs, ours)?;
         }
         let partners: Vec<Partner> = self.partners.iter().copied().collect::<Option<_>>()?;
-        let mut row = Row {
-            arguments: self.known.iter().copied().collect::<Option<_>>()?,
-            ..Row::default()
-        };
+        let mut row =
+            Row { arguments: self.known.iter().copied().collect::<Option<_>>()?, ..Row::default() };
         for (position, (theirs, partner)) in self.first.operations.iter().zip(&partners).enumerate()
         {
             let ours = &self.shape.operations[partner.position];
@@ -124,11 +122,7 @@ impl Unifier<'_> {
             let mark = self.trail.len();
             if let Some(opposite) = self.operands(their, our, swapped) {
                 self.trail.push(Found::Partner(theirs));
-                self.partners[theirs] = Some(Partner {
-                    position: ours,
-                    opposite,
-                    swapped,
-                });
+                self.partners[theirs] = Some(Partner { position: ours, opposite, swapped });
                 return Some(opposite);
             }
             self.forget(mark);
@@ -171,10 +165,7 @@ impl Unifier<'_> {
         match (theirs, ours) {
             (
                 Operand::Inner { position, negative },
-                Operand::Inner {
-                    position: other,
-                    negative: changed,
-                },
+                Operand::Inner { position: other, negative: changed },
             ) => {
                 let opposite = self.operation(position, other)?;
                 Some((negative != changed) != opposite)

@@ -5,9 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// The order of the blocks.
 pub(super) fn in_order(pieces: &Pieces) -> Vec<usize> {
-    (0..pieces.all.len())
-        .filter(|&piece| pieces.is_run(piece))
-        .collect()
+    (0..pieces.all.len()).filter(|&piece| pieces.is_run(piece)).collect()
 }
 
 /// An order in which pieces of one class stand together, as far as they do not wait for each other.
@@ -57,10 +55,8 @@ impl<'p> Waiting<'p> {
                 waiting.left[class] += 1;
             }
             let takes = pieces.all[number].flow.takes.iter();
-            let before: BTreeSet<usize> = takes
-                .filter_map(|value| makers.get(value))
-                .copied()
-                .collect();
+            let before: BTreeSet<usize> =
+                takes.filter_map(|value| makers.get(value)).copied().collect();
             waiting.missing[number] = before.len();
             for maker in before {
                 waiting.readers[maker].insert(number);

@@ -57,11 +57,8 @@ impl Shape {
     /// The shape of these values of one block; none if one of them is no plain operation.
     pub(super) fn of(program: &Program, values: &[Value]) -> Option<Self> {
         let inside: BTreeSet<Value> = values.iter().copied().collect();
-        let mut shape = Self {
-            operations: Vec::new(),
-            positions: BTreeMap::new(),
-            ends: Vec::new(),
-        };
+        let mut shape =
+            Self { operations: Vec::new(), positions: BTreeMap::new(), ends: Vec::new() };
         for &value in values {
             match program.node(value).op {
                 // The opposite of what is known outside would belong to nobody.
@@ -81,24 +78,18 @@ impl Shape {
     /// Returns the hashes of its ends: shapes that are alike have the same.
     pub(super) fn hashes(&self) -> Vec<u64> {
         let ends = self.ends.iter();
-        ends.map(|&position| self.operations[position].hash)
-            .collect()
+        ends.map(|&position| self.operations[position].hash).collect()
     }
 
     fn find_ends(&mut self) {
         let mut is_end = vec![true; self.operations.len()];
-        let operands = self
-            .operations
-            .iter()
-            .flat_map(|operation| &operation.operands);
+        let operands = self.operations.iter().flat_map(|operation| &operation.operands);
         for operand in operands {
             if let Operand::Inner { position, .. } = operand {
                 is_end[*position] = false;
             }
         }
-        self.ends = (0..is_end.len())
-            .filter(|&position| is_end[position])
-            .collect();
+        self.ends = (0..is_end.len()).filter(|&position| is_end[position]).collect();
     }
 
     /// The position of the operation that makes a value.
@@ -109,10 +100,7 @@ impl Shape {
     /// The values that it reads from outside, in the order in which they are first read.
     pub(super) fn outers(&self) -> Vec<Value> {
         let mut outers = Vec::new();
-        let operands = self
-            .operations
-            .iter()
-            .flat_map(|operation| &operation.operands);
+        let operands = self.operations.iter().flat_map(|operation| &operation.operands);
         for operand in operands {
             if let Operand::Outer(term) = operand
                 && !outers.contains(&term.value)
@@ -138,10 +126,8 @@ impl Shape {
             | Op::Linear(..) => return None,
             _ => Kind::Other(discriminant(&op)),
         };
-        let mut operands: Vec<Operand> = op
-            .operands()
-            .map(|operand| self.operand(program, operand))
-            .collect();
+        let mut operands: Vec<Operand> =
+            op.operands().map(|operand| self.operand(program, operand)).collect();
         if let (Op::Sub(..), [_, second]) = (op, &mut operands[..]) {
             *second = second.opposite();
         }
@@ -175,10 +161,7 @@ impl Shape {
         let term = Term::of(program, operand);
         match (program.node(term.value).op, self.position(term.value)) {
             (Op::Constant(number), _) => Operand::Number(signed(number.get(), term.negative)),
-            (_, Some(position)) => Operand::Inner {
-                position,
-                negative: term.negative,
-            },
+            (_, Some(position)) => Operand::Inner { position, negative: term.negative },
             (_, None) => Operand::Outer(term),
         }
     }
@@ -187,10 +170,7 @@ impl Shape {
 impl Operand {
     fn opposite(self) -> Self {
         match self {
-            Self::Inner { position, negative } => Self::Inner {
-                position,
-                negative: !negative,
-            },
+            Self::Inner { position, negative } => Self::Inner { position, negative: !negative },
             Self::Outer(term) => Self::Outer(term.signed(true)),
             Self::Number(number) => Self::Number(-number),
         }

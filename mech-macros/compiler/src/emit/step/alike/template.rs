@@ -51,17 +51,9 @@ impl Shared<'_> {
         };
         let others = self.class.rows.len() - 1;
         let title = format!("{before}{} {others} more are like it.", self.title);
-        let flow = Flow {
-            takes,
-            gives: gives.iter().copied().collect(),
-            ..Flow::default()
-        };
+        let flow = Flow { takes, gives: gives.iter().copied().collect(), ..Flow::default() };
         let program = template.finish(&gives, title);
-        let inline = if self.in_loops {
-            quote!(inline(always))
-        } else {
-            quote!(inline)
-        };
+        let inline = if self.in_loops { quote!(inline(always)) } else { quote!(inline) };
         function(&program, BlockId::FIRST, self.name, &flow, &gives, &inline)
     }
 }
@@ -85,12 +77,7 @@ struct Template<'c> {
 impl Template<'_> {
     fn make(&mut self, op: Op, name: Option<String>) -> Value {
         let value = Value::at(self.nodes.len());
-        self.nodes.push(Node {
-            op,
-            block: self.block,
-            iterated: false,
-            name,
-        });
+        self.nodes.push(Node { op, block: self.block, iterated: false, name });
         value
     }
 
@@ -229,17 +216,10 @@ impl Template<'_> {
                 waiting.extend(self.nodes[value.index()].op.operands());
             }
         }
-        let block = Block {
-            name: String::new(),
-            title,
-            kind: BlockKind::Straight,
-        };
+        let block = Block { name: String::new(), title, kind: BlockKind::Straight };
         Program {
             precision: self.program.precision,
-            ssa: Ssa {
-                nodes: self.nodes,
-                blocks: vec![block],
-            },
+            ssa: Ssa { nodes: self.nodes, blocks: vec![block] },
             live,
             ..Program::default()
         }

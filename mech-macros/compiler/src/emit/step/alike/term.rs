@@ -21,9 +21,6 @@ impl Term {
 
     /// The same with its sign changed, if `negative`.
     pub(super) fn signed(self, negative: bool) -> Self {
-        Self {
-            negative: self.negative != negative,
-            ..self
-        }
+        Self { negative: self.negative != negative, ..self }
     }
 }

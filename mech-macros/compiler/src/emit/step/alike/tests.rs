@@ -14,12 +14,7 @@ struct Written(Program);
 impl Written {
     fn make(&mut self, op: Op) -> Value {
         let nodes = &mut self.0.ssa.nodes;
-        nodes.push(Node {
-            op,
-            block: BlockId::FIRST,
-            iterated: false,
-            name: None,
-        });
+        nodes.push(Node { op, block: BlockId::FIRST, iterated: false, name: None });
         Value::at(nodes.len() - 1)
     }
 
@@ -33,11 +28,8 @@ impl Written {
 
     /// The shape of these values.
     fn shape(&mut self, values: &[Value]) -> Shape {
-        self.0.ssa.blocks = vec![Block {
-            name: String::new(),
-            title: String::new(),
-            kind: BlockKind::Straight,
-        }];
+        self.0.ssa.blocks =
+            vec![Block { name: String::new(), title: String::new(), kind: BlockKind::Straight }];
         Shape::of(&self.0, values).expect("plain operations")
     }
 }
@@ -47,17 +39,9 @@ fn sum_of_products(numbers: [f64; 2], inputs: [usize; 2], swapped: [bool; 2]) ->
     let mut written = Written::default();
     let [x, y] = inputs.map(|number| written.input(number));
     let [a, b] = numbers.map(|number| written.number(number));
-    let first = if swapped[0] {
-        Op::Mul(a, x)
-    } else {
-        Op::Mul(x, a)
-    };
+    let first = if swapped[0] { Op::Mul(a, x) } else { Op::Mul(x, a) };
     let (first, second) = (written.make(first), written.make(Op::Mul(b, y)));
-    let sum = if swapped[1] {
-        Op::Add(second, first)
-    } else {
-        Op::Add(first, second)
-    };
+    let sum = if swapped[1] { Op::Add(second, first) } else { Op::Add(first, second) };
     let root = written.make(sum);
     let absolute = written.make(Op::Abs(root));
     written.shape(&[first, second, root, absolute])
@@ -161,10 +145,7 @@ fn a_class_has_enough_pieces() {
         let shapes = (0..count).map(|number| {
             let numbers =
                 [number, number + 1].map(|number| f64::from(u8::try_from(number).expect("few")));
-            (
-                number,
-                sum_of_products(numbers, [0, 1], [number % 2 == 0, number % 3 == 0]),
-            )
+            (number, sum_of_products(numbers, [0, 1], [number % 2 == 0, number % 3 == 0]))
         });
         shapes.collect()
     };
@@ -184,16 +165,7 @@ fn an_opposite_is_an_output_of_its_own() {
     let shapes = (0..4).map(|number| (number, shape.clone())).collect();
     let classes = Class::find(shapes);
     let outputs = [value, opposite].map(|value| classes[0].output(&written.0, 0, value));
-    let expected = [false, true].map(|negative| Output {
-        position: 0,
-        negative,
-    });
+    let expected = [false, true].map(|negative| Output { position: 0, negative });
     assert_eq!(outputs, expected);
-    assert_eq!(
-        Term::of(&written.0, opposite),
-        Term {
-            value,
-            negative: true
-        }
-    );
+    assert_eq!(Term::of(&written.0, opposite), Term { value, negative: true });
 }

@@ -53,14 +53,7 @@ impl<'w, 'p> Writer<'w, 'p> {
             functions.extend(template.function());
             shared.push(name);
         }
-        Self {
-            pieces,
-            numbers,
-            shared,
-            scope,
-            names,
-            functions,
-        }
+        Self { pieces, numbers, shared, scope, names, functions }
     }
 
     /// The value that a piece gives as an output of its class, if something needs it.

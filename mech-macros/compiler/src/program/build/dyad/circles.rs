@@ -30,9 +30,7 @@ impl DyadLowering<'_> {
         } else {
             signed
         };
-        let directions = circles
-            .directions(self.ssa, beside)
-            .map(Solution::Direction);
+        let directions = circles.directions(self.ssa, beside).map(Solution::Direction);
         let two = self.ssa.constant(2.0);
         let scale = self.ssa.mul(two, product);
         let sine = self.ssa.div(signed, scale);

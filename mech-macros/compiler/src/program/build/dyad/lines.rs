@@ -108,11 +108,7 @@ impl DyadLowering<'_> {
 
     /// s·a + t·b = goal.
     pub(super) fn two_lines(&mut self, goal: Vector, lines: [Vector; 2]) -> DyadResults {
-        let TwoLines {
-            det,
-            numerators,
-            displacements,
-        } = TwoLines::new(self.ssa, goal, lines);
+        let TwoLines { det, numerators, displacements } = TwoLines::new(self.ssa, goal, lines);
         let tolerance = self.ssa.constant(-4.0 * self.ssa.epsilon);
         if !self.choice.changes_branch() {
             let positive = self.ssa.at_start(det) > 0.0;
