@@ -163,7 +163,7 @@ impl Module {
                 before.pop();
             }
             UseTree::Group(group) => {
-                group.items.iter().for_each(|tree| self.take(tree, before, is_own))
+                group.items.iter().for_each(|tree| self.take(tree, before, is_own));
             }
             UseTree::Glob(_) => self.globs.push(before.clone()),
             UseTree::Name(name) if name.ident == "self" => {

@@ -130,10 +130,10 @@ pub(super) fn draw<T: Scalar>(
             pen.eye(canvas, at, PIVOT);
         }
         Symbol::Spring { ends: [a, b], beside } => {
-            elastic::spring(pen, canvas, [place(a, poses)?, place(b, poses)?], beside)
+            elastic::spring(pen, canvas, [place(a, poses)?, place(b, poses)?], beside);
         }
         Symbol::Damper { ends: [a, b], beside } => {
-            elastic::damper(pen, canvas, [place(a, poses)?, place(b, poses)?], beside)
+            elastic::damper(pen, canvas, [place(a, poses)?, place(b, poses)?], beside);
         }
         Symbol::TorsionSpring(spot) => elastic::torsion_spring(pen, canvas, place(spot, poses)?),
         Symbol::TorsionDamper(spot) => elastic::torsion_damper(pen, canvas, place(spot, poses)?),

@@ -22,7 +22,7 @@ pub(super) fn fill<T: Scalar>(
     let clip = surface.clip();
     match shape(corner, count, clip) {
         Some(PolygonExtent { top, bottom, highest, is_simple: true }) => {
-            between_chains(surface, corner, count, highest, top..bottom, color)
+            between_chains(surface, corner, count, highest, top..bottom, color);
         }
         Some(PolygonExtent { top, bottom, .. }) => {
             let rows = Clip { top, bottom, ..clip };

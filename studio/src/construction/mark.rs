@@ -113,7 +113,7 @@ impl Mark {
             Self::Circle { ends, color } => circle(*ends, pixel, *color, canvas),
             Self::Arrow { ends, color } => arrow(canvas, *ends, SIZE, *color),
             Self::Turn { at, to_the_left, color } => {
-                moment(canvas, *at, *to_the_left, TURN, SIZE, *color)
+                moment(canvas, *at, *to_the_left, TURN, SIZE, *color);
             }
             Self::Dot(at) => {
                 let dot = Outline::Circle { center: *at, radius: DOT * pixel };

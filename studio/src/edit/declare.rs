@@ -63,7 +63,7 @@ pub(super) fn declare(scene: &Scene, command: &Command) -> Result<Change, Refusa
             }
         }
         Command::Motor { joint, law, range, step } => {
-            motor(scene, &mut rewriter, joint, [law, step], range.as_ref())?
+            motor(scene, &mut rewriter, joint, [law, step], range.as_ref())?;
         }
         Command::Start { name, is_near, value } => start(&mut rewriter, name, *is_near, value)?,
         Command::Action { kind, name, body } => {

@@ -173,7 +173,7 @@ impl Order {
                 (*a, *b, *on) = (link(*a), link(*b), on.map(link));
             }
             JointKind::Cam { shaft, follower, .. } => {
-                (*shaft, *follower) = (self.joint(*shaft), self.joint(*follower))
+                (*shaft, *follower) = (self.joint(*shaft), self.joint(*follower));
             }
         }
         kind

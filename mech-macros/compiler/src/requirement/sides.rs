@@ -257,7 +257,7 @@ impl<'p> Way<'p> {
                     last.range = last.range.hull(range);
                 }
                 _ => {
-                    within.push(Stretch { range, sides: vec![turned.to_vec()], is_sure: *is_sure })
+                    within.push(Stretch { range, sides: vec![turned.to_vec()], is_sure: *is_sure });
                 }
             }
         }

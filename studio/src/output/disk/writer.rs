@@ -69,7 +69,7 @@ impl Writer {
         match &mut self.planned {
             None => write_all(&[(&output, &target)])?,
             Some(planned) => {
-                planned.push(Planned { over: output.over.clone(), output, target: target.clone() })
+                planned.push(Planned { over: output.over.clone(), output, target: target.clone() });
             }
         }
         self.made.push(target);

@@ -52,7 +52,7 @@ pub(super) fn flat(stream: TokenStream) -> Vec<Token> {
                 waiting.push((group.stream().into_iter(), Some((delimiter, end))));
             }
             Some(tree) => {
-                tokens.push(Token { text: tree.to_string(), kind: TokenKind::Single(tree) })
+                tokens.push(Token { text: tree.to_string(), kind: TokenKind::Single(tree) });
             }
             None => {
                 let ended = waiting.pop().and_then(|(_, end)| end);
