@@ -43,6 +43,18 @@ pub struct Compiled {
     pub report: String,
 }
 
+impl Compiled {
+    /// The program beside that of positions by which the point of `follow` is led: that of its inverse, or of rates where there are more
+    /// motors than needed. None if no point is led.
+    #[must_use]
+    pub fn leading(&self, model: &Model) -> Option<&Program> {
+        if model.inverse.as_ref()?.is_least {
+            return self.moving.as_ref();
+        }
+        self.inverse.as_ref().map(|inverted| &inverted.compiled.program)
+    }
+}
+
 /// The mechanism in which a point is given and motors follow. Its joints are those of the other, and after them those that carry the point;
 /// so are its links, but for the dies of slots, which come last.
 #[derive(Clone, Debug, PartialEq)]

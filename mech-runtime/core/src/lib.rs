@@ -30,6 +30,7 @@ mod real;
 mod reduction;
 pub mod rest;
 pub mod root;
+pub mod surplus;
 mod symbol;
 pub mod trig;
 mod turns;

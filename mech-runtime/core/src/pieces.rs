@@ -29,3 +29,15 @@ pub fn in_pieces<T: Real, S, E>(
     }
     Ok(Err((stop, done)))
 }
+
+/// The place so far on the straight way.
+pub fn between<T: Real, const N: usize>(start: [T; N], end: [T; N], part: T) -> [T; N] {
+    if part >= T::ONE {
+        return end;
+    }
+    let mut place = end;
+    for (value, start) in place.iter_mut().zip(start) {
+        *value = start + (*value - start) * part;
+    }
+    place
+}

@@ -6,10 +6,10 @@ use crate::blocked::Input;
 use crate::{Blocked, Cause, Pose, Real, Scalar};
 use mech_core::journey::Journey;
 use mech_core::motors;
-use mech_core::pieces::in_pieces;
+use mech_core::pieces::{between, in_pieces};
 
 /// The way cannot be followed at once.
-pub(super) const TOO_FAR: Stop = Stop::new("", Cause::TooFar);
+const TOO_FAR: Stop = Stop::new("", Cause::TooFar);
 
 /// Where the sine of a loop is less than this, a position is solved for by itself.
 const LEAST_SINE: f64 = 0.25;
@@ -202,18 +202,6 @@ where
         in_pieces(TOO_FAR, |part| self.go_at_once(way(part)))?
             .map_err(|(stop, done)| self.led.blocked(stop, way(done)))
     }
-}
-
-/// The place so far on the straight way.
-pub(super) fn between<T: Scalar, const N: usize>(start: [T; N], end: [T; N], part: T) -> [T; N] {
-    if part >= T::ONE {
-        return end;
-    }
-    let mut place = end;
-    for (value, start) in place.iter_mut().zip(start) {
-        *value = start + (*value - start) * part;
-    }
-    place
 }
 
 /// The rates of all motors at which what is given moves at these rates: motors that do not follow rest. `rates` computes the rates of links

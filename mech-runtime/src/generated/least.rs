@@ -1,13 +1,10 @@
 //! Inverse kinematics with more motors than needed: a point is led, and motors move as little as they can.
 
-use super::inverse::{Mover, TOO_FAR, between};
-use super::{Position, Stop, advance, less};
+use super::inverse::Mover;
+use super::{Motors, Position, Stop, advance};
 use crate::blocked::Input;
 use crate::{Blocked, Cause, Real, Scalar};
-use mech_core::pieces::in_pieces;
-
-/// So many rounds are made on a piece of the way.
-const MOST_ROUNDS: usize = 40;
+use mech_core::surplus::{SurplusMotors, lead, least};
 
 /// What is led, `G` numbers, and the motors that follow: `N`, more than are needed.
 #[derive(Clone, Copy, Debug)]
@@ -47,53 +44,23 @@ pub fn reach_least<
         L,
         K,
         W,
-        impl Fn(&Position<T, M, L, K>, super::Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
+        impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
     >,
     surplus: Surplus<T, N, G>,
     place: [T; G],
     given: impl Fn(&Position<T, M, L, K>) -> [T; G],
     influence: impl Fn(&Position<T, M, L, K>, [T; RATES]) -> Result<[T; G], Stop>,
 ) -> Result<(), Blocked<[T; G]>> {
-    let Mover { position, limits, step } = mechanism;
-    let start = *position;
-    let here = given(&start);
+    let start = *mechanism.position;
     let blocked =
         |stop: Stop, reached| Blocked::new(stop.place, stop.cause, reached).of(surplus.given);
     let mut named = place.iter().zip(surplus.given);
     if let Some((_, input)) = named.find(|(number, _)| !Real::is_finite(**number)) {
-        return Err(blocked(Stop::new(input.name(), Cause::NotFinite), here));
+        return Err(blocked(Stop::new(input.name(), Cause::NotFinite), given(&start)));
     }
-    let apart = surplus.apart(place, here);
-    let mut end = here;
-    for (value, apart) in end.iter_mut().zip(apart) {
-        *value += apart;
-    }
-    let way = |part| between(here, end, part);
-    let mut at = start;
-    let moved = in_pieces(TOO_FAR, |part| {
-        let piece = surplus.reach_at_once(
-            &at,
-            way(part),
-            limits.range.as_ref(),
-            &given,
-            &influence,
-            |from, motors| {
-                let mut to = *from;
-                let moved = advance(&mut to, motors, limits, &step, &step);
-                moved.map_err(|blocked| Stop::new(blocked.place, blocked.cause))?;
-                Ok(to)
-            },
-        );
-        Ok::<_, Blocked<[T; G]>>(match piece {
-            Ok(there) => {
-                at = there;
-                None
-            }
-            Err(stop) => Some(stop),
-        })
-    })?;
-    moved.map_err(|(stop, done)| blocked(stop, way(done)))?;
-    *position = at;
+    let mut led = Led { mechanism, surplus, rest: [T::ZERO; RATES], given, influence };
+    let there = lead(&mut led, &start, place);
+    *led.mechanism.position = there.map_err(|(stop, reached)| blocked(stop, reached))?;
     Ok(())
 }
 
@@ -108,43 +75,28 @@ pub fn least_rates<T: Scalar, L, const N: usize, const G: usize, const M: usize>
     rates: impl Fn([T; M]) -> Result<L, Stop>,
     led: impl Fn(&L) -> [T; G],
 ) -> Result<[T; M], Stop> {
-    let columns = surplus.columns(|unit| Ok(led(&rates(unit)?)))?;
-    let found = surplus.least(&columns, [T::ZERO; N], [None; N], given)?;
-    Ok(surplus.with([T::ZERO; M], found))
+    let influence = surplus.influence([T::ZERO; M], |unit| Ok(led(&rates(unit)?)))?;
+    let found = least(&influence, &surplus.weights, &[T::ZERO; N], &[None; N], given);
+    let found = found.ok_or(surplus.undetermined())?;
+    let mut all = [T::ZERO; M];
+    for (motor, rate) in surplus.motors.into_iter().zip(found) {
+        if let Some(place) = all.get_mut(motor) {
+            *place = rate;
+        }
+    }
+    Ok(all)
 }
 
 impl<T: Scalar, const N: usize, const G: usize> Surplus<T, N, G> {
-    /// By how much a place is apart from another: angles the shorter way.
-    fn apart(&self, place: [T; G], from: [T; G]) -> [T; G] {
-        let mut apart = less(place, from);
-        for (value, input) in apart.iter_mut().zip(self.given) {
-            if let Input::Turning(_) = input
-                && let Some((_, displacement)) = value.whole_turns()
-            {
-                *value = displacement;
-            }
-        }
-        apart
-    }
-
-    /// The same inputs, with these values of the motors that follow.
-    fn with<const M: usize>(&self, mut all: [T; M], values: [T; N]) -> [T; M] {
-        for (motor, value) in self.motors.into_iter().zip(values) {
-            if let Some(place) = all.get_mut(motor) {
-                *place = value;
-            }
-        }
-        all
-    }
-
     /// The influence of each motor on what is given.
-    fn columns<const M: usize>(
+    fn influence<const M: usize>(
         &self,
+        rest: [T; M],
         influence: impl Fn([T; M]) -> Result<[T; G], Stop>,
     ) -> Result<[[T; G]; N], Stop> {
         let mut columns = [[T::ZERO; G]; N];
         for (column, motor) in columns.iter_mut().zip(self.motors) {
-            let mut unit = [T::ZERO; M];
+            let mut unit = rest;
             if let Some(rate) = unit.get_mut(motor) {
                 *rate = T::ONE;
             }
@@ -153,134 +105,108 @@ impl<T: Scalar, const N: usize, const G: usize> Surplus<T, N, G> {
         Ok(columns)
     }
 
-    /// Goes a piece of the way at once, by Newton's method on the conditions for the least motion from where it begins; then on the place
-    /// alone.
-    fn reach_at_once<const M: usize, const L: usize, const K: usize, const RATES: usize>(
-        &self,
-        from: &Position<T, M, L, K>,
-        target: [T; G],
-        range: Option<&[[T; 2]; M]>,
-        given: &impl Fn(&Position<T, M, L, K>) -> [T; G],
-        influence: &impl Fn(&Position<T, M, L, K>, [T; RATES]) -> Result<[T; G], Stop>,
-        go: impl Fn(&Position<T, M, L, K>, super::Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
-    ) -> Result<Position<T, M, L, K>, Stop> {
-        let chosen =
-            |all: [T; M]| self.motors.map(|motor| all.get(motor).copied().unwrap_or(T::ZERO));
-        let origin = chosen(from.motors.total());
-        let (mut at, mut held, mut settles) = (*from, [None; N], false);
-        for _ in 0..MOST_ROUNDS {
-            let missing = self.apart(target, given(&at));
-            if settles && self.is_small(missing, target) {
-                return Ok(at);
-            }
-            let columns = self.columns(|unit| influence(&at, unit))?;
-            let present = chosen(at.motors.total());
-            let base = if settles { present } else { origin };
-            let values = loop {
-                let due = due(&columns, less(present, base), held, missing, present);
-                let moved = self.least(&columns, base, held, due)?;
-                let Some((number, end)) = self.leaves(moved, held, range) else {
-                    break moved;
-                };
-                if let Some(place) = held.get_mut(number) {
-                    *place = Some(end);
-                }
-            };
-            let mut motors = at.motors;
-            for (motor, value) in self.motors.into_iter().zip(values) {
-                motors.set(motor, value, 0);
-            }
-            at = go(&at, motors)?;
-            let moved = less(values, present).into_iter().zip(self.weights);
-            let change = moved.fold(T::ZERO, |sum, (moved, weight)| sum + moved * moved / weight);
-            settles |= change <= T::from_f64(T::EPSILON);
-        }
-        Err(Stop::new(self.name, Cause::Open))
-    }
-
-    /// The values of the motors, as near as possible to their base, at which those that are not held do this.
-    fn least(
-        &self,
-        columns: &[[T; G]; N],
-        base: [T; N],
-        held: [Option<T>; N],
-        wanted: [T; G],
-    ) -> Result<[T; N], Stop> {
-        let mut rows = [[T::ZERO; G]; G];
-        let free = columns.iter().zip(self.weights).zip(held);
-        for ((column, weight), _) in free.filter(|(_, held)| held.is_none()) {
-            for (row, left) in rows.iter_mut().zip(column) {
-                for (entry, right) in row.iter_mut().zip(column) {
-                    *entry += weight * *left * *right;
-                }
-            }
-        }
-        let mut most = T::from_f64(64.0 * T::EPSILON);
-        for (number, row) in rows.iter().enumerate() {
-            most *= row.get(number).copied().unwrap_or(T::ZERO);
-        }
-        let mut multipliers = wanted;
-        let det = mech_core::dense::solve(&mut rows, &mut multipliers);
-        // Also true of what is no number.
-        let is_determined = det > most;
-        if !is_determined || multipliers.iter().any(|number| !Real::is_finite(*number)) {
-            return Err(Stop::new(self.name, Cause::Singular));
-        }
-        let mut values = base;
-        let motors = values.iter_mut().zip(columns).zip(self.weights).zip(held);
-        for (((value, column), weight), held) in motors {
-            let part = column.iter().zip(multipliers);
-            let part = part.fold(T::ZERO, |sum, (entry, number)| sum + *entry * number);
-            *value = held.unwrap_or(*value + weight * part);
-        }
-        Ok(values)
-    }
-
-    /// The first motor that leaves its range and is not held, by its number, and the end that it leaves.
-    fn leaves<const M: usize>(
-        &self,
-        values: [T; N],
-        held: [Option<T>; N],
-        range: Option<&[[T; 2]; M]>,
-    ) -> Option<(usize, T)> {
-        let range = range?;
-        let motors = self.motors.into_iter().zip(values).zip(held).enumerate();
-        let mut motors = motors.filter(|(_, (_, held))| held.is_none());
-        motors.find_map(|(number, ((motor, value), _))| {
-            let [low, high] = *range.get(motor)?;
-            let end = value.max(low).min(high);
-            (end != value).then_some((number, end))
-        })
-    }
-
-    /// Whether what is missing is only rounding.
-    fn is_small(&self, missing: [T; G], target: [T; G]) -> bool {
-        let rounding = T::from_f64(16.0 * T::EPSILON);
-        let mut parts = missing.iter().zip(target).zip(self.given);
-        parts.all(|((missing, target), input)| {
-            let size = match input {
-                Input::Turning(_) => T::TURN,
-                _ => self.size.max(target.abs()),
-            };
-            missing.abs() <= rounding * size
-        })
+    fn undetermined(&self) -> Stop {
+        Stop::new(self.name, Cause::Singular)
     }
 }
 
-/// What motors that are free have to do from their base, by their present influence.
-fn due<T: Scalar, const N: usize, const G: usize>(
-    columns: &[[T; G]; N],
-    gone: [T; N],
-    held: [Option<T>; N],
-    missing: [T; G],
-    present: [T; N],
-) -> [T; G] {
-    let motors = columns.iter().zip(gone).zip(held.into_iter().zip(present));
-    motors.fold(missing, |mut sum, ((column, gone), (held, present))| {
-        let part = held.map_or(gone, |end| present - end);
-        for (sum, entry) in sum.iter_mut().zip(column) {
-            *sum += *entry * part;
+/// A mechanism whose point is led by more motors than it needs.
+struct Led<
+    'a,
+    T: 'static,
+    const N: usize,
+    const G: usize,
+    const M: usize,
+    const L: usize,
+    const K: usize,
+    const W: usize,
+    const RATES: usize,
+    S,
+    P,
+    I,
+> {
+    mechanism: Mover<'a, T, M, L, K, W, S>,
+    surplus: Surplus<T, N, G>,
+    /// The rates of all motors where none moves.
+    rest: [T; RATES],
+    given: P,
+    influence: I,
+}
+
+impl<
+    T: Scalar,
+    const N: usize,
+    const G: usize,
+    const M: usize,
+    const L: usize,
+    const K: usize,
+    const W: usize,
+    const RATES: usize,
+    S,
+    P,
+    I,
+> SurplusMotors<T, G> for Led<'_, T, N, G, M, L, K, W, RATES, S, P, I>
+where
+    S: Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
+    P: Fn(&Position<T, M, L, K>) -> [T; G],
+    I: Fn(&Position<T, M, L, K>, [T; RATES]) -> Result<[T; G], Stop>,
+{
+    type Position = Position<T, M, L, K>;
+    type Stop = Stop;
+    type Values = [T; N];
+    type Held = [Option<T>; N];
+    type Influence = [[T; G]; N];
+
+    fn given(&self, at: &Self::Position) -> [T; G] {
+        (self.given)(at)
+    }
+
+    fn influence(&mut self, at: &Self::Position) -> Result<Self::Influence, Stop> {
+        self.surplus.influence(self.rest, |unit| (self.influence)(at, unit))
+    }
+
+    fn values(&self, at: &Self::Position) -> [T; N] {
+        let all = at.motors.total();
+        self.surplus.motors.map(|motor| all.get(motor).copied().unwrap_or(T::ZERO))
+    }
+
+    fn free(&self) -> Self::Held {
+        [None; N]
+    }
+
+    fn go(&mut self, from: &Self::Position, values: &[T; N]) -> Result<Self::Position, Stop> {
+        let (mut to, mut motors) = (*from, from.motors);
+        for (motor, value) in self.surplus.motors.into_iter().zip(values) {
+            motors.set(motor, *value, 0);
         }
-        sum
-    })
+        let Mover { limits, step, .. } = &self.mechanism;
+        let moved = advance(&mut to, motors, limits, step, step);
+        moved.map_err(|blocked| Stop::new(blocked.place, blocked.cause))?;
+        Ok(to)
+    }
+
+    fn weights(&self) -> &[T] {
+        &self.surplus.weights
+    }
+
+    fn range(&self, number: usize) -> Option<[T; 2]> {
+        let motor = self.surplus.motors.get(number)?;
+        self.mechanism.limits.range.as_ref()?.get(*motor).copied()
+    }
+
+    fn is_angle(&self, number: usize) -> bool {
+        matches!(self.surplus.given.get(number), Some(Input::Turning(_)))
+    }
+
+    fn size(&self) -> T {
+        self.surplus.size
+    }
+
+    fn undetermined(&self) -> Stop {
+        self.surplus.undetermined()
+    }
+
+    fn unreached(&self) -> Stop {
+        Stop::new(self.surplus.name, Cause::Open)
+    }
 }

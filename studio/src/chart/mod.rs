@@ -73,7 +73,11 @@ impl<'t> Chart<'t> {
             match panels.iter_mut().find(|panel| panel.unit == unit) {
                 Some(panel) => panel.columns.push(number),
                 None => {
-                    panels.push(Panel { unit, columns: vec![number], is_path: table.is_path(unit) });
+                    panels.push(Panel {
+                        unit,
+                        columns: vec![number],
+                        is_path: table.is_path(unit),
+                    });
                 }
             }
         }

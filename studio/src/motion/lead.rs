@@ -30,12 +30,8 @@ impl Goal {
         compiled: &Compiled,
         machine: &mut Mover<'_>,
     ) -> Result<(), Failure> {
-        let (Some(inverse), Some(inverted)) = (&model.inverse, &compiled.inverse) else {
-            let why = if model.inverse.is_some() {
-                "more motors than needed follow its point: only generated code leads that"
-            } else {
-                "it has no statement as `follow pen.tip by a, b;`"
-            };
+        let (Some(inverse), Some(leading)) = (&model.inverse, compiled.leading(model)) else {
+            let why = "it has no statement as `follow pen.tip by a, b;`";
             return Err(Failure::usage(format!("`{}` leads no point: {why}", model.name)));
         };
         let name = inverse.name(model);
@@ -51,7 +47,7 @@ impl Goal {
         if let Some(angle) = place.get_mut(Inverse::ANGLE) {
             *angle = angle.to_radians();
         }
-        let mut other = Mover::new(&inverted.model, &inverted.compiled);
+        let mut other = Mover::of(model, leading);
         let led = machine.lead(model, compiled, &mut other, &place);
         led.map_err(|why| {
             let why = unreachable(model, compiled, why);
@@ -79,6 +75,10 @@ fn unreachable(model: &Model, compiled: &Compiled, why: Unreachable) -> String {
     match (why, &compiled.inverse) {
         (Unreachable::Stopped(stop), Some(inverted)) => {
             obstacle(&inverted.model, &inverted.compiled, stop)
+        }
+        (Unreachable::Stopped(stop), None) => obstacle(model, compiled, stop),
+        (Unreachable::Undetermined, _) => {
+            "on the way there its motors do not move it every way".to_owned()
         }
         (Unreachable::OutOfRange(motor), _) => {
             let joint = model.motor(motor).joint;

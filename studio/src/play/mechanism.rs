@@ -36,7 +36,7 @@ pub struct Mechanism {
     pub(super) points: Vec<Spot<f64>>,
     ready: Ready,
     /// The mechanism in which the point of `follow` is given, ready for motion, and its start.
-    inverse: Option<(Ready, Position<f64>)>,
+    leading: Option<(Ready, Position<f64>)>,
     pub(super) position: Position<f64>,
     paths: Paths,
 }
@@ -69,9 +69,9 @@ impl Mechanism {
             landmarks: Landmarks::new(&model, &compiled),
             prepared,
             ready: Ready::new(&model, &compiled.program),
-            inverse: compiled.inverse.as_ref().map(|inverted| {
-                let start = Mover::new(&model, &inverted.compiled).position();
-                (Ready::new(&model, &inverted.compiled.program), start)
+            leading: compiled.leading(&model).map(|program| {
+                let start = Mover::of(&model, program).position();
+                (Ready::new(&model, program), start)
             }),
             position: Mover::new(&model, &compiled).position(),
             paths: Paths::new(&model, &compiled)?,
@@ -241,8 +241,8 @@ impl Mechanism {
         Some(Spot { link: number_of(&self.compiled, inverse.link)?, at: point.unwrap_or_default() })
     }
 
-    /// Leads a place on a link straight to `aim`, by the exact inverse, if `follow` leads it and only these motors move: the point itself, or
-    /// with three motors any place of its link, which keeps its angle. Returns whether it comes there; if not, nothing moves.
+    /// Leads a place on a link straight to `aim`, as generated code does it, if `follow` leads it and only these motors move: the point itself, or
+    /// with its angle any place of its link, which keeps its angle. Returns whether it comes there; if not, nothing moves.
     pub(super) fn lead(&mut self, spot: Spot<f64>, aim: [f64; 2], may_move: &[usize]) -> bool {
         let Some(position) = self.led(spot, aim, may_move) else {
             return false;
@@ -253,8 +253,8 @@ impl Mechanism {
     }
 
     fn led(&self, spot: Spot<f64>, aim: [f64; 2], may_move: &[usize]) -> Option<Position<f64>> {
-        let (inverse, inverted) = (self.model.inverse.as_ref()?, self.compiled.inverse.as_ref()?);
-        let (ready, start) = self.inverse.as_ref()?;
+        let inverse = self.model.inverse.as_ref()?;
+        let (ready, start) = self.leading.as_ref()?;
         let (point, here) = (self.led_spot()?, self.place(spot)?);
         let is_led = point == spot || inverse.gives_angle() && point.link == spot.link;
         let mut motors = inverse.motors.iter();
@@ -267,7 +267,7 @@ impl Mechanism {
             *value += aim - here;
         }
         let mut machine = Mover::at(program, &self.ready, &self.position);
-        let mut other = Mover::at(&inverted.compiled.program, ready, start);
+        let mut other = Mover::at(self.compiled.leading(&self.model)?, ready, start);
         let led = machine.lead(&self.model, &self.compiled, &mut other, &place);
         led.ok().map(|()| machine.position())
     }

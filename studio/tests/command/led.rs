@@ -58,6 +58,59 @@ fn a_bucket_is_led_past_where_its_cylinder_is_longest() {
 }
 
 #[test]
+fn motors_that_are_more_than_needed_go_as_little_as_they_can() {
+    let text = include_str!("../../../tests/tests/subjects/inverse/snake.mech");
+    let folder = Folder::new().with("a.mech", text);
+    for [x, y] in [[3.9, 1.2], [3.6, 0.4], [4.1, 0.7], [3.2, 1.9]] {
+        let words = format!("a.mech a b c third.tip --reach={x},{y}");
+        let [row] = &numbers(&folder.mech(&format!("table {words}")).done())[..] else {
+            panic!("it is measured there alone");
+        };
+        let [.., a, b, c, tip_x, tip_y] = row[..] else {
+            panic!("{row:?}");
+        };
+        assert!(close(tip_x, x) && close(tip_y, y), "{row:?}");
+        // As it is declared: bars of 2, of 1, and one to (1, 1) that is behind its joint turned backwards.
+        let gone = [a, b, c].map(f64::to_radians);
+        let angles = [gone[0], gone[0] + gone[1], gone[0] + gone[1] - gone[2]];
+        let bars = [[2.0, 0.0], [1.0, 0.0], [1.0, 1.0]];
+        let turned = [0, 1, 2].map(|bar| {
+            let ((sin, cos), [x, y]) = (angles[bar].sin_cos(), bars[bar]);
+            [cos * x - sin * y, sin * x + cos * y]
+        });
+        let from = |first: usize| {
+            turned[first..].iter().fold([0.0, 0.0], |sum, bar| [sum[0] + bar[0], sum[1] + bar[1]])
+        };
+        let end = from(0);
+        assert!((end[0] - x).hypot(end[1] - y) < 1e-9, "{row:?} {end:?}");
+        // Nowhere do they go less: where the tip stays, the way does not change to the first order.
+        let arms = [(0, 1.0), (1, 1.0), (2, -1.0)].map(|(first, sense)| {
+            let [x, y] = from(first);
+            [-sense * y, sense * x]
+        });
+        let still = [(1, 2), (2, 0), (0, 1)]
+            .map(|(one, other)| arms[one][0] * arms[other][1] - arms[one][1] * arms[other][0]);
+        let along: f64 = gone.iter().zip(still).map(|(gone, still)| gone * still).sum();
+        let lengths =
+            [gone, still].map(|all| all.map(|part| part * part).iter().sum::<f64>().sqrt());
+        assert!(along.abs() < 1e-7 * lengths[0] * lengths[1], "{row:?} {along}");
+    }
+    // One that comes to the end of its range stays there, and the others go on.
+    let folder =
+        Folder::new().with("a.mech", &text.replace("motor b;", "motor b in -5 deg ..= 5 deg;"));
+    let [row] = &numbers(&folder.mech("table a.mech b third.tip --reach=3.2,1.9").done())[..]
+    else {
+        panic!("it is measured there alone");
+    };
+    let [.., b, x, y] = row[..] else {
+        panic!("{row:?}");
+    };
+    assert!(close(b.abs(), 5.0) && close(x, 3.2) && close(y, 1.9), "{row:?}");
+    let said = folder.mech("table a.mech b --reach=9,9").refused(1);
+    assert!(said.contains("`third.tip` cannot be led to (9, 9)"), "{said}");
+}
+
+#[test]
 fn a_point_and_its_motors_move_along_its_path() {
     let text =
         format!("{PLOTTER}\npath pen.tip = (0.3 + cos(60 rpm * t), 3 + 0.5 * sin(120 rpm * t));");

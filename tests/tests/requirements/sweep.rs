@@ -196,7 +196,18 @@ impl<'m> Sweep<'m> {
 
     /// How fast a subject changes with the motor at a place, and how much that is in doubt.
     pub(super) fn slope_at(&self, subject: Subject, place: &[f64], near: f64) -> Option<[f64; 2]> {
-        let step = self.step().min(1e-3);
+        // Beside a place where the mechanism stops only short steps are possible on both sides.
+        let mut steps = (0..6).map(|times| self.step().min(1e-3) * 0.25_f64.powi(times));
+        steps.find_map(|step| self.slope_by(subject, (place, near), step))
+    }
+
+    /// The same by differences of this step.
+    fn slope_by(
+        &self,
+        subject: Subject,
+        (place, near): (&[f64], f64),
+        step: f64,
+    ) -> Option<[f64; 2]> {
         let mut values = [0.0; 9];
         for (value, steps) in
             values.iter_mut().zip([-4.0, -3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.0_f64])

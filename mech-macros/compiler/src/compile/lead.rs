@@ -1,6 +1,7 @@
 //! A point is led, and motors follow: as the generated code does it, in any precision.
 
 use super::inverse::place;
+use super::least;
 use crate::bug::bug;
 use crate::compiled::{Compiled, InverseMechanism};
 use crate::evaluate::{Machine, Stop};
@@ -22,10 +23,12 @@ pub enum Unreachable {
     OutOfRange(MotorId),
     /// On the way motors and point part: the mechanism would have to be assembled otherwise.
     Apart,
+    /// The motors, more than are needed, do not move it that way there.
+    Undetermined,
 }
 
 /// Leads the point of `follow` to a place on the straight way, and moves the motors after it. What is given is x and y, and the angle of
-/// the link where three motors follow. `inverse` is a machine of the program of [`Compiled::inverse`], wherever it is.
+/// the link where that is given. `inverse` is a machine of the program of [`Compiled::leading`], wherever it is.
 ///
 /// # Errors
 /// The obstacle to the point; the mechanism then stays where it was.
@@ -35,10 +38,21 @@ pub fn lead<T: Real>(
     (mechanism, inverse): (&mut Machine<'_, T>, &mut Machine<'_, T>),
     place: &[f64],
 ) -> Result<(), Unreachable> {
-    let (Some(led), Some(inverted)) = (&model.inverse, &compiled.inverse) else {
+    let Some(led) = &model.inverse else {
         bug!("no motors follow a point");
     };
     let start = mechanism.position().clone();
+    if led.is_least {
+        let both = (&mut *mechanism, inverse);
+        let done = least::lead(model, led, &compiled.program, both, place);
+        if done.is_err() {
+            mechanism.put_back(start);
+        }
+        return done;
+    }
+    let Some(inverted) = &compiled.inverse else {
+        bug!("motors follow a point, and their mechanism is not there");
+    };
     let mut way = Way {
         model,
         led,

@@ -10,6 +10,7 @@ mod change_point_start;
 mod closure;
 mod inverse;
 mod lead;
+mod least;
 mod overconstrained;
 mod overflow;
 mod surplus;

@@ -56,7 +56,7 @@ fn outside(led: &Inverse, given: &[f64]) -> Option<TrajectoryStop> {
 fn obstacle(model: &Model, inverted: &InverseMechanism, why: Unreachable) -> TrajectoryStop {
     let stop = match why {
         Unreachable::OutOfRange(motor) => return TrajectoryStop::Range(motor),
-        Unreachable::Apart => return TrajectoryStop::Apart,
+        Unreachable::Apart | Unreachable::Undetermined => return TrajectoryStop::Apart,
         Unreachable::Stopped(stop) => stop,
     };
     let (plan, program) = (&inverted.compiled.plan, &inverted.compiled.program);

@@ -224,8 +224,16 @@ impl<'p, T: Real> Machine<'p, T> {
         Some(wanted.iter().map(|value| values[value.index()]).collect())
     }
 
-    /// Exactly as the generated code's runtime does it.
-    fn advance(&mut self, motors: &[T], turns: &[i32]) -> Result<(), Halt<Position<T>, Stop, T>> {
+    /// Gives the motors, and params after them, these values, with whole turns beside them, exactly as the generated code's runtime does
+    /// it.
+    ///
+    /// # Errors
+    /// How far it would have come, and what stops it.
+    pub(crate) fn advance(
+        &mut self,
+        motors: &[T],
+        turns: &[i32],
+    ) -> Result<(), Halt<Position<T>, Stop, T>> {
         let refuse = |stop| Halt { position: self.position.clone(), part: T::ZERO, stop };
         let (all, own) = (self.position.motors.len(), self.runner.program.motors.len());
         if motors.len() != all && motors.len() != own || turns.len() != motors.len() {
