@@ -1,4 +1,4 @@
-//! What a user reads where a mechanism does not compile: a folder for each rule, and one for what Rust adds. After a wording was changed on
+//! What Rust adds where a mechanism does not compile. What a user reads of a text is in `tests/cases/refused`. After a wording was changed on
 //! purpose: `TRYBUILD=overwrite cargo test -p mech-ui`, and read it.
 
 #[test]

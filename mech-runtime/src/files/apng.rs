@@ -1,7 +1,7 @@
 //! Animated PNG.
 
+use super::Clock;
 use super::FileError;
-use super::clock::Clock;
 use super::patch::Patch;
 use super::picture::{Picture, Pixels};
 use super::still::{MOST, compress};

@@ -20,7 +20,6 @@ mod position;
 mod rates;
 mod rest;
 mod shapes;
-mod wheel;
 
 pub use crate::blocked::Input;
 pub use crate::overlay::{Arrows, Overlay, Spot, Symbol};
@@ -57,7 +56,7 @@ pub use position::{Motors, Position, finite};
 pub use rates::{advance_with, rates_at};
 pub use rest::come_to_rest;
 pub use shapes::shapes;
-pub use wheel::{ring, rounded_f32, rounded_f64, wheel};
+pub use shapes::{ring, rounded_f32, rounded_f64, wheel};
 
 // Generated code takes the language's own items from here, because their names may mean something else where it stands.
 pub use core::clone::Clone;

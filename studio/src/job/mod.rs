@@ -5,7 +5,6 @@ mod draw;
 mod film;
 mod measure;
 mod picture;
-mod plot;
 mod rest;
 mod table;
 
@@ -13,9 +12,10 @@ pub(crate) use draw::Draw;
 pub(crate) use film::{Film, FilmKind};
 pub(crate) use measure::Measure;
 pub(crate) use picture::{Picture, Size};
-pub(crate) use plot::Plot;
 pub(crate) use rest::Rest;
 
+#[cfg(not(target_arch = "wasm32"))]
+use crate::chart::Chart;
 use crate::document::{Faults, Reading};
 use crate::failure::Failure;
 use crate::output::OutputKind;
@@ -123,6 +123,37 @@ impl Job {
                 Ok(crate::report::report(&analysed.model, &analysed.compiled)?.into_bytes())
             }
             Self::Graph(kind) => Ok(kind.dot(&analysed).into_bytes()),
+        }
+    }
+}
+
+/// Charts of what is measured: quantities with the same unit share one.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "transfer", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct Plot {
+    pub(crate) measure: Measure,
+    pub(crate) kind: StillKind,
+    /// The title; without, the name of the mechanism.
+    pub(crate) title: Option<String>,
+}
+
+impl Plot {
+    /// The letters of charts are not in a page.
+    #[cfg(target_arch = "wasm32")]
+    fn run(&self, _: &Analysed) -> Result<Vec<u8>, Failure> {
+        Err(Failure::file(
+            "a page in a browser draws no charts; export the table, or use `mech plot` on a computer",
+        ))
+    }
+
+    #[cfg(not(target_arch = "wasm32"))]
+    fn run(&self, analysed: &Analysed) -> Result<Vec<u8>, Failure> {
+        let table = self.measure.table(analysed)?;
+        let title = self.title.as_deref().unwrap_or(&analysed.model.name);
+        let chart = Chart::new(title, &table);
+        match self.kind {
+            StillKind::Svg => chart.svg().map(String::into_bytes),
+            StillKind::Png => chart.png(),
         }
     }
 }

@@ -130,60 +130,8 @@ fn mechanisms_with_every_diagnosis() {
     assert!(count > 100, "{count} repairs");
 }
 
-/// The statements of mechanisms that are coherent: a name, then what may be broken.
-const COHERENT: [&[&str]; 4] = [
-    &[
-        "struct FourBar;",
-        "link crank; ",
-        "link coupler { point tip = (2.5, 3); }",
-        "link rocker;",
-        "joint a = revolute(ground, crank) at (0, 0);",
-        "joint b = revolute(crank, coupler) at (0.8, 0.6);",
-        "joint c = revolute(coupler, rocker) at (3.3, 2.9);",
-        "joint d = revolute(ground, rocker) at (4, 0);",
-        "motor a;",
-    ],
-    &[
-        "struct Named;",
-        "ground { point o = (0, 0); point p = (4, 0); }",
-        "link crank { point o = (0, 0); point b = (1, 0); }",
-        "link coupler { point b = (0, 0); point c = (3.5, 0); point tip = (2, 1); }",
-        "link rocker { point p = (0, 0); point c = (3, 0); }",
-        "joint a = revolute(ground.o, crank.o);",
-        "joint b = revolute(crank.b, coupler.b);",
-        "joint c = revolute(coupler.c, rocker.c);",
-        "joint d = revolute(ground.p, rocker.p);",
-        "motor a;",
-        "start { a = 10 deg; coupler near 50 deg; }",
-        "effects { trace coupler.tip 64; }",
-    ],
-    &[
-        "struct SliderCrank;",
-        "link crank;",
-        "link rod;",
-        "link block;",
-        "joint a = revolute(ground, crank) at (0, 0);",
-        "joint b = revolute(crank, rod) at (1, 0.5);",
-        "joint c = revolute(rod, block) at (4, 0);",
-        "joint x = prismatic(ground, block) at (4, 0) along (1, 0);",
-        "motor a;",
-        "show block, c;",
-    ],
-    &[
-        "struct Gears;",
-        "link pinion;",
-        "link wheel;",
-        "link rod;",
-        "link slide;",
-        "joint d = revolute(ground, pinion) at (-3, 0);",
-        "joint e = revolute(ground, wheel) at (0, 0);",
-        "joint mesh = gear(pinion, wheel, 20 : 40 on ground);",
-        "joint f = revolute(wheel, rod) at (1, 0.2);",
-        "joint g = revolute(rod, slide) at (5, 0);",
-        "joint h = prismatic(ground, slide) at (5, 0) along (1, 0);",
-        "motor d;",
-    ],
-];
+/// Mechanisms that are coherent, between empty lines, with a statement in each line: a name, then what may be broken.
+const COHERENT: &str = include_str!("coherent.txt");
 
 /// Statements that break a mechanism if they are added.
 const TOO_MUCH: [&str; 3] = [
@@ -192,8 +140,8 @@ const TOO_MUCH: [&str; 3] = [
     "link spare;",
 ];
 
-fn names<'s>(statements: &[&'s str], word: &str) -> Vec<&'s str> {
-    let declared = statements.iter().filter_map(|one| {
+fn names<'s>(statements: &'s str, word: &str) -> Vec<&'s str> {
+    let declared = statements.lines().filter_map(|one| {
         let name = one.trim().strip_prefix(word)?.trim_start();
         name.split(|letter: char| !letter.is_alphanumeric()).next()
     });
@@ -205,14 +153,14 @@ proptest! {
 
     #[test]
     fn mechanisms_that_were_broken(
-        which in 0..COHERENT.len(),
+        which in prop::sample::select(COHERENT.split("\n\n").collect::<Vec<_>>()),
         out in prop::collection::vec(any::<prop::sample::Index>(), 0..3),
         more in prop::option::of((0..TOO_MUCH.len(), any::<prop::sample::Index>(), any::<prop::sample::Index>())),
         lines in any::<bool>(),
     ) {
-        let mut statements: Vec<String> = COHERENT[which].iter().map(|&one| one.to_owned()).collect();
+        let mut statements: Vec<String> = which.lines().map(str::to_owned).collect();
         if let Some((what, first, second)) = more {
-            let (joints, links) = (names(COHERENT[which], "joint"), names(COHERENT[which], "link"));
+            let (joints, links) = (names(which, "joint"), names(which, "link"));
             let text = TOO_MUCH[what].replace("MORE", joints[first.index(joints.len())]);
             let text = text.replace("FIRST", links[first.index(links.len())]);
             statements.push(text.replace("SECOND", links[second.index(links.len())]));

@@ -1,6 +1,5 @@
 //! What tests and benches of the whole house share.
 
-mod axis;
 mod cam;
 mod chain;
 mod closure;
@@ -22,7 +21,6 @@ pub mod symmetric;
 mod text;
 mod varied;
 
-pub use axis::add_axis;
 pub use cam::{add_cam, law, model_of_law};
 pub use chain::{chain, chain_text, uneven_chain_text};
 pub use closure::{coordinate, factor, size, slip, with_ground, worst_gap, worst_stretch};
@@ -40,6 +38,7 @@ pub use shuffled::{
 pub use simulated::Simulated;
 pub use source::{bodies, mechanism_of, mechanisms, model, models, parsed};
 pub use text::{part_of, text};
+pub use varied::add_axis;
 pub use varied::{place, scale, vary, with_params};
 
 use std::fs;

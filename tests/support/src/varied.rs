@@ -2,8 +2,8 @@
 
 use crate::Dice;
 use mech_compiler::model::{
-    Axis, AxisKind, BinaryFunction, Formula, FormulaId, Function, LinkId, Model, Now, Origin,
-    Param, ParamId,
+    Axis, AxisId, AxisKind, BinaryFunction, Formula, FormulaId, Function, LinkId, Model, Now,
+    Origin, Param, ParamId,
 };
 
 /// Adds params, each with a part in the place of some axis, and names points. What is given as it is drawn stays as it is drawn
@@ -155,4 +155,26 @@ pub fn with_params(model: &Model, params: &[f64]) -> Model {
     fixed.params = mech_compiler::model::Params::default();
     fixed.effects.sensitivity = false;
     fixed
+}
+
+/// Adds an axis without a name to a link, at a place and along a direction of the scene.
+pub fn add_axis(
+    model: &mut Model,
+    link: LinkId,
+    kind: AxisKind,
+    at: [f64; 2],
+    direction: [f64; 2],
+) -> AxisId {
+    model.axes.push(Axis {
+        link,
+        name: None,
+        port: None,
+        origin: Origin::default(),
+        kind,
+        at,
+        formulas: [None; 2],
+        direction_formulas: [None; 2],
+        direction,
+    });
+    AxisId::new(model.axes.len() - 1)
 }

@@ -11,7 +11,6 @@ mod claim;
 pub(crate) mod cone;
 mod enclosure;
 mod form;
-mod group;
 mod interval;
 mod jump;
 mod line;
@@ -23,18 +22,17 @@ mod tape;
 
 #[cfg(test)]
 mod tests;
-mod whole;
 
 pub(crate) use carried::is_same;
+pub(crate) use enclosure::motors_of;
 pub(crate) use enclosure::{Enclosure, Sight, Sources, side_changes};
-pub(crate) use group::motors_of;
 pub use interval::Interval;
 pub(crate) use jump::first_jump;
 
 use crate::bug::bug;
-use crate::program::{BlockId, BlockKind, Program};
+use crate::program::{BlockId, BlockKind, Op, Program, Value};
 use claim::{Group, carried_sides};
-use group::groups;
+use enclosure::groups;
 use search::{Search, Share};
 use tape::Tape;
 
@@ -203,4 +201,39 @@ fn subsets(of: &[BlockId]) -> impl Iterator<Item = Vec<BlockId>> {
         let indices = (0..of.len()).filter(taken);
         indices.map(|index| of[index]).collect()
     })
+}
+
+/// An angle that is followed over whole turns. It lies within half a turn of a reference, wherever the branch cut of its arc tangent is.
+#[derive(Clone, Copy, Debug)]
+struct WholeAngle {
+    value: Value,
+    /// The numbers whose arc tangent it is, but for whole turns.
+    sin: Value,
+    cos: Value,
+    reference: Interval,
+}
+
+impl WholeAngle {
+    /// The angle that is carried under this number, if it is followed over whole turns.
+    fn carried(program: &Program, state: usize, reference: Interval) -> Option<Self> {
+        let mut angles = program.follows.iter().zip(&program.followed);
+        let (_, (_, principal)) = angles.find(|(follow, _)| follow.angle == state)?;
+        let Op::Atan2(sin, cos) = program.node(*principal).op else {
+            return None;
+        };
+        Some(Self { value: program.state[state], sin, cos, reference })
+    }
+
+    /// Whether it is this value.
+    fn is(self, value: Value) -> bool {
+        self.value == value
+    }
+
+    /// Its enclosure, from those of all values.
+    fn range(self, values: &[Interval]) -> Interval {
+        let [sin, cos] = [self.sin, self.cos].map(|value| values[value.index()]);
+        let [across, along] = [self.reference.sin(), self.reference.cos()];
+        let beyond = (sin * along - cos * across).atan2(cos * along + sin * across);
+        self.reference + beyond
+    }
 }

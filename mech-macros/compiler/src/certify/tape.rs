@@ -1,11 +1,11 @@
 //! A program run on a box: every value as an interval and as an affine form. What both ways of bounding it leave is kept.
 
 use super::Interval;
+use super::WholeAngle;
 use super::claim::{Group, Test, carried_sides, keeps_direction};
 use super::form::{Forms, Linear, Operand, greater, root, wave};
 use super::operation::{direction, natural, sign, strict_sign};
 use super::stairs;
-use super::whole::WholeAngle;
 use crate::cancel;
 use crate::program::{BlockId, Node, Op, Program, Slot, Value};
 use mech_core::Staircase;

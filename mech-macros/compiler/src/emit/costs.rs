@@ -1,7 +1,7 @@
 //! The numbers of operations, as constants.
 
+use super::Parts;
 use super::emitter::Emitter;
-use super::parts::Parts;
 use super::tokens::integer;
 use crate::cost::{self, Cost};
 use crate::program::Program;

@@ -1,8 +1,8 @@
 //! The methods that return and paint what is seen.
 
+use super::Parts;
 use super::emitter::Emitter;
 use super::overlay;
-use super::parts::Parts;
 use super::shapes::fill;
 use super::tokens::integer;
 use super::traces::trace_ident;

@@ -1,5 +1,6 @@
 //! The method that leads a point, and the module of the mechanism in which the point is given.
 
+use super::Parts;
 use super::advance::with_end;
 use super::coordinate::coordinate;
 use super::emitter::Emitter;
@@ -7,7 +8,6 @@ use super::known::start;
 use super::least;
 use super::led::{count, given, here, lead};
 use super::limits::limits;
-use super::parts::Parts;
 use super::step::{laws, step};
 use super::tokens::{integer, position};
 use crate::bug::bug;

@@ -1,10 +1,10 @@
 //! The method that leads a point at a velocity.
 
+use super::Parts;
 use super::advance::{rates_at, record};
 use super::emitter::Emitter;
 use super::least;
 use super::led::{Rates, count, here, lead};
-use super::parts::Parts;
 use super::rates::stored_rates;
 use crate::model::Inverse;
 use crate::program::Program;

@@ -1,8 +1,8 @@
 //! The struct and its implementations.
 
+use super::Parts;
 use super::emitter::Emitter;
 use super::known::known_module;
-use super::parts::Parts;
 use super::step::step;
 use super::tokens::integer;
 use super::views::{Site, Views, views};

@@ -1,9 +1,9 @@
 //! The table of joints, and the method that returns all their coordinates.
 
 use super::MANY;
+use super::Parts;
 use super::coordinate::coordinate as coordinate_of;
 use super::emitter::Emitter;
-use super::parts::Parts;
 use super::tokens::{integer, option};
 use crate::model::{AxisId, FORWARD, JointId, JointKind};
 use mech_core::Coordinate as Measure;

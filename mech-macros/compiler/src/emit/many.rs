@@ -1,9 +1,9 @@
 //! The methods that compute many positions at once.
 
+use super::Parts;
 use super::advance::{Target, advance, standstill, strip_params};
 use super::emitter::Emitter;
 use super::limits::reduced_range;
-use super::parts::Parts;
 use super::step::{lanes_module, runs_in_lanes};
 use super::tokens::integer;
 use crate::model::Precision;

@@ -27,19 +27,18 @@ mod module;
 mod moves;
 mod overlay;
 mod params;
-mod parts;
 mod rate_accessors;
 mod rates;
 mod sensitivity;
 mod shapes;
-mod shown;
 mod step;
 mod stub;
-mod symbols;
 mod timing;
 mod tokens;
 mod traces;
 mod views;
+
+use proc_macro2::TokenStream;
 
 /// From so many entries on a constant is written as a table, which the Rust compiler reads sooner; fewer stand one by one, as a reader
 /// likes them.
@@ -47,3 +46,42 @@ const MANY: usize = 64;
 
 pub(crate) use items::items;
 pub(crate) use stub::stub;
+
+/// Parts of the generated code.
+#[derive(Default)]
+struct Parts {
+    /// Fields of the struct.
+    fields: TokenStream,
+    /// The same fields with their values at the start.
+    start: TokenStream,
+    /// Constants for the module `known`.
+    known: TokenStream,
+    /// Associated constants and methods of the struct.
+    methods: TokenStream,
+    /// Items of the implementation of `Mechanism`.
+    trait_items: TokenStream,
+    /// Modules with the functions of a program.
+    modules: TokenStream,
+}
+
+impl Parts {
+    /// Associated constants and methods alone.
+    fn methods(methods: TokenStream) -> Self {
+        Self { methods, ..Self::default() }
+    }
+}
+
+impl FromIterator<Parts> for Parts {
+    fn from_iter<I: IntoIterator<Item = Self>>(all: I) -> Self {
+        let mut sum = Self::default();
+        for parts in all {
+            sum.fields.extend(parts.fields);
+            sum.start.extend(parts.start);
+            sum.known.extend(parts.known);
+            sum.methods.extend(parts.methods);
+            sum.trait_items.extend(parts.trait_items);
+            sum.modules.extend(parts.modules);
+        }
+        sum
+    }
+}

@@ -1,9 +1,9 @@
 //! The methods that read and move the motors: by values, by phases if a motor turns, and, where it is proved that a mechanism moves through the
 //! ranges of its motors, within these.
 
+use super::Parts;
 use super::advance::{Target, advance, end, refusal, step_reduced, strip_params, with_end};
 use super::emitter::Emitter;
-use super::parts::Parts;
 use super::step::takes_sines;
 use super::tokens::integer;
 use crate::program;

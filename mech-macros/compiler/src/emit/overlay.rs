@@ -1,13 +1,13 @@
 //! The methods that draw a mechanism's diagram and arrows.
 
+use super::Parts;
 use super::emitter::Emitter;
-use super::expression::Expression as _;
-use super::parts::Parts;
+use super::expression::{Expression, expressions};
 use super::step::outcome_type;
 use super::tokens::{integer, option};
 use crate::model::{Axis, JointId, JointKind, LoadKind};
 use crate::program::Program;
-use crate::symbols::{self, Spot, spot};
+use crate::symbols::{self, Spot, Symbol, spot};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
@@ -199,4 +199,26 @@ impl Table {
 /// Whether params move places.
 fn varies(emitter: &Emitter<'_>) -> bool {
     emitter.model.axes.iter().any(Axis::varies)
+}
+
+expressions! {
+    Symbol:
+    Bar { link, ends },
+    Mark(at),
+    Wheel { center, radius },
+    Belt { centers, radii },
+    Rack { pinion, radius, bar, along },
+    Line { at, along },
+    Point(at),
+    Slide { guide, along, block },
+    Weld(at),
+    Pivot(at),
+    Spring { ends, beside },
+    Damper { ends, beside },
+    TorsionSpring(at),
+    TorsionDamper(at),
+    Cam(at),
+    Wedge { at, along },
+    RotaryMotor(at),
+    LinearMotor { block, guide, along }
 }

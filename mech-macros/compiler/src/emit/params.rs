@@ -1,8 +1,8 @@
 //! The methods that read and change params.
 
+use super::Parts;
 use super::advance::{advance, with_end};
 use super::emitter::Emitter;
-use super::parts::Parts;
 use super::tokens::{integer, setter};
 use quote::quote;
 

@@ -1,8 +1,8 @@
 //! The methods that return the rates of links, points and joints.
 
+use super::accessors::{NamedPoint, shown_links, shown_points};
 use super::coordinate::CoordinateAxes;
 use super::emitter::Emitter;
-use super::shown::{NamedPoint, shown_links, shown_points};
 use crate::model::{AxisId, LinkId};
 use proc_macro2::TokenStream;
 use quote::quote;

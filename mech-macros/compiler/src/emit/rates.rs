@@ -1,9 +1,9 @@
 //! The fields and methods of velocities and accelerations.
 
+use super::Parts;
 use super::advance::{Target, advance_with, rates_at, record, refusal, strip_params};
 use super::costs::extra_cost;
 use super::emitter::Emitter;
-use super::parts::Parts;
 use super::rate_accessors::rate_accessors;
 use super::step::{parameters, step};
 use crate::program::Program;

@@ -1,10 +1,10 @@
 //! The methods that return how everything changes with the params.
 
+use super::Parts;
+use super::accessors::{NamedPoint, shown_links};
 use super::advance::refusal;
 use super::costs::literal;
 use super::emitter::Emitter;
-use super::parts::Parts;
-use super::shown::{NamedPoint, shown_links};
 use super::step::step;
 use super::tokens::integer;
 use crate::bug::bug;

@@ -1,7 +1,7 @@
 //! The stub of a mechanism with errors: its struct and its methods, so that nothing else in the user's crate turns red.
 
+use super::accessors::{NamedPoint, shown_links, shown_points};
 use super::drawing::picture;
-use super::shown::{NamedPoint, shown_links, shown_points};
 use super::tokens::{integer, scalar, setter, user_ident};
 use super::views::{Site, Views, views};
 use crate::api::{Item, Subject, TABLE};

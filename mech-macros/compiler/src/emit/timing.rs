@@ -1,8 +1,8 @@
 //! The method that moves motors by their laws.
 
+use super::Parts;
 use super::advance::{advance, refusal, strip_params, with_end};
 use super::emitter::Emitter;
-use super::parts::Parts;
 use super::rates::advance_at_rates;
 use super::step::laws;
 use super::tokens::integer;

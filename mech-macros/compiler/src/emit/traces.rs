@@ -1,8 +1,8 @@
 //! The fields and methods of traced points.
 
+use super::Parts;
+use super::accessors::NamedPoint;
 use super::emitter::Emitter;
-use super::parts::Parts;
-use super::shown::NamedPoint;
 use super::tokens::integer;
 use crate::model::Trace;
 use proc_macro2::{Ident, TokenStream};

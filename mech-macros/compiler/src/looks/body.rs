@@ -6,7 +6,7 @@ use super::hull::hull;
 use super::outline::{Outline, fixed};
 use super::rolling;
 use super::scene::{Mount, Scene};
-use super::slide::Slide;
+use super::survey::Slide;
 use super::tooth::Side;
 use super::wheel::Wheels;
 use crate::cancel;

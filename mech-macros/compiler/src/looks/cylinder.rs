@@ -1,7 +1,7 @@
 //! Cylinders: a barrel on one link and a piston rod on another, in line with the pins of both.
 
 use super::scene::Scene;
-use super::slide::Slide;
+use super::survey::Slide;
 use crate::model::LinkId;
 use nalgebra::{Point2, Vector2};
 

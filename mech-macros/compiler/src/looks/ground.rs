@@ -2,7 +2,7 @@
 
 use super::outline::{Outline, fixed};
 use super::scene::Scene;
-use super::slide::Slide;
+use super::survey::Slide;
 use super::wheel::{Wheel, Wheels};
 use crate::model::{LinkId, Measure, Place};
 use mech_core::colors::{GROUND, darker};

@@ -16,7 +16,6 @@ mod outline;
 mod planes;
 mod rolling;
 mod scene;
-mod slide;
 mod survey;
 mod tooth;
 mod wheel;

@@ -1,7 +1,7 @@
 //! The scene: a mechanism, its motion and the width of its bars, from which its links get bodies.
 
 use super::hull::distance_to;
-use super::slide::Slide;
+use super::survey::Slide;
 use super::survey::Survey;
 use crate::compiled::Compiled;
 use crate::model::{AxisId, AxisKind, JointKind, LinkId, Model, Place, Shape, ShapeKind};

@@ -1,6 +1,6 @@
 //! Numbers that are computed: from constants, from params, and from the variable of a law.
 
-use super::{BinaryFunction, FormulaId, Function, Number, ParamId};
+use super::{BinaryFunction, FormulaId, Function, ParamId};
 use mech_core::Staircase;
 use std::collections::HashMap;
 use std::fmt;
@@ -378,5 +378,24 @@ impl FormulaArithmetic for Slopes<'_> {
         let share = share.get();
         let slope = stairs.slope().at(a, share) / share;
         (stairs.at(a, share), Self::along(slope, da))
+    }
+}
+
+/// A finite number with an equality that tells every two bit patterns apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Number(u64);
+
+impl Number {
+    /// This number. The two zeros are one.
+    #[must_use]
+    pub fn new(value: f64) -> Self {
+        Self(if value == 0.0 { 0 } else { value.to_bits() })
+    }
+
+    /// Its value.
+    #[must_use]
+    pub fn get(self) -> f64 {
+        f64::from_bits(self.0)
     }
 }

@@ -10,7 +10,6 @@ mod coupled;
 mod display;
 mod dyad;
 mod equation;
-mod knowledge;
 mod linear_relations;
 mod needed;
 mod placement;

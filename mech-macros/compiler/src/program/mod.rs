@@ -16,15 +16,11 @@ mod forces;
 mod formula;
 mod gauge;
 mod in_time;
-mod law_program;
 mod live;
-mod nesting;
 mod newton;
 mod node;
-mod real;
 mod sensitivity;
 mod state;
-mod stored;
 mod timing;
 mod watch;
 

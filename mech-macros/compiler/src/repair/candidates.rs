@@ -4,7 +4,7 @@ use super::guides::Guides;
 use super::sketch::{Sketch, leaves};
 use super::twins::twins;
 use super::union::unions;
-use super::{NewKind, Repair, completions, drivable, replacement, sizes, wheels};
+use super::{NewKind, Repair, completions, drivable, replacement, wheels};
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
 use crate::structure::{self, Diagnosis, InverseTrouble, MeshTrouble};
 
@@ -223,7 +223,7 @@ fn on_wheels(model: &Model, of: &Diagnosis) -> Vec<Repair> {
         }
         Diagnosis::NoMesh { joint, ratio, trouble, .. } => {
             let resize = |sizes| Repair::Resize { joint: *joint, sizes };
-            let sizes = sizes::fitting_sizes(*ratio, *trouble).into_iter();
+            let sizes = wheels::fitting_sizes(*ratio, *trouble).into_iter();
             sizes.map(resize).collect()
         }
         _ => Vec::new(),

@@ -5,8 +5,8 @@ use super::declaration::{
     Declaration, Ends, NewJoint, NewKind, NewNames, Purpose, drawn_joint, join, on_ground,
 };
 use super::guess::{apexes, bare_leaves, below, cylinders, floors};
-use super::joined::Joined;
 use super::sketch::{DrawnPin, FEW, LooseEnd, NEAR, Scene, Sketch, distance, leaves, unjoined};
+use super::tie::Joined;
 use super::twins::twins;
 use crate::model::{AxisId, AxisKind, LinkId, Model};
 use std::collections::BTreeSet;

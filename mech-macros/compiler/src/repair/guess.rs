@@ -4,9 +4,9 @@ use super::Repair;
 use super::declaration::{
     Declaration, Ends, NewJoint, NewKind, NewNames, Purpose, drawn_joint, join, on_ground,
 };
-use super::joined::{Joined, both};
 use super::sketch::{FEW, NEAR, Sketch, distance, leaves};
 use super::tie::ties;
+use super::tie::{Joined, both};
 use crate::digits::round_to;
 use crate::model::{JointId, JointKind, LinkId, Model};
 

@@ -1,8 +1,8 @@
 //! Guides that may have been forgotten: slots where one motor seems to be missing, slides on the ground where two do.
 
 use super::declaration::{Declaration, Ends, NewJoint, NewNames, Purpose};
-use super::joined::{Joined, both, gaps};
 use super::sketch::{FEW, NEAR, Sketch, distance, leaves};
+use super::tie::{Joined, both, gaps};
 use super::tie::{Tie, ties};
 use super::union::between;
 use super::{NewKind, Repair};

@@ -3,17 +3,14 @@
 mod candidates;
 mod completions;
 mod declaration;
-mod effects;
 mod guess;
 mod guides;
-mod joined;
 mod limit;
 mod motor;
 mod numbers;
 mod offers;
 mod rank;
 mod replacement;
-mod sizes;
 mod sketch;
 mod tie;
 mod translation;
@@ -24,9 +21,9 @@ mod wheels;
 mod writing;
 
 pub use declaration::{Declaration, Ends, NewJoint, NewKind, Purpose};
-pub(crate) use effects::add_effects;
 pub(crate) use limit::nearest_limit;
 pub use motor::NewMotor;
+pub(crate) use offers::add_effects;
 pub use offers::{Offers, Search, offers};
 pub use writing::edits;
 

@@ -5,7 +5,7 @@ use super::numbers::numbers;
 use super::rank::Ranking;
 use super::translation::translate;
 use super::trial::{Trial, Trials};
-use super::{Declaration, Purpose, Repair};
+use super::{Declaration, Purpose, Repair, edits};
 use crate::model::{JointId, LinkId, Model};
 use crate::structure::{Diagnosis, MeshTrouble};
 use crate::syntax::Source;
@@ -381,4 +381,17 @@ fn ends(model: &Model, joint: JointId) -> [LinkId; 2] {
         Some((pin, _)) => model.axis(pin).link,
         None => link,
     })
+}
+
+/// Asks for these effects; nothing if the mechanism does not compile with them, as `compiles` tells.
+pub(crate) fn add_effects(
+    model: &Model,
+    source: &Source,
+    words: &[String],
+    compiles: impl Fn(&Model) -> bool,
+) -> Option<Repair> {
+    let repair = Repair::AddEffects(words.to_vec());
+    let edits = edits(std::slice::from_ref(&repair), model, source.tokens())?;
+    let changed = source.model_with(&edits)?;
+    compiles(&changed).then_some(repair)
 }

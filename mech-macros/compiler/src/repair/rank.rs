@@ -1,8 +1,8 @@
 //! The order in which changes are offered.
 
 use super::guides::is_slider;
-use super::joined::gaps;
 use super::sketch::leaves;
+use super::tie::gaps;
 use super::{Declaration, NewKind, Purpose, Repair};
 use crate::model::{JointId, JointKind, LinkId, Model};
 use crate::structure::{self, Diagnosis, KinematicGraph, Pin};

@@ -4,8 +4,8 @@ use super::Repair;
 use super::declaration::{
     Declaration, Ends, NewJoint, NewKind, NewNames, Purpose, drawn_joint, turns_freely,
 };
-use super::joined::{Joined, both};
 use super::sketch::{FEW, Sketch, leaves};
+use super::tie::{Joined, both};
 use crate::model::{JointId, JointKind, LinkId, Model};
 
 /// So many welds are tried.

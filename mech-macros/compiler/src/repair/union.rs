@@ -3,8 +3,8 @@
 use super::Repair;
 use super::declaration::{NewKind, NewNames, Purpose, join};
 use super::guess::{apex, handy};
-use super::joined::{Joined, both, gaps};
 use super::sketch::{Sketch, distance};
+use super::tie::{Joined, both, gaps};
 use super::tie::{Tie, ties};
 use crate::model::{JointId, LinkId, Model};
 use std::collections::{BTreeMap, BTreeSet};

@@ -8,11 +8,9 @@ mod drawing;
 mod effort;
 mod exactness;
 mod held;
-mod instances;
 mod inverse;
 mod names;
 mod order;
-mod params;
 mod range;
 mod repairs;
 mod requirement;
@@ -23,7 +21,8 @@ use crate::model::{JointId, LinkId, Model, MotorId, Origin};
 use crate::repair::{Offers, Repair};
 use crate::structure::Diagnosis;
 use crate::syntax::{Message, Places};
-use instances::Reported;
+use std::collections::{BTreeMap, HashMap};
+use std::mem::{Discriminant, discriminant};
 
 /// Everything that is wrong, as the user reads it. Lines after the first of each message begin with `note:` or `help:`.
 /// There is an offer for each diagnosis. Of very many only the first are told.
@@ -37,7 +36,7 @@ pub fn messages(
     let words = Words { model };
     let none = Offers::default();
     let mut messages = Vec::new();
-    let mut reported = instances::reported(diagnoses, model).into_iter();
+    let mut reported = reported(diagnoses, model).into_iter();
     while messages.len() <= Message::MOST
         && let Some(Reported { number, more }) = reported.next()
     {
@@ -213,4 +212,55 @@ impl Words<'_> {
         });
         messages.collect()
     }
+}
+
+/// A diagnosis that stands for itself and for those of other instances.
+struct Reported<'d> {
+    /// The number of the diagnosis.
+    number: usize,
+    /// The part, and in how many more of its instances the same is wrong; none if in no other.
+    more: Option<(&'d str, usize)>,
+}
+
+/// The diagnoses that are reported: of each joint or link of a part the first.
+fn reported<'d>(diagnoses: &[Diagnosis], model: &'d Model) -> Vec<Reported<'d>> {
+    let parts = model.instances.iter();
+    let parts: BTreeMap<&str, &str> =
+        parts.map(|instance| (instance.path.as_str(), instance.part.as_str())).collect();
+    let mut reported: Vec<Reported<'d>> = Vec::new();
+    let mut first: HashMap<(Discriminant<Diagnosis>, &str, &str), usize> = HashMap::new();
+    for (number, diagnosis) in diagnoses.iter().enumerate() {
+        let declared = subject(diagnosis, model).and_then(|name| declaration(name, &parts));
+        if let Some((part, local)) = declared {
+            let key = (discriminant(diagnosis), part, local);
+            let known = *first.entry(key).or_insert(reported.len());
+            if let Some(reported) = reported.get_mut(known) {
+                let (_, count) = reported.more.get_or_insert((part, 0));
+                *count += 1;
+                continue;
+            }
+        }
+        reported.push(Reported { number, more: None });
+    }
+    reported
+}
+
+/// The name of the one joint or link that a diagnosis is about.
+fn subject<'m>(diagnosis: &Diagnosis, model: &'m Model) -> Option<&'m str> {
+    match diagnosis {
+        Diagnosis::Loose { link } | Diagnosis::OnOnePin { link, .. } => {
+            Some(&model.link(*link).name)
+        }
+        Diagnosis::NotCarrier { joint, .. }
+        | Diagnosis::NoCarrier { joint }
+        | Diagnosis::SeveralCarriers { joint, .. }
+        | Diagnosis::NoMesh { joint, .. } => Some(&model.joint(*joint).name),
+        _ => None,
+    }
+}
+
+/// The part in which something was declared, and its name there.
+fn declaration<'m>(name: &'m str, parts: &BTreeMap<&str, &'m str>) -> Option<(&'m str, &'m str)> {
+    let (path, local) = name.rsplit_once('.')?;
+    Some((*parts.get(path)?, local))
 }

@@ -1,8 +1,8 @@
 //! The names that the user gave. The dies of slots are never named, and a slot's two joints are one.
 
-use super::Words;
 use super::wording::{and, brief};
-use crate::model::{Axis, AxisId, AxisKind, JointId, JointKind, LinkId};
+use super::{Words, wording};
+use crate::model::{Axis, AxisId, AxisKind, JointId, JointKind, LinkId, ParamId};
 
 impl Words<'_> {
     pub(super) fn axis(&self, id: AxisId) -> String {
@@ -125,5 +125,22 @@ impl Words<'_> {
             }
             _ => false,
         }
+    }
+}
+
+impl Words<'_> {
+    /// The name of a param.
+    pub(super) fn param(&self, param: ParamId) -> &str {
+        &self.model.params.all()[param.index()].name
+    }
+
+    pub(super) fn matched_only(&self, joints: &[JointId], param: ParamId) -> String {
+        let param = self.param(param);
+        let names: Vec<String> = joints.iter().map(|&joint| self.joint(joint)).collect();
+        let some = wording::one_of(&names);
+        format!(
+            "this mechanism moves only as long as its lengths match, and param `{param}` may change one\nhelp: write `const \
+             {param}`, or remove {some}"
+        )
     }
 }

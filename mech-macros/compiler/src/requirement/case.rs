@@ -1,8 +1,8 @@
 //! A condition that is proved, and how it is measured.
 
+use super::Verdicts;
 use super::circumstances::Setting;
 use super::sides::Ways;
-use super::verdicts::Verdicts;
 use crate::compiled::Compiled;
 use crate::evaluate::Machine;
 use crate::model::{JointId, Model, MotorId, Requirement};

@@ -1,9 +1,9 @@
 //! The values of the motors for which a requirement is proved.
 
+use super::Verdicts;
 use super::case::Case;
-use super::rounds::round_of;
+use super::round_of;
 use super::times::Timed;
-use super::verdicts::Verdicts;
 use crate::certify::{Enclosure, Interval, Sources, Verdict, is_same};
 use crate::evaluate::Machine;
 use crate::model::MotorId;

@@ -4,7 +4,6 @@
 //! sharp enough, the least bound first, until all of them keep the condition or a place breaks it. That place is then visited as at run
 //! time, from the start.
 
-mod answers;
 mod bound;
 mod case;
 mod circumstances;
@@ -12,23 +11,28 @@ mod course;
 mod details;
 mod domain;
 mod proof;
-mod rounds;
 mod search;
 mod sides;
 mod spread;
 mod summing;
 mod times;
 mod turn;
-mod verdicts;
 mod waiting;
 
+pub use spread::failing;
+
+use crate::certify::cone::Cuts;
+use crate::certify::{Interval, Verdict, certify};
 use crate::compile::compile;
 use crate::compiled::Compiled;
-use crate::model::{Actions, Condition, Effects, Method, Model, Precision, Quantity, Requirement};
+use crate::model::{
+    Actions, Condition, Effects, Method, Model, MotorId, Precision, Quantity, Requirement,
+};
+use crate::motion::watching::Domain;
+use crate::program::{Program, Value};
 use crate::structure::{Diagnosis, RequirementTrouble};
 use sides::Ways;
-pub use spread::failing;
-use verdicts::Verdicts;
+use std::cell::RefCell;
 
 /// The proof of a requirement.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -133,5 +137,48 @@ fn plain(model: &Model) -> Model {
         traces: Vec::new(),
         requirements: Vec::new(),
         ..model.clone()
+    }
+}
+
+/// A motor that has to make more turns than this until everything has turned as a whole needs a range.
+const MOST_TURNS: f64 = 64.0 * std::f64::consts::TAU;
+
+/// The turn of a motor after which some values are what they were; none if it slides, or if there is none that could be looked through.
+fn round_of(
+    model: &Model,
+    program: &Program,
+    (loops, motor): (usize, usize),
+    found: &[Value],
+) -> Option<f64> {
+    if !model.turns(model.motor(MotorId::new(motor)).joint) {
+        return None;
+    }
+    let domain = Domain::new(model, program, loops);
+    // An angle that a law makes turns with all that the law is made from.
+    let whole = Cuts { through: &|_| true, own: None, into: &|_| true };
+    let read = domain.read(found, &whole);
+    let period = domain.period(motor, &read);
+    period.filter(|period| *period < MOST_TURNS)
+}
+
+/// Verdicts on whether a mechanism moves through values of its motors: each is found once for all requirements and their details.
+struct Verdicts<'a> {
+    program: &'a Program,
+    known: RefCell<Vec<(Vec<Interval>, Verdict)>>,
+}
+
+impl<'a> Verdicts<'a> {
+    fn new(program: &'a Program) -> Self {
+        Self { program, known: RefCell::default() }
+    }
+
+    fn on(&self, values: &[Interval]) -> Verdict {
+        let mut known = self.known.borrow_mut();
+        if let Some((_, verdict)) = known.iter().find(|(on, _)| on == values) {
+            return verdict.clone();
+        }
+        let verdict = certify(self.program, values);
+        known.push((values.to_vec(), verdict.clone()));
+        verdict
     }
 }

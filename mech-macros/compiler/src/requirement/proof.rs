@@ -1,8 +1,8 @@
 //! The proof of a condition, or a place where it does not hold.
 
-use super::answers::Answers;
 use super::bound::{Bound, Limit};
 use super::case::Case;
+use super::details::Answers;
 use super::domain::{Ranges, ranges};
 use super::search::{BUDGET, Goal, Search, Sum};
 use super::sides::{Way, subsets, turns_until_back};

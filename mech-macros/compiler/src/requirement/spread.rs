@@ -1,10 +1,10 @@
 //! The values of a motor for which a requirement does not hold, as far as samples show: for pictures, not for proofs.
 
+use super::Verdicts;
 use super::case::Case;
 use super::circumstances::Setting;
 use super::details::details;
 use super::sides::Ways;
-use super::verdicts::Verdicts;
 use super::with_plain;
 use crate::compiled::Compiled;
 use crate::evaluate::Machine;

@@ -4,7 +4,7 @@ use super::bound::Bound;
 use super::case::Case;
 use super::course::Course;
 use super::proof::Field;
-use super::rounds::round_of;
+use super::round_of;
 use super::search::{Goal, Search};
 use crate::certify::Interval;
 use crate::model::Summary;

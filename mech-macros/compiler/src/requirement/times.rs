@@ -1,6 +1,6 @@
 //! The times through which motors follow their laws, where these decide what is measured.
 
-use super::rounds::round_of;
+use super::round_of;
 use crate::certify::{Interval, Sources, first_jump};
 use crate::compiled::Compiled;
 use crate::evaluate::Machine;

@@ -1,8 +1,8 @@
 //! Whether a motor turns right round.
 
 use super::Proof;
-use super::rounds::round_of;
-use super::verdicts::Verdicts;
+use super::Verdicts;
+use super::round_of;
 use crate::certify::{Interval, Verdict};
 use crate::compiled::Compiled;
 use crate::model::{Model, MotorId};

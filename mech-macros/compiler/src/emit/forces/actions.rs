@@ -1,9 +1,9 @@
 //! The methods that read and set loads, and return the forces of springs.
 
+use crate::emit::Parts;
+use crate::emit::accessors::NamedPoint;
 use crate::emit::advance::refusal_by;
 use crate::emit::emitter::Emitter;
-use crate::emit::parts::Parts;
-use crate::emit::shown::NamedPoint;
 use crate::emit::tokens::{integer, setter};
 use crate::model::{Between, Load, LoadKind};
 use proc_macro2::TokenStream;

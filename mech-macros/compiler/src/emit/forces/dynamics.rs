@@ -1,9 +1,9 @@
 //! The methods that move a mechanism by forces.
 
 use super::actions::bind_loads;
+use crate::emit::Parts;
 use crate::emit::advance::{advance_with, forces_here, rates_at, record, refusal, strip_params};
 use crate::emit::emitter::Emitter;
-use crate::emit::parts::Parts;
 use crate::emit::rates::stored_rates;
 use proc_macro2::TokenStream;
 use quote::quote;

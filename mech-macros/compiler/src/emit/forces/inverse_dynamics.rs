@@ -1,11 +1,11 @@
 //! The methods that return the torques and reactions by which a mechanism stands or moves.
 
 use super::actions::bind_loads;
+use crate::emit::Parts;
 use crate::emit::advance::{
     Target, advance_with, end, forces_here, refusal, refusal_by, strip_params,
 };
 use crate::emit::emitter::Emitter;
-use crate::emit::parts::Parts;
 use crate::emit::step::outcome_type;
 use crate::emit::tokens::integer;
 use crate::model::{Load, LoadKind};

@@ -4,9 +4,9 @@ mod actions;
 mod dynamics;
 mod inverse_dynamics;
 
+use super::Parts;
 use super::costs::extra_cost;
 use super::emitter::Emitter;
-use super::parts::Parts;
 use super::step::step;
 
 /// Loads, springs, and the forces or the dynamics that are asked for.

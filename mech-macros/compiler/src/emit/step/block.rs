@@ -4,7 +4,7 @@ use super::binding::{binding, system};
 use super::flow::{Flow, is_given};
 use super::iteration::iteration;
 use super::scope::Scope;
-use super::uses::uses;
+use super::uses;
 use crate::bug::bug;
 use crate::emit::tokens::{integer, position, scalar};
 use crate::program::{BlockId, BlockKind, Op, Program, Value};

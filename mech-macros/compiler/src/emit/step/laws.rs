@@ -1,12 +1,12 @@
 //! The laws of the motors as a function of time.
 
+use super::all_uses;
 use super::binding::binding;
 use super::block::function;
 use super::flow::flows;
 use super::inputs::motors_type;
 use super::scope::Scope;
 use super::stages::MOST_LETS;
-use super::uses::all_uses;
 use crate::emit::emitter::Emitter;
 use crate::emit::module;
 use crate::emit::tokens::integer;

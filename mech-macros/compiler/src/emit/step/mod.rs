@@ -14,24 +14,24 @@ mod scope;
 mod sensitivity;
 mod sines;
 mod stages;
-mod uses;
+
+pub(super) use inputs::{arguments, parameters};
+pub(super) use laws::laws;
+pub(super) use outcome::outcome_type;
+pub(super) use sines::{runs_in_lanes, takes_sines};
 
 use super::module;
 use crate::program::{BlockId, BlockKind, Op, Program, Value};
 use block::{function, statements};
 use flow::{Flow, flows};
 use functions::{Margins, StepParts, lanes_function, step_functions};
-pub(super) use inputs::{arguments, parameters};
-pub(super) use laws::laws;
-pub(super) use outcome::outcome_type;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use runs::Gathered;
 use scope::Scope;
 use sensitivity::sensitivity_functions;
-pub(super) use sines::{runs_in_lanes, takes_sines};
 use stages::{Act, Body, MOST_LETS, body, count_lets};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The module of a program: the function `step`, and those it calls. Where many positions are computed in lanes, loops that are alike
 /// are computed side by side for one position only: for many there is a module of its own.
@@ -69,7 +69,7 @@ enum Purpose {
 fn functions(program: &Program, purpose: Purpose) -> TokenStream {
     let flows = flows(program);
     let sin_cos = if takes_sines(program) { quote!(S::sin_cos) } else { quote!(sin_cos) };
-    let mut scope = Scope::new(program, uses::all_uses(program), sin_cos);
+    let mut scope = Scope::new(program, all_uses(program), sin_cos);
     let inputs = inputs::inputs(&mut scope);
     let mut names = BTreeSet::new();
     let shared = match purpose {
@@ -211,4 +211,44 @@ fn position(scope: &Scope<'_>, gathered: Option<&Gathered>) -> TokenStream {
 fn rate_margins<'p>(scope: &Scope<'p>) -> Margins<'p> {
     let margins = scope.program.rate_margins().iter();
     margins.map(|margin| (scope.expression(margin.margin), margin.place.as_str())).collect()
+}
+
+/// The number of uses of each value, where all blocks stand in one function.
+fn all_uses(program: &Program) -> BTreeMap<Value, usize> {
+    let mut all = uses_in(program, |_| true);
+    let margins = program.margins().map(|(_, closed)| closed.margin);
+    for value in program.roots().chain(margins) {
+        *all.entry(value).or_insert(0) += 1;
+    }
+    all
+}
+
+/// The number of uses of each value within a block.
+fn uses(program: &Program, block: BlockId) -> BTreeMap<Value, usize> {
+    uses_in(program, |other| other == block)
+}
+
+/// The number of uses of each value within some blocks.
+fn uses_in(program: &Program, is_in: impl Fn(BlockId) -> bool) -> BTreeMap<Value, usize> {
+    let mut uses = BTreeMap::new();
+    let mut count = |value: Value| *uses.entry(value).or_insert(0) += 1;
+    let nodes = program.live_values().map(|value| program.node(value));
+    for node in nodes.filter(|node| is_in(node.block)) {
+        node.op.operands().for_each(&mut count);
+    }
+    let systems = program.live_systems();
+    for system in systems.filter(|system| is_in(system.block)) {
+        system.coefficients().copied().for_each(&mut count);
+    }
+    let blocks = program.block_ids().filter(|block| is_in(*block));
+    for newton in blocks.filter_map(|block| program.newton(block)) {
+        // The gap and the determinant leave the iteration; the next values are read once.
+        let columns = newton.columns.iter().flatten();
+        let columns = columns.filter(|_| newton.dense);
+        let gap = newton.gap.iter().copied();
+        gap.chain([newton.det]).chain(newton.extent).chain(columns.copied()).for_each(&mut count);
+        let scalars = newton.scalars.iter();
+        scalars.flat_map(|scalar| [scalar.first, scalar.next]).for_each(&mut count);
+    }
+    uses
 }

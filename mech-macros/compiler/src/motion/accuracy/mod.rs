@@ -1,6 +1,5 @@
 //! The accuracy of a mechanism, found by trying it; and, where an accuracy is declared, the cheapest way to solve each loop that keeps it.
 
-mod extent;
 mod growth;
 mod influence;
 mod trial;

@@ -1,6 +1,6 @@
 //! The ranges of a cone's variables: whole turns of angles, declared ranges, and what earlier loops were proved to find.
 
-use super::known::LoopProof;
+use super::LoopProof;
 use crate::certify::Interval;
 use crate::certify::cone::{Cuts, Cutter, Variable};
 use crate::model::{Model, MotorId};

@@ -2,7 +2,7 @@
 
 use super::domain::Domain;
 use super::influence::Motors;
-use super::known::{Free, LoopProof};
+use super::{Free, LoopProof};
 use crate::bug::bug;
 use crate::certify::Interval;
 use crate::certify::always::{Question, always_closes};

@@ -10,15 +10,18 @@ mod domain;
 mod free;
 mod guess;
 mod influence;
-mod known;
 mod most;
 mod pace;
-mod touching;
 
+pub(crate) use domain::{Domain, InputReads};
+
+use crate::certify::Interval;
+use crate::certify::always::halves;
+use crate::certify::cone::{Cuts, Variable};
+use crate::certify::slope::Slopes;
 use crate::model::{AtChangePoints, Model};
 use crate::plan::{Bound, Plan, Turning};
 use crate::program::{AtZero, Choice, ClosedForm, Growth, Program, Solver, Watching, build_as};
-pub(crate) use domain::{Domain, InputReads};
 use pace::Paces;
 
 /// Below this square of the distance of pins, as a part of the product of lengths, rounding stretches links.
@@ -63,7 +66,7 @@ pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decisi
         }
         let varies = domain.varying.contains(&closed.number);
         let passes = if closed.has_branches {
-            varies || !touching::only_ends(&domain, closed)
+            varies || !only_ends(&domain, closed)
         } else {
             // Two lines may lie on each other, and go on.
             !varies
@@ -120,4 +123,74 @@ fn watch_nearly_stuck(paces: &mut Paces<'_>, program: &Program, decided: &mut [C
                 Some(Watching { bound: paces.of_sine(closed), at_zero: AtZero::Stay });
         }
     }
+}
+
+/// The proof about a loop in closed form, if there is one.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct LoopProof {
+    /// Where it always closes, and stays clear of its dead points and change points.
+    pub(crate) free: Option<Free>,
+}
+
+/// A loop that always closes.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Free {
+    /// Its sine is never less than this.
+    pub(crate) least_sine: f64,
+    /// All values of what it finds: the angles of its directions in radians, its ways in scene units.
+    pub(crate) ranges: Vec<Option<Interval>>,
+    /// The least square of the distance of the pins that two circles are drawn about, as a part of the product of their radii.
+    pub(crate) least_distance_square: f64,
+}
+
+impl LoopProof {
+    /// All values of what the loop finds, by number, if they are known.
+    pub(crate) fn range(&self, index: usize) -> Option<Interval> {
+        let free = self.free.as_ref()?;
+        free.ranges.get(index).copied().flatten()
+    }
+}
+
+/// The range of the variable is looked at in so many parts at most.
+const MOST_PARTS: usize = 512;
+
+/// Whether a loop has dead points only. That can be told only of a loop with one variable, which moves on as long as the motors do. There
+/// the discriminant goes through zero instead of touching it.
+fn only_ends(domain: &Domain<'_>, closed: &ClosedForm) -> bool {
+    let outputs = [closed.discriminant, closed.tolerance, closed.sine, closed.rounding_square];
+    let Some(cone) = domain.cutter.cone(&outputs, &Cuts::ALONE) else {
+        return false;
+    };
+    let goes_on = match cone.variables[..] {
+        [Variable::Angle(angle)] => domain.cutter.parts(angle).is_some(),
+        [Variable::Input(_)] => true,
+        _ => false,
+    };
+    if !goes_on {
+        return false;
+    }
+    let [discriminant, tolerance, sine, rounding_square] =
+        [0, 1, 2, 3].map(|output| cone.outputs[output]);
+    let mut slopes = Slopes::new(&cone);
+    let mut waiting: Vec<Vec<Interval>> =
+        vec![cone.variables.iter().map(|variable| domain.of_variable(*variable)).collect()];
+    for _ in 0..MOST_PARTS {
+        let Some(place) = waiting.pop() else {
+            return true;
+        };
+        slopes.run(&place);
+        // Where pins meet but for rounding, the tolerance vanishes with their distance: what rounding hides of the sine does not.
+        let hidden = slopes.value(rounding_square).high();
+        let is_seen = slopes.value(sine).square().low() > hidden;
+        let is_open = slopes.value(discriminant).high() < -slopes.value(tolerance).abs().high();
+        let is_away = is_seen || is_open;
+        if is_away || !slopes.slope(discriminant, 0).contains(0.0) {
+            continue;
+        }
+        match halves(&place, 0) {
+            Some(halves) => waiting.extend(halves),
+            None => return false,
+        }
+    }
+    waiting.is_empty()
 }

@@ -1,9 +1,9 @@
 //! The part of the search for cams: joints whose coordinates are functions of others.
 
+use super::Knowledge;
 use super::Search;
 use super::rolling::coordinate;
 use crate::model::{JointId, JointKind};
-use crate::plan::knowledge::Knowledge;
 use crate::plan::step::{Cam, Connection, ConnectionKind, Source, Step};
 
 impl Search<'_> {

@@ -10,11 +10,9 @@ mod slides;
 
 use super::between::{Between, Block};
 use super::cluster::Clusters;
-use super::coupled;
-use super::knowledge::Knowledge;
 use super::linear_relations::{LinearForm, LinearRelations};
 use super::step::{Connection, ConnectionKind, Drive, Loop, Source, Step, Weld};
-use super::tight;
+use super::{coupled, tight};
 use crate::bug::bug;
 use crate::cancel;
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
@@ -390,5 +388,26 @@ impl<'m> Search<'m> {
         let blocks = self.blocks(&connections);
         let rings = blocks.iter().flat_map(|(rings, _)| rings);
         rings.map(|ring| ring.iter().map(|connection| connection.joint).collect()).collect()
+    }
+}
+
+/// On which loops a known coordinate depends directly, and how many loops lead to it one after the other.
+#[derive(Clone, Debug, Default)]
+struct Knowledge {
+    needs: Vec<usize>,
+    level: usize,
+}
+
+impl Knowledge {
+    /// The knowledge of something that depends on all of these.
+    fn of<'k>(parts: impl Iterator<Item = &'k Self>) -> Self {
+        let mut all = Self::default();
+        for part in parts {
+            all.needs.extend(&part.needs);
+            all.level = all.level.max(part.level);
+        }
+        all.needs.sort_unstable();
+        all.needs.dedup();
+        all
     }
 }

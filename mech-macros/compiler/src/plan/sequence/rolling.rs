@@ -1,11 +1,11 @@
 //! The part of the search for gears, belts and racks: joints they move, and directions they tie.
 
+use super::Knowledge;
 use super::Search;
 use super::open::named_on;
 use crate::bug::bug;
 use crate::model::{JointId, JointKind, LinkId};
 use crate::plan::between::Sliding;
-use crate::plan::knowledge::Knowledge;
 use crate::plan::linear_relations::{LinearForm, Rational};
 use crate::plan::step::{Connection, ConnectionKind, Mesh, Source, Step, Tie};
 use crate::plan::unknown::Unknown;

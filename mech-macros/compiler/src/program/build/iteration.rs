@@ -1,8 +1,8 @@
 //! A loop's iteration: the gap, its rates, and the next round's unknowns.
 
+use super::LoopSite;
 use super::last::{LastUnknown, last_unknown};
 use super::predictor::{History, Predictor};
-use super::site::LoopSite;
 use super::tied::all_columns;
 use super::watching::{CoupledSide, Watches};
 use crate::model::{Joint, JointKind, Model};

@@ -4,7 +4,7 @@ use crate::model::{JointKind, LinkId, Model};
 use crate::plan::{Algebra, Arithmetic, Pose, Solution, Unknown};
 use crate::program::builder::SsaBuilder;
 use crate::program::node::{Op, Part, Slot, Value};
-use crate::program::stored::number_among_all;
+use crate::program::state::number_among_all;
 
 /// An unknown at the last position.
 pub(super) struct LastUnknown {

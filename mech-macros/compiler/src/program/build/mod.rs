@@ -12,14 +12,11 @@ mod last;
 mod linear;
 mod lowering;
 mod max_step;
-mod overflow;
 mod pass;
-mod places;
 mod predictor;
 mod rates;
 mod reaction;
 mod sensitivity;
-mod site;
 mod size;
 mod sources;
 mod steps;
@@ -37,15 +34,16 @@ pub(super) use tangent::{Seed, Tangents};
 use super::builder::SsaBuilder;
 use super::calibrate::calibrate;
 use super::live::live;
-use super::node::Value;
+use super::node::{BlockId, Value};
 use super::{Block, BlockKind, Choice, Derived, Forces, LinearEquations, Program, Results, Rounds};
-use crate::model::{LinkId, Model};
-use crate::plan::{Plan, PlanPart, Step};
+use crate::model::{Joint, JointKind, LinkId, Model};
+use crate::plan::{Equation, Loop, Plan, PlanPart, Rational, Solution, Step};
 use crate::structure::Structure;
 use lowering::Lowering;
+use num_traits::Signed;
 use pass::{Follower, PositionPass};
-use site::SolvedLoop;
 use sources::Angle;
+use tied::Tied;
 
 /// Builds the program of a planned mechanism, with every loop solved by the method that the model says.
 #[must_use]
@@ -222,8 +220,8 @@ impl Target<'_> {
             follows: watches.follows,
             followed: watches.angles,
             max_steps,
-            reduced: overflow::reduced_inputs(model, plan),
-            overflows: overflow::overflows(model, plan),
+            reduced: reduced_inputs(model, plan),
+            overflows: overflows(model, plan),
             curved: model.cams().next().is_some(),
             motors: motors.map(|motor| model.joint(motor.joint).name.clone()).collect(),
             params: params.map(|param| param.name.clone()).collect(),
@@ -298,4 +296,82 @@ struct Positions {
     followers: Vec<Follower>,
     /// The angles between two links that gears and cams are solved from.
     angles: Vec<Angle>,
+}
+
+/// For each motor and param, whether its value is read less whole turns, and the turns apart from it. It is so where gears turn by a part
+/// of it, and the model asks for an accuracy.
+fn reduced_inputs(model: &Model, plan: &Plan) -> Vec<bool> {
+    let asked = model.accuracy.is_some() || model.motors.iter().any(|motor| motor.step.is_some());
+    let meshes = plan
+        .steps
+        .iter()
+        .any(|step| matches!(step, Step::Mesh(_) | Step::Cam(_)) || ties_sources(step));
+    let turning = model.motors.iter().map(|motor| {
+        let turns = model.turns(motor.joint);
+        asked && meshes && turns
+    });
+    let fixed = model.params.ids().map(|_| false);
+    turning.chain(fixed).collect()
+}
+
+/// Whether a step closes a loop whose directions follow motors by rolling.
+fn ties_sources(step: &Step) -> bool {
+    matches!(step, Step::Close(closing) if closing.ties.iter().any(|tie| !tie.sources.is_empty()))
+}
+
+/// Whether something may move beyond the range of the numbers: what slides may, if a motor or a rack drives it; what a law drives
+/// that may have no value; what is as long as a param; and what turns farther than what drives it, or by several things.
+fn overflows(model: &Model, plan: &Plan) -> bool {
+    let multiplies = |step: &Step| {
+        let Step::Mesh(mesh) = step else {
+            return false;
+        };
+        let one = Rational::from_integer(1.into());
+        mesh.parts.len() > 1 || mesh.parts.iter().any(|(_, part)| part.abs() > one)
+    };
+    let slides = |joint: &Joint| {
+        matches!(
+            joint.kind,
+            JointKind::Prismatic(..) | JointKind::Rack { .. } | JointKind::Cam { .. }
+        )
+    };
+    model.joints.iter().any(slides) || !model.params.is_empty() || plan.steps.iter().any(multiplies)
+}
+
+/// A loop that is being lowered.
+struct LoopSite<'c> {
+    /// Its number in the plan.
+    number: usize,
+    block: BlockId,
+    choice: Choice,
+    /// Whether it is solved by iteration.
+    iterated: bool,
+    closing: &'c Loop,
+    equation: Equation<Value>,
+    /// The base of its first cluster, from which its unknowns are seen.
+    base: LinkId,
+    /// The joints whose coordinates are unknown, for messages.
+    place: String,
+}
+
+/// A loop that is solved.
+struct SolvedLoop {
+    /// The number of its loop in the plan.
+    number: usize,
+    /// The name of its block.
+    name: String,
+    /// The joints of the loop whose coordinates are unknown, for messages.
+    place: String,
+    equation: Equation<Value>,
+    /// Its directions and displacements, in the order of the equation's unknowns.
+    solution: Vec<Solution<Value>>,
+    /// The relations of its directions and displacements to fewer unknowns, if rolling ties them.
+    tied: Option<Tied>,
+}
+
+impl SolvedLoop {
+    /// Whether an angle is among its unknowns that is counted over whole turns.
+    fn counts_turns(&self) -> bool {
+        self.tied.as_ref().is_some_and(Tied::counts_turns)
+    }
 }

@@ -1,9 +1,9 @@
 //! The pass that finds the positions of all links, step by step.
 
+use super::SolvedLoop;
 use super::continuous::ContinuousAngles;
 use super::lowering::Lowering;
 use super::predictor::Predictor;
-use super::site::SolvedLoop;
 use super::sources::Sources;
 use super::watching::Watches;
 use crate::model::{InputId, JointId, Model};

@@ -4,8 +4,8 @@
 //! leaves in the place of the gap; their second rates solve it again.
 
 use super::Positions;
+use super::SolvedLoop;
 use super::lowering::Lowering;
-use super::site::SolvedLoop;
 use super::size::Size;
 use super::tangent::{Seed, Tangents};
 use super::tied::all_columns;

@@ -1,9 +1,9 @@
 //! The ties of a loop's unknowns by rolling, and the iteration of a tied loop.
 
+use super::LoopSite;
 use super::iteration::{IteratedLoop, LoopIteration, System};
 use super::last::{LastUnknown, last_unknown};
 use super::pass::PositionPass;
-use super::site::LoopSite;
 use super::tied::{Relation, Start, Tied, TiedUnknown, all_columns};
 use crate::model::{JointId, LinkId};
 use crate::plan::{Arithmetic, Solution, Tie, Unknown, float_of};

@@ -1,7 +1,7 @@
 //! Loops that are watched, and angles whose turns are counted: what a position carries of them.
 
+use super::LoopSite;
 use super::lowering::Lowering;
-use super::site::LoopSite;
 use crate::plan::{Algebra, Arithmetic, Dyad, Equation, Solution, Turning};
 use crate::program::builder::SsaBuilder;
 use crate::program::calibrate::{determinant, reach};

@@ -1,7 +1,9 @@
 //! Coordinates of joints.
 
-use super::rolling;
+use super::draft::Draft;
+use super::reader::Reader;
 use super::similarity::Similarity;
+use super::{find, rolling};
 use crate::model::{JointId, JointKind, Model};
 use crate::syntax::ast::Name;
 
@@ -38,4 +40,37 @@ pub(super) fn own(model: &Model, frame: &Similarity, joint: JointId, value: f64)
         JointKind::Revolute(..) => frame.sense() * value,
         _ => frame.start_scale() * value,
     }
+}
+
+/// The joints whose coordinates go on over whole turns.
+pub(super) fn lower_continuous(reader: &mut Reader, draft: &mut Draft, joints: &[Name]) {
+    for name in joints {
+        reader.report.next_item();
+        let Some(joint) = find::joint(reader, draft, name) else {
+            continue;
+        };
+        if let Some(text) = cannot_go_on(&draft.model, name, joint) {
+            reader.report.error(name.place(), text);
+        } else {
+            draft.model.continuous.push(joint);
+        }
+    }
+    reader.report.next_item();
+}
+
+/// Returns the message about a joint whose coordinate cannot go on over whole turns, or does already. A motor may be on it: its value goes
+/// on, too, and the motor may be moved.
+fn cannot_go_on(model: &Model, name: &Name, joint: JointId) -> Option<String> {
+    if let Some(text) = missing(model, name, joint, "ask for") {
+        return Some(text);
+    }
+    if let JointKind::Prismatic(..) = model.joint(joint).kind {
+        return Some(format!("joint `{name}` slides: its coordinate has no turns; leave this out"));
+    }
+    if model.continuous.contains(&joint) {
+        return Some(format!("`{name}` is continuous already; remove one of the two"));
+    }
+    (!model.shows_joint(joint)).then(|| {
+        format!("`show` leaves the coordinate of `{name}` out; add it there, or leave this out")
+    })
 }

@@ -4,8 +4,9 @@ use super::draft::Draft;
 use super::ends::Joining;
 use super::name::Referent;
 use super::reader::Reader;
-use super::{cam, given, rolling, weld};
-use crate::model::{self, AxisKind, JointId, JointKind};
+use super::{cam, find, given, rolling};
+use crate::model::{self, AxisId, AxisKind, DrawnAxis, JointId, JointKind};
+use crate::syntax::Place;
 use crate::syntax::ast::{Joint, JointWord};
 
 /// Declares a joint and returns its referent; its axes follow when all links are known.
@@ -41,7 +42,7 @@ pub(super) fn lower(
             JointKind::Prismatic(a, b)
         }
         JointWord::Weld => {
-            let [a, b] = weld::axes(reader, draft, &joining)?;
+            let [a, b] = weld_axes(reader, draft, &joining)?;
             JointKind::Weld(a, b)
         }
         JointWord::Slot => {
@@ -59,4 +60,22 @@ pub(super) fn lower(
         draft.model.joints.push(model::Joint { name, origin, kind, hidden: false });
         id
     })
+}
+
+/// The axes of a weld: given ones, drawn ones, or those of both frames.
+fn weld_axes(reader: &mut Reader, draft: &mut Draft, joining: &Joining) -> Option<[AxisId; 2]> {
+    let body = joining.body;
+    let whole = body.at.is_none() && body.ends.iter().all(|end| end.axis.is_none());
+    if !whole {
+        return given::axes(reader, draft, joining, [AxisKind::Point; 2]);
+    }
+    if let Some(along) = &body.along {
+        let text = "a `weld` has no direction; leave `along` out";
+        reader.report.error(Place::at(along.keyword), text);
+    }
+    let ends = body.ends.each_ref();
+    let [a, b] = ends.map(|end| find::link(reader, draft, &end.link));
+    let links = [a?, b?];
+    joining.check_apart(reader, links)?;
+    Some(links.map(|link| draft.drawn_axis(link, DrawnAxis::point([0.0; 2]), joining.origin)))
 }

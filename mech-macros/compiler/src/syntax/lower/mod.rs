@@ -6,7 +6,6 @@ mod cam;
 mod case;
 mod claim;
 mod constant;
-mod continuous;
 mod coordinate;
 mod direction;
 mod draft;
@@ -29,7 +28,6 @@ mod method;
 mod motion;
 mod motor;
 mod name;
-mod param;
 mod part;
 mod path;
 mod port;
@@ -48,7 +46,6 @@ mod trace;
 mod unknown;
 mod value;
 mod vector;
-mod weld;
 
 pub(super) use self::measurand::lower as measurands;
 
@@ -147,7 +144,7 @@ fn begin(reader: &mut Reader, draft: &mut Draft, statement: &Statement) {
 /// Lowers a list of joints that go on over whole turns, once it is known what is shown; and what is expected of all that.
 fn go_on(reader: &mut Reader, draft: &mut Draft, statement: &Statement) {
     match statement {
-        Statement::Continuous { joints, .. } => continuous::lower(reader, draft, joints),
+        Statement::Continuous { joints, .. } => coordinate::lower_continuous(reader, draft, joints),
         Statement::Follow(follow) => follow::lower(reader, draft, follow),
         Statement::Expect(expect) => requirement::lower(reader, draft, expect),
         _ => {}

@@ -1,8 +1,8 @@
 //! Pieces that are alike: what they have in common, and how each differs.
 
+use super::Term;
 use super::row::Row;
 use super::shape::Shape;
-use super::term::Term;
 use crate::bug::bug;
 use crate::program::{Program, Value};
 use std::collections::BTreeMap;

@@ -5,7 +5,6 @@
 
 mod class;
 mod entries;
-mod numbers;
 mod pieces;
 mod roll;
 mod rounds;
@@ -13,14 +12,13 @@ mod row;
 mod schedule;
 mod shape;
 mod template;
-mod term;
 #[cfg(test)]
 mod tests;
 mod writer;
 
 use super::Blocks;
 use super::scope::Scope;
-use crate::program::Program;
+use crate::program::{Op, Program, Value};
 use pieces::Pieces;
 use roll::{calls, entries};
 use schedule::{in_order, side_by_side};
@@ -40,4 +38,27 @@ pub(super) fn blocks(scope: &mut Scope<'_>, names: &mut BTreeSet<String>) -> Opt
     let entries = orders.map(|order| entries(program, &pieces, &order));
     let shortest = entries.into_iter().min_by_key(|entries| calls(entries))?;
     Some(Writer::new(&pieces, &shortest, scope, names).write(&shortest))
+}
+
+/// A value, or its opposite: changes of sign are exact, so they are no operations here.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Term {
+    value: Value,
+    negative: bool,
+}
+
+impl Term {
+    /// The value whose sign was changed to make this one, and whether it was changed.
+    fn of(program: &Program, value: Value) -> Self {
+        let (mut value, mut negative) = (value, false);
+        while let Op::Neg(inner) = program.node(value).op {
+            (value, negative) = (inner, !negative);
+        }
+        Self { value, negative }
+    }
+
+    /// The same with its sign changed, if `negative`.
+    fn signed(self, negative: bool) -> Self {
+        Self { negative: self.negative != negative, ..self }
+    }
 }

@@ -1,9 +1,9 @@
 //! The pieces in which a step is emitted: its blocks. A block with a loop like others is divided in two: what comes before the solution,
 //! and the solution.
 
+use super::Term;
 use super::class::{Class, LEAST};
 use super::shape::Shape;
-use super::term::Term;
 use crate::cancel;
 use crate::emit::step::flow::{Flow, is_computed, is_given};
 use crate::emit::step::sines::is_short;

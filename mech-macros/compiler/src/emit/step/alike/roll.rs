@@ -1,8 +1,8 @@
 //! Pieces that are computed in a loop: rows of one class after each other, or of several in turn.
 
+use super::Term;
 use super::class::{LEAST, Output};
 use super::pieces::{Pieces, Place};
-use super::term::Term;
 use crate::cancel;
 use crate::program::{Program, Value};
 use std::collections::BTreeMap;

@@ -1,9 +1,9 @@
 //! Rounds as a `for` loop over rows of a table.
 
+use super::Term;
 use super::class::Output;
 use super::pieces::Place;
 use super::roll::{Argument, Given, Roll};
-use super::term::Term;
 use super::writer::Writer;
 use crate::bug::bug;
 use crate::emit::tokens::{integer, number, scalar};

@@ -1,7 +1,7 @@
 //! One of several pieces that are alike, and how it differs from the one that stands for all.
 
+use super::Term;
 use super::shape::{Kind, Operand, Operation, Shape};
-use super::term::Term;
 use crate::program::{Op, Value};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;

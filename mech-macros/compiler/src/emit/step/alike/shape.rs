@@ -1,6 +1,6 @@
 //! The operations of a piece without its numbers: two pieces of one shape may be alike.
 
-use super::term::Term;
+use super::Term;
 use crate::emit::step::flow::is_given;
 use crate::program::{Op, Program, Value};
 use std::collections::{BTreeMap, BTreeSet};

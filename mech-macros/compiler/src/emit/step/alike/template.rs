@@ -1,10 +1,9 @@
 //! The function that pieces share, as a program of its own.
 
+use super::Term;
 use super::class::{Class, Output};
-use super::numbers::{Cell, Numbers};
 use super::pieces::Part;
 use super::shape::{Kind, Operand};
-use super::term::Term;
 use crate::bug::bug;
 use crate::emit::step::block::function;
 use crate::emit::step::flow::Flow;
@@ -229,4 +228,59 @@ impl Template<'_> {
 /// The name of what belongs to an instance of a part, without the instance: `left[2].foot_x` becomes `foot_x`.
 pub(super) fn within_instance(name: &str) -> &str {
     name.rsplit_once('.').map_or(name, |(_, name)| name)
+}
+
+/// The place of a number in the function that pieces share.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Cell {
+    /// It is the same in all rows.
+    Same(f64),
+    /// It differs, and is in this column of the table.
+    Column(usize),
+}
+
+/// The numbers of a class.
+pub(super) struct Numbers {
+    /// The cells of the numbers of its operations.
+    pub(super) cells: Vec<Cell>,
+    /// The columns of its table, each with a number for each row.
+    pub(super) columns: Vec<Vec<f64>>,
+}
+
+impl Numbers {
+    pub(super) fn of(class: &Class) -> Self {
+        let mut numbers = Self { cells: Vec::new(), columns: Vec::new() };
+        for place in 0..class.rows[0].numbers.len() {
+            let column: Vec<f64> = class.rows.iter().map(|row| row.numbers[place]).collect();
+            let cell = numbers.cell(column);
+            numbers.cells.push(cell);
+        }
+        if class.has_sides() {
+            let sides = class
+                .rows
+                .iter()
+                .map(|row| if row.is_on_other_side(&class.shape) { -1.0 } else { 1.0 });
+            numbers.columns.push(sides.collect());
+        }
+        numbers
+    }
+
+    fn cell(&mut self, column: Vec<f64>) -> Cell {
+        let first = column[0];
+        if column.iter().all(|number| is_same(*number, first)) {
+            return Cell::Same(first);
+        }
+        let known = self.columns.iter().position(|known| {
+            let mut pairs = known.iter().zip(&column);
+            pairs.all(|(a, b)| is_same(*a, *b))
+        });
+        Cell::Column(known.unwrap_or_else(|| {
+            self.columns.push(column);
+            self.columns.len() - 1
+        }))
+    }
+}
+
+fn is_same(a: f64, b: f64) -> bool {
+    a.to_bits() == b.to_bits()
 }

@@ -1,9 +1,9 @@
 //! Which pieces are alike, and how each differs.
 
+use super::Term;
 use super::class::{Class, Output};
 use super::row::Row;
 use super::shape::Shape;
-use super::term::Term;
 use crate::model::{InputId, Number};
 use crate::program::{Block, BlockId, BlockKind, Node, Op, Program, Value};
 

@@ -1,11 +1,11 @@
 //! The writer of pieces: the functions of their classes, and names.
 
+use super::Term;
 use super::class::Output;
-use super::numbers::Numbers;
 use super::pieces::{Part, Piece, Pieces, Place};
 use super::roll::Entry;
+use super::template::Numbers;
 use super::template::{Shared, within_instance};
-use super::term::Term;
 use crate::emit::step::scope::Scope;
 use crate::program::Value;
 use proc_macro2::{Ident, TokenStream};
