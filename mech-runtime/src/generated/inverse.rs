@@ -190,6 +190,9 @@ where
     fn try_pieces(&mut self, place: [T; N]) -> Result<(), Blocked<[T; N]>> {
         let (at, from) = (&*self.mechanism.position, &*self.inverse.position);
         if !self.led.agree(at, from) {
+            // Only its poses are known: a beginning of its own keeps the digits that whole turns would take.
+            self.inverse.limits.count_from_zero(self.inverse.position);
+            let from = &*self.inverse.position;
             let here = self.led.nearest(self.led.here, &from.motors);
             let here = self.led.inputs(&at.motors, here);
             let poses = self.led.shared(&at.poses);

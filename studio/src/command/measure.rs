@@ -76,6 +76,7 @@ Quantities:
   t                         the time since the motion began
 
 They are those of `expect`, and may be in expressions, as `b - 2 * a`, `velocity:p.a.norm / velocity:q.b.norm`.
+Constants and params of the mechanism are known by their names, as in `p.a.x - LENGTH`.
 Angles are in degrees, their rates in radians. Velocities are those at a rate of 1, torques and reactions
 those at rest, unless `--rate` says another. Loads are zero unless `--load` gives them. A cell is empty
 where a value is not determined, as a velocity at a dead point.";

@@ -124,6 +124,12 @@ impl<'w, T: Real> Way<'w, '_, '_, T> {
             from.turns[motor.index()] = 0;
         }
         from.motors.clone_from(&inputs);
+        // Only its poses are known: a beginning of its own keeps the digits that whole turns would take.
+        for follow in &self.programs[1].follows {
+            let angle = &mut from.state[follow.angle];
+            let turns = T::from_f64((angle.to_f64() / T::TURN.to_f64()).round());
+            *angle = *angle - T::TURN * turns;
+        }
         let poses = at.poses[..self.shared()].to_vec();
         let found = beside(self.inverse, self.program(1), from, &inputs, &poses)?;
         self.inverse.put_back(found);

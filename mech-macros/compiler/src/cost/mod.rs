@@ -188,7 +188,7 @@ fn tests(program: &Program, block: &Block, iteration: Option<&Iteration>) -> Cos
 /// The number of times that the operations of an iteration run.
 struct Iteration {
     rounds: u32,
-    /// For each node whether the test of a round needs it: that is done once more after the last round.
+    /// For each node whether the test of a round needs it, or a last step: that is done once more after the last round.
     measured: Vec<bool>,
 }
 
@@ -207,7 +207,7 @@ impl Iteration {
             .chain([newton.det])
             .chain(newton.extent)
             .collect();
-        let mut measured = vec![false; program.ssa.nodes.len()];
+        let mut measured = vec![newton.steps_on(); program.ssa.nodes.len()];
         while let Some(value) = waiting.pop() {
             let node = program.node(value);
             let here = node.block == block && node.iterated;

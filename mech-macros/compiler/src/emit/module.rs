@@ -52,9 +52,10 @@ const TYPES: [&str; 17] = [
 ];
 
 /// The names of functions and variables that do not depend on the mechanism.
-const FIXED: [&str; 15] = [
+const FIXED: [&str; 16] = [
     "accelerations",
     "before",
+    "is_last",
     "last",
     "laws",
     "loads",

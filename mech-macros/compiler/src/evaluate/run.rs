@@ -340,10 +340,11 @@ impl<'p, T: Real> Runner<'p, T> {
                     rounds == most || within(values, newton.tight(T::EPSILON))
                 }
             };
-            if done {
+            if done && (rounds == 0 || !newton.steps_on()) {
                 break;
             }
-            if let Some(step) = newton.contracting_step()
+            if !done
+                && let Some(step) = newton.contracting_step()
                 && !contracts(&mut before, values[step.index()])
             {
                 break;
@@ -352,6 +353,9 @@ impl<'p, T: Real> Runner<'p, T> {
                 newton.scalars.iter().map(|scalar| values[scalar.next.index()]).collect();
             for (scalar, next) in newton.scalars.iter().zip(next) {
                 values[scalar.now.index()] = next;
+            }
+            if done {
+                break;
             }
             rounds += 1;
         }

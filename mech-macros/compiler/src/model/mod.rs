@@ -200,6 +200,8 @@ pub struct Model {
     pub inverse: Option<Inverse>,
     /// The instances of parts, each after the one that it is in.
     pub instances: Vec<Instance>,
+    /// The constants and params of the mechanism itself, with their values at the start: whoever measures may name them.
+    pub constants: Vec<(String, f64)>,
 }
 
 /// The allowances: each lets something pass that is otherwise an error.
@@ -244,6 +246,7 @@ impl Model {
             requirements: Vec::new(),
             inverse: None,
             instances: Vec::new(),
+            constants: Vec::new(),
         }
     }
 

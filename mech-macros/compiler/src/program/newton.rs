@@ -127,6 +127,14 @@ impl Newton {
         self.step.filter(|_| !matches!(self.rounds, Rounds::Exactly(0 | 1)))
     }
 
+    /// Whether the step that was found in the last round is made, too, unless that is the first: what is closed stays as it is. The system
+    /// of coupled loops is solved before a round turns out to be the last, and its gap is a part of the size of all rings together, which
+    /// leaves more than rounding.
+    #[must_use]
+    pub fn steps_on(&self) -> bool {
+        self.dense && matches!(self.rounds, Rounds::UntilClosed(_))
+    }
+
     /// A gap, as a part of the loop's size, at which no further round is worth while.
     #[must_use]
     pub fn tight(&self, epsilon: f64) -> f64 {

@@ -28,22 +28,43 @@ pub(super) fn iteration(block: BlockId, newton: &Newton, scope: &mut Scope<'_>) 
     let first_step = newton.contracting_step().map(|_| quote!(let mut before = before_first();));
     let contracts = newton.contracting_step().map(|step| {
         let step = scope.expression(step);
-        quote!(if !contracts(&mut before, #step) { break #exits; })
+        quote!(!contracts(&mut before, #step))
     });
     let is_last = is_last(newton, scope);
     let test = test(newton, scope);
+    let step = quote!((#(#variables),*) = (#(#next),*););
+    let rest = if newton.steps_on() {
+        let stop = contracts.map(|stop| quote!(if !is_last && #stop { break #exits; }));
+        quote! {
+            let is_last = #is_last;
+            if is_last && rounds == 0 {
+                break #exits;
+            }
+            #after
+            #stop
+            #step
+            if is_last {
+                break #exits;
+            }
+        }
+    } else {
+        let stop = contracts.map(|stop| quote!(if #stop { break #exits; }));
+        quote! {
+            if #is_last {
+                break #exits;
+            }
+            #after
+            #stop
+            #step
+        }
+    };
     quote! {
         #(let mut #variables = #firsts;)*
         let mut rounds = 0_u32;
         #first_step
         let #exits = loop {
             #before
-            if #is_last {
-                break #exits;
-            }
-            #after
-            #contracts
-            (#(#variables),*) = (#(#next),*);
+            #rest
             rounds += 1;
         };
         #test

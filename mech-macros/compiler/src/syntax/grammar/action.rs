@@ -1,6 +1,7 @@
 //! The actions on links: `gravity`, `spring`, `damper`, `load`.
 
 use super::beginning::STATEMENTS;
+use super::ending::refuse_misspelt;
 use super::expression::{expression, one_of, pair};
 use super::path::{end, path};
 use super::recover::{read_declared, read_setting, to_semicolon};
@@ -38,6 +39,7 @@ pub(super) fn spring(input: ParseStream) -> Statement {
     read_declared(input, "the name of a spring", |input, name| {
         let body = to_semicolon(input, &STATEMENTS, |input| {
             let (between, strength) = body(input, "stiffness")?;
+            refuse_misspelt(input, &["rest"])?;
             let rest = take_word(input, "rest").map(|_| expression(input)).transpose()?;
             Ok(ElasticBody { between, strength, rest })
         });

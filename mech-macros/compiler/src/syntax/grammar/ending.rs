@@ -1,10 +1,10 @@
 //! The end of a statement, and the message where it is missing.
 
-use super::beginning::at_beginning;
+use super::beginning::{STATEMENTS, at_beginning};
 use super::tokens::{beginning, comes, expected_message, take};
 use super::unit::is_declared;
 use crate::syntax::ast::Read;
-use crate::syntax::{Message, Place};
+use crate::syntax::{Message, Place, spelling};
 use proc_macro2::{Delimiter, TokenTree};
 use syn::buffer::Cursor;
 use syn::parse::ParseStream;
@@ -55,6 +55,22 @@ fn closing_bracket(delimiter: Delimiter) -> String {
         Delimiter::None => "this",
     }
     .to_owned()
+}
+
+/// Complains about a word after which a statement would go on, if it were spelt as one of these.
+pub(super) fn refuse_misspelt(input: ParseStream, words: &[&str]) -> Read<()> {
+    let Some((word, _)) = input.cursor().ident() else {
+        return Ok(());
+    };
+    let text = word.to_string();
+    let is_right = words.contains(&text.as_str());
+    if is_right || at_beginning(input, &STATEMENTS) || at_assignment(input) {
+        return Ok(());
+    }
+    spelling::nearest(&text, words).map_or(Ok(()), |near| {
+        let text = format!("unknown word `{text}`; did you mean `{near}`?");
+        Err(Message::new(Place::at(word.span()), text))
+    })
 }
 
 /// The last token between two places.

@@ -1,5 +1,6 @@
 //! What a mechanism is for: `expect transmission > 40 deg for a in 0 deg ..= 90 deg, "why";`
 
+use super::ending::refuse_misspelt;
 use super::expression::{expression, pair};
 use super::measured::number;
 use super::path::path;
@@ -23,18 +24,21 @@ pub(super) fn expect(input: ParseStream, keyword: Span) -> Statement {
     read_setting(input, |input| {
         let condition = condition(input)?;
         let (mut cases, mut loads) = (Vec::new(), Vec::new());
+        refuse_misspelt(input, &["for", "at", "deg", "rpm"])?;
         if take_word(input, "for").is_some() {
             range_or_load(input, &mut cases, &mut loads)?;
             while another_comes(input) {
                 range_or_load(input, &mut cases, &mut loads)?;
             }
         }
+        refuse_misspelt(input, &["at", "deg", "rpm"])?;
         if take_word(input, "at").is_some() {
             cases.push(value(input)?);
             while another_comes(input) {
                 cases.push(value(input)?);
             }
         }
+        refuse_misspelt(input, &["deg", "rpm"])?;
         let why = take(input, ",").map(|_| reason(input)).transpose()?;
         Ok(Statement::Expect(Box::new(Expect { keyword, condition, cases, loads, why })))
     })
@@ -51,6 +55,7 @@ fn condition(input: ParseStream) -> Read<ConditionExpr> {
         return Ok(ConditionExpr::Turns(motor, start.to(place)));
     }
     let first = number(input)?;
+    refuse_misspelt(input, &["in", "deg", "rpm"])?;
     if take_word(input, "in").is_some() {
         return Ok(ConditionExpr::Within(first, between(input)?));
     }

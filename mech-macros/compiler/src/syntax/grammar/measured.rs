@@ -1,8 +1,9 @@
 //! What is measured: `coupler.tip.y`, `max(torque:a)`, `distance(tip.p, (1, 2))`.
 
+use super::ending::refuse_misspelt;
 use super::expression::measured;
 use super::path::{end, path};
-use super::tokens::{any_word, expected_message, in_parens, symbol, take};
+use super::tokens::{any_word, expected_message, in_parens, symbol, take, word};
 use crate::model::{Rate, Summary, function_names};
 use crate::syntax::ast::{
     End, Expr, ExprKind, MeasuredExpr, MovingExpr, Name, Pair, ReactionExpr, Read, SpotExpr,
@@ -55,12 +56,12 @@ fn measure(input: ParseStream, number: &dyn Fn(ParseStream) -> Read<Expr>) -> Re
     };
     let name = first.to_string();
     if name == "time"
-        && let Some((second, rest)) = rest.ident()
-        && second == "ratio"
+        && let Some((_, rest)) = rest.ident()
         && rest.group(Delimiter::Parenthesis).is_some()
     {
         any_word(input);
-        any_word(input);
+        refuse_misspelt(input, &["ratio"])?;
+        word(input, "ratio")?;
         let (of, brackets) = in_parens(input, "`(`", number)?;
         let kind = MeasuredExpr::Summary(Summary::TimeRatio, TIME_RATIO, of);
         return Ok(Some(from(first.span(), brackets, kind)));

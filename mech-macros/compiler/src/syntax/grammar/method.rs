@@ -1,5 +1,6 @@
 //! The settings of how loops are solved: method, accuracy, cost and change points.
 
+use super::ending::refuse_misspelt;
 use super::expression::expression;
 use super::recover::read_setting;
 use super::tokens::{any_word, comes_word, expected_message, in_parens, take_word, word};
@@ -17,6 +18,7 @@ pub(super) fn method(input: ParseStream, keyword: Span) -> Statement {
             .ok_or_else(|| expected_message(input, "`exact`, `newton` or `linear`"))?;
         let steps =
             if input.peek(token::Paren) { Some(in_parens(input, "`(`", steps)?) } else { None };
+        refuse_misspelt(input, &["predictor"])?;
         let predictor = take_word(input, "predictor")
             .map(|span| Ok((span, in_parens(input, "`(`", expression)?.0)))
             .transpose()?;

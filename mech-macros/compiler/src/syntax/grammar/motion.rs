@@ -1,5 +1,6 @@
 //! Motions in segments: `rise 9 over 90 deg with cycloidal, dwell 30 deg, return over 90 deg, dwell`.
 
+use super::ending::refuse_misspelt;
 use super::expression::{expression, one_of};
 use super::tokens::{comes_word, expected_message, take, take_word};
 use crate::syntax::ast::{Expr, ExprKind, MotionExpr, Read, SegmentExpr, Way};
@@ -151,6 +152,7 @@ fn over(input: ParseStream, word: &str) -> Read<Expr> {
 
 /// Reads `with` and the name of a motion law, if it comes.
 fn with(input: ParseStream) -> Read<Option<(Ident, MotionLaw)>> {
+    refuse_misspelt(input, &["with", "deg", "in", "by"])?;
     if take_word(input, "with").is_none() {
         return Ok(None);
     }

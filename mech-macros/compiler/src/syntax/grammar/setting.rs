@@ -1,7 +1,7 @@
 //! Motors, the start and what is wanted: everything that refers to links and joints declared elsewhere.
 
 use super::beginning::{STATEMENTS, at_beginning};
-use super::ending::after_last;
+use super::ending::{after_last, refuse_misspelt};
 use super::expression::expression;
 use super::motion;
 use super::path::{end, path};
@@ -36,6 +36,7 @@ pub(super) fn motor(input: ParseStream) -> Statement {
         worded_speed(input)?;
         let law = take(input, "=").map(|_| motion::law(input)).transpose()?;
         worded_range(input)?;
+        refuse_misspelt(input, &["in", "by", "deg", "rpm"])?;
         let range = take_word(input, "in").map(|_| range(input)).transpose()?;
         let step = take_word(input, "by").map(|_| expression(input)).transpose()?;
         after_step(input)?;
@@ -220,6 +221,7 @@ pub(super) fn continuous(input: ParseStream, keyword: Span) -> Statement {
 pub(super) fn follow(input: ParseStream, keyword: Span) -> Statement {
     read_setting(input, |input| {
         let what = end(input)?;
+        refuse_misspelt(input, &["in", "by"])?;
         let region = if take_word(input, "in").is_some() {
             let expected = "the ranges of x and y, as `(0 ..= 2, 1 ..= 3)`";
             in_parens(input, expected, |input| read_list(input, range))?.0
@@ -232,6 +234,7 @@ pub(super) fn follow(input: ParseStream, keyword: Span) -> Statement {
             return Err(error);
         }
         let motors = read_list(input, |input| path(input, "the name of a motor's joint"))?;
+        refuse_misspelt(input, &["least"])?;
         let least = take_word(input, "least");
         Ok(Statement::Follow(Follow { keyword, what, region, motors, least }))
     })

@@ -2,7 +2,7 @@
 
 use super::quantity::Quantity;
 use super::report::Report;
-use crate::model::function_names;
+use crate::model::{Model, function_names};
 use crate::syntax::ast::Statement;
 use crate::syntax::{Place, spelling};
 use proc_macro2::Ident;
@@ -77,6 +77,26 @@ impl Constants {
             }
         }
         constants
+    }
+
+    /// Those of a model that is made.
+    pub(super) fn of_model(model: &Model) -> Self {
+        let entries = model.constants.iter().map(|(name, value)| Entry {
+            name: name.clone(),
+            statement: 0,
+            value: Value { quantity: Some(Quantity::fixed(*value)), integer: None },
+            word: "constant",
+        });
+        Self { entries: entries.collect() }
+    }
+
+    /// All that have a value, by their names.
+    pub(super) fn known(&self) -> Vec<(String, f64)> {
+        let known = self.entries.iter().filter_map(|entry| {
+            let value = entry.value.quantity?.value?;
+            Some((entry.name.clone(), value))
+        });
+        known.collect()
     }
 
     fn enter(&mut self, name: &Ident, statement: usize, word: &'static str) {
@@ -211,10 +231,14 @@ impl Constants {
         )
     }
 
+    /// The names of those that may stand in the statement of this number.
+    pub(super) fn names_before(&self, here: usize) -> impl Iterator<Item = &str> {
+        let known = self.entries.iter().filter(move |entry| entry.statement < here);
+        known.map(|entry| entry.name.as_str())
+    }
+
     fn known_names(&self, passing: Passing, here: usize) -> Vec<&str> {
-        let known = self.entries.iter().filter(|entry| entry.statement < here);
-        known
-            .map(|entry| entry.name.as_str())
+        self.names_before(here)
             .chain(["PI"])
             .chain(passing.variable)
             .chain(passing.instance.map(|_| INSTANCE))

@@ -6,7 +6,7 @@ use super::measured::Tabulated;
 use super::name::{Body, LentLink, Names, Referent, divide};
 use super::quantity::Quantity;
 use super::reader::{LawReading, Reader};
-use super::report::Report;
+use super::report::{Report, StatementPlace};
 use super::requirement::check_size;
 use super::scope::{Scopes, UsedPart};
 use super::similarity::Similarity;
@@ -25,6 +25,8 @@ pub(in crate::syntax) fn lower(
     let names = Names::of_model(model);
     let draft = Draft::of_model(model.clone());
     let (mut params, mut report) = (Params::default(), Report::default());
+    // All constants of the text stand before it.
+    report.enter(StatementPlace::of_mechanism(1), None);
     let mut reader = Reader::new(&names, 0, &mut params, &mut report);
     let found = measurands(&mut reader, &draft, expr);
     match (found, report.first()) {
@@ -124,7 +126,7 @@ impl Names {
 impl Scopes {
     /// The scopes of a model that is made.
     fn of_model(model: &Model) -> Self {
-        let mut scopes = Self::new(Constants::default());
+        let mut scopes = Self::new(Constants::of_model(model));
         for instance in &model.instances {
             let parent = instance.parent.map_or(0, |parent| parent + 1);
             let (_, name) = divide(&instance.path);

@@ -92,6 +92,7 @@ impl Tabulated<'_> {
         if let MeasuredExpr::Moving(None, MovingExpr { named: Some(name), point: None, .. }) = expr
             && name.name == TIME
             && reader.names.get(TIME).is_none()
+            && !reader.constants().has(TIME)
         {
             let time = reader.variable_for(Measured::Quantity(model::Quantity::Time))?;
             return Some(Subject::Number(time));
@@ -282,7 +283,11 @@ impl Reader<'_> {
                 let joints = self.names.joints(&key);
                 let mut known = [self.names.links(&key), joints].concat();
                 known.push(TRANSMISSION);
-                let remedy = spelling::remedy(&text, &known);
+                let numbers = self.constants().names_before(self.report.statement());
+                let all: Vec<&str> = known.iter().copied().chain(numbers).collect();
+                let near = spelling::nearest(&text, &all);
+                let remedy =
+                    spelling::remedy(&text, near.as_ref().map_or(&known, std::slice::from_ref));
                 let text = format!(
                     "nothing is called `{text}` that could be measured{remedy}\n\nhelp: a point is measured as `link.point.x`; there are also `transmission`, `angle(link)`, `distance(link.point, link.point)`"
                 );

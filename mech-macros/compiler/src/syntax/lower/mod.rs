@@ -98,6 +98,7 @@ pub(super) fn lower(text: &mut Text, tokens: &TokenStream) -> Lowered {
         }
     }
     draft.model.params = params;
+    draft.model.constants = names.scope(0).constants.known();
     start::start_by_laws(&mut draft, &mut report);
     follow::check(&draft, &mut report);
     motor::check_unlisted(&draft, &mut report);
