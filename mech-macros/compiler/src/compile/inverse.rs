@@ -3,11 +3,24 @@
 use super::{compile, surplus};
 use crate::compiled::InverseMechanism;
 use crate::digits::significant;
-use crate::evaluate::Machine;
+use crate::evaluate::{Machine, Stop};
 use crate::kinematics::LinkFrames;
 use crate::model::{Inverse, JointId, LinkId, Model, MotorId, Near, Start, StartValue};
 use crate::program::{self, Program};
 use crate::structure::{Diagnosis, InverseTrouble};
+
+/// Why a point does not come to a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unreachable {
+    /// This stops the mechanism in which the point is given.
+    Stopped(Stop),
+    /// This motor would leave its range.
+    OutOfRange(MotorId),
+    /// On the way motors and point part: the mechanism would have to be assembled otherwise.
+    Apart,
+    /// The motors, more than are needed, do not move it that way there.
+    Undetermined,
+}
 
 /// The mechanism in which the point is given, if motors follow one. It starts where the given program does.
 ///

@@ -1,31 +1,18 @@
 //! A point is led, and motors follow: as the generated code does it, in any precision.
 
-use super::inverse::place;
+use super::inverse::{Unreachable, place};
 use super::least;
 use crate::bug::bug;
 use crate::compiled::{Compiled, InverseMechanism};
-use crate::evaluate::{Machine, Stop};
+use crate::evaluate::Machine;
 use crate::kinematics::LinkFrames;
-use crate::model::{Inverse, Model, MotorId};
+use crate::model::{Inverse, Model};
 use crate::program::{Position, Program, Real};
 use mech_core::journey::Standing;
 use mech_core::pieces::in_pieces;
 
 /// So many whole turns of an angle that gears follow are tried.
 const MOST_TURNS: i32 = 32;
-
-/// Why a point does not come to a place.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unreachable {
-    /// This stops the mechanism in which the point is given.
-    Stopped(Stop),
-    /// This motor would leave its range.
-    OutOfRange(MotorId),
-    /// On the way motors and point part: the mechanism would have to be assembled otherwise.
-    Apart,
-    /// The motors, more than are needed, do not move it that way there.
-    Undetermined,
-}
 
 /// Leads the point of `follow` to a place on the straight way, and moves the motors after it. What is given is x and y, and the angle of
 /// the link where that is given. `inverse` is a machine of the program of [`Compiled::leading`], wherever it is.

@@ -1,6 +1,6 @@
 //! A point is led by more motors than it needs: as the generated code does it, in any precision.
 
-use super::lead::Unreachable;
+use super::inverse::Unreachable;
 use crate::bug::bug;
 use crate::evaluate::Machine;
 use crate::model::{Inverse, Model, MotorId};

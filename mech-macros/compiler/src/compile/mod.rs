@@ -29,7 +29,8 @@ use crate::plan::{self, Plan};
 use crate::program::{self, BlockId, Choice, Forces, Newton, Op, Output, Program};
 use crate::report;
 use crate::structure::{self, Diagnosis, Structure};
-pub use lead::{Unreachable, lead, led_place};
+pub use inverse::Unreachable;
+pub use lead::{lead, led_place};
 use overconstrained::Overconstrained;
 
 /// Analyses a mechanism and builds its programs.

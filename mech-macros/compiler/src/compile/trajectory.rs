@@ -1,6 +1,7 @@
 //! The path of a point that motors follow: whether they can.
 
-use super::lead::{Unreachable, lead};
+use super::inverse::Unreachable;
+use super::lead::lead;
 use crate::compiled::{Compiled, InverseMechanism};
 use crate::evaluate::{Machine, Stop};
 use crate::model::{Inverse, Law, Model, Range};

@@ -284,6 +284,7 @@ impl Reader<'_> {
                 let mut known = [self.names.links(&key), joints].concat();
                 known.push(TRANSMISSION);
                 let numbers = self.constants().names_before(self.report.statement());
+                let numbers = numbers.filter(|name| *name != text);
                 let all: Vec<&str> = known.iter().copied().chain(numbers).collect();
                 let near = spelling::nearest(&text, &all);
                 let remedy =
