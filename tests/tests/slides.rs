@@ -182,7 +182,6 @@ fn allowing_redundant(model: &Model) -> Model {
 }
 
 #[test]
-#[expect(clippy::too_many_lines, reason = "one case from its text to all that is compared")]
 fn networks_of_slides_move_as_linear_algebra_says() {
     let (mut moved, mut redundant, mut wrong) = (0, 0, 0);
     for seed in seeds(cases(400)) {

@@ -105,7 +105,6 @@ fn staged<T: Scalar, const W: usize, const H: usize>(
 }
 
 /// Paints one of everything.
-#[expect(clippy::too_many_lines, reason = "a list of everything there is")]
 fn all<T: Scalar>(canvas: &mut impl Canvas<T>, number: f64) {
     let at = |pair: [f64; 2]| pair.map(<T as Real>::from_f64);
     let [_, size] = at([0.0, number]);
