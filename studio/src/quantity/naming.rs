@@ -2,9 +2,7 @@
 
 use crate::failure::Failure;
 use crate::text::quoted;
-use mech_compiler::model::{
-    AxisId, AxisKind, JointId, JointKind, LinkId, Measurand, Model, Quantity,
-};
+use mech_compiler::model::{JointId, JointKind, LinkId, Measurand, Model, Quantity};
 use mech_compiler::plan::Plan;
 use mech_compiler::syntax;
 
@@ -91,20 +89,6 @@ pub(crate) fn body_of(model: &Model, name: &str) -> Result<LinkId, Failure> {
 
 fn link_of(model: &Model, name: &str) -> Option<LinkId> {
     model.declared_links().find(|&link| model.link(link).name == name)
-}
-
-pub(super) fn points(model: &Model) -> impl Iterator<Item = AxisId> + '_ {
-    let all = (0..model.axes.len()).map(AxisId::new);
-    all.filter(|&id| {
-        let axis = model.axis(id);
-        axis.kind == AxisKind::Point && axis.link != LinkId::GROUND
-    })
-}
-
-pub(super) fn point_name(model: &Model, id: AxisId) -> Option<String> {
-    let axis = model.axis(id);
-    let name = axis.name.as_ref()?;
-    Some(format!("{}.{name}", model.owner_of(axis)))
 }
 
 pub(super) fn has_coordinate(model: &Model, joint: JointId) -> bool {

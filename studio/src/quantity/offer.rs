@@ -1,7 +1,7 @@
 //! The names of the quantities of a mechanism, to choose from.
 
-use super::naming::{has_coordinate, point_name, points};
-use mech_compiler::model::Model;
+use super::naming::has_coordinate;
+use mech_compiler::model::{AxisId, AxisKind, LinkId, Model};
 
 /// Quantities that belong together, by their names.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -62,4 +62,18 @@ pub(crate) fn offers(model: &Model, has_loops: bool) -> Vec<Offer> {
     }
     offers.push(Offer { of: "the motion".to_owned(), names: vec!["t".to_owned()] });
     offers
+}
+
+fn points(model: &Model) -> impl Iterator<Item = AxisId> + '_ {
+    let all = (0..model.axes.len()).map(AxisId::new);
+    all.filter(|&id| {
+        let axis = model.axis(id);
+        axis.kind == AxisKind::Point && axis.link != LinkId::GROUND
+    })
+}
+
+fn point_name(model: &Model, id: AxisId) -> Option<String> {
+    let axis = model.axis(id);
+    let name = axis.name.as_ref()?;
+    Some(format!("{}.{name}", model.owner_of(axis)))
 }
